@@ -1,0 +1,29 @@
+# A room is one static library, one folder: its sources, the rooms it may include (DEPENDS, public), and the
+# third-party libraries that stay inside its .cpp files (PRIVATE_LIBS). The declared arrows are written to
+# room_graph.txt, which tests/house holds against every #include.
+add_library(unietp_flags INTERFACE)
+target_compile_features(unietp_flags INTERFACE cxx_std_20)
+target_compile_options(unietp_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                       -Werror -ffp-contract=off)
+target_include_directories(unietp_flags INTERFACE ${PROJECT_SOURCE_DIR})
+file(WRITE ${PROJECT_BINARY_DIR}/room_graph.txt "")
+
+function(add_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
+  add_library(unietp_${name} STATIC ${ROOM_SOURCES})
+  add_library(unietp::${name} ALIAS unietp_${name})
+  list(TRANSFORM ROOM_DEPENDS PREPEND unietp:: OUTPUT_VARIABLE rooms)
+  target_link_libraries(unietp_${name} PUBLIC unietp_flags ${rooms} ${ROOM_PUBLIC_LIBS} PRIVATE ${ROOM_PRIVATE_LIBS})
+  file(APPEND ${PROJECT_BINARY_DIR}/room_graph.txt "${name}: ${ROOM_DEPENDS}\n")
+endfunction()
+
+# One test program a folder: add_room_tests(logic SOURCES a_test.cpp b_test.cpp LIBS extra).
+# Tests find committed data through UNIETP_SOURCE_DIR and the optional real metadata through UNIETP_UPSTREAM_DIR.
+function(add_room_tests name)
+  cmake_parse_arguments(T "" "" "SOURCES;LIBS" ${ARGN})
+  add_executable(${name}_tests ${T_SOURCES})
+  target_link_libraries(${name}_tests PRIVATE ${T_LIBS} GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name}_tests PRIVATE UNIETP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                             UNIETP_UPSTREAM_DIR="${PROJECT_SOURCE_DIR}/../shared/upstream")
+  gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unietp {
+
+std::vector<std::string> split(std::string_view text, char separator);
+std::string join(const std::vector<std::string>& parts, std::string_view separator);
+std::string_view trim(std::string_view text);
+std::string lower(std::string_view text);
+bool starts_with_vowel_letter(std::string_view word);
+std::string replace_all(std::string text, std::string_view from, std::string_view to);
+
+/// The candidate with the smallest edit distance to `name`, or "" when none is near (more than a third of the letters
+/// differ); ties go to the first.
+std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
+
+/// Shortest text that reads back to the same double (std::to_chars), so that files are the same everywhere.
+std::string number_text(double value);
+
+}  // namespace unietp

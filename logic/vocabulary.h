@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace unietp {
+
+/// Every truth that a goal, a start constraint, an effect rule or a scene can speak of; one vocabulary for all of them.
+enum class Predicate : std::uint8_t {
+  // states of one object
+  Open, Closed, PowerOn, PowerOff, Clean, Dirty, Hot, Cool, RoomTemperature, Cooked, Raw, Burnt, Unburnt, Frozen,
+  Thawed, Sliced, Whole, Empty, Soaked, Dry, UsedUp, Unused, Broken, Intact, Folded, Unfolded, PluggedIn, Unplugged,
+  // what the agent does with one object
+  Held, SatOn, LainOn,
+  // states with a symbol
+  Filled, Covered,
+  // attributes with a symbol, fixed for a scene
+  Colour, Material, Size,
+  // relations of two objects
+  On, Inside, NextTo, Under, SliceOf, Attached, Nearest,
+  // relations of an object and a room
+  OnFloor, InRoom,
+};
+inline constexpr std::size_t kPredicateCount = static_cast<std::size_t>(Predicate::InRoom) + 1;
+
+/// What may stand at one place of a predicate.
+enum class ArgumentKind : std::uint8_t { Object, Room, Symbol };
+
+struct PredicateInfo {
+  Predicate predicate;
+  std::string_view name;     // "next_to"
+  std::span<const ArgumentKind> arguments;
+  std::string_view meaning;  // one line for people
+};
+
+const PredicateInfo& info(Predicate predicate);
+std::optional<Predicate> predicate_named(std::string_view name);
+/// All predicates in the order of the enum.
+std::span<const PredicateInfo> all_predicates();
+
+}  // namespace unietp
