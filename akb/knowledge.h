@@ -1,0 +1,125 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "core/result.h"
+#include "scene/archetype.h"
+#include "scene/geometry.h"
+#include "scene/simulator.h"
+
+namespace unietp {
+
+/// Where a fact comes from: `metadata:<file>`, `derived:<rule>`, `llm:<model>` or `curated`, and how sure it is, (0, 1].
+struct Source {
+  std::string source;
+  double confidence = 1;
+  bool operator==(const Source&) const = default;
+};
+
+struct Category {
+  std::string name;     // the simulator's own: "CoffeeMachine", "kitchencabinet", "coffee_table"
+  std::string display;  // "coffee machine"
+  std::string plural;   // "coffee machines"; equal to display for uncountable ones ("bread")
+  std::string synset;   // WordNet 3.0, "mug.n.04"; "" when none fits
+  bool countable = true;  // false: "some bread", not "a bread"
+  bool movable = false;
+  Archetype archetype = Archetype::Box;
+  Vec3 size = Vec3::Zero();           // typical full extents, metres: width x, depth y, height z
+  double mass = 0;                    // kilograms
+  std::vector<std::string> rooms;     // usual room types, most usual first
+  std::vector<std::string> colours, materials;  // what instances come in
+  Source source;                      // of the row as a whole
+  Source size_source, mass_source;
+};
+
+/// `mug on countertop: likely 0.4, at most 6`.
+struct Placement {
+  std::string object, relation, receptacle;  // relation: on, inside, next_to, under
+  double likelihood = 0;                     // relative weight among the receptacles of this object
+  int capacity = 1;                          // how many such objects fit
+  Source source;
+};
+
+/// What a tool or appliance does to what: `Microwave heats Potato; needs closed,power_on`.
+struct Effect {
+  std::string tool;                // category
+  std::string effect;              // heats cools freezes washes cooks burns slices fills soaks wipes dispenses drains
+  std::string target;              // category
+  std::string gives;               // slices: category of the pieces ("AppleSliced"); fills, dispenses: the substance; else ""
+  int amount = 0;                  // slices: how many pieces
+  std::vector<std::string> needs;  // of the tool or place: closed, power_on, held, inside, on, under_tap
+  Source source;
+};
+
+struct Alias {
+  std::string category, text;
+  std::string kind;  // synonym, function ("something to drink from"), context
+  Source source;
+};
+
+struct AffordanceFact {
+  std::string category, affordance;
+  Source source;
+};
+
+/// The names of affordances that tables may use: pickupable, receptacle (things can be put on it), container (things can
+/// be put inside it), openable, switchable, sliceable, cookable, heatable, freezable, dirtyable, fillable, breakable,
+/// foldable, soakable, consumable, coverable, sittable, lieable, pluggable, burnable, heat_source, cold_source, drain.
+const std::vector<std::string>& affordance_names();
+
+/// One simulator's affordance knowledge base, in memory. Immutable after loading; queries are in table order, which is
+/// sorted by name, so results are deterministic.
+class Knowledge {
+ public:
+  Knowledge(Simulator simulator, std::vector<Category> categories, std::vector<AffordanceFact> affordances,
+            std::vector<Placement> placements, std::vector<Effect> effects, std::vector<Alias> aliases);
+
+  Simulator simulator() const { return simulator_; }
+  const std::vector<Category>& categories() const { return categories_; }
+  const Category* find(std::string_view name) const;
+  bool has(std::string_view category, std::string_view affordance) const;
+  std::vector<std::string> with_affordance(std::string_view affordance) const;
+  std::vector<std::string> affordances_of(std::string_view category) const;
+
+  const std::vector<Placement>& placements() const { return placements_; }
+  const Placement* placement(std::string_view object, std::string_view relation, std::string_view receptacle) const;
+  std::vector<const Placement*> placements_of(std::string_view object, std::string_view relation) const;
+  std::vector<const Placement*> placements_at(std::string_view receptacle, std::string_view relation) const;
+
+  const std::vector<Effect>& effects() const { return effects_; }
+  const Effect* effect(std::string_view tool, std::string_view effect, std::string_view target) const;
+  std::vector<const Effect*> effects_on(std::string_view target, std::string_view effect) const;
+  std::vector<const Effect*> effects_of(std::string_view tool, std::string_view effect) const;
+
+  std::vector<const Alias*> aliases_of(std::string_view category, std::string_view kind) const;
+  const std::vector<AffordanceFact>& affordances() const { return affordances_; }
+  const std::vector<Alias>& aliases() const { return aliases_; }
+
+ private:
+  Simulator simulator_;
+  std::vector<Category> categories_;
+  std::vector<AffordanceFact> affordances_;
+  std::vector<Placement> placements_;
+  std::vector<Effect> effects_;
+  std::vector<Alias> aliases_;
+};
+
+/// Compiles `<tables>/<simulator>/{category,affordance,relation,effect,alias}.csv` of all four simulators into one
+/// SQLite file (written aside, then renamed) that carries the digest of its inputs.
+/// Errors: Schema with file, line and column: an unknown or missing column, a bad number, an unknown category, affordance,
+/// archetype or relation, a duplicate key, a missing or malformed source. All of them, not only the first.
+std::vector<Error> compile_knowledge(const std::filesystem::path& tables, const std::filesystem::path& database);
+
+/// SHA-256 over the names and bytes of all tables, in order.
+Result<std::string> digest_of_tables(const std::filesystem::path& tables);
+/// Digest stored in a compiled file, or an error when it is none.
+Result<std::string> digest_of_database(const std::filesystem::path& database);
+
+/// Reads one simulator from a compiled file. Errors: Io, Schema.
+Result<Knowledge> load_knowledge(const std::filesystem::path& database, Simulator simulator);
+
+}  // namespace unietp

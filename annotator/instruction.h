@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "core/result.h"
+#include "core/rng.h"
+#include "generator/specification.h"
+#include "logic/formula.h"
+
+namespace unietp {
+
+/// An instruction with how it was made and what was checked.
+struct Instruction {
+  std::string text;
+  std::string writer;               // "grammar", or "llm:<model>"
+  std::string style;                // as asked, or "direct" after a fallback
+  std::vector<std::string> checks;  // names of the checks that it passed
+};
+
+/// Words a goal in English: every object, count, quantifier, order and referring constraint, and nothing else.
+/// Deterministic in rng. Errors: Unsatisfiable when the grammar has no words for a part of the goal (names the part).
+Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge, Rng rng);
+
+/// Reads an instruction of the grammar back into a goal formula: an independent reading of the words with the knowledge
+/// base as lexicon. Errors: Parse with the column of the first word that is not understood.
+Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowledge);
+
+/// The checks every instruction must pass, whoever wrote it: it parses back to a formula equivalent to the goal (same
+/// normal form), and no object id leaks. Empty when it passes, else what is wrong.
+std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
+                                           const Knowledge& knowledge);
+
+}  // namespace unietp

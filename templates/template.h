@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+#include "logic/formula.h"
+#include "scene/simulator.h"
+
+namespace unietp {
+
+enum class Split { Atomic, Compositional, Logical, InstanceGrounding, Linguistic };
+std::string_view name_of(Split split);  // "instance_grounding"
+std::optional<Split> split_named(std::string_view name);
+
+/// A placeholder and what a category must afford to fill it; `room` as the only affordance: a room type.
+struct Parameter {
+  std::string name;                      // "A"
+  std::vector<std::string> affordances;  // of the AKB, or the pseudo-affordances `furniture`, `movable`, `room`
+  SourcePos pos;
+};
+
+/// A condition on which categories may fill the placeholders together, answered from the AKB:
+/// (distinct A B …), (fits-on A B [n]), (fits-inside A B [n]), (heats T A), (cools T A), (washes T A), (cooks T A),
+/// (slices K A), (fills T A substance), …; `A/slice` may stand for what slicing an A makes.
+struct DomainConstraint {
+  std::string kind;
+  std::vector<std::string> arguments;
+  SourcePos pos;
+};
+
+/// A parameterised task as its file says it (docs/templates.md). Formulas name placeholders where an instance of the
+/// template names categories.
+struct Template {
+  std::string name;   // "place-two-one-inside", equal to the file's stem
+  std::string title;  // "place two <A> and one <B> inside <C>"
+  Split split = Split::Atomic;
+  std::vector<Simulator> simulators;
+  std::vector<Parameter> parameters;
+  std::vector<DomainConstraint> constraints;
+  std::vector<Formula> init;             // state formulas that the start must satisfy
+  Formula goal;
+  std::vector<std::string> instructions;  // reference phrasings with {A}, {A:plural}, {A:indefinite}, …
+  std::string file;
+};
+
+/// Errors: every problem found, each with file, line, column and what is accepted.
+struct TemplateReading {
+  std::vector<Template> templates;  // in order of file name
+  std::vector<Error> errors;
+};
+TemplateReading parse_template(std::string_view file, std::string_view text);
+/// All `*.template` files below a folder, in order of path; a file with an error is refused and the rest still load.
+TemplateReading load_templates(const std::filesystem::path& folder);
+
+}  // namespace unietp
