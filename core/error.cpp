@@ -21,7 +21,8 @@ std::string_view name_of(Error::Kind kind) {
 std::string format(const Error& error) {
   std::string text = error.where;
   if (error.pos.line > 0) {
-    text += (text.empty() ? "" : ":") + std::to_string(error.pos.line) + ":" + std::to_string(error.pos.column);
+    if (!text.empty()) text += ':';
+    text += std::to_string(error.pos.line) + ':' + std::to_string(error.pos.column);
   }
   if (!text.empty()) text += ": ";
   return text + std::string(name_of(error.kind)) + ": " + error.message;

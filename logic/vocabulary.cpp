@@ -1,0 +1,89 @@
+#include "logic/vocabulary.h"
+
+#include <array>
+#include <cassert>
+
+namespace unietp {
+namespace {
+
+using enum ArgumentKind;
+
+constexpr std::array kObject = {Object};
+constexpr std::array kObjectSymbol = {Object, Symbol};
+constexpr std::array kObjectObject = {Object, Object};
+constexpr std::array kObjectRoom = {Object, Room};
+
+constexpr std::array<PredicateInfo, kPredicateCount> kPredicates = {{
+    {Predicate::Open, "open", kObject, "?x is open"},
+    {Predicate::Closed, "closed", kObject, "?x is closed"},
+    {Predicate::PowerOn, "power_on", kObject, "?x is switched on"},
+    {Predicate::PowerOff, "power_off", kObject, "?x is switched off"},
+    {Predicate::Clean, "clean", kObject, "?x is clean"},
+    {Predicate::Dirty, "dirty", kObject, "?x is dirty"},
+    {Predicate::Hot, "hot", kObject, "?x is hot"},
+    {Predicate::Cool, "cool", kObject, "?x is cold"},
+    {Predicate::RoomTemperature, "room_temperature", kObject, "?x is neither hot nor cold"},
+    {Predicate::Cooked, "cooked", kObject, "?x is cooked"},
+    {Predicate::Raw, "raw", kObject, "?x is not cooked"},
+    {Predicate::Burnt, "burnt", kObject, "?x is burnt"},
+    {Predicate::Unburnt, "unburnt", kObject, "?x is not burnt"},
+    {Predicate::Frozen, "frozen", kObject, "?x is frozen"},
+    {Predicate::Thawed, "thawed", kObject, "?x is not frozen"},
+    {Predicate::Sliced, "sliced", kObject, "?x is cut"},
+    {Predicate::Whole, "whole", kObject, "?x is not cut"},
+    {Predicate::Empty, "empty", kObject, "nothing fills ?x"},
+    {Predicate::Soaked, "soaked", kObject, "?x is soaked"},
+    {Predicate::Dry, "dry", kObject, "?x is dry"},
+    {Predicate::UsedUp, "used_up", kObject, "?x is used up"},
+    {Predicate::Unused, "unused", kObject, "?x is not used up"},
+    {Predicate::Broken, "broken", kObject, "?x is broken"},
+    {Predicate::Intact, "intact", kObject, "?x is not broken"},
+    {Predicate::Folded, "folded", kObject, "?x is folded"},
+    {Predicate::Unfolded, "unfolded", kObject, "?x is not folded"},
+    {Predicate::PluggedIn, "plugged_in", kObject, "?x is plugged in"},
+    {Predicate::Unplugged, "unplugged", kObject, "?x is unplugged"},
+    {Predicate::Held, "held", kObject, "the agent holds ?x"},
+    {Predicate::SatOn, "sat_on", kObject, "the agent sits on ?x"},
+    {Predicate::LainOn, "lain_on", kObject, "the agent lies on ?x"},
+    {Predicate::Filled, "filled", kObjectSymbol, "?x holds this liquid; `any` asks for some liquid"},
+    {Predicate::Covered, "covered", kObjectSymbol, "?x is covered with this substance; `any` asks for some substance"},
+    {Predicate::Colour, "colour", kObjectSymbol, "?x has this colour; fixed for a scene"},
+    {Predicate::Material, "material", kObjectSymbol, "?x is made of this; fixed for a scene"},
+    {Predicate::Size, "size", kObjectSymbol, "?x has this size among its kind; fixed for a scene"},
+    {Predicate::On, "on", kObjectObject, "?x rests on ?y"},
+    {Predicate::Inside, "inside", kObjectObject, "?x is inside ?y"},
+    {Predicate::NextTo, "next_to", kObjectObject, "?x stands beside ?y"},
+    {Predicate::Under, "under", kObjectObject, "?x is under ?y"},
+    {Predicate::SliceOf, "slice_of", kObjectObject, "?x was cut from ?y"},
+    {Predicate::Attached, "attached", kObjectObject, "?x is attached to ?y"},
+    {Predicate::Nearest, "nearest", kObjectObject, "of the objects of its category, ?x is nearest to ?y"},
+    {Predicate::OnFloor, "on_floor", kObjectRoom, "?x lies on the floor of room ?y"},
+    {Predicate::InRoom, "in_room", kObjectRoom, "?x (or `agent`) is in room ?y"},
+}};
+
+constexpr bool in_order_of_the_enum() {
+  for (std::size_t i = 0; i < kPredicates.size(); ++i) {
+    if (static_cast<std::size_t>(kPredicates[i].predicate) != i) return false;
+  }
+  return true;
+}
+static_assert(in_order_of_the_enum());
+
+}  // namespace
+
+const PredicateInfo& info(Predicate predicate) {
+  const auto index = static_cast<std::size_t>(predicate);
+  assert(index < kPredicates.size());
+  return kPredicates[index];
+}
+
+std::optional<Predicate> predicate_named(std::string_view name) {
+  for (const auto& known : kPredicates) {
+    if (known.name == name) return known.predicate;
+  }
+  return std::nullopt;
+}
+
+std::span<const PredicateInfo> all_predicates() { return kPredicates; }
+
+}  // namespace unietp
