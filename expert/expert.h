@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "grounding/episode.h"
+#include "logic/formula.h"
+#include "scene/action.h"
+#include "scene/trace.h"
+#include "simulation/profile.h"
+#include "simulation/world.h"
+
+namespace unietp {
+
+/// One executed step as an agent would have lived it: what it saw, what it did, what it was told, what changed.
+struct DemonstrationStep {
+  std::vector<VisibleObject> visible;  // before the action
+  Action action;
+  Outcome outcome;
+  Delta changes;
+};
+
+struct Demonstration {
+  Mode mode = Mode::M1;
+  std::vector<DemonstrationStep> steps;  // the last is `stop`
+};
+
+struct ExpertOptions {
+  int max_steps = 50, max_failures = 10;  // stages.md: M1 and M2
+  int max_plans = 12;                     // alternative orders and witnesses tried
+};
+
+/// Stage: from the goal formula alone: chooses witnesses, orders subgoals, expands them to actions, executes them in the
+/// backend, replans on failure, stops. Knows no template. Kept only if the goal holds on the executed trace by the direct
+/// evaluator. Deterministic.
+std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                                                   const Profile& profile, const ExpertOptions& options);
+
+/// Must-fail mutations: each needed step dropped in turn, steps of ordered parts swapped; gives the mutations (as text)
+/// that wrongly still satisfy the goal although they leave a needed step out: empty when the goal really tests the plan.
+/// A dropped step whose absence makes no difference to the goal (such as closing a door out of good manners) is reported.
+std::vector<std::string> needless_steps(const Formula& goal, const Scene& start, const Demonstration& demonstration,
+                                        const Knowledge& knowledge, const Profile& profile);
+
+}  // namespace unietp

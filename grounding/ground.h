@@ -1,0 +1,26 @@
+#pragma once
+
+#include <variant>
+
+#include "akb/knowledge.h"
+#include "core/rng.h"
+#include "grounding/episode.h"
+#include "scene/scene.h"
+#include "simulation/profile.h"
+
+namespace unietp {
+
+struct GroundingOptions {
+  int draws_per_object = 60;  // poses tried for one placement
+  int rounds = 4;             // passes over the start constraints before giving up
+};
+
+/// Stage: (specification, scene, rng) → episode. Edits a copy of the scene until every start constraint holds and the
+/// goal does not, then checks the result from physics alone: constraints hold, each conjunct of the goal is false, what
+/// the goal names can be reached by the body, a referring constraint picks out what it should and leaves a distractor.
+/// Deterministic. Budgets are tries, never time.
+std::variant<Episode, Rejection> ground(const Specification& specification, const Scene& scene,
+                                        const Knowledge& knowledge, const Profile& profile,
+                                        const GroundingOptions& options, Rng rng);
+
+}  // namespace unietp

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+#include "simulation/physics.h"
+#include "simulation/profile.h"
+
+namespace unietp {
+
+/// Where a body of the profile's radius can stand: a grid of kCell_m over the rooms' bounds. A cell is free when a disc of
+/// the body's radius around its centre meets no wall and no solid between 5 cm and the body's height.
+class NavigationGrid {
+ public:
+  static constexpr double kCell_m = 0.1;
+  struct Cell {
+    std::int32_t x = 0, y = 0;
+    bool operator==(const Cell&) const = default;
+  };
+
+  NavigationGrid(const Scene& scene, const Profile& profile);
+
+  bool free(Cell cell) const;
+  Cell cell_at(const Vec2& point) const;
+  Vec2 centre(Cell cell) const;
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  /// Steps (4-connected cells) from `from` to every cell; -1 where it cannot walk. Row-major, width() per row.
+  std::vector<std::int32_t> distances(Cell from) const;
+  /// The free cell nearest to a point, ties by row then column.
+  std::optional<Cell> nearest_free(const Vec2& point) const;
+  /// Cells of a shortest walk, both ends included; empty when there is none.
+  std::vector<Cell> path(Cell from, Cell to) const;
+
+ private:
+  int width_ = 0, height_ = 0;
+  Vec2 origin_ = Vec2::Zero();
+  std::vector<std::uint8_t> blocked_;
+};
+
+/// Distance from the agent's body axis (a vertical segment from the floor to the body's height at `at`) to the box of a
+/// node, metres.
+double reach_distance(const Node& node, const Vec2& at, const Profile& profile);
+
+/// True when a ray from the camera standing at `at` meets the node before anything else. Rays go to the box's centre and
+/// to points inside each face; `ignore` are bodies in the agent's hands.
+bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Vec2& at, std::size_t node,
+          std::span<const BodyId> ignore = {});
+
+/// A place to stand from which the node is in reach and in sight and, when it can be opened, out of its door's way:
+/// the best (nearest to the front and to the object) among the cells that the body can walk to from `start`; nullopt
+/// when there is none.
+std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const NavigationGrid& grid,
+                                   const std::vector<std::int32_t>& walk_from_agent, const Profile& profile,
+                                   std::size_t node, std::span<const BodyId> ignore = {});
+
+}  // namespace unietp

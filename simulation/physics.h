@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scene/geometry.h"
+#include "simulation/shape.h"
+
+namespace unietp {
+
+/// Handle of a body in one PhysicsWorld; callers use the node's position in Scene::nodes, and walls lie above
+/// kFirstWall.
+using BodyId = std::uint32_t;
+inline constexpr BodyId kFirstWall = 1'000'000;
+inline constexpr BodyId kFloor = 2'000'000;
+
+struct Contact {
+  BodyId other = 0;
+  Vec3 normal = Vec3::UnitZ();  // from the other body to this one, W
+  double gap = 0;               // metres, negative when they overlap
+};
+
+struct RayHit {
+  BodyId body = 0;
+  double fraction = 1;  // of the way from start to end
+};
+
+struct SettleOptions {
+  double step_s = 1.0 / 240;
+  int max_steps = 720;        // 3 s
+  int calm_steps = 24;        // 0.1 s of calm in a row ends it
+  double calm_m_s = 0.01, calm_rad_s = 0.05;
+  double surroundings_m = 0.3;  // fixed bodies farther than this from the loose ones are left out
+};
+
+struct SettledBody {
+  BodyId body = 0;
+  Pose pose;
+};
+struct Settled {
+  std::vector<SettledBody> bodies;  // the loose ones, in the order given
+  bool calm = false;                // all came to rest within max_steps
+};
+
+/// All solids of a scene for questions (what touches, what is hit) and for letting things come to rest. Bullet, double
+/// precision. The world is only poses: settling runs in a fresh small dynamics world around the loose bodies and gives
+/// poses back, so equal worlds give equal results, and a copy is cheap to make. Floor: the plane z = 0.
+/// Not thread-safe; one world a thread.
+class PhysicsWorld {
+ public:
+  PhysicsWorld();
+  PhysicsWorld(const PhysicsWorld&);  // rebuilds the collision objects
+  PhysicsWorld(PhysicsWorld&&) noexcept;
+  PhysicsWorld& operator=(const PhysicsWorld&);
+  PhysicsWorld& operator=(PhysicsWorld&&) noexcept;
+  ~PhysicsWorld();
+
+  /// Adds a body or replaces it. `mass` > 0 for bodies that may ever be loose.
+  void set(BodyId id, const Shape& shape, const Pose& pose, double opening, double mass);
+  void move(BodyId id, const Pose& pose);
+  void remove(BodyId id);
+  bool has(BodyId id) const;
+
+  /// Everything nearer than `gap` to the body, the floor included; several contacts with one body are merged into the
+  /// one whose normal points most upwards. In order of BodyId.
+  std::vector<Contact> contacts(BodyId id, double gap) const;
+  /// The first body (lowest id) that a shape at a pose would overlap by more than `depth` metres; `ignore` are left out.
+  std::optional<BodyId> overlap(const Shape& shape, const Pose& pose, double opening, std::span<const BodyId> ignore,
+                                double depth = 0.0) const;
+  /// The nearest body that the segment meets.
+  std::optional<RayHit> ray(const Vec3& from, const Vec3& to, std::span<const BodyId> ignore = {}) const;
+  /// Bodies whose bounds come nearer than `gap` to the given bounds, in order of BodyId.
+  std::vector<BodyId> near(const Bounds& bounds, double gap) const;
+  Bounds bounds(BodyId id) const;
+
+  /// Lets the given bodies fall and slide until they rest, all others fixed. Does not change the world: apply the poses
+  /// with `move`. Deterministic.
+  Settled settle(std::span<const BodyId> loose, const SettleOptions& options = {}) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace unietp

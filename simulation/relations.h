@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "scene/scene.h"
+#include "simulation/physics.h"
+
+namespace unietp {
+
+inline constexpr double kTouch_m = 0.004;    // bodies nearer than this touch
+inline constexpr double kNextTo_m = 0.5;     // next_to: gap between boxes, both at about the same height
+
+/// Walls of all rooms with gaps at the openings, and every node, as bodies: node i is body i.
+PhysicsWorld physics_of(const Scene& scene);
+
+/// What physics shows, sorted: on (contact from above: the contact's normal leans less than 45° from straight up, and
+/// not inside it), inside (the box's lowest part and the centre's footprint lie in the cavity; true of every enclosing
+/// cavity), on_floor (contact with the floor), in_room (floor polygon under the centre; also of the agent), under,
+/// next_to, and slice_of from the nodes. Held objects and what they carry keep the edges that `carried` gives and have
+/// no others.
+std::vector<Edge> read_relations(const Scene& scene, const PhysicsWorld& world, std::span<const Edge> carried = {});
+
+/// Convenience for a scene at rest with nothing held.
+std::vector<Edge> read_relations(const Scene& scene);
+
+/// Ids of everything that rests on or in `id`, directly or through others, in scene order.
+std::vector<std::string> carried_by(const Scene& scene, std::string_view id);
+
+}  // namespace unietp

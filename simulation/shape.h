@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/archetype.h"
+#include "scene/geometry.h"
+#include "scene/scene.h"
+
+namespace unietp {
+
+/// One convex solid of an object, in the object's frame with every joint closed.
+struct Part {
+  enum class Kind { Box, Cylinder, Sphere };  // cylinders stand along z
+  Kind kind = Kind::Box;
+  Pose pose;
+  Vec3 size = Vec3::Zero();  // full extents, metres
+  int joint = -1;            // moves with this joint; -1: with the body
+};
+
+/// A door's or lid's hinge, or a drawer's slide. Position = opening × travel, opening in [0, 1].
+struct Joint {
+  enum class Kind { Hinge, Slide };
+  Kind kind = Kind::Hinge;
+  Vec3 anchor = Vec3::Zero();  // a point on the hinge's axis, object frame
+  Vec3 axis = Vec3::UnitZ();   // unit
+  double travel = 0;           // radians or metres
+};
+
+/// A level rectangle on which things can rest, object frame.
+struct Surface {
+  Vec3 centre = Vec3::Zero();  // of the rectangle, on the solid's upper face
+  Vec2 half = Vec2::Zero();    // half extents along x and y
+  double clearance = 0;        // free height above it, metres
+  int joint = -1;
+  int cavity = -1;             // index of the cavity it is the floor or a shelf of; -1: open, what rests here is `on`
+};
+
+/// A hollow that holds things: what lies in it is `inside`.
+struct Cavity {
+  Vec3 centre = Vec3::Zero(), half = Vec3::Zero();
+  int joint = -1;         // slides with this joint (a drawer)
+  bool closable = false;  // hidden and out of reach while the joints are closed
+  bool open_above = false;  // things may stick out at the top
+};
+
+struct Shape {
+  std::vector<Part> parts;
+  std::vector<Joint> joints;
+  std::vector<Surface> surfaces;
+  std::vector<Cavity> cavities;
+};
+
+/// Solids, joints, surfaces and cavities of an archetype scaled to `size`. Walls are kWall_m thick, less for small
+/// things. Deterministic. Every entry of `size` > 0.
+Shape make_shape(Archetype archetype, const Vec3& size, bool openable);
+inline Shape shape_of(const Node& node) { return make_shape(node.archetype, node.size, node.openable); }
+
+/// Object frame, closed → object frame at this opening, for things that move with the joint (-1: identity).
+Pose joint_motion(const Shape& shape, int joint, double opening);
+
+/// Bounds in W of the whole shape, doors at `opening`.
+Bounds bounds_of(const Shape& shape, const Pose& pose, double opening);
+
+}  // namespace unietp

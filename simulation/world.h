@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "core/result.h"
+#include "scene/action.h"
+#include "scene/scene.h"
+#include "simulation/profile.h"
+
+namespace unietp {
+
+/// An object in the camera's image: pixel box [x0, y0, x1, y1], x right, y down, clipped to the image.
+struct VisibleObject {
+  std::string id;
+  std::array<int, 4> box{};
+  bool operator==(const VisibleObject&) const = default;
+};
+
+/// What the agent is told after an action.
+struct Outcome {
+  bool success = false;
+  Failure failure = Failure::None;
+  std::string feedback;  // a sentence for the agent; "" on success
+};
+
+/// An episode in progress: a value that steps. Start scene in, action in, outcome out; `scene()` is the USG after it. A
+/// failed action changes nothing. Relations are read from physics, never set. Deterministic: equal starts and equal
+/// actions give equal scenes, bit for bit. Copies are independent (a search may branch); knowledge and profile must
+/// outlive them.
+class World {
+ public:
+  /// Errors: Schema when the scene has a category that the knowledge lacks, or its agent stands nowhere.
+  static Result<World> create(Scene start, const Knowledge& knowledge, const Profile& profile);
+  World(const World&);
+  World(World&&) noexcept;
+  World& operator=(const World&);
+  World& operator=(World&&) noexcept;
+  ~World();
+
+  Outcome step(const Action& action);
+  const Scene& scene() const;
+  bool stopped() const;  // `stop` was done
+
+  /// What the camera shows now: objects nearer than the profile's sight whose ray is free, by id.
+  std::vector<VisibleObject> visible() const;
+
+  // Questions that a planner may ask; none changes the world.
+  /// The body can stand somewhere with the object in reach and sight (as things are now: what is behind a closed door is
+  /// not in sight).
+  bool can_stand_at(std::string_view id) const;
+  /// As go_to would choose it.
+  std::optional<Vec2> standing_place_for(std::string_view id) const;
+  /// Walking distance in metres to the nearest free cell beside the object's box; infinity when there is none.
+  double walking_distance(std::string_view id) const;
+  bool in_reach(std::string_view id) const;
+  /// Id of the closed container around the object (nearest first), or "".
+  std::string closed_around(std::string_view id) const;
+
+ private:
+  struct Impl;
+  explicit World(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace unietp
