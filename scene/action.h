@@ -13,10 +13,44 @@ namespace unietp {
 
 /// The 38 action types, numbered as in docs/actions.md.
 enum class ActionType : std::uint8_t {
-  MoveForward, MoveBackward, MoveLeft, MoveRight, TurnLeft, TurnRight, LookUp, LookDown, TurnBaseToLook, ResetHead,
-  MoveHandForward, MoveHandBackward, MoveHandLeft, MoveHandRight, RotateHand, GoTo, TurnTo, PickUp, PlaceOn, PlaceIn,
-  Drop, Open, Close, TurnOn, TurnOff, Slice, PourTo, UseUp, Wipe, SpreadTo, SoakWith, HeatWith, CoolWith, WashWith,
-  CookWith, BurnWith, FillWith, Stop,
+  MoveForward,
+  MoveBackward,
+  MoveLeft,
+  MoveRight,
+  TurnLeft,
+  TurnRight,
+  LookUp,
+  LookDown,
+  TurnBaseToLook,
+  ResetHead,
+  MoveHandForward,
+  MoveHandBackward,
+  MoveHandLeft,
+  MoveHandRight,
+  RotateHand,
+  GoTo,
+  TurnTo,
+  PickUp,
+  PlaceOn,
+  PlaceIn,
+  Drop,
+  Open,
+  Close,
+  TurnOn,
+  TurnOff,
+  Slice,
+  PourTo,
+  UseUp,
+  Wipe,
+  SpreadTo,
+  SoakWith,
+  HeatWith,
+  CoolWith,
+  WashWith,
+  CookWith,
+  BurnWith,
+  FillWith,
+  Stop,
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionType::Stop) + 1;
 
@@ -30,9 +64,9 @@ struct ActionInfo {
   std::string_view name;  // "pick_up"
   ActionArgument argument;
   ActionClass group;
-  bool m1, m2, m3;                     // the mode offers it
+  bool m1, m2, m3;                               // the mode offers it
   bool ai2thor, virtualhome, habitat, behavior;  // the simulator offers it
-  std::string_view effect;             // one line for people
+  std::string_view effect;                       // one line for people
 };
 const ActionInfo& info(ActionType type);
 std::optional<ActionType> action_named(std::string_view name);
@@ -50,10 +84,35 @@ std::string to_text(const Action& action);  // "place_in(sink_1)"
 
 /// Why an action failed; each kind has its own sentence for the agent.
 enum class Failure : std::uint8_t {
-  None, InvalidAction, InvalidArgument, NotOffered, Blocked, NoStandingPlace, TooFar, NotVisible, InsideClosed,
-  ReceptacleClosed, NotAReceptacle, NoFreePlace, DidNotRest, DoesNotFit, NotPickupable, TooHeavy, NotOpenable,
-  AlreadyOpen, AlreadyClosed, NotSwitchable, AlreadyOn, AlreadyOff, MustBeClosed, NotHolding, HandsFull, NotSliceable,
-  NoKnife, NoEffect, NotReady,
+  None,
+  InvalidAction,
+  InvalidArgument,
+  NotOffered,
+  Blocked,
+  NoStandingPlace,
+  TooFar,
+  NotVisible,
+  InsideClosed,
+  ReceptacleClosed,
+  NotAReceptacle,
+  NoFreePlace,
+  DidNotRest,
+  DoesNotFit,
+  NotPickupable,
+  TooHeavy,
+  NotOpenable,
+  AlreadyOpen,
+  AlreadyClosed,
+  NotSwitchable,
+  AlreadyOn,
+  AlreadyOff,
+  MustBeClosed,
+  NotHolding,
+  HandsFull,
+  NotSliceable,
+  NoKnife,
+  NoEffect,
+  NotReady,
 };
 std::string_view name_of(Failure failure);  // "too_far"
 std::optional<Failure> failure_named(std::string_view name);

@@ -13,8 +13,8 @@
 namespace unietp {
 
 struct Room {
-  std::string id;             // "kitchen_1"
-  std::string type;           // lower case: "kitchen", "living_room", "bedroom", "bathroom", "dining_room", "corridor", …
+  std::string id;    // "kitchen_1"
+  std::string type;  // lower case: "kitchen", "living_room", "bedroom", "bathroom", "dining_room", "corridor", …
   std::vector<Vec2> polygon;  // counter-clockwise, metres
   bool operator==(const Room&) const = default;
 };
@@ -34,11 +34,11 @@ struct Node {
   std::string category;  // the simulator's name
   bool movable = false;
   Archetype archetype = Archetype::Box;
-  bool openable = false;      // has a door, drawer or lid on a joint
-  Vec3 size = Vec3::Zero();   // full extents of the closed body's box in its own frame, metres, > 0
-  double mass = 0;            // kilograms
-  Pose pose;                  // centre of that box in W
-  double opening = 0;         // joint position, 0 closed … 1 fully open
+  bool openable = false;     // has a door, drawer or lid on a joint
+  Vec3 size = Vec3::Zero();  // full extents of the closed body's box in its own frame, metres, > 0
+  double mass = 0;           // kilograms
+  Pose pose;                 // centre of that box in W
+  double opening = 0;        // joint position, 0 closed … 1 fully open
   StateSet states;
   std::string colour, material;  // "" when not known
   std::string slice_of;          // id of the whole this was cut from, else ""

@@ -2,6 +2,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "logic/trace.h"
@@ -11,8 +13,8 @@ namespace unietp {
 
 /// What one action changed. `apply(before, difference(before, after)) == after`.
 struct Delta {
-  std::vector<Node> nodes;            // new or changed, whole
-  std::vector<std::string> removed;   // ids of nodes that are gone
+  std::vector<Node> nodes;           // new or changed, whole
+  std::vector<std::string> removed;  // ids of nodes that are gone
   std::vector<Edge> edges_added, edges_removed;
   std::optional<Agent> agent;
   bool empty() const;
@@ -33,6 +35,7 @@ class FactReader {
   const std::vector<Entity>& entities() const { return entities_; }
 
  private:
+  std::optional<EntityIndex> find(std::string_view id) const;
   EntityIndex index_of(Entity entity);
   bool with_nearest_;
   std::vector<Entity> entities_;

@@ -1,0 +1,142 @@
+#include "scene/json_parse.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "scene/json_reader.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMaxDepth = 64;
+constexpr std::size_t kMaxFields = 64;
+
+std::string printable(std::string_view text, std::size_t limit) {
+  std::string plain(text.substr(0, limit));
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text.size() > limit ? plain + "…" : plain;
+}
+
+/// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …" from the library without what
+/// our own position says already.
+std::string reason_of(std::string_view what) {
+  if (const auto bracket = what.find("] "); bracket != std::string_view::npos) what.remove_prefix(bracket + 2);
+  if (const auto column = what.find("column "); column != std::string_view::npos) {
+    if (const auto colon = what.find(": ", column); colon != std::string_view::npos) what.remove_prefix(colon + 2);
+  }
+  return printable(what, 200);
+}
+
+/// Builds the value from the parser's events. The library's own builder lets the last of two equal fields win and
+/// copies the values of an object whenever its list of fields grows.
+class Builder {
+ public:
+  Builder(std::string_view where, std::string_view text) : where_(where), text_(text) {}
+
+  bool null() { return add(Json()); }
+  bool boolean(bool value) { return add(Json(value)); }
+  bool number_integer(std::int64_t value) { return add(Json(value)); }
+  bool number_unsigned(std::uint64_t value) { return add(Json(value)); }
+  bool number_float(double value, const std::string&) { return add(Json(value)); }
+  bool string(std::string& value) { return add(Json(std::move(value))); }
+  bool binary(Json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(Json::object()); }
+  bool start_array(std::size_t) { return open(Json::array()); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool key(std::string& name) {
+    const auto& fields = *stack_.back()->get_ptr<const Json::object_t*>();
+    if (fields.size() == kMaxFields) return fail("more than 64 fields in one object");
+    for (const auto& [other, value] : fields) {
+      if (other == name) return fail("the field " + in_quotes(name) + " stands twice in one object");
+    }
+    key_ = std::move(name);
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) {
+    error_ = Error{Error::Kind::Parse, std::string(where_), locate(text_, position > 0 ? position - 1 : 0),
+                   reason_of(error.what())};
+    return false;
+  }
+
+  Result<Json> result(bool complete) {
+    if (complete && !error_) return std::move(root_);
+    return error_ ? *error_ : Error{Error::Kind::Parse, std::string(where_), {}, "expected one JSON value"};
+  }
+
+ private:
+  bool add(Json value) {
+    put(std::move(value));
+    return true;
+  }
+
+  bool open(Json value) {
+    if (stack_.size() == kMaxDepth) return fail("nested deeper than 64 levels");
+    stack_.push_back(put(std::move(value)));
+    return true;
+  }
+
+  bool close() {
+    stack_.pop_back();
+    return true;
+  }
+
+  Json* put(Json value) {
+    if (stack_.empty()) {
+      root_ = std::move(value);
+      return &root_;
+    }
+    if (auto* items = stack_.back()->get_ptr<Json::array_t*>()) return &items->emplace_back(std::move(value));
+    auto& fields = *stack_.back()->get_ptr<Json::object_t*>();
+    if (fields.size() == fields.capacity()) {
+      Json::object_t wider;
+      wider.reserve(std::max<std::size_t>(4, 2 * fields.size()));
+      for (auto& [name, old] : fields) wider.emplace_back(name, std::move(old));
+      fields.swap(wider);
+    }
+    return &fields.emplace_back(std::move(key_), std::move(value)).second;
+  }
+
+  bool fail(std::string message) {
+    std::string pointer;
+    for (const Json* open : stack_) {
+      if (open == stack_.back()) break;
+      pointer += '/';
+      if (const auto* items = open->get_ptr<const Json::array_t*>()) {
+        pointer += std::to_string(items->size() - 1);
+      } else {
+        pointer += pointer_token(open->get_ptr<const Json::object_t*>()->back().first);
+      }
+    }
+    error_ = Error{Error::Kind::Schema, at_pointer(where_, pointer), {}, std::move(message)};
+    return false;
+  }
+
+  std::string_view where_, text_;
+  Json root_;
+  std::vector<Json*> stack_;  // the open arrays and objects; only the innermost one grows, so the others stay in place
+  std::string key_;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) { return std::string("\"").append(printable(text, 60)).append("\""); }
+
+Result<Json> parse_json(std::string_view where, std::string_view text) {
+  Builder builder(where, text);
+  const bool complete = Json::sax_parse(text.data(), text.data() + text.size(), &builder);
+  return builder.result(complete);
+}
+
+}  // namespace unietp

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "core/result.h"
+
+namespace unietp {
+
+/// The text as a JSON value, strictly: one value, UTF-8, no field twice in an object, at most 64 fields in an object
+/// and 64 levels, so that no input costs more than its length. Never throws. Errors: Parse with line and column; Schema
+/// with a JSON pointer for a repeated field or a broken limit.
+Result<nlohmann::ordered_json> parse_json(std::string_view where, std::string_view text);
+
+/// `"text"` for a message: cut at 60 bytes, what is not printable ASCII replaced by `?`.
+std::string in_quotes(std::string_view text);
+
+}  // namespace unietp

@@ -1,0 +1,202 @@
+#include "scene/node_json.h"
+
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "core/text.h"
+#include "scene/json_parse.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Vec2& v) { return Json::array({v.x(), v.y()}); }
+Json json_of(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+Json json_of(const Quat& q) { return Json::array({q.w(), q.x(), q.y(), q.z()}); }
+
+std::vector<std::string> names_where(bool (*accepts)(Predicate)) {
+  std::vector<std::string> names;
+  for (const PredicateInfo& predicate : all_predicates()) {
+    if (accepts(predicate.predicate)) names.emplace_back(predicate.name);
+  }
+  return names;
+}
+
+/// "clean", "filled(water)"
+std::string state_text(const State& state) {
+  std::string text(info(state.predicate).name);
+  return state.symbol.empty() ? text : text + "(" + state.symbol + ")";
+}
+
+std::optional<State> state_from_json(JsonReader& reader, const JsonAt& at) {
+  const std::string text = reader.text(at);
+  if (reader.error()) return std::nullopt;
+  const auto bracket = text.find('(');
+  const auto predicate = predicate_named(std::string_view(text).substr(0, bracket));
+  if (!predicate || !is_node_state(*predicate)) {
+    reader.unknown_name(at, "state", names_where(is_node_state));
+    return std::nullopt;
+  }
+  const bool written = bracket != std::string::npos;
+  if (written != has_symbol(*predicate) || (written && (text.back() != ')' || text.size() - bracket < 3))) {
+    const std::string name(info(*predicate).name);
+    reader.fail(
+        at, "expected " + in_quotes(has_symbol(*predicate) ? name + "(symbol)" : name) + ", not " + in_quotes(text));
+    return std::nullopt;
+  }
+  return State{*predicate, written ? text.substr(bracket + 1, text.size() - bracket - 2) : std::string()};
+}
+
+StateSet states_from_json(JsonReader& reader, const JsonAt& at) {
+  StateSet states;
+  const std::size_t count = reader.items(at);
+  for (std::size_t i = 0; i < count && !reader.error(); ++i) {
+    const JsonAt item = reader.item(at, i);
+    const auto state = state_from_json(reader, item);
+    if (!state) break;
+    states.set(*state);
+    if (states.all().size() != i + 1)
+      reader.fail(item, in_quotes(state_text(*state)) + " repeats or excludes one before");
+  }
+  return states;
+}
+
+Archetype archetype_from_json(JsonReader& reader, const JsonAt& at) {
+  const std::string name = reader.text(at);
+  const auto archetype = archetype_named(name);
+  if (!archetype && !reader.error()) {
+    std::vector<std::string> names;
+    for (const Archetype known : all_archetypes()) names.emplace_back(name_of(known));
+    reader.unknown_name(at, "archetype", names);
+  }
+  return archetype.value_or(Archetype::Box);
+}
+
+}  // namespace
+
+bool is_edge_relation(Predicate predicate) {
+  const auto arguments = info(predicate).arguments;
+  return arguments.size() == 2 && arguments[1] != ArgumentKind::Symbol && predicate != Predicate::Nearest;
+}
+
+bool has_symbol(Predicate predicate) {
+  const auto arguments = info(predicate).arguments;
+  return arguments.size() == 2 && arguments[1] == ArgumentKind::Symbol;
+}
+
+bool is_node_state(Predicate predicate) {
+  // Colour and material have fields of their own.
+  if (has_symbol(predicate)) return predicate != Predicate::Colour && predicate != Predicate::Material;
+  return info(predicate).arguments.size() == 1 && predicate != Predicate::Held;
+}
+
+Json node_to_json(const Node& node) {
+  Json states = Json::array();
+  for (const State& state : node.states.all()) states.push_back(state_text(state));
+  Json json = Json::object();
+  auto& fields = *json.get_ptr<Json::object_t*>();
+  fields.reserve(16);
+  fields.emplace_back("id", node.id);
+  fields.emplace_back("category", node.category);
+  fields.emplace_back("movable", node.movable);
+  fields.emplace_back("archetype", std::string(name_of(node.archetype)));
+  fields.emplace_back("openable", node.openable);
+  fields.emplace_back("size", json_of(node.size));
+  fields.emplace_back("mass", node.mass);
+  fields.emplace_back("position", json_of(node.pose.position));
+  fields.emplace_back("rotation", json_of(node.pose.rotation));
+  fields.emplace_back("opening", node.opening);
+  fields.emplace_back("states", std::move(states));
+  if (!node.colour.empty()) fields.emplace_back("colour", node.colour);
+  if (!node.material.empty()) fields.emplace_back("material", node.material);
+  if (!node.slice_of.empty()) fields.emplace_back("slice_of", node.slice_of);
+  if (!node.whole_category.empty()) fields.emplace_back("whole_category", node.whole_category);
+  return json;
+}
+
+Node node_from_json(JsonReader& reader, const JsonAt& at) {
+  JsonFields fields(reader, at);
+  Node node;
+  if (const auto f = fields.required("id")) node.id = reader.text(*f);
+  if (const auto f = fields.required("category")) node.category = reader.text(*f);
+  if (const auto f = fields.required("movable")) node.movable = reader.boolean(*f);
+  if (const auto f = fields.required("archetype")) node.archetype = archetype_from_json(reader, *f);
+  if (const auto f = fields.required("openable")) node.openable = reader.boolean(*f);
+  if (const auto f = fields.required("size")) {
+    node.size = reader.vec3(*f);
+    if (!reader.error() && !(node.size.minCoeff() > 0)) reader.fail(*f, "expected three lengths above 0");
+  }
+  if (const auto f = fields.required("mass")) {
+    node.mass = reader.number(*f);
+    if (node.mass < 0) reader.fail(*f, "expected a mass of 0 or more, not " + number_text(node.mass));
+  }
+  if (const auto f = fields.required("position")) node.pose.position = reader.vec3(*f);
+  if (const auto f = fields.required("rotation")) node.pose.rotation = reader.rotation(*f);
+  if (const auto f = fields.required("opening")) {
+    node.opening = reader.number(*f);
+    if (!(node.opening >= 0 && node.opening <= 1)) {
+      reader.fail(*f, "expected a number from 0 to 1, not " + number_text(node.opening));
+    }
+  }
+  if (const auto f = fields.required("states")) node.states = states_from_json(reader, *f);
+  if (const auto f = fields.optional("colour")) node.colour = reader.text(*f);
+  if (const auto f = fields.optional("material")) node.material = reader.text(*f);
+  if (const auto f = fields.optional("slice_of")) node.slice_of = reader.text(*f);
+  if (const auto f = fields.optional("whole_category")) node.whole_category = reader.text(*f);
+  fields.finish();
+  return node;
+}
+
+Json edge_to_json(const Edge& edge) {
+  Json json = Json::object();
+  auto& fields = *json.get_ptr<Json::object_t*>();
+  fields.reserve(3);
+  fields.emplace_back("relation", std::string(info(edge.relation).name));
+  fields.emplace_back("from", edge.from);
+  fields.emplace_back("to", edge.to);
+  return json;
+}
+
+Edge edge_from_json(JsonReader& reader, const JsonAt& at) {
+  JsonFields fields(reader, at);
+  Edge edge;
+  if (const auto f = fields.required("relation")) {
+    const std::string name = reader.text(*f);
+    const auto relation = predicate_named(name);
+    if (relation && is_edge_relation(*relation)) {
+      edge.relation = *relation;
+    } else {
+      reader.unknown_name(*f, "relation", names_where(is_edge_relation));
+    }
+  }
+  if (const auto f = fields.required("from")) edge.from = reader.text(*f);
+  if (const auto f = fields.required("to")) edge.to = reader.text(*f);
+  fields.finish();
+  return edge;
+}
+
+Json agent_to_json(const Agent& agent) {
+  Json json = Json::object();
+  auto& fields = *json.get_ptr<Json::object_t*>();
+  fields.reserve(4);
+  fields.emplace_back("position", json_of(agent.position));
+  fields.emplace_back("yaw_rad", agent.yaw);
+  fields.emplace_back("pitch_rad", agent.pitch);
+  fields.emplace_back("held", agent.held);
+  return json;
+}
+
+Agent agent_from_json(JsonReader& reader, const JsonAt& at) {
+  JsonFields fields(reader, at);
+  Agent agent;
+  if (const auto f = fields.required("position")) agent.position = reader.vec2(*f);
+  if (const auto f = fields.required("yaw_rad")) agent.yaw = reader.number(*f);
+  if (const auto f = fields.required("pitch_rad")) agent.pitch = reader.number(*f);
+  if (const auto f = fields.required("held")) agent.held = reader.texts(*f);
+  fields.finish();
+  return agent;
+}
+
+}  // namespace unietp

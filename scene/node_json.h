@@ -1,0 +1,27 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "scene/json_reader.h"
+#include "scene/scene.h"
+
+namespace unietp {
+
+/// The parts that a scene and a delta share. Numbers must be finite. Readers report through `reader` and then return
+/// a value of no use.
+nlohmann::ordered_json node_to_json(const Node& node);
+nlohmann::ordered_json edge_to_json(const Edge& edge);
+nlohmann::ordered_json agent_to_json(const Agent& agent);
+Node node_from_json(JsonReader& reader, const JsonAt& at);
+Edge edge_from_json(JsonReader& reader, const JsonAt& at);
+Agent agent_from_json(JsonReader& reader, const JsonAt& at);
+
+/// True for predicates that stand on edges: relations of two objects or of an object and a room, without `nearest`,
+/// which follows from the poses.
+bool is_edge_relation(Predicate predicate);
+/// True for predicates that stand in a node's states; `held` does not, it follows from the agent.
+bool is_node_state(Predicate predicate);
+/// True for a node state that needs a symbol.
+bool has_symbol(Predicate predicate);
+
+}  // namespace unietp

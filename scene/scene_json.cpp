@@ -1,0 +1,280 @@
+#include "scene/scene_json.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "core/text.h"
+#include "scene/json_parse.h"
+#include "scene/json_reader.h"
+#include "scene/node_json.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kFormat = "unietp-scene/1";
+
+Json json_of(const Vec2& v) { return Json::array({v.x(), v.y()}); }
+
+Json room_to_json(const Room& room) {
+  Json polygon = Json::array();
+  for (const Vec2& corner : room.polygon) polygon.push_back(json_of(corner));
+  return {{"id", room.id}, {"type", room.type}, {"polygon", std::move(polygon)}};
+}
+
+Json opening_to_json(const Opening& opening) {
+  return {{"id", opening.id},          {"room_a", opening.room_a},
+          {"room_b", opening.room_b},  {"from", json_of(opening.from)},
+          {"to", json_of(opening.to)}, {"height", opening.height}};
+}
+
+// Broken UTF-8 in a name becomes U+FFFD: a writer has no way to refuse.
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// `"name": [`, one item a line, `]`: a change of one object is a change of one line.
+template <class Items, class ToJson>
+void add_list(std::string& text, std::string_view name, const Items& items, ToJson to_json) {
+  text += ",\n\"" + std::string(name) + "\": [";
+  const char* separator = "\n";
+  for (const auto& item : items) {
+    text += separator + text_of(to_json(item));
+    separator = ",\n";
+  }
+  text += items.empty() ? "]" : "\n]";
+}
+
+Simulator simulator_from_json(JsonReader& reader, const JsonAt& at) {
+  const std::string name = reader.text(at);
+  const auto simulator = simulator_named(name);
+  if (!simulator && !reader.error()) {
+    std::vector<std::string> names;
+    for (const Simulator known : kSimulators) names.emplace_back(name_of(known));
+    reader.unknown_name(at, "simulator", names);
+  }
+  return simulator.value_or(Simulator::Ai2thor);
+}
+
+Room room_from_json(JsonReader& reader, const JsonAt& at) {
+  JsonFields fields(reader, at);
+  Room room;
+  if (const auto f = fields.required("id")) room.id = reader.text(*f);
+  if (const auto f = fields.required("type")) room.type = reader.text(*f);
+  if (const auto f = fields.required("polygon")) {
+    const std::size_t corners = reader.items(*f);
+    if (corners < 3) reader.fail(*f, "expected three corners or more, not " + std::to_string(corners));
+    for (std::size_t i = 0; i < corners && !reader.error(); ++i)
+      room.polygon.push_back(reader.vec2(reader.item(*f, i)));
+  }
+  fields.finish();
+  return room;
+}
+
+Opening opening_from_json(JsonReader& reader, const JsonAt& at) {
+  JsonFields fields(reader, at);
+  Opening opening;
+  if (const auto f = fields.required("id")) opening.id = reader.text(*f);
+  if (const auto f = fields.required("room_a")) opening.room_a = reader.text(*f);
+  if (const auto f = fields.required("room_b")) opening.room_b = reader.text(*f);
+  if (const auto f = fields.required("from")) opening.from = reader.vec2(*f);
+  if (const auto f = fields.required("to")) opening.to = reader.vec2(*f);
+  if (const auto f = fields.required("height")) opening.height = reader.positive(*f);
+  fields.finish();
+  return opening;
+}
+
+template <class T>
+std::vector<T> list_from_json(JsonReader& reader, const JsonAt& at, T (*read)(JsonReader&, const JsonAt&)) {
+  std::vector<T> list;
+  const std::size_t count = reader.items(at);
+  list.reserve(count);
+  for (std::size_t i = 0; i < count && !reader.error(); ++i) list.push_back(read(reader, reader.item(at, i)));
+  return list;
+}
+
+void check_format(JsonReader& reader, const JsonAt& at) {
+  const std::string format = reader.text(at);
+  if (format != kFormat) reader.fail(at, "expected the format " + in_quotes(kFormat) + ", not " + in_quotes(format));
+}
+
+enum class Kind { Agent, Room, Opening, Node };
+
+/// What each id of a scene names; for look-up only. Views into the scene.
+using Ids = std::unordered_map<std::string_view, Kind>;
+
+Ids collect_ids(JsonReader& reader, const Scene& scene) {
+  Ids ids;
+  ids.reserve(1 + scene.rooms.size() + scene.openings.size() + scene.nodes.size());
+  ids.emplace("agent", Kind::Agent);
+  const auto collect = [&](std::string_view list, const auto& items, Kind kind) {
+    for (std::size_t i = 0; i < items.size() && !reader.error(); ++i) {
+      if (ids.emplace(items[i].id, kind).second) continue;
+      reader.fail("/" + std::string(list) + "/" + std::to_string(i) + "/id",
+                  "the id " + in_quotes(items[i].id) + " is taken");
+    }
+  };
+  collect("rooms", scene.rooms, Kind::Room);
+  collect("openings", scene.openings, Kind::Opening);
+  collect("nodes", scene.nodes, Kind::Node);
+  return ids;
+}
+
+/// Everything that speaks of something else by its id speaks of something that is there.
+void check_references(JsonReader& reader, const Scene& scene) {
+  const Ids ids = collect_ids(reader, scene);
+  const auto names = [&](const std::string& id, Kind kind) {
+    const auto found = ids.find(id);
+    return found != ids.end() && found->second == kind;
+  };
+  for (std::size_t i = 0; i < scene.openings.size() && !reader.error(); ++i) {
+    const Opening& opening = scene.openings[i];
+    const std::string pointer = "/openings/" + std::to_string(i);
+    if (!names(opening.room_a, Kind::Room)) reader.fail(pointer + "/room_a", "no room " + in_quotes(opening.room_a));
+    if (!names(opening.room_b, Kind::Room)) reader.fail(pointer + "/room_b", "no room " + in_quotes(opening.room_b));
+  }
+  for (std::size_t i = 0; i < scene.edges.size() && !reader.error(); ++i) {
+    const Edge& edge = scene.edges[i];
+    const bool to_room = info(edge.relation).arguments[1] == ArgumentKind::Room;
+    if (!names(edge.from, Kind::Node) && !(edge.relation == Predicate::InRoom && edge.from == "agent")) {
+      reader.fail("/edges/" + std::to_string(i) + "/from", "no object " + in_quotes(edge.from));
+    }
+    if (!names(edge.to, to_room ? Kind::Room : Kind::Node)) {
+      reader.fail("/edges/" + std::to_string(i) + "/to", (to_room ? "no room " : "no object ") + in_quotes(edge.to));
+    }
+  }
+  std::unordered_set<std::string_view> held;
+  for (std::size_t i = 0; i < scene.agent.held.size() && !reader.error(); ++i) {
+    const std::string& id = scene.agent.held[i];
+    const std::string pointer = "/agent/held/" + std::to_string(i);
+    if (!names(id, Kind::Node)) reader.fail(pointer, "no object " + in_quotes(id));
+    if (!held.insert(id).second) reader.fail(pointer, in_quotes(id) + " is held twice");
+  }
+}
+
+/// Sorts the edges; the first of two that are equal is reported by its names, since its place is gone.
+void sort_edges(JsonReader& reader, std::vector<Edge>& edges, const std::string& pointer) {
+  std::sort(edges.begin(), edges.end());
+  const auto twice = std::adjacent_find(edges.begin(), edges.end());
+  if (twice == edges.end()) return;
+  reader.fail(pointer, "the edge " + std::string(info(twice->relation).name) + " from " + in_quotes(twice->from) +
+                           " to " + in_quotes(twice->to) + " stands twice");
+}
+
+}  // namespace
+
+std::string scene_to_json(const Scene& scene) {
+  std::string text;
+  text.reserve(1024 + 420 * scene.nodes.size() + 80 * scene.edges.size());
+  text += "{\n\"format\": " + text_of(Json(std::string(kFormat)));
+  text += ",\n\"id\": " + text_of(Json(scene.id));
+  text += ",\n\"simulator\": " + text_of(Json(std::string(name_of(scene.simulator))));
+  text += ",\n\"wall_height\": " + text_of(Json(scene.wall_height));
+  add_list(text, "rooms", scene.rooms, room_to_json);
+  add_list(text, "openings", scene.openings, opening_to_json);
+  text += ",\n\"agent\": " + text_of(agent_to_json(scene.agent));
+  add_list(text, "nodes", scene.nodes, node_to_json);
+  add_list(text, "edges", scene.edges, edge_to_json);
+  return text + "\n}\n";
+}
+
+Result<Scene> scene_from_json(std::string_view where, std::string_view text) {
+  const auto json = parse_json(where, text);
+  if (!json) return json.error();
+  JsonReader reader(where);
+  const JsonAt root{*json};
+  JsonFields fields(reader, root);
+  Scene scene;
+  if (const auto f = fields.required("format")) check_format(reader, *f);
+  if (const auto f = fields.required("id")) scene.id = reader.text(*f);
+  if (const auto f = fields.required("simulator")) scene.simulator = simulator_from_json(reader, *f);
+  if (const auto f = fields.required("wall_height")) scene.wall_height = reader.positive(*f);
+  if (const auto f = fields.required("rooms")) scene.rooms = list_from_json(reader, *f, room_from_json);
+  if (const auto f = fields.required("openings")) scene.openings = list_from_json(reader, *f, opening_from_json);
+  if (const auto f = fields.required("agent")) scene.agent = agent_from_json(reader, *f);
+  if (const auto f = fields.required("nodes")) scene.nodes = list_from_json(reader, *f, node_from_json);
+  if (const auto f = fields.required("edges")) scene.edges = list_from_json(reader, *f, edge_from_json);
+  fields.finish();
+  if (!reader.error()) check_references(reader, scene);
+  if (!reader.error()) sort_edges(reader, scene.edges, "/edges");
+  if (reader.error()) return *reader.error();
+  return scene;
+}
+
+Json delta_to_json(const Delta& delta) {
+  Json json = Json::object();
+  const auto add = [&](const char* name, const auto& items, auto to_json) {
+    if (items.empty()) return;
+    Json list = Json::array();
+    for (const auto& item : items) list.push_back(to_json(item));
+    json[name] = std::move(list);
+  };
+  add("nodes", delta.nodes, node_to_json);
+  add("removed", delta.removed, [](const std::string& id) { return Json(id); });
+  add("edges_added", delta.edges_added, edge_to_json);
+  add("edges_removed", delta.edges_removed, edge_to_json);
+  if (delta.agent) json["agent"] = agent_to_json(*delta.agent);
+  return json;
+}
+
+Result<Delta> delta_from_json(std::string_view where, const Json& json) {
+  JsonReader reader(where);
+  const JsonAt root{json};
+  JsonFields fields(reader, root);
+  Delta delta;
+  if (const auto f = fields.optional("nodes")) delta.nodes = list_from_json(reader, *f, node_from_json);
+  if (const auto f = fields.optional("removed")) delta.removed = reader.texts(*f);
+  if (const auto f = fields.optional("edges_added")) delta.edges_added = list_from_json(reader, *f, edge_from_json);
+  if (const auto f = fields.optional("edges_removed")) delta.edges_removed = list_from_json(reader, *f, edge_from_json);
+  if (const auto f = fields.optional("agent")) delta.agent = agent_from_json(reader, *f);
+  fields.finish();
+  std::unordered_set<std::string_view> ids;
+  for (std::size_t i = 0; i < delta.nodes.size() && !reader.error(); ++i) {
+    if (ids.insert(delta.nodes[i].id).second) continue;
+    reader.fail("/nodes/" + std::to_string(i) + "/id", "the id " + in_quotes(delta.nodes[i].id) + " is taken");
+  }
+  for (std::size_t i = 0; i < delta.removed.size() && !reader.error(); ++i) {
+    if (ids.insert(delta.removed[i]).second) continue;
+    reader.fail("/removed/" + std::to_string(i), in_quotes(delta.removed[i]) + " is changed or removed already");
+  }
+  if (!reader.error()) sort_edges(reader, delta.edges_added, "/edges_added");
+  if (!reader.error()) sort_edges(reader, delta.edges_removed, "/edges_removed");
+  if (reader.error()) return *reader.error();
+  return delta;
+}
+
+Json action_to_json(const Action& action) {
+  return {{"action", std::string(info(action.type).name)}, {"args", action.args}};
+}
+
+Result<Action> action_from_json(std::string_view where, const Json& json) {
+  JsonReader reader(where);
+  const JsonAt root{json};
+  JsonFields fields(reader, root);
+  Action action;
+  if (const auto f = fields.required("action")) {
+    const std::string name = reader.text(*f);
+    if (const auto type = action_named(name)) {
+      action.type = *type;
+    } else {
+      std::vector<std::string> names;
+      for (const ActionInfo& known : all_actions()) names.emplace_back(known.name);
+      reader.unknown_name(*f, "action", names);
+    }
+  }
+  if (const auto f = fields.required("args")) {
+    action.args = reader.texts(*f);
+    const std::size_t wanted = info(action.type).argument == ActionArgument::None ? 0 : 1;
+    if (!reader.error() && action.args.size() != wanted) {
+      reader.fail(*f, std::string(info(action.type).name) + " takes " + (wanted == 0 ? "no argument" : "one argument"));
+    }
+  }
+  fields.finish();
+  if (reader.error()) return *reader.error();
+  return action;
+}
+
+}  // namespace unietp

@@ -1,0 +1,188 @@
+#include "scene/trace.h"
+
+#include <algorithm>
+#include <iterator>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace unietp {
+namespace {
+
+/// Finds nodes by id; quick when asked in the order of the list, which is how a scene and its successor mostly agree.
+class NodeFinder {
+ public:
+  explicit NodeFinder(const std::vector<Node>& nodes) : nodes_(nodes) {}
+
+  const Node* find(std::string_view id) {
+    if (next_ < nodes_.size() && nodes_[next_].id == id) return &nodes_[next_++];
+    if (index_.empty()) {
+      for (std::size_t i = 0; i < nodes_.size(); ++i) index_.emplace(nodes_[i].id, i);
+    }
+    const auto found = index_.find(id);
+    if (found == index_.end()) return nullptr;
+    next_ = found->second + 1;
+    return &nodes_[found->second];
+  }
+
+ private:
+  const std::vector<Node>& nodes_;
+  std::size_t next_ = 0;
+  std::unordered_map<std::string_view, std::size_t> index_;  // made when the orders first differ; never iterated
+};
+
+void set_nearest(const std::vector<Node>& nodes, const std::vector<EntityIndex>& index_of_node, Facts& facts) {
+  std::unordered_map<std::string_view, std::size_t> slot_of_category;
+  std::vector<std::size_t> slot(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    slot[i] = slot_of_category.emplace(nodes[i].category, slot_of_category.size()).first->second;
+  }
+  struct Best {
+    double distance = 0;
+    std::size_t node = 0;
+    bool found = false;
+  };
+  std::vector<Best> best(slot_of_category.size());
+  for (std::size_t y = 0; y < nodes.size(); ++y) {
+    std::fill(best.begin(), best.end(), Best{});
+    for (std::size_t x = 0; x < nodes.size(); ++x) {
+      if (x == y) continue;
+      const double distance = (nodes[x].pose.position - nodes[y].pose.position).squaredNorm();
+      Best& so_far = best[slot[x]];
+      if (!so_far.found || distance < so_far.distance) so_far = {distance, x, true};
+    }
+    for (const Best& winner : best) {
+      if (winner.found) facts.set(Predicate::Nearest, index_of_node[winner.node], index_of_node[y]);
+    }
+  }
+}
+
+}  // namespace
+
+bool Delta::empty() const {
+  return nodes.empty() && removed.empty() && edges_added.empty() && edges_removed.empty() && !agent;
+}
+
+Delta difference(const Scene& before, const Scene& after) {
+  Delta delta;
+  NodeFinder old_nodes(before.nodes);
+  for (const Node& node : after.nodes) {
+    const Node* old = old_nodes.find(node.id);
+    if (old == nullptr || *old != node) delta.nodes.push_back(node);
+  }
+  NodeFinder new_nodes(after.nodes);
+  for (const Node& node : before.nodes) {
+    if (new_nodes.find(node.id) == nullptr) delta.removed.push_back(node.id);
+  }
+  std::set_difference(after.edges.begin(), after.edges.end(), before.edges.begin(), before.edges.end(),
+                      std::back_inserter(delta.edges_added));
+  std::set_difference(before.edges.begin(), before.edges.end(), after.edges.begin(), after.edges.end(),
+                      std::back_inserter(delta.edges_removed));
+  if (before.agent != after.agent) delta.agent = after.agent;
+  return delta;
+}
+
+Scene apply(Scene before, const Delta& delta) {
+  Scene& scene = before;
+  if (!delta.removed.empty()) {
+    const std::unordered_set<std::string_view> gone(delta.removed.begin(), delta.removed.end());
+    std::erase_if(scene.nodes, [&](const Node& node) { return gone.contains(node.id); });
+  }
+  for (const Node& node : delta.nodes) {
+    if (Node* old = find_node(scene, node.id)) {
+      *old = node;
+    } else {
+      scene.nodes.push_back(node);
+    }
+  }
+  if (!delta.edges_removed.empty() || !delta.edges_added.empty()) {
+    const auto sorted = [](std::vector<Edge> edges) {
+      std::sort(edges.begin(), edges.end());
+      return edges;
+    };
+    const std::vector<Edge> removed = sorted(delta.edges_removed), added = sorted(delta.edges_added);
+    std::vector<Edge> kept, edges;
+    std::set_difference(scene.edges.begin(), scene.edges.end(), removed.begin(), removed.end(),
+                        std::back_inserter(kept));
+    std::set_union(kept.begin(), kept.end(), added.begin(), added.end(), std::back_inserter(edges));
+    scene.edges = std::move(edges);
+  }
+  if (delta.agent) scene.agent = *delta.agent;
+  return before;
+}
+
+FactReader::FactReader(bool with_nearest) : with_nearest_(with_nearest) {
+  index_of(Entity{Entity::Kind::Agent, "agent", "agent", ""});
+}
+
+std::optional<EntityIndex> FactReader::find(std::string_view id) const {
+  const auto place = std::lower_bound(by_id_.begin(), by_id_.end(), id,
+                                      [](const auto& entry, std::string_view key) { return entry.first < key; });
+  if (place == by_id_.end() || place->first != id) return std::nullopt;
+  return place->second;
+}
+
+EntityIndex FactReader::index_of(Entity entity) {
+  const auto place = std::lower_bound(by_id_.begin(), by_id_.end(), entity.id,
+                                      [](const auto& entry, const std::string& key) { return entry.first < key; });
+  if (place != by_id_.end() && place->first == entity.id) return place->second;
+  const auto index = static_cast<EntityIndex>(entities_.size());
+  by_id_.emplace(place, entity.id, index);
+  entities_.push_back(std::move(entity));
+  return index;
+}
+
+Facts FactReader::read(const Scene& scene) {
+  Facts facts;
+  facts.set_exists(index_of(Entity{Entity::Kind::Agent, "agent", "agent", ""}));
+  for (const Room& room : scene.rooms) {
+    const auto known = find(room.id);
+    facts.set_exists(known ? *known : index_of(Entity{Entity::Kind::Room, room.id, room.type, ""}));
+  }
+  std::vector<EntityIndex> index_of_node;
+  index_of_node.reserve(scene.nodes.size());
+  for (const Node& node : scene.nodes) {
+    const auto known = find(node.id);
+    const EntityIndex index =
+        known ? *known : index_of(Entity{Entity::Kind::Object, node.id, node.category, node.whole_category});
+    index_of_node.push_back(index);
+    facts.set_exists(index);
+    for (const State& state : node.states.all()) {
+      if (state.symbol.empty()) {
+        facts.set(state.predicate, index);
+      } else {
+        facts.set(state.predicate, index, state.symbol);
+      }
+    }
+    if (!node.colour.empty()) facts.set(Predicate::Colour, index, node.colour);
+    if (!node.material.empty()) facts.set(Predicate::Material, index, node.material);
+  }
+  for (const std::string& id : scene.agent.held) {
+    if (const auto held = find(id); held && facts.exists(*held)) facts.set(Predicate::Held, *held);
+  }
+  const auto relate = [&](Predicate relation, std::string_view from, std::string_view to) {
+    const auto first = find(from), second = find(to);
+    if (first && second && facts.exists(*first) && facts.exists(*second)) facts.set(relation, *first, *second);
+  };
+  for (const Edge& edge : scene.edges) relate(edge.relation, edge.from, edge.to);
+  for (const Node& node : scene.nodes) {
+    if (!node.slice_of.empty()) relate(Predicate::SliceOf, node.id, node.slice_of);
+  }
+  if (with_nearest_) set_nearest(scene.nodes, index_of_node, facts);
+  return facts;
+}
+
+Trace to_logic(const Scene& start, const std::vector<Delta>& deltas, bool with_nearest) {
+  FactReader reader(with_nearest);
+  Trace trace;
+  trace.states.reserve(deltas.size() + 1);
+  trace.states.push_back(reader.read(start));
+  Scene scene = start;
+  for (const Delta& delta : deltas) {
+    scene = apply(std::move(scene), delta);
+    trace.states.push_back(reader.read(scene));
+  }
+  trace.entities = reader.entities();
+  return trace;
+}
+
+}  // namespace unietp
