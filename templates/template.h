@@ -41,7 +41,7 @@ struct Template {
   std::vector<Simulator> simulators;
   std::vector<Parameter> parameters;
   std::vector<DomainConstraint> constraints;
-  std::vector<Formula> init;             // state formulas that the start must satisfy
+  std::vector<Formula> init;  // state formulas that the start must satisfy
   Formula goal;
   std::vector<std::string> instructions;  // reference phrasings with {A}, {A:plural}, {A:indefinite}, …
   std::string file;

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "templates/template.h"
+
+namespace unietp {
+
+/// One kind of domain constraint: how it is written and which table of the AKB answers it.
+struct ConstraintKind {
+  enum class Meaning {
+    Distinct,   // the placeholders get different categories
+    Placement,  // a row of `relation`: (kind object receptacle [capacity])
+    Effect,     // a row of `effect`: (kind tool target [substance]); `dispenses` has no target
+  };
+  std::string_view name;  // "fits-on"
+  Meaning meaning = Meaning::Distinct;
+  std::string_view word;   // relation or effect as the AKB names it: "on", "heats"
+  std::string_view usage;  // "(fits-on A B [n])"
+  std::string_view says;   // one line for people
+};
+
+std::span<const ConstraintKind> constraint_kinds();
+/// nullptr when there is none of that name.
+const ConstraintKind* constraint_kind(std::string_view name);
+
+/// A place in a domain constraint or a domain: a placeholder, or what slicing it makes.
+struct PlaceholderUse {
+  std::string name;    // "A"
+  bool slice = false;  // written `A/slice`
+};
+PlaceholderUse placeholder_use(std::string_view argument);
+/// The placeholders that a well-formed constraint speaks of, in order; not its number or substance.
+std::vector<PlaceholderUse> placeholders_of(const DomainConstraint& constraint);
+/// The capacity that a placement constraint asks for; 1 when it gives none.
+int capacity_of(const DomainConstraint& constraint);
+/// The substance that an effect constraint asks for; "" when it gives none.
+std::string substance_of(const DomainConstraint& constraint);
+
+/// What a parameter may be asked to be besides an affordance of the AKB.
+/// `furniture`: stays where it is; `movable`: not furniture; `room`: a type of room; `any`: the constraints decide.
+const std::vector<std::string>& pseudo_affordances();
+
+}  // namespace unietp

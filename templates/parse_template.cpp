@@ -1,0 +1,323 @@
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "akb/knowledge.h"
+#include "core/text.h"
+#include "templates/constraint_kinds.h"
+#include "templates/template.h"
+#include "templates/template_checks.h"
+
+namespace unietp {
+namespace {
+
+const std::vector<std::string> kSections = {"name",        "split", "simulators", "parameters",
+                                            "constraints", "init",  "goal",       "instruction"};
+
+bool is_template_name(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return std::islower(static_cast<unsigned char>(c)) != 0 || std::isdigit(static_cast<unsigned char>(c)) != 0 ||
+           c == '-';
+  });
+}
+
+bool is_placeholder_name(std::string_view text) {
+  return !text.empty() && std::isupper(static_cast<unsigned char>(text.front())) != 0 &&
+         std::all_of(text.begin(), text.end(),
+                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
+}
+
+bool is_positive_number(std::string_view text) {
+  int value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return failure == std::errc{} && end == text.data() + text.size() && value >= 1;
+}
+
+std::string hint(const std::string& name, const std::vector<std::string>& known) {
+  const auto near = nearest_name(name, known);
+  return near.empty() ? "" : "; did you mean '" + near + "'?";
+}
+
+class TemplateReader {
+ public:
+  TemplateReader(std::string_view file, std::string_view text) : file_(file), text_(text) { source_.value.file = file; }
+
+  TemplateReading read() {
+    auto expressions = read_sexprs(file_, text_);
+    if (!expressions) return {{}, {expressions.error()}};
+    if (expressions->empty()) {
+      error({1, 1}, "the file holds no template; expected (template name (name \"...\") (split ...) ...)");
+    } else {
+      for (std::size_t i = 1; i < expressions->size(); ++i) {
+        error((*expressions)[i].pos, "a file holds one template, and this is a second expression");
+      }
+      read_template(expressions->front());
+    }
+    std::stable_sort(errors_.begin(), errors_.end(), [](const Error& a, const Error& b) {
+      return std::pair(a.pos.line, a.pos.column) < std::pair(b.pos.line, b.pos.column);
+    });
+    if (!errors_.empty()) return {{}, std::move(errors_)};
+    return {{std::move(source_.value)}, {}};
+  }
+
+ private:
+  void error(SourcePos pos, std::string message, Error::Kind kind = Error::Kind::Parse) {
+    errors_.push_back({kind, file_, pos, std::move(message)});
+  }
+  void schema_error(SourcePos pos, std::string message) { error(pos, std::move(message), Error::Kind::Schema); }
+
+  void read_template(const Sexpr& top) {
+    if (!top.is_form("template")) {
+      error(top.pos, "expected (template name (name \"...\") (split ...) ...)");
+      return;
+    }
+    if (top.children.size() < 2 || !top.children[1].is_atom()) {
+      error(top.pos, "expected the template's name after 'template', such as (template open-one ...)");
+      return;
+    }
+    source_.name = top.children[1];
+    source_.value.name = source_.name.text;
+    check_name();
+    std::vector<std::pair<std::string, const Sexpr*>> sections;
+    for (std::size_t i = 2; i < top.children.size(); ++i) {
+      const auto& child = top.children[i];
+      if (!child.is_list() || child.children.empty() || !child.children[0].is_atom()) {
+        error(child.pos, "expected a section, a bracketed list that starts with one of: " + join(kSections, ", "));
+        continue;
+      }
+      const auto& word = child.children[0].text;
+      if (std::find(kSections.begin(), kSections.end(), word) == kSections.end()) {
+        error(child.children[0].pos,
+              "unknown section '" + word + "'; accepted: " + join(kSections, ", ") + hint(word, kSections));
+        continue;
+      }
+      const bool twice = std::any_of(sections.begin(), sections.end(), [&](const auto& s) { return s.first == word; });
+      if (twice) {
+        error(child.pos, "section '" + word + "' stands here a second time; each section stands once");
+        continue;
+      }
+      sections.emplace_back(word, &child);
+    }
+    for (const auto& word : kSections) {
+      const auto found = std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return s.first == word; });
+      if (found != sections.end()) {
+        read_section(word, *found->second);
+      } else if (word == "simulators") {
+        source_.value.simulators.assign(kSimulators.begin(), kSimulators.end());
+      } else if (word != "constraints" && word != "init") {
+        error(top.pos, "section '" + word + "' is missing; only simulators, constraints and init may be left out");
+      }
+    }
+    for (auto& problem : check_template(source_)) errors_.push_back(std::move(problem));
+  }
+
+  void check_name() {
+    const auto& name = source_.value.name;
+    if (!is_template_name(name)) {
+      error(source_.name.pos, "'" + name + "' is no template name; accepted are a-z, 0-9 and '-'");
+    }
+    const auto stem = std::filesystem::path(file_).stem().string();
+    if (stem != name) {
+      schema_error(source_.name.pos,
+                   "template '" + name + "' stands in a file called '" + stem + "'; name and file must agree");
+    }
+  }
+
+  void read_section(const std::string& word, const Sexpr& section) {
+    const std::vector<Sexpr> items(section.children.begin() + 1, section.children.end());
+    if (word == "name") read_title(section, items);
+    if (word == "split") read_split(section, items);
+    if (word == "simulators") read_simulators(section, items);
+    if (word == "parameters") read_parameters(section, items);
+    if (word == "constraints") read_constraints(items);
+    if (word == "init") read_init(items);
+    if (word == "goal") read_goal(section, items);
+    if (word == "instruction") read_instructions(section, items);
+  }
+
+  void read_title(const Sexpr& section, const std::vector<Sexpr>& items) {
+    if (items.size() != 1 || items[0].kind != Sexpr::Kind::String) {
+      error(section.pos, "expected one string, such as (name \"open one <A>\")");
+      return;
+    }
+    source_.title = items[0];
+    source_.value.title = items[0].text;
+  }
+
+  void read_split(const Sexpr& section, const std::vector<Sexpr>& items) {
+    static const std::vector<std::string> kNames = {"atomic", "compositional", "logical", "instance_grounding",
+                                                    "linguistic"};
+    if (items.size() != 1 || !items[0].is_atom()) {
+      error(section.pos, "expected one word, such as (split atomic); accepted: " + join(kNames, ", "));
+      return;
+    }
+    const auto split = split_named(items[0].text);
+    if (!split) {
+      error(items[0].pos,
+            "unknown split '" + items[0].text + "'; accepted: " + join(kNames, ", ") + hint(items[0].text, kNames));
+      return;
+    }
+    source_.value.split = *split;
+    const auto folder = std::filesystem::path(file_).parent_path().filename().string();
+    if (split_named(folder) && folder != items[0].text) {
+      schema_error(items[0].pos, "a template of split '" + items[0].text + "' stands in the folder '" + folder + "'");
+    }
+  }
+
+  void read_simulators(const Sexpr& section, const std::vector<Sexpr>& items) {
+    std::vector<std::string> names;
+    for (const auto simulator : kSimulators) names.emplace_back(name_of(simulator));
+    if (items.empty()) error(section.pos, "expected at least one simulator; accepted: " + join(names, ", "));
+    for (const auto& item : items) {
+      const auto simulator = item.is_atom() ? simulator_named(item.text) : std::nullopt;
+      auto& list = source_.value.simulators;
+      if (!simulator) {
+        error(item.pos,
+              "unknown simulator '" + item.text + "'; accepted: " + join(names, ", ") + hint(item.text, names));
+      } else if (std::find(list.begin(), list.end(), *simulator) != list.end()) {
+        error(item.pos, "simulator '" + item.text + "' is listed twice");
+      } else {
+        list.push_back(*simulator);
+      }
+    }
+  }
+
+  void read_parameters(const Sexpr& section, const std::vector<Sexpr>& items) {
+    if (items.empty()) error(section.pos, "expected at least one parameter, such as (A - pickupable)");
+    for (const auto& item : items) read_parameter(item);
+  }
+
+  void read_parameter(const Sexpr& item) {
+    const bool formed =
+        item.is_list() && item.children.size() >= 3 && item.children[1].is_atom("-") &&
+        std::all_of(item.children.begin(), item.children.end(), [](const Sexpr& c) { return c.is_atom(); });
+    if (!formed) {
+      error(item.pos,
+            "expected a placeholder, '-' and what it must afford, such as (A - pickupable) or (C - furniture "
+            "container openable)");
+      return;
+    }
+    Parameter parameter{item.children[0].text, {}, item.children[0].pos};
+    if (!is_placeholder_name(parameter.name)) {
+      error(parameter.pos, "'" + parameter.name + "' is no placeholder; one starts with a capital letter, such as A");
+    }
+    for (const auto& other : source_.value.parameters) {
+      if (other.name == parameter.name) error(parameter.pos, "placeholder '" + parameter.name + "' is declared twice");
+    }
+    auto known = pseudo_affordances();
+    known.insert(known.end(), affordance_names().begin(), affordance_names().end());
+    for (std::size_t i = 2; i < item.children.size(); ++i) {
+      const auto& word = item.children[i];
+      if (std::find(known.begin(), known.end(), word.text) == known.end()) {
+        error(word.pos,
+              "unknown affordance '" + word.text + "'; accepted: " + join(known, ", ") + hint(word.text, known));
+      }
+      parameter.affordances.push_back(word.text);
+    }
+    if (parameter.affordances.size() > 1 &&
+        std::find(parameter.affordances.begin(), parameter.affordances.end(), "room") != parameter.affordances.end()) {
+      schema_error(parameter.pos, "a room has no other affordance; write (" + parameter.name + " - room)");
+    }
+    source_.value.parameters.push_back(std::move(parameter));
+  }
+
+  void read_constraints(const std::vector<Sexpr>& items) {
+    for (const auto& item : items) read_constraint(item);
+  }
+
+  void read_constraint(const Sexpr& item) {
+    const bool formed =
+        item.is_list() && !item.children.empty() &&
+        std::all_of(item.children.begin(), item.children.end(), [](const Sexpr& c) { return c.is_atom(); });
+    if (!formed) {
+      error(item.pos, "expected a constraint, such as (distinct A B) or (fits-on A B 2)");
+      return;
+    }
+    DomainConstraint constraint{item.children[0].text, {}, item.pos};
+    for (std::size_t i = 1; i < item.children.size(); ++i) constraint.arguments.push_back(item.children[i].text);
+    const auto* kind = constraint_kind(constraint.kind);
+    if (kind == nullptr) {
+      std::vector<std::string> names;
+      for (const auto& known : constraint_kinds()) names.emplace_back(known.name);
+      error(item.children[0].pos, "unknown constraint '" + constraint.kind + "'; accepted: " + join(names, ", ") +
+                                      hint(constraint.kind, names));
+      return;
+    }
+    if (!has_right_arguments(*kind, constraint.arguments)) {
+      error(item.pos, "wrong arguments; '" + constraint.kind + "' is written " + std::string(kind->usage));
+      return;
+    }
+    source_.value.constraints.push_back(std::move(constraint));
+  }
+
+  static bool has_right_arguments(const ConstraintKind& kind, const std::vector<std::string>& arguments) {
+    using enum ConstraintKind::Meaning;
+    const std::size_t places = kind.meaning == Distinct ? arguments.size() : std::min<std::size_t>(2, arguments.size());
+    for (std::size_t i = 0; i < places; ++i) {
+      const auto use = placeholder_use(arguments[i]);
+      if (!is_placeholder_name(use.name)) return false;
+    }
+    if (arguments.size() < 2) return false;
+    if (kind.meaning == Distinct) return true;
+    if (kind.meaning == Placement)
+      return arguments.size() == 2 || (arguments.size() == 3 && is_positive_number(arguments[2]));
+    return arguments.size() == (kind.usage.find("substance") == std::string_view::npos ? 2U : 3U);
+  }
+
+  void read_init(const std::vector<Sexpr>& items) {
+    for (const auto& item : items) {
+      source_.init.push_back(item);
+      auto formula = parse_formula(file_, item, FormulaUse::State);
+      source_.init_read.push_back(static_cast<bool>(formula));
+      if (formula) {
+        source_.value.init.push_back(std::move(*formula));
+      } else {
+        errors_.push_back(formula.error());
+      }
+    }
+  }
+
+  void read_goal(const Sexpr& section, const std::vector<Sexpr>& items) {
+    if (items.size() != 1) {
+      error(section.pos, "expected one formula; join several with (and ...)");
+      return;
+    }
+    source_.goal.push_back(items[0]);
+    auto formula = parse_formula(file_, items[0], FormulaUse::Goal);
+    source_.goal_read = static_cast<bool>(formula);
+    if (formula) {
+      source_.value.goal = std::move(*formula);
+    } else {
+      errors_.push_back(formula.error());
+    }
+  }
+
+  void read_instructions(const Sexpr& section, const std::vector<Sexpr>& items) {
+    if (items.empty())
+      error(section.pos, "expected at least one phrasing, such as (instruction \"Open {A:indefinite}.\")");
+    for (const auto& item : items) {
+      if (item.kind != Sexpr::Kind::String) {
+        error(item.pos, "expected a phrasing in double quotes");
+        continue;
+      }
+      source_.phrasings.push_back(item);
+      source_.value.instructions.push_back(item.text);
+    }
+  }
+
+  std::string file_;
+  std::string_view text_;
+  TemplateSource source_;
+  std::vector<Error> errors_;
+};
+
+}  // namespace
+
+TemplateReading parse_template(std::string_view file, std::string_view text) {
+  return TemplateReader(file, text).read();
+}
+
+}  // namespace unietp

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "core/result.h"
+
+namespace unietp {
+
+/// A slot of a reference phrasing: `{A}` or `{A:form}`.
+struct Slot {
+  std::string placeholder;  // "A"
+  std::string form;         // "" for `{A}`
+  std::size_t offset = 0;   // of its `{` in the text, in bytes
+  std::size_t length = 0;   // up to and including `}`
+};
+
+/// The forms a slot may ask for, with an example each: "plural" -> "mugs".
+struct SlotForm {
+  std::string_view name, example;
+};
+const std::vector<SlotForm>& slot_forms();
+
+/// The slots of a phrasing, and everything that is malformed in it (pos.column is the offset in the text, from 1).
+struct SlotReading {
+  std::vector<Slot> slots;
+  std::vector<Error> errors;
+};
+SlotReading read_slots(std::string_view text);
+
+/// The phrasing with the words of the categories in its slots: "Put two mugs into the cabinet." A slot whose
+/// placeholder is not named stays as it is. A category that the knowledge base does not know (a room type) is worded
+/// by its own name in lower case.
+std::string fill_phrasing(std::string_view text, const std::vector<std::pair<std::string, std::string>>& binding,
+                          const Knowledge& knowledge);
+
+}  // namespace unietp
