@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -11,8 +11,8 @@
 
 namespace unietp {
 
-/// Where a body of the profile's radius can stand: a grid of kCell_m over the rooms' bounds. A cell is free when a disc of
-/// the body's radius around its centre meets no wall and no solid between 5 cm and the body's height.
+/// Where a body of the profile's radius can stand: a grid of kCell_m over the rooms' bounds. A cell is free when a disc
+/// of the body's radius around its centre meets no wall and no solid between 5 cm and the body's height.
 class NavigationGrid {
  public:
   static constexpr double kCell_m = 0.1;
@@ -46,8 +46,11 @@ class NavigationGrid {
 /// node, metres.
 double reach_distance(const Node& node, const Vec2& at, const Profile& profile);
 
-/// True when a ray from the camera standing at `at` meets the node before anything else. Rays go to the box's centre and
-/// to points inside each face; `ignore` are bodies in the agent's hands.
+/// Points that rays go to when it is asked whether a node can be seen: the box's centre and one inside each face, W.
+std::vector<Vec3> sight_points(const Node& node);
+
+/// True when a ray from the camera standing at `at` meets the node before anything else; `ignore` are bodies in the
+/// agent's hands.
 bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Vec2& at, std::size_t node,
           std::span<const BodyId> ignore = {});
 

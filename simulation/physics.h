@@ -30,8 +30,8 @@ struct RayHit {
 
 struct SettleOptions {
   double step_s = 1.0 / 240;
-  int max_steps = 720;        // 3 s
-  int calm_steps = 24;        // 0.1 s of calm in a row ends it
+  int max_steps = 720;  // 3 s
+  int calm_steps = 24;  // 0.1 s of calm in a row ends it
   double calm_m_s = 0.01, calm_rad_s = 0.05;
   double surroundings_m = 0.3;  // fixed bodies farther than this from the loose ones are left out
 };
@@ -64,10 +64,12 @@ class PhysicsWorld {
   void remove(BodyId id);
   bool has(BodyId id) const;
 
-  /// Everything nearer than `gap` to the body, the floor included; several contacts with one body are merged into the
-  /// one whose normal points most upwards. In order of BodyId.
+  /// What holds the body up, or would if it sank by `gap`: every body that it then overlaps, the floor included;
+  /// several contacts with one body are merged into the one whose normal points most upwards. In order of BodyId, floor
+  /// last.
   std::vector<Contact> contacts(BodyId id, double gap) const;
-  /// The first body (lowest id) that a shape at a pose would overlap by more than `depth` metres; `ignore` are left out.
+  /// The first body (lowest id) that a shape at a pose would overlap by more than `depth` metres; `ignore` are left
+  /// out.
   std::optional<BodyId> overlap(const Shape& shape, const Pose& pose, double opening, std::span<const BodyId> ignore,
                                 double depth = 0.0) const;
   /// The nearest body that the segment meets.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/result.h"
@@ -11,17 +12,17 @@ namespace unietp {
 /// How one simulator limits and answers its agent; data/simulators/<name>.json, each number with its source there.
 struct Profile {
   Simulator simulator = Simulator::Ai2thor;
-  double reach_m = 1.5;          // from the body's axis to the object's surface
+  double reach_m = 1.5;  // from the body's axis to the object's surface
   int hands = 1;
   double body_radius_m = 0.2, body_height_m = 1.6;
   double camera_height_m = 1.5;
   int image_width = 500, image_height = 500;
   double vertical_fov_deg = 90;
-  double sight_m = 3.0;          // farther objects are not listed as visible
+  double sight_m = 3.0;  // farther objects are not listed as visible
   double step_m = 0.25, turn_deg = 30, look_deg = 30;
   double max_pick_mass_kg = 50;
-  bool power_needs_closed = true;   // an appliance with a door runs only when it is shut
-  bool open_needs_power_off = true; // and does not open while it runs
+  bool power_needs_closed = true;                           // an appliance with a door runs only when it is shut
+  bool open_needs_power_off = true;                         // and does not open while it runs
   bool slicing = true, washing = true, temperature = true;  // the simulator has these effects
 };
 

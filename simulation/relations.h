@@ -8,8 +8,8 @@
 
 namespace unietp {
 
-inline constexpr double kTouch_m = 0.004;    // bodies nearer than this touch
-inline constexpr double kNextTo_m = 0.5;     // next_to: gap between boxes, both at about the same height
+inline constexpr double kTouch_m = 0.004;  // bodies nearer than this touch
+inline constexpr double kNextTo_m = 0.2;   // next_to: largest gap between boxes at overlapping heights
 
 /// Walls of all rooms with gaps at the openings, and every node, as bodies: node i is body i.
 PhysicsWorld physics_of(const Scene& scene);
@@ -20,6 +20,11 @@ PhysicsWorld physics_of(const Scene& scene);
 /// next_to, and slice_of from the nodes. Held objects and what they carry keep the edges that `carried` gives and have
 /// no others.
 std::vector<Edge> read_relations(const Scene& scene, const PhysicsWorld& world, std::span<const Edge> carried = {});
+
+/// The same result as read_relations after a change, at the cost of the change: re-reads only nodes in `changed`
+/// (indices) and those near the bounds, old and new, of what moved (`touched`).
+std::vector<Edge> update_relations(const Scene& scene, const PhysicsWorld& world, std::span<const Edge> carried,
+                                   std::span<const Bounds> touched, std::span<const std::size_t> changed);
 
 /// Convenience for a scene at rest with nothing held.
 std::vector<Edge> read_relations(const Scene& scene);

@@ -32,14 +32,14 @@ struct Surface {
   Vec2 half = Vec2::Zero();    // half extents along x and y
   double clearance = 0;        // free height above it, metres
   int joint = -1;
-  int cavity = -1;             // index of the cavity it is the floor or a shelf of; -1: open, what rests here is `on`
+  int cavity = -1;  // index of the cavity it is the floor or a shelf of; -1: open, what rests here is `on`
 };
 
 /// A hollow that holds things: what lies in it is `inside`.
 struct Cavity {
   Vec3 centre = Vec3::Zero(), half = Vec3::Zero();
-  int joint = -1;         // slides with this joint (a drawer)
-  bool closable = false;  // hidden and out of reach while the joints are closed
+  int joint = -1;           // slides with this joint (a drawer)
+  bool closable = false;    // hidden and out of reach while the joints are closed
   bool open_above = false;  // things may stick out at the top
 };
 

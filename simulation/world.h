@@ -51,8 +51,8 @@ class World {
   std::vector<VisibleObject> visible() const;
 
   // Questions that a planner may ask; none changes the world.
-  /// The body can stand somewhere with the object in reach and sight (as things are now: what is behind a closed door is
-  /// not in sight).
+  /// The body can stand somewhere with the object in reach and sight (as things are now: what is behind a closed door
+  /// is not in sight).
   bool can_stand_at(std::string_view id) const;
   /// As go_to would choose it.
   std::optional<Vec2> standing_place_for(std::string_view id) const;

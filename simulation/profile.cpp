@@ -1,0 +1,113 @@
+#include "simulation/profile.h"
+
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Reads fields one by one, remembers the first error and which fields it knows.
+class Fields {
+ public:
+  Fields(const Json& json, std::string where) : json_(json), where_(std::move(where)) {}
+
+  void positive(const char* name, double& value) {
+    if (const Json* field = find(name, &Json::is_number, "a number")) {
+      value = field->get<double>();
+      if (!(value > 0)) fail(name, "must be greater than 0");
+    }
+  }
+  void positive(const char* name, int& value) {
+    if (const Json* field = find(name, &Json::is_number_integer, "a whole number")) {
+      value = field->get<int>();
+      if (value <= 0) fail(name, "must be greater than 0");
+    }
+  }
+  void flag(const char* name, bool& value) {
+    if (const Json* field = find(name, &Json::is_boolean, "true or false")) value = field->get<bool>();
+  }
+  void text(const char* name, std::string_view expected) {
+    if (const Json* field = find(name, &Json::is_string, "a string")) {
+      if (field->get<std::string>() != expected) fail(name, "must be \"" + std::string(expected) + "\"");
+    }
+  }
+  void known(const char* name) { known_.insert(name); }
+
+  std::optional<Error> error() {
+    for (const auto& [name, value] : json_.items()) {
+      if (!known_.contains(name)) fail(name, "is not a field of a simulator profile");
+    }
+    return error_;
+  }
+
+ private:
+  const Json* find(const char* name, bool (Json::*is_kind)() const noexcept, const char* kind) {
+    known(name);
+    const auto field = json_.find(name);
+    if (field == json_.end()) {
+      fail(name, std::string("is missing; expected ") + kind);
+      return nullptr;
+    }
+    if (!((*field).*is_kind)()) {
+      fail(name, std::string("must be ") + kind);
+      return nullptr;
+    }
+    return &*field;
+  }
+  void fail(const std::string& name, const std::string& what) {
+    if (!error_) error_ = Error{Error::Kind::Schema, where_, {}, "/" + name + " " + what};
+  }
+
+  const Json& json_;
+  std::string where_;
+  std::set<std::string> known_;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simulator) {
+  const auto path = folder / (std::string(name_of(simulator)) + ".json");
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  Json json;
+  try {
+    json = Json::parse(*text);
+  } catch (const Json::parse_error& e) {
+    return Error{Error::Kind::Parse, path.string(), locate(*text, e.byte > 0 ? e.byte - 1 : 0), "expected valid JSON"};
+  }
+  if (!json.is_object()) return Error{Error::Kind::Schema, path.string(), {}, "expected a JSON object"};
+  Profile p;
+  p.simulator = simulator;
+  Fields fields(json, path.string());
+  fields.text("format", "unietp-simulator/1");
+  fields.text("simulator", name_of(simulator));
+  fields.known("sources");
+  fields.positive("reach_m", p.reach_m);
+  fields.positive("hands", p.hands);
+  fields.positive("body_radius_m", p.body_radius_m);
+  fields.positive("body_height_m", p.body_height_m);
+  fields.positive("camera_height_m", p.camera_height_m);
+  fields.positive("image_width", p.image_width);
+  fields.positive("image_height", p.image_height);
+  fields.positive("vertical_fov_deg", p.vertical_fov_deg);
+  fields.positive("sight_m", p.sight_m);
+  fields.positive("step_m", p.step_m);
+  fields.positive("turn_deg", p.turn_deg);
+  fields.positive("look_deg", p.look_deg);
+  fields.positive("max_pick_mass_kg", p.max_pick_mass_kg);
+  fields.flag("power_needs_closed", p.power_needs_closed);
+  fields.flag("open_needs_power_off", p.open_needs_power_off);
+  fields.flag("slicing", p.slicing);
+  fields.flag("washing", p.washing);
+  fields.flag("temperature", p.temperature);
+  if (const auto error = fields.error()) return *error;
+  return p;
+}
+
+}  // namespace unietp

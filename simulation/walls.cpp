@@ -1,0 +1,57 @@
+#include "simulation/walls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace unietp {
+namespace {
+
+struct Interval {
+  double from, to;
+  double low_z;  // the gap's height: wall continues above
+};
+
+WallPiece piece(const Vec2& start, const Vec2& along, double from, double to, double low_z, double high_z) {
+  const Vec2 middle = start + along * ((from + to) / 2);
+  const double yaw = std::atan2(along.y(), along.x());
+  return {upright(Vec3(middle.x(), middle.y(), (low_z + high_z) / 2), yaw),
+          Vec3(to - from, kWallThickness_m, high_z - low_z)};
+}
+
+}  // namespace
+
+std::vector<WallPiece> walls_of(const Scene& scene) {
+  constexpr double kOnLine_m = 0.02, kShortest_m = 0.01;
+  std::vector<WallPiece> pieces;
+  for (const Room& room : scene.rooms) {
+    for (std::size_t i = 0; i < room.polygon.size(); ++i) {
+      const Vec2 start = room.polygon[i], end = room.polygon[(i + 1) % room.polygon.size()];
+      const double length = (end - start).norm();
+      if (length < kShortest_m) continue;
+      const Vec2 along = (end - start) / length, across(-along.y(), along.x());
+      std::vector<Interval> gaps;
+      for (const Opening& opening : scene.openings) {
+        if (std::abs((opening.from - start).dot(across)) > kOnLine_m) continue;
+        if (std::abs((opening.to - start).dot(across)) > kOnLine_m) continue;
+        double a = (opening.from - start).dot(along), b = (opening.to - start).dot(along);
+        if (a > b) std::swap(a, b);
+        a = std::max(a, 0.0);
+        b = std::min(b, length);
+        if (b - a > kShortest_m) gaps.push_back({a, b, opening.height});
+      }
+      std::sort(gaps.begin(), gaps.end(), [](const Interval& x, const Interval& y) { return x.from < y.from; });
+      double at = 0;
+      for (const Interval& gap : gaps) {
+        if (gap.from - at > kShortest_m) pieces.push_back(piece(start, along, at, gap.from, 0, scene.wall_height));
+        if (scene.wall_height - gap.low_z > kShortest_m) {
+          pieces.push_back(piece(start, along, gap.from, gap.to, gap.low_z, scene.wall_height));
+        }
+        at = std::max(at, gap.to);
+      }
+      if (length - at > kShortest_m) pieces.push_back(piece(start, along, at, length, 0, scene.wall_height));
+    }
+  }
+  return pieces;
+}
+
+}  // namespace unietp
