@@ -40,22 +40,22 @@ enum class Comparison { Equal, AtLeast, AtMost, Greater, Less };
 /// builders below keep that. Text form: S-expressions, `parse_formula` and `to_text` are inverse.
 struct Formula {
   enum class Op {
-    Atom,      // predicate, terms
-    Equal,     // terms: two
-    And,       // children: any number; empty is true
-    Or,        // children: any number; empty is false
-    Not,       // children: one
-    Imply,     // children: premise, conclusion
-    Forall,    // variable, domain, children: body
-    Exists,    // variable, domain, children: body
-    Count,     // comparison, variable, domain, children: body; compared with `number`
+    Atom,          // predicate, terms
+    Equal,         // terms: two
+    And,           // children: any number; empty is true
+    Or,            // children: any number; empty is false
+    Not,           // children: one
+    Imply,         // children: premise, conclusion
+    Forall,        // variable, domain, children: body
+    Exists,        // variable, domain, children: body
+    Count,         // comparison, variable, domain, children: body; compared with `number`
     CountCompare,  // comparison, children: two Number formulas
-    Number,    // variable, domain, children: body; only as a child of CountCompare
-    AtEnd,     // children: one
-    Sometime,  // children: one
-    Always,    // children: one
-    Until,     // children: f, g
-    Before,    // children: f, g
+    Number,        // variable, domain, children: body; only as a child of CountCompare
+    AtEnd,         // children: one
+    Sometime,      // children: one
+    Always,        // children: one
+    Until,         // children: f, g
+    Before,        // children: f, g
   };
   Op op = Op::And;
   Predicate predicate = Predicate::Open;
@@ -90,8 +90,8 @@ enum class FormulaUse {
 
 /// Parses the text form (the table in docs/logic.md).
 /// Errors: Parse with file, line, column, what is accepted and the nearest known name: unknown operator or predicate,
-/// wrong number or kind of arguments, unbound variable, a variable bound twice in one scope, a bad comparison or number,
-/// a state formula outside any temporal operator (Goal), a temporal operator (State).
+/// wrong number or kind of arguments, unbound variable, a variable bound twice in one scope, a bad comparison or
+/// number, a state formula outside any temporal operator (Goal), a temporal operator (State).
 Result<Formula> parse_formula(std::string_view where, std::string_view text, FormulaUse use);
 /// The same from an expression that is part of a larger file (a template). `bound` are variables bound outside.
 Result<Formula> parse_formula(std::string_view where, const Sexpr& expression, FormulaUse use,

@@ -33,6 +33,8 @@ class Facts {
   void set(Predicate predicate, EntityIndex entity, std::string symbol);
 
   bool exists(EntityIndex entity) const;
+  /// The entities that exist, one bit each, lowest bit first.
+  const std::vector<std::uint64_t>& existing() const { return existing_; }
   bool holds(Predicate predicate, EntityIndex entity) const;
   bool holds(Predicate predicate, EntityIndex first, EntityIndex second) const;
   /// With the symbol `any`: for some symbol.
@@ -42,11 +44,8 @@ class Facts {
 
  private:
   using Bits = std::vector<std::uint64_t>;
-  struct Pair {
-    Predicate predicate;
-    EntityIndex first, second;
-    auto operator<=>(const Pair&) const = default;
-  };
+  using Pair = std::uint64_t;  // predicate and second entity; the first is known by its place
+  static Pair pair_of(Predicate predicate, EntityIndex second) { return (static_cast<Pair>(predicate) << 32) | second; }
   struct Symbolic {
     Predicate predicate;
     EntityIndex entity;
@@ -54,9 +53,10 @@ class Facts {
     auto operator<=>(const Symbolic&) const = default;
   };
   Bits existing_;
-  std::vector<Bits> unary_;          // by predicate; grown on demand
-  std::vector<Pair> pairs_;          // sorted
-  std::vector<Symbolic> symbolic_;   // sorted
+  std::vector<Bits> unary_;  // by predicate; grown on demand
+  std::vector<Pair> pairs_;  // those of entity e: sorted, from pair_start_[e] to pair_start_[e + 1]
+  std::vector<std::uint32_t> pair_start_;
+  std::vector<Symbolic> symbolic_;  // sorted
 };
 
 /// A finite sequence of states over one list of entities: the start state, then the state after each action.

@@ -10,18 +10,56 @@ namespace unietp {
 /// Every truth that a goal, a start constraint, an effect rule or a scene can speak of; one vocabulary for all of them.
 enum class Predicate : std::uint8_t {
   // states of one object
-  Open, Closed, PowerOn, PowerOff, Clean, Dirty, Hot, Cool, RoomTemperature, Cooked, Raw, Burnt, Unburnt, Frozen,
-  Thawed, Sliced, Whole, Empty, Soaked, Dry, UsedUp, Unused, Broken, Intact, Folded, Unfolded, PluggedIn, Unplugged,
+  Open,
+  Closed,
+  PowerOn,
+  PowerOff,
+  Clean,
+  Dirty,
+  Hot,
+  Cool,
+  RoomTemperature,
+  Cooked,
+  Raw,
+  Burnt,
+  Unburnt,
+  Frozen,
+  Thawed,
+  Sliced,
+  Whole,
+  Empty,
+  Soaked,
+  Dry,
+  UsedUp,
+  Unused,
+  Broken,
+  Intact,
+  Folded,
+  Unfolded,
+  PluggedIn,
+  Unplugged,
   // what the agent does with one object
-  Held, SatOn, LainOn,
+  Held,
+  SatOn,
+  LainOn,
   // states with a symbol
-  Filled, Covered,
+  Filled,
+  Covered,
   // attributes with a symbol, fixed for a scene
-  Colour, Material, Size,
+  Colour,
+  Material,
+  Size,
   // relations of two objects
-  On, Inside, NextTo, Under, SliceOf, Attached, Nearest,
+  On,
+  Inside,
+  NextTo,
+  Under,
+  SliceOf,
+  Attached,
+  Nearest,
   // relations of an object and a room
-  OnFloor, InRoom,
+  OnFloor,
+  InRoom,
 };
 inline constexpr std::size_t kPredicateCount = static_cast<std::size_t>(Predicate::InRoom) + 1;
 
@@ -30,7 +68,7 @@ enum class ArgumentKind : std::uint8_t { Object, Room, Symbol };
 
 struct PredicateInfo {
   Predicate predicate;
-  std::string_view name;     // "next_to"
+  std::string_view name;  // "next_to"
   std::span<const ArgumentKind> arguments;
   std::string_view meaning;  // one line for people
 };

@@ -1,0 +1,396 @@
+#include "logic/evaluate.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <limits>
+#include <memory_resource>
+#include <span>
+
+#include "logic/membership.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+using Bits = std::pmr::vector<std::uint64_t>;
+
+constexpr EntityIndex kNobody = std::numeric_limits<EntityIndex>::max();  // exists nowhere
+constexpr int kAgentSlot = -1, kSymbolSlot = -2;
+
+/// A formula with its variables resolved to slots of the assignment and its domains to lists of entities, so that
+/// reading it touches no text. Built anew for each call, in one buffer.
+struct Node {
+  Op op = Op::And;
+  Predicate predicate = Predicate::Open;
+  Comparison comparison = Comparison::Equal;
+  std::uint8_t arity = 0;
+  int number = 0;
+  std::array<int, 2> slots{};  // of the terms
+  std::string_view symbol;
+  int slot = 0;                          // of the bound variable
+  std::span<const EntityIndex> members;  // of the domain
+  const Node* where = nullptr;           // still to be read for each member; null when `members` has it done
+  std::span<const Node> children;
+};
+
+bool compare(Comparison comparison, int left, int right) {
+  switch (comparison) {
+    case Comparison::Equal:
+      return left == right;
+    case Comparison::AtLeast:
+      return left >= right;
+    case Comparison::AtMost:
+      return left <= right;
+    case Comparison::Greater:
+      return left > right;
+    case Comparison::Less:
+      return left < right;
+  }
+  return false;
+}
+
+class Reading {
+ public:
+  Reading(const Trace& trace, const Assignment& assignment)
+      : trace_(trace),
+        last_(trace.states.size() - 1),
+        buffer_(storage_.data(), storage_.size()),
+        names_(&buffer_),
+        values_(&buffer_),
+        agent_(find_agent(trace)),
+        any_position_(&buffer_),
+        domains_(&buffer_) {
+    assert(!trace.states.empty());
+    names_.reserve(16);
+    values_.reserve(16);
+    domains_.reserve(16);
+    for (const auto& [name, entity] : assignment) {
+      names_.push_back(name);
+      values_.push_back(entity);
+    }
+    for (const Facts& facts : trace.states) {
+      const auto& words = facts.existing();
+      if (any_position_.size() < words.size()) any_position_.resize(words.size());
+      for (std::size_t i = 0; i < words.size(); ++i) any_position_[i] |= words[i];
+    }
+  }
+
+  const Node* prepare(const Formula& formula) {
+    Node* node = array<Node>(1);
+    fill(*node, formula);
+    return node;
+  }
+
+  bool holds(const Node& node, std::size_t i) {
+    switch (node.op) {
+      case Op::Atom:
+        return holds_atom(node, i);
+      case Op::Equal:
+        return value(node.slots[0]) == value(node.slots[1]);
+      case Op::And:
+        for (const Node& child : node.children) {
+          if (!holds(child, i)) return false;
+        }
+        return true;
+      case Op::Or:
+        for (const Node& child : node.children) {
+          if (holds(child, i)) return true;
+        }
+        return false;
+      case Op::Not:
+        return !holds(node.children[0], i);
+      case Op::Imply:
+        return !holds(node.children[0], i) || holds(node.children[1], i);
+      case Op::Forall:
+        return !some_member(node, i, false);
+      case Op::Exists:
+        return some_member(node, i, true);
+      case Op::Count:
+        return compare(node.comparison, number_of(node, i), node.number);
+      case Op::CountCompare:
+        return compare(node.comparison, number_of(node.children[0], i), number_of(node.children[1], i));
+      case Op::Number:
+        break;
+      case Op::AtEnd:
+        return holds(node.children[0], last_);
+      case Op::Sometime:
+        for (std::size_t j = i; j <= last_; ++j) {
+          if (holds(node.children[0], j)) return true;
+        }
+        return false;
+      case Op::Always:
+        for (std::size_t j = i; j <= last_; ++j) {
+          if (!holds(node.children[0], j)) return false;
+        }
+        return true;
+      case Op::Until:
+        for (std::size_t j = i; j <= last_; ++j) {
+          if (holds(node.children[1], j)) return true;
+          if (!holds(node.children[0], j)) return false;
+        }
+        return false;
+      case Op::Before: {
+        const std::size_t f = first(node.children[0], i), g = first(node.children[1], i);
+        return f < g && g <= last_;
+      }
+    }
+    assert(false && "a number stands only in a comparison of counts");
+    return false;
+  }
+
+  std::span<const EntityIndex> members(const Domain& domain) {
+    for (const auto& known : domains_) {
+      if (known.domain->kind == domain.kind && known.domain->members == domain.members) return known.members;
+    }
+    EntityIndex* list = array<EntityIndex>(trace_.entities.size());
+    std::size_t size = 0;
+    const auto count = static_cast<EntityIndex>(trace_.entities.size());
+    for (EntityIndex e = 0; e < count; ++e) {
+      if (is_of(trace_.entities[e], domain) && exists_somewhere(e)) list[size++] = e;
+    }
+    domains_.push_back({&domain, {list, size}});
+    return domains_.back().members;
+  }
+
+  /// The members that also satisfy the domain's `:where`, under the present assignment.
+  std::vector<EntityIndex> chosen_members(const Domain& domain, const std::string& variable) {
+    std::vector<EntityIndex> chosen;
+    for (const EntityIndex e : members(domain)) {
+      const int slot = push(variable);
+      values_[static_cast<std::size_t>(slot)] = e;
+      if (domain.where.empty() || (trace_.states[0].exists(e) && holds(*prepare(domain.where.front()), 0))) {
+        chosen.push_back(e);
+      }
+      pop();
+    }
+    return chosen;
+  }
+
+  int push(std::string_view variable) {
+    names_.push_back(variable);
+    values_.resize(std::max(values_.size(), names_.size()), kNobody);
+    return static_cast<int>(names_.size()) - 1;
+  }
+  void pop() { names_.pop_back(); }
+  void assign(int slot, EntityIndex entity) { values_[static_cast<std::size_t>(slot)] = entity; }
+
+ private:
+  static EntityIndex find_agent(const Trace& trace) {
+    for (std::size_t e = 0; e < trace.entities.size(); ++e) {
+      if (trace.entities[e].kind == Entity::Kind::Agent) return static_cast<EntityIndex>(e);
+    }
+    return kNobody;
+  }
+
+  bool exists_somewhere(EntityIndex e) const {
+    return e / 64 < any_position_.size() && ((any_position_[e / 64] >> (e % 64)) & 1U) != 0;
+  }
+
+  template <class T>
+  T* array(std::size_t count) {
+    T* memory = static_cast<T*>(buffer_.allocate(std::max<std::size_t>(count, 1) * sizeof(T), alignof(T)));
+    std::uninitialized_value_construct_n(memory, count);
+    return memory;
+  }
+
+  int slot_of(const Term& term) const {
+    if (term.kind == Term::Kind::Agent) return kAgentSlot;
+    if (term.kind == Term::Kind::Symbol) return kSymbolSlot;
+    for (std::size_t i = names_.size(); i > 0; --i) {
+      if (names_[i - 1] == term.name) return static_cast<int>(i - 1);
+    }
+    assert(false && "a formula to be read has no free variables");
+    return kAgentSlot;
+  }
+
+  void fill(Node& node, const Formula& formula) {
+    node.op = formula.op;
+    node.predicate = formula.predicate;
+    node.comparison = formula.comparison;
+    node.number = formula.number;
+    node.arity = static_cast<std::uint8_t>(formula.terms.size());
+    for (std::size_t i = 0; i < formula.terms.size(); ++i) {
+      node.slots[i] = slot_of(formula.terms[i]);
+      if (node.slots[i] == kSymbolSlot) node.symbol = formula.terms[i].name;
+    }
+    if (!formula.variable.empty()) {
+      node.members = members(formula.domain);
+      node.slot = push(formula.variable);
+      if (!formula.domain.where.empty()) fill_where(node, formula);
+    }
+    Node* children = array<Node>(formula.children.size());
+    node.children = {children, formula.children.size()};
+    for (std::size_t i = 0; i < formula.children.size(); ++i) fill(children[i], formula.children[i]);
+    if (!formula.variable.empty()) pop();
+  }
+
+  /// A `:where` about its own variable only is read once here; one that names outer variables, for each member later.
+  void fill_where(Node& node, const Formula& formula) {
+    Node* where = array<Node>(1);
+    fill(*where, formula.domain.where.front());
+    const bool own = only_names(*where, node.slot);
+    EntityIndex* list = array<EntityIndex>(node.members.size());
+    std::size_t size = 0;
+    for (const EntityIndex e : node.members) {
+      assign(node.slot, e);
+      if (trace_.states[0].exists(e) && (!own || holds(*where, 0))) list[size++] = e;
+    }
+    node.members = {list, size};
+    if (!own) node.where = where;
+  }
+
+  static bool only_names(const Node& node, int slot) {
+    for (std::size_t i = 0; i < node.arity; ++i) {
+      if (node.slots[i] >= 0 && node.slots[i] < slot) return false;
+    }
+    if (node.where != nullptr && !only_names(*node.where, slot)) return false;
+    return std::all_of(node.children.begin(), node.children.end(), [&](const Node& c) { return only_names(c, slot); });
+  }
+
+  EntityIndex value(int slot) const { return slot == kAgentSlot ? agent_ : values_[static_cast<std::size_t>(slot)]; }
+
+  bool holds_atom(const Node& node, std::size_t i) const {
+    const Facts& facts = trace_.states[i];
+    const EntityIndex entity = value(node.slots[0]);
+    if (node.arity == 1) return facts.holds(node.predicate, entity);
+    if (node.slots[1] == kSymbolSlot) return facts.holds(node.predicate, entity, node.symbol);
+    return facts.holds(node.predicate, entity, value(node.slots[1]));
+  }
+
+  /// Whether the body of a quantifier has the value `wanted` for some member of its domain.
+  bool some_member(const Node& node, std::size_t i, bool wanted) {
+    for (const EntityIndex e : node.members) {
+      assign(node.slot, e);
+      if (node.where != nullptr && !holds(*node.where, 0)) continue;
+      if (holds(node.children[0], i) == wanted) return true;
+    }
+    return false;
+  }
+
+  int number_of(const Node& node, std::size_t i) {
+    int number = 0;
+    for (const EntityIndex e : node.members) {
+      assign(node.slot, e);
+      if (node.where != nullptr && !holds(*node.where, 0)) continue;
+      if (holds(node.children[0], i)) ++number;
+    }
+    return number;
+  }
+
+  /// The first position from i on at which the node holds; one past the last if there is none.
+  std::size_t first(const Node& node, std::size_t i) {
+    while (i <= last_ && !holds(node, i)) ++i;
+    return i;
+  }
+
+  struct KnownDomain {
+    const Domain* domain;
+    std::span<const EntityIndex> members;
+  };
+
+  const Trace& trace_;
+  std::size_t last_;
+  alignas(std::max_align_t) std::array<std::byte, 16384> storage_;
+  std::pmr::monotonic_buffer_resource buffer_;
+  std::pmr::vector<std::string_view> names_;  // by slot; those in scope while a formula is prepared
+  std::pmr::vector<EntityIndex> values_;      // by slot
+  EntityIndex agent_;
+  Bits any_position_;
+  std::pmr::vector<KnownDomain> domains_;
+};
+
+/// Which of a goal's domains are empty, by their place in the text.
+class EmptyDomains {
+ public:
+  explicit EmptyDomains(const Trace& trace) : trace_(trace) {}
+
+  std::vector<std::string> find(const Formula& goal) {
+    const auto places = walk(goal, 0, {});
+    std::vector<std::string> result;
+    for (const int place : places) result.push_back(texts_[static_cast<std::size_t>(place)]);
+    return result;
+  }
+
+ private:
+  using Places = std::vector<int>;  // sorted
+
+  static Places united(const Places& a, const Places& b) {
+    Places all;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+    return all;
+  }
+  static Places common(const Places& a, const Places& b) {
+    Places both;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return both;
+  }
+
+  static int size_of(const Formula& formula) {
+    int size = 1;
+    for (const auto& where : formula.domain.where) size += size_of(where);
+    for (const auto& child : formula.children) size += size_of(child);
+    return size;
+  }
+
+  /// `place` is the formula's number in the order of the text.
+  Places walk(const Formula& formula, int place, const Assignment& assignment) {
+    int next = place + 1;
+    const int where_place = next;
+    for (const auto& where : formula.domain.where) next += size_of(where);
+    if (formula.variable.empty()) {
+      Places result;
+      for (const auto& child : formula.children) {
+        result = united(result, walk(child, next, assignment));
+        next += size_of(child);
+      }
+      return result;
+    }
+    if (static_cast<int>(texts_.size()) <= place) texts_.resize(static_cast<std::size_t>(place) + 1);
+    auto& text = texts_[static_cast<std::size_t>(place)];
+    if (text.empty()) text = to_text(formula.domain);
+    const auto members = members_of(formula.domain, formula.variable, trace_, assignment);
+    Places result;
+    if (members.empty() && formula.op != Op::Exists) result = {place};
+    std::optional<Places> below;
+    for (const EntityIndex e : members) {
+      Assignment inner = assignment;
+      inner.emplace_back(formula.variable, e);
+      Places here = walk(formula.children.front(), next, inner);
+      for (const auto& where : formula.domain.where) here = united(here, walk(where, where_place, inner));
+      if (!below)
+        below = std::move(here);
+      else
+        below = formula.op == Op::Forall ? common(*below, here) : united(*below, here);
+    }
+    return below ? united(result, *below) : result;
+  }
+
+  const Trace& trace_;
+  std::vector<std::string> texts_;
+};
+
+}  // namespace
+
+bool holds(const Formula& goal, const Trace& trace) { return holds_in(goal, trace, 0); }
+
+bool holds_in(const Formula& formula, const Trace& trace, std::size_t position) {
+  return holds_in(formula, trace, position, {});
+}
+
+bool holds_in(const Formula& formula, const Trace& trace, std::size_t position, const Assignment& assignment) {
+  Reading reading(trace, assignment);
+  return reading.holds(*reading.prepare(formula), position);
+}
+
+std::vector<EntityIndex> members_of(const Domain& domain, const std::string& variable, const Trace& trace,
+                                    const Assignment& assignment) {
+  return Reading(trace, assignment).chosen_members(domain, variable);
+}
+
+std::vector<std::string> empty_domains(const Formula& goal, const Trace& trace) {
+  return EmptyDomains(trace).find(goal);
+}
+
+}  // namespace unietp
