@@ -122,13 +122,13 @@ class Normalizer {
       key += to_text(plain);
       if (candidates.empty() || key < smallest) {
         smallest = std::move(key);
-        candidates = {i};
+        candidates.assign(1, i);
       } else if (key == smallest) {
         candidates.push_back(i);
       }
     }
     constexpr std::size_t kMostTried = 6;  // 720 orders; beyond that equal formulas may get unequal forms
-    if (candidates.size() > kMostTried) candidates.resize(1);
+    if (candidates.size() > kMostTried) candidates.erase(candidates.begin() + 1, candidates.end());
     std::string best_text;
     Formula best;
     for (const std::size_t i : candidates) {
