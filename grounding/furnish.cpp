@@ -1,0 +1,250 @@
+#include "grounding/furnish.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "grounding/floor_plan.h"
+#include "simulation/shape.h"
+#include "simulation/walls.h"
+
+namespace unietp {
+namespace {
+
+constexpr double kFromWall_m = kWallThickness_m / 2 + 0.012;  // of a back from the polygon's edge
+constexpr double kGap_m = 0.01;                               // between pieces
+constexpr double kPassage_m = 2.0;                            // height that keep-outs reach to
+constexpr double kDoorwayDepth_m = 0.8;
+constexpr double kAisle_m = 0.75;  // around what stands free
+constexpr double kRestGap_m = 0.002;
+constexpr double kWallMargin_m = 0.02;
+
+struct Candidate {
+  Pose pose;
+  std::optional<std::size_t> host;  // node that it stands on, at, beside or above
+};
+
+/// Yaw that turns the object's front (-y) to the unit vector `front`.
+double yaw_facing(const Vec2& front) { return std::atan2(front.x(), -front.y()); }
+
+Vec2 inward_normal(std::uint64_t side) {
+  constexpr std::array<std::array<double, 2>, 4> kNormals{{{0, 1}, {-1, 0}, {0, -1}, {1, 0}}};
+  return {kNormals[side][0], kNormals[side][1]};
+}
+
+double default_height(const Node& node, double wall_height) {
+  double bottom = 1.45 - node.size.z() / 2;  // a picture at eye height
+  if (node.archetype == Archetype::Cabinet) bottom = 1.45;
+  if (node.archetype == Archetype::Shelf) bottom = node.size.z() < 0.15 ? 1.2 : 0.9;
+  return std::clamp(bottom, 0.02, std::max(0.02, wall_height - node.size.z() - 0.05));
+}
+
+/// Back to a wall; along it where `share` in [0, 1] says.
+Pose at_wall(const Bounds& room, std::uint64_t side, double share, const Node& node, double bottom) {
+  const Vec2 normal = inward_normal(side);
+  const int across = normal.x() != 0 ? 0 : 1, along = 1 - across;
+  Vec3 position;
+  const double depth = kFromWall_m + node.size.y() / 2;
+  position[across] = normal[across] > 0 ? room.low[across] + depth : room.high[across] - depth;
+  const double low = room.low[along] + kFromWall_m + node.size.x() / 2;
+  const double high = room.high[along] - kFromWall_m - node.size.x() / 2;
+  position[along] = low + share * (high - low);
+  position.z() = bottom + node.size.z() / 2;
+  return upright(position, yaw_facing(normal));
+}
+
+std::vector<std::size_t> hosts_in(const Workspace& workspace, std::size_t room, const std::string& category) {
+  std::vector<std::size_t> hosts;
+  const Scene& scene = workspace.scene();
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (node.category == category && contains(scene.rooms[room].polygon, node.pose.position.head<2>())) {
+      hosts.push_back(i);
+    }
+  }
+  return hosts;
+}
+
+/// Pose in the host's frame for what stands on it: anywhere along it, its back near the host's back.
+std::optional<Vec3> draw_on_top(const Node& host, const Node& node, Rng& rng) {
+  std::vector<Surface> tops;
+  for (const Surface& surface : shape_of(host).surfaces) {
+    if (surface.cavity < 0 && surface.joint < 0 && node.size.z() + 0.02 < surface.clearance) tops.push_back(surface);
+  }
+  if (tops.empty()) return std::nullopt;
+  const Surface& top = rng.pick(tops);
+  const Vec2 slack = top.half - node.size.head<2>() / 2;
+  if (slack.minCoeff() < 0) return std::nullopt;
+  const double back = std::min(slack.y(), rng.uniform(0.0, 0.08));
+  return top.centre + Vec3(rng.uniform(-1, 1) * slack.x(), slack.y() - back, node.size.z() / 2 + kRestGap_m);
+}
+
+std::optional<Candidate> draw_at_host(const Workspace& workspace, std::size_t room, const Node& node,
+                                      const Where& where, Rng& rng) {
+  const auto hosts = hosts_in(workspace, room, where.host);
+  if (hosts.empty()) return std::nullopt;
+  const std::size_t index = rng.pick(hosts);
+  const Node& host = workspace.scene().nodes[index];
+  const Vec3 half = host.size / 2, own = node.size / 2;
+  const double on_floor = own.z() - host.pose.position.z();
+  if (where.kind == Where::Kind::On) {
+    const auto spot = draw_on_top(host, node, rng);
+    if (!spot) return std::nullopt;
+    return Candidate{host.pose * Pose{*spot, Quat::Identity()}, index};
+  }
+  if (where.kind == Where::Kind::Above) {
+    const double most = std::max(0.0, half.x() - own.x());
+    const Vec3 spot(rng.uniform(-0.3, 0.3) * most, half.y() - own.y(),
+                    half.z() + where.height_m.value_or(0.02) + own.z());
+    return Candidate{host.pose * Pose{spot, Quat::Identity()}, index};
+  }
+  if (where.kind == Where::Kind::Beside) {
+    const double side = rng.chance(0.5) ? 1 : -1;
+    const Vec3 spot(side * (half.x() + own.x() + rng.uniform(0.03, 0.08)), half.y() - own.y(), on_floor);
+    return Candidate{host.pose * Pose{spot, Quat::Identity()}, index};
+  }
+  // Around it, on one of the four sides, facing it.
+  const Vec2 outward = inward_normal(rng.below(4));
+  const int across = outward.x() != 0 ? 0 : 1, along = 1 - across;
+  Vec3 spot;
+  spot[across] = outward[across] * (half[across] + own.y() + rng.uniform(0.04, 0.1));
+  spot[along] = rng.uniform(-1, 1) * std::max(0.0, half[along] - own.x());
+  spot.z() = on_floor;
+  return Candidate{host.pose * upright(spot, yaw_facing(-outward)), index};
+}
+
+std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t room, const Node& node,
+                                        const Where& where, Rng& rng) {
+  const Scene& scene = workspace.scene();
+  const Bounds bounds = room_bounds(scene.rooms[room], scene.wall_height);
+  switch (where.kind) {
+    case Where::Kind::Wall:
+      return Candidate{at_wall(bounds, rng.below(4), rng.unit(), node, 0), std::nullopt};
+    case Where::Kind::Corner:
+      return Candidate{at_wall(bounds, rng.below(4), rng.chance(0.5) ? 0.0 : 1.0, node, 0), std::nullopt};
+    case Where::Kind::WallHung: {
+      const double bottom = where.height_m.value_or(default_height(node, scene.wall_height));
+      return Candidate{at_wall(bounds, rng.below(4), rng.unit(), node, bottom), std::nullopt};
+    }
+    case Where::Kind::Centre: {
+      const double yaw = static_cast<double>(rng.below(4)) * std::numbers::pi / 2;
+      const Bounds own = bounds_of(upright(Vec3::Zero(), yaw), node.size);
+      Vec3 position(0, 0, node.size.z() / 2);
+      for (int axis = 0; axis < 2; ++axis) {
+        const double low = bounds.low[axis] - own.low[axis] + kAisle_m;
+        const double high = bounds.high[axis] - own.high[axis] - kAisle_m;
+        if (low > high) return std::nullopt;
+        position[axis] = rng.uniform(low, high);
+      }
+      return Candidate{upright(position, yaw), std::nullopt};
+    }
+    default:
+      return draw_at_host(workspace, room, node, where, rng);
+  }
+}
+
+/// Room in front of a piece, in W.
+Bounds front_of(const Node& node, double depth) {
+  const Vec3 centre(0, -node.size.y() / 2 - depth / 2, kPassage_m / 2 - node.pose.position.z());
+  return bounds_of(node.pose * Pose{centre, Quat::Identity()}, {node.size.x(), depth, kPassage_m - 0.02});
+}
+
+bool needs_front(const Node& node) {
+  const double bottom = node.pose.position.z() - node.size.z() / 2;
+  return bottom < 0.9 && node.archetype != Archetype::Panel && node.archetype != Archetype::Fixture;
+}
+
+/// The keep-outs that a placed piece brings with it.
+std::vector<Bounds> own_keep_outs(const Node& node, bool with_front, const FurnishOptions& options) {
+  std::vector<Bounds> spaces;
+  if (with_front && needs_front(node)) {
+    spaces.push_back(front_of(node, node.openable ? options.clearance_open_m : options.clearance_m));
+  }
+  if (const auto sweep = sweep_of(node)) spaces.push_back(*sweep);
+  return spaces;
+}
+
+bool backs_onto_a_wall(Where::Kind kind) {
+  return kind == Where::Kind::Wall || kind == Where::Kind::Corner || kind == Where::Kind::WallHung ||
+         kind == Where::Kind::Beside;
+}
+
+bool within(const Bounds& inner, const Bounds& room) {
+  for (int axis = 0; axis < 2; ++axis) {
+    if (inner.low[axis] < room.low[axis] + kWallMargin_m || inner.high[axis] > room.high[axis] - kWallMargin_m) {
+      return false;
+    }
+  }
+  return inner.low.z() > -1e-9 && inner.high.z() < room.high.z();
+}
+
+bool opens_freely(const Workspace& workspace, const Node& node, const Shape& shape) {
+  if (shape.joints.empty()) return true;
+  for (int k = 1; k <= 4; ++k) {
+    if (workspace.checker().hit_by_joints(shape, node.pose, k / 4.0, kGap_m / 2)) return false;
+  }
+  return true;
+}
+
+bool fits(const Workspace& workspace, const std::vector<KeepOut>& keep_outs, const Bounds& room, const Node& node,
+          const Candidate& candidate, const std::vector<Bounds>& own_spaces) {
+  const Shape shape = shape_of(node);
+  const Bounds body = bounds_of(shape, node.pose, 0);
+  if (!within(body, room)) return false;
+  for (const KeepOut& keep_out : keep_outs) {
+    if (keep_out.owner && keep_out.owner == candidate.host) continue;
+    if (overlap(keep_out.space, body, kGap_m)) return false;
+  }
+  const Scene& scene = workspace.scene();
+  for (const Bounds& space : own_spaces) {
+    if (!within({space.low.cwiseMax(Vec3(-1e9, -1e9, 0)), space.high}, room)) return false;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+      if (candidate.host && *candidate.host == i) continue;
+      if (overlap(space, workspace.physics().bounds(static_cast<BodyId>(i)))) return false;
+    }
+  }
+  const bool touches = candidate.host.has_value();
+  return !workspace.checker().hit(shape, node.pose, 0, touches ? PlacementChecker::kGap_m : kGap_m) &&
+         opens_freely(workspace, node, shape);
+}
+
+}  // namespace
+
+std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptions& options) {
+  std::vector<KeepOut> keep_outs;
+  for (const Opening& opening : workspace.scene().openings) {
+    const Vec2 low = opening.from.cwiseMin(opening.to), high = opening.from.cwiseMax(opening.to);
+    const bool along_x = high.x() - low.x() > high.y() - low.y();
+    const Vec2 depth = along_x ? Vec2(0.05, kDoorwayDepth_m) : Vec2(kDoorwayDepth_m, 0.05);
+    keep_outs.push_back(
+        {{{low.x() - depth.x(), low.y() - depth.y(), 0}, {high.x() + depth.x(), high.y() + depth.y(), opening.height}},
+         std::nullopt});
+  }
+  const Scene& scene = workspace.scene();
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (scene.nodes[i].movable) continue;
+    // The front of what stands free is not known to be needed: only pieces with their back near a wall keep it.
+    const bool front = scene.nodes[i].openable || scene.nodes[i].archetype == Archetype::Block;
+    for (const Bounds& space : own_keep_outs(scene.nodes[i], front, options)) keep_outs.push_back({space, i});
+  }
+  return keep_outs;
+}
+
+bool place_furniture(Workspace& workspace, std::vector<KeepOut>& keep_outs, std::size_t room, Node node,
+                     const Where& where, const FurnishOptions& options, Rng rng) {
+  const Bounds bounds = room_bounds(workspace.scene().rooms[room], workspace.scene().wall_height);
+  for (int draw = 0; draw < options.draws; ++draw) {
+    const auto candidate = draw_candidate(workspace, room, node, where, rng);
+    if (!candidate) continue;
+    node.pose = candidate->pose;
+    const auto spaces = own_keep_outs(node, backs_onto_a_wall(where.kind), options);
+    if (!fits(workspace, keep_outs, bounds, node, *candidate, spaces)) continue;
+    const std::size_t index = workspace.add(std::move(node));
+    for (const Bounds& space : spaces) keep_outs.push_back({space, index});
+    return true;
+  }
+  return false;
+}
+
+}  // namespace unietp

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/rng.h"
+#include "grounding/where.h"
+#include "grounding/workspace.h"
+
+namespace unietp {
+
+struct FurnishOptions {
+  int draws = 40;                 // poses tried for one piece
+  double clearance_m = 0.7;       // kept free in front of what stands at a wall
+  double clearance_open_m = 0.9;  // of what opens
+};
+
+/// Space that has to stay free: before openings, in front of furniture, where doors swing.
+struct KeepOut {
+  Bounds space;
+  std::optional<std::size_t> owner;  // node it belongs to
+};
+
+/// Keep-outs of a furnished scene: openings, fronts and sweeps.
+std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptions& options);
+
+/// Sets a piece down in a room (index) as `where` says; its pose is overwritten. Back to the wall, front free, doors
+/// free to open, no keep-out touched; free by FCL. Adds its own keep-outs. False when no draw fits.
+bool place_furniture(Workspace& workspace, std::vector<KeepOut>& keep_outs, std::size_t room, Node node,
+                     const Where& where, const FurnishOptions& options, Rng rng);
+
+}  // namespace unietp

@@ -1,0 +1,76 @@
+#include "grounding/make_node.h"
+
+#include <algorithm>
+
+namespace unietp {
+namespace {
+
+constexpr double kDirtyShare = 0.15;
+constexpr double kLightOnShare = 0.3;
+constexpr double kFullShare = 0.1;
+constexpr double kFoldedOpenShare = 0.25;
+
+bool shines(const Category& category) {
+  for (const std::string_view word : {"lamp", "light", "television", "tv", "monitor", "candle"}) {
+    if (category.display.find(word) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Node make_node(const Scene& scene, const Knowledge& knowledge, const Category& category, double spread, Rng& rng) {
+  Node node;
+  node.id = fresh_id(scene, category.name);
+  node.category = category.name;
+  node.movable = category.movable;
+  node.archetype = category.archetype;
+  node.openable = knowledge.has(category.name, "openable");
+  Vec3 factor = Vec3::Constant(rng.uniform(1 - spread, 1 + spread));
+  if (!category.movable) {
+    factor.y() = rng.uniform(1 - spread, 1 + spread);
+    factor.z() = rng.uniform(1 - spread, 1 + spread);
+  }
+  node.size = category.size.cwiseProduct(factor);
+  node.mass = category.mass * factor.prod();
+  if (!category.colours.empty()) node.colour = rng.pick(category.colours);
+  if (!category.materials.empty()) node.material = rng.pick(category.materials);
+  set_default_states(node, knowledge);
+  return node;
+}
+
+void set_default_states(Node& node, const Knowledge& knowledge) {
+  for (const StateGroup& group : state_groups()) {
+    if (knowledge.has(node.category, group.affordance)) node.states.set({group.predicates.front(), {}});
+  }
+}
+
+std::string draw_filling(std::string_view category, const Knowledge& knowledge, Rng& rng) {
+  std::vector<std::string> substances;
+  for (const Effect* effect : knowledge.effects_on(category, "fills")) {
+    if (!effect->gives.empty()) substances.push_back(effect->gives);
+  }
+  std::sort(substances.begin(), substances.end());
+  substances.erase(std::unique(substances.begin(), substances.end()), substances.end());
+  return substances.empty() ? std::string() : rng.pick(substances);
+}
+
+void draw_states(Node& node, const Knowledge& knowledge, Rng& rng) {
+  const Category* category = knowledge.find(node.category);
+  if (node.states.has(Predicate::Clean) && rng.chance(kDirtyShare)) node.states.set({Predicate::Dirty, {}});
+  if (node.states.has(Predicate::PowerOff) && category && shines(*category) && rng.chance(kLightOnShare)) {
+    node.states.set({Predicate::PowerOn, {}});
+  }
+  if (node.states.has(Predicate::Empty) && rng.chance(kFullShare)) {
+    if (std::string substance = draw_filling(node.category, knowledge, rng); !substance.empty()) {
+      node.states.set({Predicate::Filled, std::move(substance)});
+    }
+  }
+  if (node.movable && node.archetype == Archetype::Folding && node.states.has(Predicate::Closed) &&
+      rng.chance(kFoldedOpenShare)) {
+    node.states.set({Predicate::Open, {}});
+    node.opening = 1;
+  }
+}
+
+}  // namespace unietp

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+
+#include "akb/knowledge.h"
+#include "core/rng.h"
+#include "scene/scene.h"
+
+namespace unietp {
+
+/// An instance of a category with a fresh id, default states, colour and material drawn from the category's lists, and
+/// a size that differs from the typical one by at most `spread` (a share; per axis for furniture, as a whole for what
+/// moves, so that balls stay balls). The mass follows the volume. The pose is left to the caller.
+Node make_node(const Scene& scene, const Knowledge& knowledge, const Category& category, double spread, Rng& rng);
+
+/// The first state of each group whose affordance the category has.
+void set_default_states(Node& node, const Knowledge& knowledge);
+
+/// Some of what a lived-in home shows: a seventh dirty, some lamps and screens on, some vessels full, some laptops and
+/// books open. Furniture with doors stays shut.
+void draw_states(Node& node, const Knowledge& knowledge, Rng& rng);
+
+/// A substance that the knowledge says the category can be filled with; "" when none. Drawn among them.
+std::string draw_filling(std::string_view category, const Knowledge& knowledge, Rng& rng);
+
+}  // namespace unietp

@@ -1,0 +1,205 @@
+#include "grounding/place_object.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "simulation/relations.h"
+#include "simulation/shape.h"
+
+namespace unietp {
+namespace {
+
+constexpr double kDropHeight_m = 0.002;  // over the surface, more than FCL's gap
+constexpr double kHeadroom_m = 0.005;
+constexpr double kMostSlide_m = 0.01;  // what moves farther while it settles did not rest where it was put
+constexpr double kMostTilt_rad = 0.05;
+constexpr double kEdgeMargin_m = 0.01;  // between a footprint and the surface's edge, where there is room
+
+struct Footprint {
+  Vec2 half;
+  double yaw;
+};
+
+/// Half extents of the upright box turned by `yaw` relative to the surface's axes.
+Vec2 turned(const Vec3& size, double yaw) {
+  const double c = std::abs(std::cos(yaw)), s = std::abs(std::sin(yaw));
+  return {(c * size.x() + s * size.y()) / 2, (s * size.x() + c * size.y()) / 2};
+}
+
+/// A yaw at which the box fits on the surface, free where there is room, else along an axis; nullopt when none does.
+std::optional<Footprint> draw_footprint(const Vec3& size, const Vec2& room, Rng& rng) {
+  const double free = rng.uniform(-std::numbers::pi, std::numbers::pi);
+  const double right_angle = std::numbers::pi / 2;
+  const double first = rng.chance(0.5) ? 0.0 : right_angle;
+  for (const double yaw : {free, first, right_angle - first}) {
+    const Vec2 half = turned(size, yaw);
+    if (half.x() <= room.x() && half.y() <= room.y()) return Footprint{half, yaw};
+  }
+  return std::nullopt;
+}
+
+/// Puts the node into the physics world at `index` while a pose is tried, and the old one back afterwards.
+class Trial {
+ public:
+  Trial(Workspace& workspace, const Node& node, std::size_t index)
+      : workspace_(workspace), body_(static_cast<BodyId>(index)), shape_(shape_of(node)) {
+    workspace_.physics().set(body_, shape_, node.pose, node.opening, node.mass);
+  }
+  ~Trial() {
+    if (body_ >= workspace_.scene().nodes.size()) {
+      workspace_.physics().remove(body_);
+      return;
+    }
+    const Node& old = workspace_.scene().nodes[body_];
+    workspace_.physics().set(body_, shape_of(old), old.pose, old.opening, old.mass);
+  }
+  Trial(const Trial&) = delete;
+  Trial& operator=(const Trial&) = delete;
+
+  const Shape& shape() const { return shape_; }
+  BodyId body() const { return body_; }
+
+ private:
+  Workspace& workspace_;
+  BodyId body_;
+  Shape shape_;
+};
+
+double tilt_between(const Pose& a, const Pose& b) {
+  const double c = (a.rotation * Vec3::UnitZ()).dot(b.rotation * Vec3::UnitZ());
+  return std::acos(std::clamp(c, -1.0, 1.0));
+}
+
+/// What physics would read of the node at this pose, from it and its neighbours alone. Ids are kept.
+std::vector<Edge> local_edges(const Workspace& workspace, const Node& node, std::size_t index, const Pose& pose) {
+  Scene neighbours;
+  neighbours.simulator = workspace.scene().simulator;
+  neighbours.nodes.push_back(node);
+  neighbours.nodes.back().pose = pose;
+  const Bounds bounds = bounds_of(shape_of(node), pose, node.opening);
+  for (const BodyId near : workspace.physics().near(bounds, 0.02)) {
+    if (near != index && near < workspace.scene().nodes.size()) {
+      neighbours.nodes.push_back(workspace.scene().nodes[near]);
+    }
+  }
+  return read_relations(neighbours, physics_of(neighbours));
+}
+
+/// The one thing wrong with where the node came to rest, or "".
+std::string misplaced(const Workspace& workspace, const Node& node, std::size_t index, const Pose& pose,
+                      std::optional<Predicate> wanted, const std::string& receptacle) {
+  bool found = !wanted;
+  for (const Edge& edge : local_edges(workspace, node, index, pose)) {
+    if (edge.relation != Predicate::On && edge.relation != Predicate::Inside) continue;
+    if (edge.from != node.id && edge.to != node.id) continue;
+    if (edge.from == node.id && wanted == edge.relation && edge.to == receptacle) {
+      found = true;
+      continue;  // it was asked for
+    }
+    const Node* object = edge.from == node.id ? &node : find_node(workspace.scene(), edge.from);
+    const Node* other = edge.to == node.id ? &node : find_node(workspace.scene(), edge.to);
+    if (!allowed(workspace.knowledge(), *object, edge.relation, *other)) {
+      return edge.from + " would be " + std::string(info(edge.relation).name) + " " + edge.to;
+    }
+  }
+  return found ? "" : "does not come to rest in the relation asked";
+}
+
+bool blocks_a_door(const Workspace& workspace, const Bounds& bounds, std::size_t except) {
+  const auto& sweeps = workspace.sweeps();
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    if (i != except && sweeps[i] && overlap(*sweeps[i], bounds)) return true;
+  }
+  return false;
+}
+
+/// Tests one candidate pose; the pose at rest, or nullopt with the obstacle named.
+std::optional<Pose> try_pose(Workspace& workspace, const Node& node, const Trial& trial, const Pose& pose,
+                             std::optional<Predicate> wanted, std::optional<std::size_t> receptacle,
+                             const PlacementOptions& options, std::string& obstacle) {
+  const std::array<BodyId, 1> self{trial.body()};
+  if (const auto hit = workspace.checker().hit(trial.shape(), pose, node.opening, PlacementChecker::kGap_m, self)) {
+    obstacle = "hits " + workspace.name_of(*hit);
+    return std::nullopt;
+  }
+  const Bounds bounds = bounds_of(trial.shape(), pose, node.opening);
+  const std::size_t host = receptacle.value_or(workspace.scene().nodes.size() + 1);
+  if (options.keep_sweeps_clear && blocks_a_door(workspace, bounds, host)) {
+    obstacle = "stands in the way of a door";
+    return std::nullopt;
+  }
+  workspace.physics().move(trial.body(), pose);
+  const Settled settled = workspace.physics().settle(self);
+  const Pose& rest = settled.bodies.front().pose;
+  if (!settled.calm || (rest.position - pose.position).norm() > kMostSlide_m ||
+      tilt_between(rest, pose) > kMostTilt_rad) {
+    obstacle = "does not stay where it is put";
+    return std::nullopt;
+  }
+  const std::string host_id = receptacle ? workspace.scene().nodes[*receptacle].id : "";
+  obstacle = misplaced(workspace, node, trial.body(), rest, wanted, host_id);
+  if (!obstacle.empty()) return std::nullopt;
+  return rest;
+}
+
+}  // namespace
+
+FoundPlace find_place(Workspace& workspace, const Node& node, std::size_t index, Predicate relation,
+                      std::size_t receptacle, const PlacementOptions& options, Rng rng) {
+  const Node host = workspace.scene().nodes[receptacle];
+  const Shape host_shape = shape_of(host);
+  std::vector<Surface> surfaces;
+  std::vector<double> areas;
+  for (const Surface& surface : host_shape.surfaces) {
+    if ((surface.cavity >= 0) != (relation == Predicate::Inside)) continue;
+    const bool open_above =
+        surface.cavity >= 0 && host_shape.cavities[static_cast<std::size_t>(surface.cavity)].open_above;
+    if (!open_above && node.size.z() + kDropHeight_m + kHeadroom_m > surface.clearance) continue;
+    surfaces.push_back(surface);
+    areas.push_back(surface.half.prod());
+  }
+  FoundPlace found;
+  found.obstacle = "is too high for every surface of " + host.id;
+  if (surfaces.empty()) return found;
+
+  const Trial trial(workspace, node, index);
+  for (int draw = 0; draw < options.draws; ++draw) {
+    const Surface& surface = surfaces[rng.weighted(areas)];
+    const auto footprint = draw_footprint(node.size, surface.half, rng);
+    if (!footprint) {
+      found.obstacle = "is too wide for a surface of " + host.id;
+      continue;
+    }
+    const Vec2 slack = surface.half - footprint->half;
+    const Vec2 room = (slack - Vec2::Constant(kEdgeMargin_m)).cwiseMax(slack / 2);
+    const Vec3 on_surface = surface.centre + Vec3(rng.uniform(-1, 1) * room.x(), rng.uniform(-1, 1) * room.y(),
+                                                  node.size.z() / 2 + kDropHeight_m);
+    const Pose frame = host.pose * joint_motion(host_shape, surface.joint, host.opening);
+    const Pose pose = frame * upright(on_surface, footprint->yaw);
+    found.pose = try_pose(workspace, node, trial, pose, relation, receptacle, options, found.obstacle);
+    if (found.pose) return found;
+  }
+  return found;
+}
+
+FoundPlace find_place_on_floor(Workspace& workspace, const Node& node, std::size_t index, const Bounds& area,
+                               const PlacementOptions& options, Rng rng) {
+  FoundPlace found;
+  found.obstacle = "does not fit on the floor there";
+  const Vec2 centre = (area.low + area.high).head<2>() / 2, half = (area.high - area.low).head<2>() / 2;
+  const Trial trial(workspace, node, index);
+  for (int draw = 0; draw < options.draws; ++draw) {
+    const auto footprint = draw_footprint(node.size, half, rng);
+    if (!footprint) continue;
+    const Vec2 slack = half - footprint->half;
+    const Vec2 at = centre + Vec2(rng.uniform(-1, 1) * slack.x(), rng.uniform(-1, 1) * slack.y());
+    const Pose pose = upright({at.x(), at.y(), node.size.z() / 2 + kDropHeight_m}, footprint->yaw);
+    found.pose = try_pose(workspace, node, trial, pose, std::nullopt, std::nullopt, options, found.obstacle);
+    if (found.pose) return found;
+  }
+  return found;
+}
+
+}  // namespace unietp
