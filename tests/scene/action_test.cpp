@@ -1,0 +1,136 @@
+#include "scene/action.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+std::string argument_text(ActionArgument argument) {
+  switch (argument) {
+    case ActionArgument::None:
+      return "none";
+    case ActionArgument::Object:
+      return "object";
+    case ActionArgument::ObjectOrRoom:
+      return "object or room";
+    case ActionArgument::Tool:
+      return "tool";
+  }
+  return "";
+}
+
+std::string class_text(ActionClass group) {
+  switch (group) {
+    case ActionClass::Movement:
+      return "movement";
+    case ActionClass::Reach:
+      return "reach";
+    case ActionClass::Manipulation:
+      return "manipulation";
+    case ActionClass::Composite:
+      return "composite";
+    case ActionClass::Control:
+      return "control";
+  }
+  return "";
+}
+
+template <class Offer>
+long count_offered(Offer offer) {
+  return std::count_if(all_actions().begin(), all_actions().end(),
+                       [&](const ActionInfo& action) { return offers(action, offer); });
+}
+
+std::vector<std::string> lines_of(const char* file) {
+  const auto page = read_file(std::string(UNIETP_SOURCE_DIR) + file);
+  return page ? split(*page, '\n') : std::vector<std::string>();
+}
+
+TEST(Actions, EachModeOffersAsManyAsItIsDefinedToOffer) {
+  EXPECT_EQ(all_actions().size(), 38u);
+  EXPECT_EQ(count_offered(Mode::M1), 38);
+  EXPECT_EQ(count_offered(Mode::M2), 32);
+  EXPECT_EQ(count_offered(Mode::M3), 32);
+}
+
+TEST(Actions, EachSimulatorOffersAsManyAsTheDesignCountsForIt) {
+  EXPECT_EQ(count_offered(Simulator::Ai2thor), 32);
+  EXPECT_EQ(count_offered(Simulator::Virtualhome), 13);
+  EXPECT_EQ(count_offered(Simulator::Habitat), 19);
+  EXPECT_EQ(count_offered(Simulator::Behavior), 29);
+}
+
+TEST(Actions, ClassesHaveTheirSizes) {
+  std::map<std::string, int> sizes;
+  for (const ActionInfo& action : all_actions()) ++sizes[class_text(action.group)];
+  EXPECT_EQ(sizes, (std::map<std::string, int>{
+                       {"movement", 15}, {"reach", 2}, {"manipulation", 14}, {"composite", 6}, {"control", 1}}));
+}
+
+TEST(Actions, NamesLeadBackToTheirType) {
+  for (const ActionInfo& action : all_actions()) {
+    EXPECT_EQ(action_named(action.name), action.type);
+    EXPECT_EQ(&info(action.type), &action);
+  }
+  EXPECT_EQ(action_named("fly"), std::nullopt);
+  EXPECT_EQ(action_named(""), std::nullopt);
+}
+
+TEST(Actions, OnlyTheCompositesAndSoakingTakeATool) {
+  for (const ActionInfo& action : all_actions()) {
+    const bool tool = action.group == ActionClass::Composite || action.type == ActionType::SoakWith;
+    EXPECT_EQ(action.argument == ActionArgument::Tool, tool) << action.name;
+  }
+}
+
+TEST(Actions, TextNamesTheArguments) {
+  EXPECT_EQ(to_text({ActionType::PlaceIn, {"sink_1"}}), "place_in(sink_1)");
+  EXPECT_EQ(to_text({ActionType::Stop, {}}), "stop");
+}
+
+TEST(Actions, ThePageSaysWhatTheCatalogueSays) {
+  std::vector<std::string> expected;
+  const auto yes = [](bool offered) { return offered ? "yes" : "–"; };
+  for (const ActionInfo& a : all_actions()) {
+    expected.push_back("| " +
+                       join({std::to_string(expected.size() + 1), std::string(a.name), argument_text(a.argument),
+                             class_text(a.group), yes(a.m1), yes(a.m2), yes(a.m3), yes(a.ai2thor), yes(a.virtualhome),
+                             yes(a.habitat), yes(a.behavior), std::string(a.effect)},
+                            " | ") +
+                       " |");
+  }
+  std::vector<std::string> rows = lines_of("/docs/actions.md");
+  std::erase_if(rows, [](const std::string& line) { return line.size() < 3 || line[0] != '|' || !isdigit(line[2]); });
+  EXPECT_EQ(rows, expected);
+}
+
+TEST(Failures, NamesAreDistinctAndLeadBackAndThePageListsThemInOrder) {
+  std::vector<std::string> names;
+  for (int i = 0; i <= static_cast<int>(Failure::NotReady); ++i) {
+    const auto failure = static_cast<Failure>(i);
+    EXPECT_EQ(failure_named(name_of(failure)), failure);
+    names.emplace_back(name_of(failure));
+  }
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  EXPECT_EQ(name_of(Failure::TooFar), "too_far");
+  EXPECT_EQ(name_of(Failure::NoKnife), "no_knife");
+  EXPECT_EQ(name_of(Failure::NotReady), "not_ready");
+  EXPECT_EQ(failure_named("bored"), std::nullopt);
+
+  std::vector<std::string> listed;
+  for (const std::string& line : lines_of("/docs/actions.md")) {
+    const auto cells = split(line, '|');
+    if (cells.size() == 4 && failure_named(trim(cells[1]))) listed.emplace_back(trim(cells[1]));
+  }
+  EXPECT_EQ(listed, names);
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,95 @@
+#include "scene/scene.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "random_scene.h"
+
+namespace unietp {
+namespace {
+
+Scene with_nodes(const std::vector<std::string>& ids) {
+  Scene scene;
+  for (const std::string& id : ids) scene.nodes.emplace_back().id = id;
+  return scene;
+}
+
+TEST(FreshId, IsTheCategoryInSnakeCaseAndTheSmallestFreeNumber) {
+  EXPECT_EQ(fresh_id({}, "Mug"), "mug_1");
+  EXPECT_EQ(fresh_id(with_nodes({"mug_1", "mug_3"}), "Mug"), "mug_2");
+  EXPECT_EQ(fresh_id(with_nodes({"mug_1", "mug_2", "mug_01", "mug_x", "mug_99999999999999999999"}), "Mug"), "mug_3");
+  EXPECT_EQ(fresh_id({}, "CoffeeMachine"), "coffee_machine_1");
+  EXPECT_EQ(fresh_id({}, "TVStand"), "tv_stand_1");
+  EXPECT_EQ(fresh_id({}, "wine glass"), "wine_glass_1");
+  EXPECT_EQ(fresh_id({}, "coffee_table.n.01"), "coffee_table_1");
+  EXPECT_EQ(fresh_id({}, "2DPoster"), "2_d_poster_1");
+  EXPECT_EQ(fresh_id({}, "?"), "object_1");
+}
+
+TEST(FreshId, IsNotTakenByARoom) {
+  Scene scene;
+  scene.rooms.push_back({"kitchen_1", "kitchen", {}});
+  EXPECT_EQ(fresh_id(scene, "kitchen"), "kitchen_2");
+}
+
+TEST(FreshId, IsNewForAnySeed) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Rng rng(seed);
+    Scene scene;
+    for (std::uint64_t i = rng.below(30); i > 0; --i) {
+      const std::string id = "cup_" + std::to_string(rng.below(30));
+      if (!find_node(scene, id)) scene.nodes.emplace_back().id = id;
+    }
+    const std::string id = fresh_id(scene, "Cup");
+    EXPECT_EQ(find_node(scene, id), nullptr);
+    for (int n = 1; "cup_" + std::to_string(n) != id; ++n) {
+      EXPECT_NE(find_node(scene, "cup_" + std::to_string(n)), nullptr) << seed;
+    }
+  }
+}
+
+TEST(Scenes, FindWhatTheyHoldAndNothingElseForAnySeed) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Scene scene = random_scene(rng);
+    for (const Node& node : scene.nodes) EXPECT_EQ(find_node(scene, node.id), &node);
+    for (const Room& room : scene.rooms) EXPECT_EQ(find_room(scene, room.id), &room);
+    EXPECT_EQ(find_node(scene, "nothing"), nullptr);
+    EXPECT_EQ(find_room(scene, "nowhere"), nullptr);
+    const std::set<Edge> edges(scene.edges.begin(), scene.edges.end());
+    for (const Node& from : scene.nodes) {
+      for (const Node& to : scene.nodes) {
+        EXPECT_EQ(has_edge(scene, Predicate::On, from.id, to.id), edges.contains({Predicate::On, from.id, to.id}));
+      }
+    }
+  }
+}
+
+TEST(Scenes, TellTheRoomOfAPoint) {
+  Scene scene;
+  scene.rooms = {{"a", "hall", {{0, 0}, {2, 0}, {2, 2}, {0, 2}}}, {"b", "hall", {{2, 0}, {4, 0}, {4, 2}, {2, 2}}}};
+  EXPECT_EQ(room_at(scene, {1, 1}), &scene.rooms[0]);
+  EXPECT_EQ(room_at(scene, {3, 1}), &scene.rooms[1]);
+  EXPECT_NE(room_at(scene, {2, 1}), nullptr);
+  EXPECT_EQ(room_at(scene, {5, 1}), nullptr);
+}
+
+TEST(Names, OfSimulatorsAndArchetypesLeadBack) {
+  for (const Simulator simulator : kSimulators) EXPECT_EQ(simulator_named(name_of(simulator)), simulator);
+  EXPECT_EQ(simulator_named("gazebo"), std::nullopt);
+  std::set<std::string_view> names;
+  for (const Archetype archetype : all_archetypes()) {
+    EXPECT_EQ(archetype_named(name_of(archetype)), archetype);
+    names.insert(name_of(archetype));
+  }
+  EXPECT_EQ(names.size(), 17u);
+  EXPECT_EQ(name_of(Archetype::Block), "block");
+  EXPECT_EQ(name_of(Archetype::Box), "box");
+  EXPECT_EQ(name_of(Archetype::Folding), "folding");
+  EXPECT_EQ(archetype_named("tesseract"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace unietp

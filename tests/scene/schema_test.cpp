@@ -1,0 +1,212 @@
+// Holds what the writers write, and what the readers accept, against data/schemas/. The checker knows the part of JSON
+// Schema that these schemas use and refuses a schema that uses more.
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+#include "core/text.h"
+#include "random_scene.h"
+#include "scene/node_json.h"
+#include "scene/scene_json.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json schema_file(const std::string& name) {
+  const auto text = read_file(std::string(UNIETP_SOURCE_DIR) + "/data/schemas/" + name);
+  EXPECT_TRUE(text);
+  return text ? Json::parse(*text) : Json();
+}
+
+class Checker {
+ public:
+  /// What is wrong with `value`, or "".
+  std::string check(const Json& value, const std::string& file) { return check(value, root(file), file, ""); }
+
+ private:
+  const Json& root(const std::string& file) {
+    const auto [place, is_new] = files_.try_emplace(file);
+    if (is_new) place->second = schema_file(file);
+    return place->second;
+  }
+
+  std::string check(const Json& value, const Json& schema, const std::string& file, const std::string& path) {
+    for (const auto& [word, rule] : schema.items()) {
+      const std::string problem = broken(word, rule, value, schema, file, path);
+      if (!problem.empty()) return problem;
+    }
+    return "";
+  }
+
+  std::string broken(const std::string& word, const Json& rule, const Json& value, const Json& schema,
+                     const std::string& file, const std::string& path) {
+    static const std::set<std::string> silent{"$schema", "$id", "title", "description", "$defs", "properties"};
+    const auto unless = [&](bool sound) {
+      return sound ? std::string() : path + " breaks " + word + ": " + value.dump();
+    };
+    if (silent.contains(word)) return "";
+    if (word == "$ref") {
+      const auto parts = split(rule.get<std::string>(), '#');
+      const std::string target = parts[0].empty() ? file : parts[0];
+      return check(value, root(target).at(Json::json_pointer(parts[1])), target, path);
+    }
+    if (word == "type") {
+      const std::string type = value.is_number() ? "number" : value.type_name();
+      return unless(type == rule);
+    }
+    if (word == "const") return unless(value == rule);
+    if (word == "enum") return unless(std::find(rule.begin(), rule.end(), value) != rule.end());
+    if (word == "required") {
+      for (const Json& name : rule) {
+        if (!value.contains(name.get<std::string>())) return path + " lacks " + name.dump();
+      }
+      return "";
+    }
+    if (word == "additionalProperties") {
+      EXPECT_EQ(rule, false);
+      for (const auto& [name, field] : value.items()) {
+        if (!schema["properties"].contains(name)) return path + " has the extra field " + name;
+        const auto problem = check(field, schema["properties"][name], file, path + "/" + name);
+        if (!problem.empty()) return problem;
+      }
+      return "";
+    }
+    if (word == "items") {
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        const auto problem = check(value[i], rule, file, path + "/" + std::to_string(i));
+        if (!problem.empty()) return problem;
+      }
+      return "";
+    }
+    if (word == "minItems") return unless(value.size() >= rule);
+    if (word == "maxItems") return unless(value.size() <= rule);
+    if (word == "uniqueItems") return unless(std::set<Json>(value.begin(), value.end()).size() == value.size());
+    if (word == "minLength") return unless(!value.get<std::string>().empty());
+    if (word == "minimum") return unless(value >= rule);
+    if (word == "maximum") return unless(value <= rule);
+    if (word == "exclusiveMinimum") return unless(value > rule);
+    if (word == "pattern") return unless(matches(value.get<std::string>(), rule.get<std::string>()));
+    return "the checker does not know " + word;
+  }
+
+  /// Of the one form of pattern in use: ^((a|b|…)|(c|d|…)\(.+\))$
+  static bool matches(const std::string& text, const std::string& pattern) {
+    const auto between = pattern.find(")|(");
+    const auto end = pattern.find(")\\(.+\\))$");
+    EXPECT_TRUE(pattern.starts_with("^((") && between != std::string::npos && end != std::string::npos) << pattern;
+    const auto plain = split(pattern.substr(3, between - 3), '|');
+    const auto symbolic = split(pattern.substr(between + 3, end - between - 3), '|');
+    const auto among = [](const std::vector<std::string>& names, const std::string& name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    const auto bracket = text.find('(');
+    if (bracket == std::string::npos) return among(plain, text);
+    return among(symbolic, text.substr(0, bracket)) && text.back() == ')' && text.size() > bracket + 2;
+  }
+
+  std::map<std::string, Json> files_;
+};
+
+TEST(Schemas, EveryWrittenSceneAndDeltaFollowsItsSchemaForAnySeed) {
+  Checker checker;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Scene scene = random_scene(rng);
+    EXPECT_EQ(checker.check(Json::parse(scene_to_json(scene)), "scene.schema.json"), "");
+    const Delta delta = difference(scene, random_successor(scene, rng));
+    EXPECT_EQ(checker.check(delta_to_json(delta), "delta.schema.json"), "");
+  }
+}
+
+TEST(Schemas, EveryWrittenActionFollowsItsSchemaAndNoOtherName) {
+  Checker checker;
+  for (const ActionInfo& action : all_actions()) {
+    EXPECT_EQ(checker.check(action_to_json({action.type, {}}), "action.schema.json"), "");
+  }
+  EXPECT_EQ(schema_file("action.schema.json")["properties"]["action"]["enum"].size(), all_actions().size());
+  EXPECT_NE(checker.check(Json{{"action", "fly"}, {"args", Json::array()}}, "action.schema.json"), "");
+}
+
+TEST(Schemas, AcceptTheSameNamesAsTheReader) {
+  const Json scene = schema_file("scene.schema.json");
+  std::set<std::string> archetypes, relations, states;
+  for (const Archetype archetype : all_archetypes()) archetypes.emplace(name_of(archetype));
+  const Json& node = scene["$defs"]["node"]["properties"];
+  EXPECT_EQ(node["archetype"]["enum"].get<std::set<std::string>>(), archetypes);
+  for (const PredicateInfo& predicate : all_predicates()) {
+    if (is_edge_relation(predicate.predicate)) relations.emplace(predicate.name);
+  }
+  EXPECT_EQ(scene["$defs"]["edge"]["properties"]["relation"]["enum"].get<std::set<std::string>>(), relations);
+  std::vector<std::string> plain, symbolic;
+  for (const PredicateInfo& predicate : all_predicates()) {
+    if (!is_node_state(predicate.predicate)) continue;
+    (has_symbol(predicate.predicate) ? symbolic : plain).emplace_back(predicate.name);
+  }
+  EXPECT_EQ(node["states"]["items"]["pattern"], "^((" + join(plain, "|") + ")|(" + join(symbolic, "|") + ")\\(.+\\))$");
+}
+
+TEST(Schemas, TheExampleOfThePageIsAFileAsTheWriterWritesIt) {
+  const auto page = read_file(std::string(UNIETP_SOURCE_DIR) + "/docs/scenes.md");
+  ASSERT_TRUE(page);
+  const std::size_t start = page->find("```json\n") + 8;
+  const std::string example = page->substr(start, page->find("```", start) - start);
+  const auto scene = scene_from_json("docs/scenes.md", example);
+  ASSERT_TRUE(scene) << format(scene.error());
+  EXPECT_EQ(scene_to_json(*scene), example);
+  for (const StateGroup& group : state_groups()) {
+    std::string row = "| " + group.affordance + " | ";
+    for (const Predicate predicate : group.predicates) {
+      row += (row.back() == '`' ? ", `" : "`") + std::string(info(predicate).name) + "`";
+    }
+    EXPECT_NE(page->find(row + " |\n"), std::string::npos) << row;
+  }
+}
+
+/// Every way to drop a field, add one or change a value's type is refused by the schema and by the reader alike.
+TEST(Schemas, RefuseTheSameDamageAsTheReader) {
+  Checker checker;
+  Rng rng(11);
+  Scene scene = random_scene(rng);
+  scene.nodes = {random_node("bread_1", rng)};
+  scene.nodes[0].slice_of = "bread_0", scene.nodes[0].whole_category = "Bread", scene.nodes[0].colour = "red";
+  scene.nodes[0].states.set({Predicate::Clean, ""});
+  scene.edges = {{Predicate::On, "bread_1", "bread_1"}};
+  scene.agent.held = {"bread_1"};
+  const Json sound = Json::parse(scene_to_json(scene));
+  ASSERT_EQ(checker.check(sound, "scene.schema.json"), "");
+  int compared = 0;
+  const Json flat = sound.flatten();
+  for (const auto& [pointer, leaf] : flat.items()) {
+    for (const Json& other : {Json(), Json("?"), Json(""), Json(true), Json(-7.5), Json::array(), Json::object()}) {
+      Json damaged = sound;
+      damaged[Json::json_pointer(pointer)] = other;
+      const bool by_schema = checker.check(damaged, "scene.schema.json").empty();
+      const auto read = scene_from_json("x", damaged.dump());
+      // The reader knows more: ids that lead nowhere, the length of a quaternion, states that exclude each other.
+      EXPECT_TRUE(by_schema || !read) << pointer << " " << other;
+      ++compared;
+    }
+    Json extended = sound;
+    const Json::json_pointer parent = Json::json_pointer(pointer).parent_pointer();
+    if (extended[parent].is_object()) {
+      extended[parent]["surprise"] = 1;
+      EXPECT_NE(checker.check(extended, "scene.schema.json"), "") << pointer;
+      EXPECT_FALSE(scene_from_json("x", extended.dump())) << pointer;
+      Json shortened = sound;
+      shortened[parent].erase(Json::json_pointer(pointer).back());
+      EXPECT_EQ(checker.check(shortened, "scene.schema.json").empty(), bool(scene_from_json("x", shortened.dump())))
+          << pointer;
+    }
+  }
+  EXPECT_GT(compared, 300);
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,148 @@
+#include "scene/trace.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "random_scene.h"
+
+namespace unietp {
+namespace {
+
+EntityIndex index_of(const std::vector<Entity>& entities, std::string_view id) {
+  for (EntityIndex i = 0; i < entities.size(); ++i) {
+    if (entities[i].id == id) return i;
+  }
+  return static_cast<EntityIndex>(entities.size());
+}
+
+TEST(Delta, AppliedToTheSceneBeforeGivesTheSceneAfterForAnySeed) {
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Scene before = random_scene(rng);
+    const Scene after = random_successor(before, rng);
+    const Delta delta = difference(before, after);
+    EXPECT_EQ(apply(before, delta), after);
+    EXPECT_EQ(delta.empty(), before == after);
+    EXPECT_TRUE(difference(before, before).empty());
+  }
+}
+
+TEST(Delta, HoldsOnlyWhatChanged) {
+  Rng rng(1);
+  Scene before;
+  for (const char* id : {"a", "b", "c", "d"}) before.nodes.push_back(random_node(id, rng));
+  Scene after = before;
+  after.nodes[1].opening = 0.25;
+  after.nodes.erase(after.nodes.begin() + 2);
+  after.nodes.push_back(random_node("e", rng));
+  const Delta delta = difference(before, after);
+  ASSERT_EQ(delta.nodes.size(), 2u);
+  EXPECT_EQ(delta.nodes[0], after.nodes[1]);
+  EXPECT_EQ(delta.nodes[1].id, "e");
+  EXPECT_EQ(delta.removed, std::vector<std::string>{"c"});
+  EXPECT_FALSE(delta.agent);
+}
+
+TEST(Facts, OfASceneAreItsNodesStatesAndEdgesAndNothingElseForAnySeed) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    FactReader reader;
+    Scene scene = random_scene(rng);
+    for (int step = 0; step < 3; ++step, scene = random_successor(scene, rng)) {
+      const Facts facts = reader.read(scene);
+      const auto& entities = reader.entities();
+      for (EntityIndex x = 0; x < entities.size(); ++x) {
+        const std::string& id = entities[x].id;
+        const Node* node = find_node(scene, id);
+        EXPECT_EQ(facts.exists(x), id == "agent" || find_room(scene, id) || node) << id;
+        const bool held = node && std::count(scene.agent.held.begin(), scene.agent.held.end(), id) > 0;
+        EXPECT_EQ(facts.holds(Predicate::Held, x), held);
+        EXPECT_EQ(facts.holds(Predicate::Hot, x), node && node->states.has(Predicate::Hot));
+        EXPECT_EQ(facts.holds(Predicate::Covered, x, "dust"),
+                  node && node->states.has(State{Predicate::Covered, "dust"}));
+        EXPECT_EQ(facts.holds(Predicate::Filled, x, "any"), node && node->states.has(Predicate::Filled));
+        EXPECT_EQ(facts.holds(Predicate::Colour, x, "red"), node && node->colour == "red");
+        EXPECT_EQ(facts.holds(Predicate::Material, x, "any"), node && !node->material.empty());
+        for (EntityIndex y = 0; y < entities.size(); ++y) {
+          for (const Predicate p : {Predicate::On, Predicate::InRoom, Predicate::OnFloor}) {
+            EXPECT_EQ(facts.holds(p, x, y), has_edge(scene, p, id, entities[y].id));
+          }
+          EXPECT_FALSE(facts.holds(Predicate::Nearest, x, y));
+        }
+      }
+    }
+  }
+}
+
+TEST(Facts, EntitiesAreTheAgentTheRoomsThenTheNodesInOrderOfAppearanceAndKeepTheirPlaces) {
+  Rng rng(3);
+  Scene scene;
+  scene.rooms.push_back({"kitchen_1", "kitchen", {{0, 0}, {1, 0}, {1, 1}}});
+  scene.nodes = {random_node("z", rng), random_node("a", rng)};
+  FactReader reader;
+  reader.read(scene);
+  scene.nodes = {random_node("m", rng), random_node("a", rng)};
+  scene.nodes[0].category = "BreadSliced", scene.nodes[0].slice_of = "a", scene.nodes[0].whole_category = "Bread";
+  const Facts facts = reader.read(scene);
+  std::vector<std::string> ids;
+  for (const Entity& entity : reader.entities()) ids.push_back(entity.id);
+  EXPECT_EQ(ids, (std::vector<std::string>{"agent", "kitchen_1", "z", "a", "m"}));
+  EXPECT_EQ(reader.entities()[0], (Entity{Entity::Kind::Agent, "agent", "agent", ""}));
+  EXPECT_EQ(reader.entities()[1], (Entity{Entity::Kind::Room, "kitchen_1", "kitchen", ""}));
+  EXPECT_EQ(reader.entities()[4], (Entity{Entity::Kind::Object, "m", "BreadSliced", "Bread"}));
+  EXPECT_FALSE(facts.exists(2));
+  EXPECT_TRUE(facts.holds(Predicate::SliceOf, 4, 3));
+}
+
+TEST(Facts, NearestIsTheClosestOfEachCategoryAndTheFirstOfEqualsForAnySeed) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    Scene scene = random_scene(rng);
+    for (Node& node : scene.nodes) {  // a grid, so that ties are common
+      node.pose.position = {static_cast<double>(rng.below(4)), static_cast<double>(rng.below(4)), 0};
+    }
+    FactReader reader(true);
+    const Facts facts = reader.read(scene);
+    for (const Node& y : scene.nodes) {
+      for (const Node& x : scene.nodes) {
+        const Node* best = nullptr;
+        double best_distance = std::numeric_limits<double>::infinity();
+        for (const Node& other : scene.nodes) {
+          const double distance = (other.pose.position - y.pose.position).norm();
+          if (other.id == y.id || other.category != x.category || distance >= best_distance) continue;
+          best = &other, best_distance = distance;
+        }
+        const auto& entities = reader.entities();
+        EXPECT_EQ(facts.holds(Predicate::Nearest, index_of(entities, x.id), index_of(entities, y.id)), best == &x);
+      }
+    }
+  }
+}
+
+TEST(ToLogic, ReadsTheSameStatesAsReadingEachSceneInTurn) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Scene start = random_scene(rng);
+    FactReader reader;
+    std::vector<Facts> states{reader.read(start)};
+    std::vector<Delta> deltas;
+    Scene scene = start;
+    for (int step = 0; step < 5; ++step) {
+      const Scene next = random_successor(scene, rng);
+      deltas.push_back(difference(scene, next));
+      states.push_back(reader.read(next));
+      scene = next;
+    }
+    const Trace trace = to_logic(start, deltas);
+    EXPECT_EQ(trace.entities, reader.entities());
+    EXPECT_EQ(trace.states, states);
+  }
+}
+
+}  // namespace
+}  // namespace unietp
