@@ -24,22 +24,22 @@ struct Specification {
   Simulator simulator = Simulator::Ai2thor;
   Binding binding;
   Formula goal;
-  std::vector<Formula> init;     // state formulas over categories, all to hold in the start
+  std::vector<Formula> init;  // state formulas over categories, all to hold in the start
   Style style = "direct";
-  std::string refinement;        // "", or the name of the referring constraint ("by-state", "by-place", …)
+  std::string refinement;  // "", or the name of the referring constraint ("by-state", "by-place", …)
 };
 
 /// All bindings that satisfy a template's constraints over a knowledge base, in sorted order, at most `limit`.
 std::vector<Binding> enumerate_bindings(const Template& source, const Knowledge& knowledge, std::size_t limit);
 
-/// One binding drawn uniformly over categories placeholder by placeholder (not over objects); nullopt when there is none.
-/// `offered` restricts placeholders to categories that a scene has or may be given; empty: no restriction.
+/// One binding drawn uniformly over categories placeholder by placeholder (not over objects); nullopt when there is
+/// none. `offered` restricts placeholders to categories that a scene has or may be given; empty: no restriction.
 std::optional<Binding> sample_binding(const Template& source, const Knowledge& knowledge,
                                       const std::vector<std::string>& offered, Rng rng);
 
 /// Fills a template in. Adds the implied start: every conjunct of the goal false.
-/// Errors: Unsatisfiable when the binding breaks a constraint (names it) or the goal is contradictory or already true in
-/// every start that meets `init`.
+/// Errors: Unsatisfiable when the binding breaks a constraint (names it) or the goal is contradictory or already true
+/// in every start that meets `init`.
 Result<Specification> instantiate(const Template& source, const Knowledge& knowledge, const Binding& binding);
 
 /// Refinements. Each gives the specification in another split, or nullopt when it does not apply.

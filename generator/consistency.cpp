@@ -1,0 +1,211 @@
+#include "generator/consistency.h"
+
+#include <algorithm>
+#include <climits>
+#include <map>
+
+#include "generator/domain_constraints.h"
+#include "generator/goal_parts.h"
+#include "generator/start_sampler.h"
+#include "logic/evaluate.h"
+#include "scene/states.h"
+#include "templates/init_shape.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+bool is_place(const Formula& literal) {
+  return literal.op == Op::Atom && (literal.predicate == Predicate::On || literal.predicate == Predicate::Inside);
+}
+
+/// A literal that must hold in the end, with what is known of its variables.
+struct Demand {
+  Formula literal;
+  int count = 1;                          // how many objects must satisfy it with the same second argument
+  std::map<std::string, Domain> domains;  // of the variables in scope
+};
+
+class GoalReader {
+ public:
+  GoalReader(const Specification& specification, const Knowledge& knowledge)
+      : specification_(specification), knowledge_(knowledge) {}
+
+  std::optional<std::string> contradiction() {
+    collect(specification_.goal, false, 1);
+    for (std::size_t i = 0; i < demands_.size(); ++i) {
+      if (auto problem = impossible_alone(demands_[i])) return problem;
+      for (std::size_t j = 0; j < i; ++j) {
+        if (auto problem = impossible_together(demands_[j], demands_[i])) return problem;
+      }
+    }
+    return impossible_counts_;
+  }
+
+ private:
+  void collect(const Formula& formula, bool at_the_end, int count) {
+    switch (formula.op) {
+      case Op::And:
+        for (const auto& child : formula.children) collect(child, at_the_end, count);
+        break;
+      case Op::AtEnd:
+        collect(formula.children.front(), true, count);
+        break;
+      case Op::Exists:
+        domains_[formula.variable] = formula.domain;
+        collect(formula.children.front(), at_the_end, count);
+        break;
+      case Op::Forall:
+        domains_[formula.variable] = formula.domain;
+        collect(formula.children.front(), at_the_end, std::max(count, least_number(formula.domain)));
+        break;
+      case Op::Count:
+        collect_count(formula, at_the_end);
+        break;
+      case Op::Atom:
+      case Op::Not:
+        if (at_the_end) demands_.push_back({formula, count, domains_});
+        break;
+      default:
+        break;
+    }
+  }
+
+  void collect_count(const Formula& formula, bool at_the_end) {
+    if (!at_the_end) return;
+    int low = 0;
+    int high = INT_MAX;
+    const int n = formula.number;
+    if (formula.comparison == Comparison::Equal) low = high = n;
+    if (formula.comparison == Comparison::AtLeast) low = n;
+    if (formula.comparison == Comparison::Greater) low = n + 1;
+    if (formula.comparison == Comparison::AtMost) high = n;
+    if (formula.comparison == Comparison::Less) high = n - 1;
+    const auto key = to_text(normal_form(exists(formula.variable, formula.domain, formula.children.front())));
+    auto [bounds, added] = bounds_.emplace(key, std::pair(low, high));
+    bounds->second.first = std::max(bounds->second.first, low);
+    bounds->second.second = std::min(bounds->second.second, high);
+    if (bounds->second.first > bounds->second.second) {
+      impossible_counts_ = "the goal asks for two different numbers of the same thing: " + to_text(formula);
+    }
+    if (low >= 1) {
+      domains_[formula.variable] = formula.domain;
+      collect(formula.children.front(), at_the_end, low);
+    }
+  }
+
+  /// How many objects of a domain every start has.
+  int least_number(const Domain& domain) const {
+    int least = 1;
+    for (const auto& start : specification_.init) {
+      if (start.domain == domain) least = std::max(least, demanded_count(start));
+    }
+    return least;
+  }
+
+  std::vector<std::string> categories(const Demand& demand, const Term& term) const {
+    std::vector<std::string> names;
+    const auto found = demand.domains.find(term.name);
+    if (term.kind != Term::Kind::Variable || found == demand.domains.end()) return names;
+    for (const auto& member : found->second.members) {
+      if (!member.slice) {
+        names.push_back(member.category);
+      } else {
+        for (auto& piece : slices_of(member.category, knowledge_)) names.push_back(std::move(piece));
+      }
+    }
+    return names;
+  }
+
+  std::optional<std::string> impossible_alone(const Demand& demand) const {
+    if (is_place(demand.literal)) return no_room(demand);
+    if (demand.literal.op != Op::Atom || demand.literal.terms.empty()) return std::nullopt;
+    for (const auto& group : state_groups()) {
+      if (std::find(group.predicates.begin(), group.predicates.end(), demand.literal.predicate) ==
+          group.predicates.end())
+        continue;
+      const auto names = categories(demand, demand.literal.terms[0]);
+      const bool possible = names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+                              return knowledge_.find(name) == nullptr || knowledge_.has(name, group.affordance);
+                            });
+      if (possible) return std::nullopt;
+      return "the goal asks for " + to_text(demand.literal) + ", but " + names.front() + " is not " + group.affordance;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<std::string> no_room(const Demand& demand) const {
+    const auto objects = categories(demand, demand.literal.terms[0]);
+    const auto places = categories(demand, demand.literal.terms[1]);
+    if (objects.empty() || places.empty()) return std::nullopt;
+    const auto relation = info(demand.literal.predicate).name;
+    int best = 0;
+    for (const auto& object : objects) {
+      for (const auto& place : places) {
+        const auto* row = knowledge_.placement(object, relation, place);
+        if (row != nullptr) best = std::max(best, row->capacity);
+      }
+    }
+    if (best >= demand.count) return std::nullopt;
+    const auto what = objects.front() + " " + std::string(relation) + " " + places.front();
+    if (best == 0) return "the goal asks for " + what + ", which the knowledge base does not allow";
+    return "the goal asks for " + std::to_string(demand.count) + " " + what + ", but at most " + std::to_string(best) +
+           " fit";
+  }
+
+  bool is_furniture(const Demand& demand, const Term& term) const {
+    const auto names = categories(demand, term);
+    return !names.empty() && std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+      const auto* category = knowledge_.find(name);
+      return category != nullptr && !category->movable;
+    });
+  }
+
+  std::optional<std::string> impossible_together(const Demand& one, const Demand& other) const {
+    const auto& first = one.literal;
+    const auto& second = other.literal;
+    const auto both = to_text(first) + " and " + to_text(second);
+    if (exclude_each_other(first, second)) return "the goal asks for exclusive states: " + both;
+    if ((first.op == Op::Not && first.children.front() == second) ||
+        (second.op == Op::Not && second.children.front() == first)) {
+      return "the goal asks for a thing and its opposite: " + both;
+    }
+    if (!is_place(first) || !is_place(second) || !(first.terms[0] == second.terms[0])) return std::nullopt;
+    const bool same_place = first.terms[1] == second.terms[1];
+    if (same_place && first.predicate == second.predicate) return std::nullopt;
+    const bool fixed = is_furniture(one, first.terms[1]) && is_furniture(other, second.terms[1]);
+    const bool on_both = first.predicate == Predicate::On && second.predicate == Predicate::On;
+    if (same_place || fixed || on_both) return "the goal asks for one object in two places: " + both;
+    return std::nullopt;
+  }
+
+  const Specification& specification_;
+  const Knowledge& knowledge_;
+  std::map<std::string, Domain> domains_;  // of the variables met so far
+  std::vector<Demand> demands_;
+  std::map<std::string, std::pair<int, int>> bounds_;  // counted thing -> least and most
+  std::optional<std::string> impossible_counts_;
+};
+
+}  // namespace
+
+std::optional<std::string> contradiction(const Specification& specification, const Knowledge& knowledge) {
+  return GoalReader(specification, knowledge).contradiction();
+}
+
+std::optional<std::string> bad_start(const Specification& specification, const Knowledge& knowledge, int samples) {
+  const StartSampler sampler(specification, knowledge);
+  const auto parts = goal_parts(specification.goal);
+  for (int i = 0; i < samples; ++i) {
+    const auto start = sampler.sample(Rng(0).fork("start", static_cast<std::uint64_t>(i)));
+    if (!start) return "no start was found that meets all of init";
+    if (holds(specification.goal, *start)) return "the goal already holds in a start that meets init";
+    for (const auto& part : parts) {
+      if (holds(part, *start)) return "a part of the goal already holds in a start that meets init: " + to_text(part);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace unietp

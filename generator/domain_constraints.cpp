@@ -1,0 +1,206 @@
+#include "generator/domain_constraints.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "core/text.h"
+#include "templates/constraint_kinds.h"
+
+namespace unietp {
+namespace {
+
+using Meaning = ConstraintKind::Meaning;
+
+std::vector<std::string> sorted_unique(std::vector<std::string> names) {
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+/// The categories that a place of a constraint stands for: one, or the pieces of `A/slice`.
+std::vector<std::string> meant_by(const std::string& argument, const Binding& binding, const Knowledge& knowledge) {
+  const auto use = placeholder_use(argument);
+  const auto* category = bound_to(binding, use.name);
+  if (category == nullptr) return {};
+  return use.slice ? slices_of(*category, knowledge) : std::vector<std::string>{*category};
+}
+
+bool placement_holds(const DomainConstraint& constraint, const ConstraintKind& kind, const Binding& binding,
+                     const Knowledge& knowledge) {
+  const auto receptacles = meant_by(constraint.arguments[1], binding, knowledge);
+  for (const auto& object : meant_by(constraint.arguments[0], binding, knowledge)) {
+    for (const auto& receptacle : receptacles) {
+      const auto* row = knowledge.placement(object, kind.word, receptacle);
+      if (row == nullptr || row->capacity < capacity_of(constraint)) return false;
+    }
+  }
+  return true;
+}
+
+bool effect_holds(const DomainConstraint& constraint, const ConstraintKind& kind, const Binding& binding,
+                  const Knowledge& knowledge) {
+  const auto substance = substance_of(constraint);
+  for (const auto& tool : meant_by(constraint.arguments[0], binding, knowledge)) {
+    for (const auto& target : meant_by(constraint.arguments[1], binding, knowledge)) {
+      // A tool may have several effects of one kind, one for each substance.
+      const auto rows = knowledge.effects_of(tool, kind.word);
+      const bool found = std::any_of(rows.begin(), rows.end(), [&](const Effect* row) {
+        return row->target == target && (substance.empty() || row->gives == substance);
+      });
+      if (!found) return false;
+    }
+  }
+  return true;
+}
+
+bool all_distinct(const DomainConstraint& constraint, const Binding& binding) {
+  std::set<std::string> seen;
+  for (const auto& argument : constraint.arguments) {
+    const auto* category = bound_to(binding, placeholder_use(argument).name);
+    if (category != nullptr && !seen.insert(*category).second) return false;
+  }
+  return true;
+}
+
+/// Categories that one constraint leaves for `placeholder`, read from the table that answers it, when its other place
+/// is bound; nullopt when this constraint does not narrow the choice.
+std::optional<std::vector<std::string>> narrowed(const DomainConstraint& constraint, const std::string& placeholder,
+                                                 const Binding& binding, const Knowledge& knowledge) {
+  const auto* kind = constraint_kind(constraint.kind);
+  if (kind == nullptr || kind->meaning == Meaning::Distinct || constraint.arguments.size() < 2) return std::nullopt;
+  const auto& first = constraint.arguments[0];
+  const auto& second = constraint.arguments[1];
+  const auto first_bound = meant_by(first, binding, knowledge);
+  const auto second_bound = meant_by(second, binding, knowledge);
+  std::vector<std::string> names;
+  if (first == placeholder && !second_bound.empty()) {
+    if (kind->meaning == Meaning::Placement) {
+      for (const auto* row : knowledge.placements_at(second_bound.front(), kind->word)) names.push_back(row->object);
+    } else {
+      for (const auto* row : knowledge.effects_on(second_bound.front(), kind->word)) names.push_back(row->tool);
+    }
+    return sorted_unique(std::move(names));
+  }
+  if (second == placeholder && !first_bound.empty()) {
+    if (kind->meaning == Meaning::Placement) {
+      for (const auto* row : knowledge.placements_of(first_bound.front(), kind->word)) names.push_back(row->receptacle);
+    } else {
+      for (const auto* row : knowledge.effects_of(first_bound.front(), kind->word)) names.push_back(row->target);
+    }
+    return sorted_unique(std::move(names));
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> all_names(const Parameter& parameter, const Knowledge& knowledge) {
+  if (parameter.affordances == std::vector<std::string>{"room"}) return room_types(knowledge);
+  for (const auto& affordance : parameter.affordances) {
+    const auto& pseudo = pseudo_affordances();
+    if (std::find(pseudo.begin(), pseudo.end(), affordance) != pseudo.end()) continue;
+    return sorted_unique(knowledge.with_affordance(affordance));
+  }
+  std::vector<std::string> names;
+  for (const auto& category : knowledge.categories()) names.push_back(category.name);
+  return sorted_unique(std::move(names));
+}
+
+bool is_complete(const DomainConstraint& constraint, const Binding& binding) {
+  const auto uses = placeholders_of(constraint);
+  return std::all_of(uses.begin(), uses.end(),
+                     [&](const PlaceholderUse& use) { return bound_to(binding, use.name) != nullptr; });
+}
+
+bool speaks_of(const DomainConstraint& constraint, const std::string& placeholder) {
+  const auto uses = placeholders_of(constraint);
+  return std::any_of(uses.begin(), uses.end(), [&](const PlaceholderUse& use) { return use.name == placeholder; });
+}
+
+}  // namespace
+
+std::vector<std::string> room_types(const Knowledge& knowledge) {
+  std::vector<std::string> types;
+  for (const auto& category : knowledge.categories()) {
+    types.insert(types.end(), category.rooms.begin(), category.rooms.end());
+  }
+  return sorted_unique(std::move(types));
+}
+
+bool affords(const Parameter& parameter, const std::string& category, const Knowledge& knowledge) {
+  if (parameter.affordances == std::vector<std::string>{"room"}) {
+    const auto types = room_types(knowledge);
+    return std::binary_search(types.begin(), types.end(), category);
+  }
+  const auto* known = knowledge.find(category);
+  if (known == nullptr) return false;
+  return std::all_of(parameter.affordances.begin(), parameter.affordances.end(), [&](const std::string& affordance) {
+    if (affordance == "any") return true;
+    if (affordance == "furniture") return !known->movable;
+    if (affordance == "movable") return known->movable;
+    return knowledge.has(category, affordance);
+  });
+}
+
+std::vector<std::string> slices_of(const std::string& category, const Knowledge& knowledge) {
+  std::vector<std::string> pieces;
+  for (const auto* row : knowledge.effects_on(category, "slices")) {
+    pieces.push_back(row->gives.empty() ? category : row->gives);
+  }
+  if (pieces.empty()) pieces.push_back(category);
+  return sorted_unique(std::move(pieces));
+}
+
+const std::string* bound_to(const Binding& binding, const std::string& placeholder) {
+  for (const auto& [name, category] : binding) {
+    if (name == placeholder) return &category;
+  }
+  return nullptr;
+}
+
+bool satisfies(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
+  const auto* kind = constraint_kind(constraint.kind);
+  if (kind == nullptr) return false;
+  if (kind->meaning == Meaning::Distinct) return all_distinct(constraint, binding);
+  if (constraint.arguments.size() < 2) return false;
+  return kind->meaning == Meaning::Placement ? placement_holds(constraint, *kind, binding, knowledge)
+                                             : effect_holds(constraint, *kind, binding, knowledge);
+}
+
+std::string to_text(const DomainConstraint& constraint, const Binding& binding) {
+  std::vector<std::string> words = {constraint.kind};
+  for (const auto& argument : constraint.arguments) {
+    const auto use = placeholder_use(argument);
+    const auto* category = bound_to(binding, use.name);
+    words.push_back(category == nullptr ? argument : *category + (use.slice ? "/slice" : ""));
+  }
+  return std::string("(").append(join(words, " ")).append(")");
+}
+
+std::vector<std::string> candidates_for(const Parameter& parameter, const std::vector<DomainConstraint>& constraints,
+                                        const Binding& binding, const Knowledge& knowledge) {
+  std::optional<std::vector<std::string>> base;
+  for (const auto& constraint : constraints) {
+    auto names = narrowed(constraint, parameter.name, binding, knowledge);
+    if (names && (!base || names->size() < base->size())) base = std::move(names);
+  }
+  if (!base) base = all_names(parameter, knowledge);
+  std::vector<const DomainConstraint*> own;
+  auto trial = binding;
+  trial.emplace_back(parameter.name, "");
+  for (const auto& constraint : constraints) {
+    const bool distinct = constraint.kind == "distinct";
+    if (speaks_of(constraint, parameter.name) && (distinct || is_complete(constraint, trial)))
+      own.push_back(&constraint);
+  }
+  std::vector<std::string> fitting;
+  for (const auto& name : *base) {
+    if (!affords(parameter, name, knowledge)) continue;
+    trial.back().second = name;
+    const bool fits =
+        std::all_of(own.begin(), own.end(), [&](const DomainConstraint* c) { return satisfies(*c, trial, knowledge); });
+    if (fits) fitting.push_back(name);
+  }
+  return fitting;
+}
+
+}  // namespace unietp

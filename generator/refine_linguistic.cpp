@@ -1,0 +1,88 @@
+#include <algorithm>
+
+#include "generator/consistency.h"
+#include "generator/goal_variable.h"
+#include "generator/specification.h"
+
+namespace unietp {
+namespace {
+
+constexpr int kStarts = 6;
+
+/// Categories with an alias of this kind, among the movable ones that the goal speaks of.
+std::vector<std::string> with_alias(const Specification& plain, const Knowledge& knowledge, const std::string& kind) {
+  std::vector<std::string> found;
+  for (const auto& name : categories_of(plain.goal)) {
+    const auto* category = knowledge.find(name);
+    if (category != nullptr && category->movable && !knowledge.aliases_of(name, kind).empty()) found.push_back(name);
+  }
+  return found;
+}
+
+Specification reworded(const Specification& plain, const std::string& style) {
+  auto changed = plain;
+  changed.split = Split::Linguistic;
+  changed.style = style;
+  return changed;
+}
+
+Specification substituted(const Specification& plain, const std::string& category,
+                          const std::vector<std::string>& values) {
+  auto changed = plain;
+  changed.goal = substitute_names(plain.goal, {{category, values}});
+  for (auto& start : changed.init) start = substitute_names(start, {{category, values}});
+  return changed;
+}
+
+/// "something to drink from" is served by every category with that function, so the goal must accept them all, and the
+/// start must leave none of them where it would already do.
+std::optional<Specification> by_function(const Specification& plain, const Knowledge& knowledge, Rng& rng) {
+  std::vector<std::string> choices;
+  for (const auto& variable : singular_variables(plain.goal)) {
+    const auto* category = knowledge.find(variable.category);
+    if (category != nullptr && category->movable) choices.push_back(variable.category);
+  }
+  rng.shuffle(choices);
+  for (const auto& category : choices) {
+    const auto functions = knowledge.aliases_of(category, "function");
+    if (functions.empty()) continue;
+    const auto& text = rng.pick(functions)->text;
+    std::vector<std::string> serving;
+    bool clash = false;
+    for (const auto& alias : knowledge.aliases()) {
+      if (alias.kind != "function" || alias.text != text) continue;
+      // One that could never satisfy the goal need not be among them.
+      if (contradiction(substituted(plain, category, {alias.category}), knowledge)) continue;
+      const bool other_part = std::any_of(plain.binding.begin(), plain.binding.end(), [&](const auto& pair) {
+        return pair.second == alias.category && alias.category != category;
+      });
+      clash = clash || other_part;
+      serving.push_back(alias.category);
+    }
+    if (clash || serving.empty()) continue;  // one word for two parts of the goal would be ambiguous
+    std::sort(serving.begin(), serving.end());
+    serving.erase(std::unique(serving.begin(), serving.end()), serving.end());
+    auto widened = reworded(substituted(plain, category, serving), "function");
+    if (contradiction(widened, knowledge) || bad_start(widened, knowledge, kStarts)) continue;
+    return widened;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Specification> refine_linguistic(const Specification& plain, const Knowledge& knowledge, Rng rng) {
+  if (plain.style != "direct" || plain.split == Split::InstanceGrounding) return std::nullopt;
+  std::vector<std::string> styles = {"alias", "function", "context"};
+  rng.shuffle(styles);
+  for (const auto& style : styles) {
+    if (style == "function") {
+      if (auto widened = by_function(plain, knowledge, rng)) return widened;
+    } else if (!with_alias(plain, knowledge, style == "alias" ? "synonym" : style).empty()) {
+      return reworded(plain, style);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace unietp
