@@ -1,6 +1,7 @@
 #include "scene/trace.h"
 
 #include <algorithm>
+#include <compare>
 #include <iterator>
 #include <unordered_map>
 #include <unordered_set>
@@ -30,7 +31,14 @@ class NodeFinder {
   std::unordered_map<std::string_view, std::size_t> index_;  // made when the orders first differ; never iterated
 };
 
-void set_nearest(const std::vector<Node>& nodes, const std::vector<EntityIndex>& index_of_node, Facts& facts) {
+struct Relation {
+  Predicate predicate;
+  EntityIndex first, second;
+  auto operator<=>(const Relation&) const = default;
+};
+
+void add_nearest(const std::vector<Node>& nodes, const std::vector<EntityIndex>& index_of_node,
+                 std::vector<Relation>& relations) {
   std::unordered_map<std::string_view, std::size_t> slot_of_category;
   std::vector<std::size_t> slot(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -51,7 +59,7 @@ void set_nearest(const std::vector<Node>& nodes, const std::vector<EntityIndex>&
       if (!so_far.found || distance < so_far.distance) so_far = {distance, x, true};
     }
     for (const Best& winner : best) {
-      if (winner.found) facts.set(Predicate::Nearest, index_of_node[winner.node], index_of_node[y]);
+      if (winner.found) relations.push_back({Predicate::Nearest, index_of_node[winner.node], index_of_node[y]});
     }
   }
 }
@@ -159,15 +167,19 @@ Facts FactReader::read(const Scene& scene) {
   for (const std::string& id : scene.agent.held) {
     if (const auto held = find(id); held && facts.exists(*held)) facts.set(Predicate::Held, *held);
   }
+  std::vector<Relation> relations;
   const auto relate = [&](Predicate relation, std::string_view from, std::string_view to) {
     const auto first = find(from), second = find(to);
-    if (first && second && facts.exists(*first) && facts.exists(*second)) facts.set(relation, *first, *second);
+    if (!first || !second || !facts.exists(*first) || !facts.exists(*second)) return;
+    relations.push_back({relation, *first, *second});
   };
   for (const Edge& edge : scene.edges) relate(edge.relation, edge.from, edge.to);
   for (const Node& node : scene.nodes) {
     if (!node.slice_of.empty()) relate(Predicate::SliceOf, node.id, node.slice_of);
   }
-  if (with_nearest_) set_nearest(scene.nodes, index_of_node, facts);
+  if (with_nearest_) add_nearest(scene.nodes, index_of_node, relations);
+  std::sort(relations.begin(), relations.end());  // facts are kept sorted: in order, each goes to the end at once
+  for (const Relation& relation : relations) facts.set(relation.predicate, relation.first, relation.second);
   return facts;
 }
 

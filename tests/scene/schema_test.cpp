@@ -95,10 +95,10 @@ class Checker {
     return "the checker does not know " + word;
   }
 
-  /// Of the one form of pattern in use: ^((a|b|…)|(c|d|…)\(.+\))$
+  /// Of the one form of pattern in use: ^((a|b|…)|(c|d|…)\([\s\S]+\))$
   static bool matches(const std::string& text, const std::string& pattern) {
     const auto between = pattern.find(")|(");
-    const auto end = pattern.find(")\\(.+\\))$");
+    const auto end = pattern.find(")\\([\\s\\S]+\\))$");
     EXPECT_TRUE(pattern.starts_with("^((") && between != std::string::npos && end != std::string::npos) << pattern;
     const auto plain = split(pattern.substr(3, between - 3), '|');
     const auto symbolic = split(pattern.substr(between + 3, end - between - 3), '|');
@@ -149,7 +149,8 @@ TEST(Schemas, AcceptTheSameNamesAsTheReader) {
     if (!is_node_state(predicate.predicate)) continue;
     (has_symbol(predicate.predicate) ? symbolic : plain).emplace_back(predicate.name);
   }
-  EXPECT_EQ(node["states"]["items"]["pattern"], "^((" + join(plain, "|") + ")|(" + join(symbolic, "|") + ")\\(.+\\))$");
+  EXPECT_EQ(node["states"]["items"]["pattern"],
+            "^((" + join(plain, "|") + ")|(" + join(symbolic, "|") + ")\\([\\s\\S]+\\))$");
 }
 
 TEST(Schemas, TheExampleOfThePageIsAFileAsTheWriterWritesIt) {
