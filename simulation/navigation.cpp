@@ -46,7 +46,28 @@ std::vector<Footprint> footprints_of(const Node& node, const Shape& shape, doubl
   return all;
 }
 
+/// All that the moving parts sweep, in steps.
+std::vector<Footprint> door_way(const Node& node, const Profile& profile) {
+  std::vector<Footprint> way;
+  if (!node.openable) return way;
+  const Shape shape = shape_of(node);
+  for (const double opening : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const auto parts = footprints_of(node, shape, opening, profile.body_height_m, true);
+    way.insert(way.end(), parts.begin(), parts.end());
+  }
+  return way;
+}
+
+bool within(const std::vector<Footprint>& footprints, const Vec2& at, double radius) {
+  return std::any_of(footprints.begin(), footprints.end(),
+                     [&](const Footprint& f) { return distance_to(f, at) < radius; });
+}
+
 }  // namespace
+
+bool in_door_way(const Node& node, const Vec2& at, const Profile& profile) {
+  return within(door_way(node, profile), at, profile.body_radius_m);
+}
 
 NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile) {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -203,14 +224,7 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
   constexpr double kFrontWeight_m = 0.5;  // standing behind costs as much as standing this much farther away, twice
   constexpr int kMostChecked = 80;
   const Node& target = scene.nodes[node];
-  const Shape shape = shape_of(target);
-  std::vector<Footprint> door_way;
-  if (target.openable) {
-    for (const double opening : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      const auto parts = footprints_of(target, shape, opening, profile.body_height_m, true);
-      door_way.insert(door_way.end(), parts.begin(), parts.end());
-    }
-  }
+  const std::vector<Footprint> way = door_way(target, profile);
   const Vec3 front = target.pose.rotation * -Vec3::UnitY();
   struct Candidate {
     double cost;
@@ -239,10 +253,7 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
   int checked = 0;
   for (const Candidate& candidate : candidates) {
     const Vec2 at = grid.centre(candidate.cell);
-    const bool in_door_way = std::any_of(door_way.begin(), door_way.end(), [&](const Footprint& f) {
-      return distance_to(f, at) < profile.body_radius_m;
-    });
-    if (in_door_way) continue;
+    if (within(way, at, profile.body_radius_m)) continue;
     if (++checked > kMostChecked) break;
     if (sees(scene, world, profile, at, node, ignore)) return at;
   }

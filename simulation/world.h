@@ -59,7 +59,7 @@ class World {
   /// Walking distance in metres to the nearest free cell beside the object's box; infinity when there is none.
   double walking_distance(std::string_view id) const;
   bool in_reach(std::string_view id) const;
-  /// Id of the closed container around the object (nearest first), or "".
+  /// Id of the outermost closed container around the object, or "".
   std::string closed_around(std::string_view id) const;
 
  private:

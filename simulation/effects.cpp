@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <array>
+
+#include "simulation/relations.h"
+#include "simulation/world_state.h"
+
+namespace unietp {
+namespace {
+
+/// What an effect of the knowledge base does to its target.
+struct Rule {
+  std::string_view effect;
+  std::vector<Predicate> sets;
+};
+
+const std::array<Rule, 8>& rules() {
+  static const std::array<Rule, 8> kRules{{
+      {"heats", {Predicate::Hot}},
+      {"cools", {Predicate::Cool}},
+      {"freezes", {Predicate::Frozen, Predicate::Cool}},
+      {"cooks", {Predicate::Cooked, Predicate::Hot}},
+      {"burns", {Predicate::Burnt, Predicate::Hot}},
+      {"washes", {Predicate::Clean}},
+      {"soaks", {Predicate::Soaked}},
+      {"fills", {Predicate::Filled}},
+  }};
+  return kRules;
+}
+
+bool offered(const Profile& profile, std::string_view effect) {
+  if (effect == "washes" || effect == "fills" || effect == "soaks") return profile.washing;
+  if (effect == "slices") return profile.slicing;
+  return profile.temperature;
+}
+
+bool needs_met(const WorldState& state, const Effect& effect, const Node& tool, const Node& target, bool tap_runs) {
+  return std::all_of(effect.needs.begin(), effect.needs.end(), [&](const std::string& need) {
+    if (need == "closed") return !tool.openable || tool.states.has(Predicate::Closed);
+    if (need == "power_on") return !tool.states.has(Predicate::PowerOff);
+    if (need == "inside") return has_edge(state.scene, Predicate::Inside, target.id, tool.id);
+    if (need == "on") return has_edge(state.scene, Predicate::On, target.id, tool.id);
+    if (need == "under_tap") return tap_runs;
+    if (need == "held") return state.held(tool.id);
+    return false;
+  });
+}
+
+bool needs(const Effect& effect, std::string_view need) {
+  return std::find(effect.needs.begin(), effect.needs.end(), need) != effect.needs.end();
+}
+
+/// Runs one step of a composite action; keeps the first failure.
+class Steps {
+ public:
+  explicit Steps(std::string name) : name_(std::move(name)) {}
+  template <class Step>
+  void run(Step step) {
+    if (outcome_.success) outcome_ = step();
+  }
+  Outcome outcome() const {
+    if (outcome_.success) return outcome_;
+    return failed(outcome_.failure, "Could not " + name_ + ": " + outcome_.feedback);
+  }
+
+ private:
+  std::string name_;
+  Outcome outcome_ = succeeded();
+};
+
+}  // namespace
+
+void run_processes(WorldState& state, std::size_t tool, bool tap_runs) {
+  const Node machine = state.node(tool);
+  for (const std::string& id : carried_by(state.scene, machine.id)) {
+    Node& target = state.node(*state.index_of(id));
+    for (const Rule& rule : rules()) {
+      const Effect* effect = state.knowledge->effect(machine.category, rule.effect, target.category);
+      if (effect == nullptr || !offered(*state.profile, rule.effect) || needs(*effect, "held")) continue;
+      if (!needs_met(state, *effect, machine, target, tap_runs)) continue;
+      for (const Predicate predicate : rule.sets) target.states.set({predicate, effect->gives});
+    }
+  }
+}
+
+Outcome switch_power(WorldState& state, std::size_t i, bool on) {
+  Node& node = state.node(i);
+  if (!node.states.has(Predicate::PowerOn) && !node.states.has(Predicate::PowerOff)) {
+    return failed(Failure::NotSwitchable, node.id + " cannot be turned on or off.");
+  }
+  if (!state.held(node.id)) {
+    if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  }
+  if (on && node.states.has(Predicate::PowerOn)) return failed(Failure::AlreadyOn, node.id + " is already on.");
+  if (!on && node.states.has(Predicate::PowerOff)) return failed(Failure::AlreadyOff, node.id + " is already off.");
+  if (on && state.profile->power_needs_closed && node.openable && node.archetype == Archetype::Cabinet &&
+      node.states.has(Predicate::Open)) {
+    return failed(Failure::MustBeClosed, node.id + " must be closed before it is turned on.");
+  }
+  node.states.set({on ? Predicate::PowerOn : Predicate::PowerOff, ""});
+  if (!state.held(node.id)) {
+    look_at(state, node.pose.position);
+    state.carry_along();
+  }
+  run_processes(state, i);
+  return succeeded();
+}
+
+Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect_name) {
+  const std::string tool_id = state.node(tool).id;
+  if (state.scene.agent.held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
+  const std::string id = state.scene.agent.held.front();
+  const std::size_t item = *state.index_of(id);
+  const Effect* effect = state.knowledge->effect(state.node(tool).category, effect_name, state.node(item).category);
+  if (effect == nullptr || !offered(*state.profile, effect_name)) {
+    return failed(Failure::NoEffect, id + " cannot be treated so with " + tool_id + ".");
+  }
+  if (auto blocked = out_of_hands_way(state, tool)) return *blocked;
+
+  WorldState trial = state;
+  const auto closed = [&] { return trial.node(tool).openable && !trial.node(tool).states.has(Predicate::Open); };
+  const bool inside = needs(*effect, "inside") || needs(*effect, "under_tap");
+  const bool was_closed = closed();
+  const bool switches = needs(*effect, "power_on") && trial.node(tool).states.has(Predicate::PowerOff);
+  Steps steps("use " + tool_id);
+  if (inside && was_closed) steps.run([&] { return swing(trial, tool, true); });
+  steps.run([&] { return place(trial, tool, inside); });
+  if (needs(*effect, "closed") && trial.node(tool).openable) steps.run([&] { return swing(trial, tool, false); });
+  if (switches) steps.run([&] { return switch_power(trial, tool, true); });
+  if (needs(*effect, "under_tap")) {
+    steps.run([&] {
+      run_processes(trial, tool, true);
+      return succeeded();
+    });
+  }
+  if (switches) steps.run([&] { return switch_power(trial, tool, false); });
+  steps.run([&] { return closed() ? swing(trial, tool, true) : succeeded(); });
+  steps.run([&] { return pick_up(trial, item); });
+  if (was_closed) steps.run([&] { return swing(trial, tool, false); });
+  const Outcome outcome = steps.outcome();
+  if (outcome.success) state = std::move(trial);
+  return outcome;
+}
+
+Outcome slice(WorldState& state, std::size_t i) {
+  const std::string id = state.node(i).id;
+  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand; put it down first.");
+  if (!state.profile->slicing || !state.knowledge->has(state.node(i).category, "sliceable")) {
+    return failed(Failure::NotSliceable, id + " cannot be sliced.");
+  }
+  if (state.scene.agent.held.empty()) return failed(Failure::NoKnife, "You need something sharp in your hand.");
+  const std::size_t knife = *state.index_of(state.scene.agent.held.front());
+  const Effect* effect = state.knowledge->effect(state.node(knife).category, "slices", state.node(i).category);
+  if (effect == nullptr) return failed(Failure::NoKnife, state.node(knife).id + " does not slice " + id + ".");
+  if (state.node(i).states.has(Predicate::Sliced)) return failed(Failure::NotSliceable, id + " is already sliced.");
+  if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  const Category* piece = state.knowledge->find(effect->gives);
+  if (piece == nullptr) return failed(Failure::NotSliceable, id + " cannot be sliced.");
+
+  // Cut along the longest level side into equal pieces. The first keeps the whole's identity, so that a goal can still
+  // speak of it; the others are new. Together they fill the space of the whole, less the width of the blade.
+  constexpr double kBlade_m = 0.001;
+  const int pieces = std::max(2, effect->amount);
+  const Node whole = state.node(i);
+  const int axis = whole.size.x() >= whole.size.y() ? 0 : 1;
+  const double length = whole.size[axis];
+  Vec3 size = whole.size;
+  size[axis] = length / pieces - kBlade_m;
+  std::vector<BodyId> loose;
+  for (int k = 0; k < pieces; ++k) {
+    Vec3 offset = Vec3::Zero();
+    offset[axis] = -length / 2 + (k + 0.5) * length / pieces;
+    Node part = whole;
+    part.pose = whole.pose * Pose{offset, Quat::Identity()};
+    part.size = size;
+    part.mass = whole.mass / pieces;
+    part.archetype = Archetype::Box;
+    std::size_t index = i;
+    if (k == 0) {
+      part.states.set({Predicate::Sliced, ""});
+      state.node(i) = part;
+    } else {
+      part.id = fresh_id(state.scene, piece->name);
+      part.category = piece->name;
+      part.slice_of = whole.id;
+      part.whole_category = whole.category;
+      part.states.clear(Predicate::Whole);
+      part.states.clear(Predicate::Sliced);
+      index = state.scene.nodes.size();
+      state.scene.nodes.push_back(part);
+    }
+    state.physics.set(static_cast<BodyId>(index), shape_of(part), part.pose, 0, part.mass);
+    loose.push_back(static_cast<BodyId>(index));
+  }
+  const Settled settled = state.physics.settle(loose);
+  const Bounds whole_bounds = bounds_of(whole.pose, whole.size);
+  std::vector<Bounds> touched{whole_bounds};
+  for (const SettledBody& body : settled.bodies) {
+    state.node(body.body).pose = body.pose;
+    state.physics.move(body.body, body.pose);
+    touched.push_back(state.physics.bounds(body.body));
+  }
+  look_at(state, state.node(i).pose.position);
+  state.forget_grid();
+  state.carry_along();
+  const std::vector<std::size_t> changed(loose.begin(), loose.end());
+  state.refresh(touched, changed);
+  return succeeded();
+}
+
+}  // namespace unietp

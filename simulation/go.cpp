@@ -1,0 +1,70 @@
+#include <limits>
+
+#include "simulation/world_state.h"
+
+namespace unietp {
+namespace {
+
+/// The free and reachable cell of a room nearest to the middle of its floor.
+std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& corner : room.polygon) middle += corner / static_cast<double>(room.polygon.size());
+  const NavigationGrid& grid = state.grid();
+  const auto& walk = state.walk();
+  std::optional<Vec2> best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      if (walk[static_cast<std::size_t>(y * grid.width() + x)] < 0) continue;
+      const Vec2 at = grid.centre({x, y});
+      const double distance = (at - middle).squaredNorm();
+      if (distance >= best_distance || !contains(room.polygon, at)) continue;
+      best_distance = distance;
+      best = at;
+    }
+  }
+  return best;
+}
+
+void move_agent(WorldState& state, const Vec2& to) {
+  state.scene.agent.position = to;
+  state.forget_walk();
+}
+
+}  // namespace
+
+Outcome go_to(WorldState& state, const std::string& id) {
+  if (const Room* room = find_room(state.scene, id)) {
+    const auto place = place_in_room(state, *room);
+    if (!place) return failed(Failure::NoStandingPlace, "There is no way to walk into " + id + ".");
+    move_agent(state, *place);
+    state.scene.agent.pitch = 0;
+    state.carry_along();
+    return succeeded();
+  }
+  const auto node = state.index_of(id);
+  if (!node) return failed(Failure::InvalidArgument, "There is no object or room " + id + ".");
+  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand.");
+  // What a closed container hides cannot be seen from anywhere: the agent goes to the container.
+  const std::size_t target = state.closed_around(*node).value_or(*node);
+  const auto place = standing_place(state.scene, state.physics, state.grid(), state.walk(), *state.profile, target);
+  if (!place) return failed(Failure::NoStandingPlace, "There is no place to stand from which to reach " + id + ".");
+  move_agent(state, *place);
+  look_at(state, state.node(target).pose.position);
+  state.carry_along();
+  return succeeded();
+}
+
+Outcome turn_to(WorldState& state, std::size_t node) {
+  if (state.held(state.node(node).id))
+    return failed(Failure::InvalidArgument, state.node(node).id + " is in your hand.");
+  if (state.closed_around(node) ||
+      !sees(state.scene, state.physics, *state.profile, state.scene.agent.position, node)) {
+    return failed(Failure::NotVisible, state.node(node).id + " is not in sight from here.");
+  }
+  look_at(state, state.node(node).pose.position);
+  state.carry_along();
+  return succeeded();
+}
+
+}  // namespace unietp

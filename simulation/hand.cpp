@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "simulation/relations.h"
+#include "simulation/world_state.h"
+
+namespace unietp {
+namespace {
+
+constexpr double kLetGo_m = 0.002;     // an object is let go this far above the surface
+constexpr double kSpotPitch_m = 0.05;  // spots are tried on a grid this fine
+constexpr int kMostSettles = 6;        // free spots on which it is tried to rest before giving up
+constexpr double kTouching_m = 0.003;  // bodies nearer than this may be leaning on one another
+constexpr double kKnocked_m = 0.05;    // neighbours that move farther than this have been knocked over
+
+Bounds group_bounds(const WorldState& state, const std::vector<std::size_t>& group) {
+  Bounds all = state.physics.bounds(static_cast<BodyId>(group.front()));
+  for (const std::size_t i : group) {
+    const Bounds one = state.physics.bounds(static_cast<BodyId>(i));
+    all.low = all.low.cwiseMin(one.low);
+    all.high = all.high.cwiseMax(one.high);
+  }
+  return all;
+}
+
+/// Movable bodies that touch the bounds, with all that rests on or in them, without `group`. Sorted.
+std::vector<BodyId> neighbours(const WorldState& state, const Bounds& bounds, const std::vector<std::size_t>& group) {
+  std::vector<BodyId> found;
+  for (const BodyId id : state.physics.near(bounds, kTouching_m)) {
+    if (id >= state.scene.nodes.size() || !state.node(id).movable) continue;
+    for (const std::size_t member : state.group_of(id)) {
+      if (std::find(group.begin(), group.end(), member) == group.end()) found.push_back(static_cast<BodyId>(member));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// Moves bodies and nodes to where they settled; gives the farthest that one of `watched` moved.
+double apply(WorldState& state, const Settled& settled, const std::vector<BodyId>& watched) {
+  double farthest = 0;
+  for (const SettledBody& body : settled.bodies) {
+    Node& node = state.node(body.body);
+    if (std::find(watched.begin(), watched.end(), body.body) != watched.end()) {
+      farthest = std::max(farthest, (node.pose.position - body.pose.position).norm());
+    }
+    node.pose = body.pose;
+    state.physics.move(body.body, body.pose);
+  }
+  return farthest;
+}
+
+/// Ways to hold an object above a surface: upright along the surface's axes, or lying when it is too tall.
+std::vector<Quat> orientations(double clearance, const Vec3& size, bool alone) {
+  const auto turn = [](double angle, const Vec3& axis) { return Quat(Eigen::AngleAxisd(angle, axis)); };
+  constexpr double kQuarter = std::numbers::pi / 2;
+  if (size.z() + kLetGo_m <= clearance) return {Quat::Identity(), turn(kQuarter, Vec3::UnitZ())};
+  if (!alone) return {};
+  std::vector<Quat> lying;
+  if (size.y() + kLetGo_m <= clearance) lying.push_back(turn(kQuarter, Vec3::UnitX()));
+  if (size.x() + kLetGo_m <= clearance) lying.push_back(turn(kQuarter, Vec3::UnitY()));
+  const std::size_t ways = lying.size();
+  for (std::size_t i = 0; i < ways; ++i) lying.push_back(turn(kQuarter, Vec3::UnitZ()) * lying[i]);
+  return lying;
+}
+
+struct Spot {
+  Pose pose;        // of the object, W
+  double distance;  // from the agent, metres
+};
+
+struct Spots {
+  std::vector<Spot> spots;  // in reach, nearest first
+  bool any_surface = false, any_fit = false;
+};
+
+Spots spots_on(const WorldState& state, std::size_t target, const Vec3& size, bool inside, bool alone) {
+  Spots result;
+  const Node& receptacle = state.node(target);
+  const Shape shape = shape_of(receptacle);
+  const Vec2 agent = state.scene.agent.position;
+  for (const Surface& surface : shape.surfaces) {
+    if ((surface.cavity >= 0) != inside) continue;
+    result.any_surface = true;
+    const Pose frame = receptacle.pose * joint_motion(shape, surface.joint, receptacle.opening);
+    for (const Quat& orientation : orientations(surface.clearance, size, alone)) {
+      const Bounds extent = bounds_of({Vec3::Zero(), orientation}, size);
+      const Vec2 room = surface.half - extent.high.head<2>();
+      // Inside, an object must fit whole; on top, its middle must rest well within the edge.
+      if (inside && room.minCoeff() < -1e-6) continue;
+      if (!inside && (surface.half - 0.6 * extent.high.head<2>()).minCoeff() < 0) continue;
+      result.any_fit = true;
+      const auto steps = [](double free) { return std::max(0, static_cast<int>(std::floor(free / kSpotPitch_m))); };
+      const int nx = steps(room.x()), ny = steps(room.y());
+      for (int i = -nx; i <= nx; ++i) {
+        for (int k = -ny; k <= ny; ++k) {
+          const Vec3 local = surface.centre + Vec3(i * kSpotPitch_m, k * kSpotPitch_m, extent.high.z() + kLetGo_m);
+          const Pose pose = frame * Pose{local, orientation};
+          const double high = std::max(0.0, pose.position.z() - state.profile->body_height_m);
+          const double distance = std::hypot((pose.position.head<2>() - agent).norm(), high);
+          if (distance <= state.profile->reach_m) result.spots.push_back({pose, distance});
+        }
+      }
+    }
+  }
+  std::stable_sort(result.spots.begin(), result.spots.end(),
+                   [](const Spot& a, const Spot& b) { return a.distance < b.distance; });
+  return result;
+}
+
+bool free_at(const WorldState& state, const std::vector<std::size_t>& group, const Pose& motion) {
+  return std::none_of(group.begin(), group.end(), [&](std::size_t i) {
+    const Node& node = state.node(i);
+    return state.physics.overlap(shape_of(node), motion * node.pose, node.opening, {}).has_value();
+  });
+}
+
+}  // namespace
+
+Outcome pick_up(WorldState& state, std::size_t i) {
+  const std::string id = state.node(i).id;
+  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is already in your hand.");
+  if (!state.node(i).movable || !state.knowledge->has(state.node(i).category, "pickupable")) {
+    return failed(Failure::NotPickupable, id + " cannot be picked up.");
+  }
+  if (static_cast<int>(state.scene.agent.held.size()) >= state.profile->hands) {
+    return failed(Failure::HandsFull, "You already hold " + state.scene.agent.held.front() + ".");
+  }
+  if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  const std::vector<std::size_t> group = state.group_of(i);
+  double mass = 0;
+  for (const std::size_t member : group) mass += state.node(member).mass;
+  if (mass > state.profile->max_pick_mass_kg) return failed(Failure::TooHeavy, id + " is too heavy.");
+
+  look_at(state, state.node(i).pose.position);
+  const Bounds before = group_bounds(state, group);
+  const auto left_behind = neighbours(state, before, group);
+  for (const std::size_t member : group) state.physics.remove(static_cast<BodyId>(member));
+  state.scene.agent.held.push_back(id);
+  state.forget_grid();
+  state.carry_along();
+  std::vector<Bounds> touched{before};
+  std::vector<std::size_t> changed(left_behind.begin(), left_behind.end());
+  if (!left_behind.empty()) {
+    apply(state, state.physics.settle(left_behind), {});
+    touched.push_back(group_bounds(state, changed));
+  }
+  changed.insert(changed.end(), group.begin(), group.end());
+  state.refresh(touched, changed);
+  return succeeded();
+}
+
+Outcome place(WorldState& state, std::size_t target, bool inside) {
+  const std::string target_id = state.node(target).id;
+  if (state.scene.agent.held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
+  const std::string id = state.scene.agent.held.front();
+  const std::size_t i = *state.index_of(id);
+  const std::vector<std::size_t> group = state.group_of(i);
+  if (std::find(group.begin(), group.end(), target) != group.end()) {
+    return failed(Failure::InvalidArgument, target_id + " is in your hand.");
+  }
+  if (auto blocked = out_of_hands_way(state, target)) return *blocked;
+  const Node& receptacle = state.node(target);
+  if (inside && receptacle.openable && !receptacle.states.has(Predicate::Open)) {
+    return failed(Failure::ReceptacleClosed, target_id + " is closed.");
+  }
+  const Spots spots = spots_on(state, target, state.node(i).size, inside, group.size() == 1);
+  if (!spots.any_surface) {
+    return failed(Failure::NotAReceptacle,
+                  "Nothing can be put " + std::string(inside ? "inside " : "on ") + target_id + ".");
+  }
+  if (!spots.any_fit)
+    return failed(Failure::DoesNotFit, id + " does not fit " + (inside ? "into " : "on ") + target_id + ".");
+
+  int settles = 0;
+  for (const Spot& spot : spots.spots) {
+    const Pose motion = spot.pose * inverse(state.node(i).pose);
+    if (!free_at(state, group, motion)) continue;
+    if (++settles > kMostSettles) break;
+    WorldState trial = state;
+    for (const std::size_t member : group) {
+      Node& node = trial.node(member);
+      node.pose = member == i ? spot.pose : motion * node.pose;
+      trial.physics.set(static_cast<BodyId>(member), shape_of(node), node.pose, node.opening, node.mass);
+    }
+    look_at(trial, trial.node(i).pose.position);
+    const Bounds let_go = group_bounds(trial, group);
+    const auto beside = neighbours(trial, let_go, group);
+    std::vector<BodyId> loose(group.begin(), group.end());
+    loose.insert(loose.end(), beside.begin(), beside.end());
+    const Settled settled = trial.physics.settle(loose);
+    const double knocked = apply(trial, settled, beside);
+    if (!settled.calm || knocked > kKnocked_m) continue;
+    std::erase(trial.scene.agent.held, id);
+    trial.forget_grid();
+    const std::vector<std::size_t> changed(loose.begin(), loose.end());
+    const Bounds touched[] = {let_go, group_bounds(trial, changed)};
+    trial.refresh(touched, changed);
+    if (!has_edge(trial.scene, inside ? Predicate::Inside : Predicate::On, id, target_id)) continue;
+    state = std::move(trial);
+    run_processes(state, target);
+    return succeeded();
+  }
+  if (settles > 0) return failed(Failure::DidNotRest, id + " did not come to rest there.");
+  return failed(Failure::NoFreePlace,
+                "There is no free place in reach " + std::string(inside ? "inside " : "on ") + target_id + ".");
+}
+
+}  // namespace unietp

@@ -1,0 +1,106 @@
+#include <algorithm>
+
+#include "simulation/navigation.h"
+#include "simulation/relations.h"
+#include "simulation/world_state.h"
+
+namespace unietp {
+namespace {
+
+constexpr int kSweepSteps = 8;
+constexpr double kScrape_m =
+    0.003;  // a door may overlap its surroundings by this much (resting contacts sink a little)
+
+Shape moving_parts(const Shape& shape) {
+  Shape moving;
+  moving.joints = shape.joints;
+  for (const Part& part : shape.parts) {
+    if (part.joint >= 0) moving.parts.push_back(part);
+  }
+  return moving;
+}
+
+/// What slides along: contents of cavities that move with a joint.
+std::vector<std::size_t> riders(const WorldState& state, std::size_t node, const Shape& shape) {
+  std::vector<std::size_t> riding;
+  const bool slides =
+      std::any_of(shape.cavities.begin(), shape.cavities.end(), [](const Cavity& c) { return c.joint >= 0; });
+  if (!slides) return riding;
+  for (const Edge& edge : state.scene.edges) {
+    if (edge.relation != Predicate::Inside || edge.to != state.node(node).id) continue;
+    if (const auto i = state.index_of(edge.from)) {
+      const auto group = state.group_of(*i);
+      riding.insert(riding.end(), group.begin(), group.end());
+    }
+  }
+  std::sort(riding.begin(), riding.end());
+  riding.erase(std::unique(riding.begin(), riding.end()), riding.end());
+  return riding;
+}
+
+std::string name_of_body(const WorldState& state, BodyId body) {
+  return body < state.scene.nodes.size() ? state.node(body).id : body == kFloor ? "the floor" : "a wall";
+}
+
+}  // namespace
+
+Outcome swing(WorldState& state, std::size_t i, bool open) {
+  const std::string id = state.node(i).id;
+  if (!state.node(i).openable) return failed(Failure::NotOpenable, id + " cannot be opened or closed.");
+  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand; put it down first.");
+  if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  const bool is_open = state.node(i).states.has(Predicate::Open);
+  if (open && is_open) return failed(Failure::AlreadyOpen, id + " is already open.");
+  if (!open && !is_open) return failed(Failure::AlreadyClosed, id + " is already closed.");
+  if (open && state.profile->open_needs_power_off && state.node(i).states.has(Predicate::PowerOn)) {
+    return failed(Failure::AlreadyOn, id + " is running; turn it off first.");
+  }
+
+  const Shape shape = shape_of(state.node(i));
+  const double from = state.node(i).opening, to = open ? 1.0 : 0.0;
+  const std::vector<std::size_t> riding = riders(state, i, shape);
+  if (!shape.joints.empty()) {
+    std::vector<BodyId> ignore{static_cast<BodyId>(i)};
+    ignore.insert(ignore.end(), riding.begin(), riding.end());
+    const Shape moving = moving_parts(shape);
+    for (int step = 1; step <= kSweepSteps; ++step) {
+      const double opening = from + (to - from) * step / kSweepSteps;
+      if (const auto hit = state.physics.overlap(moving, state.node(i).pose, opening, ignore, kScrape_m)) {
+        return failed(Failure::Blocked, id + " is blocked by " + name_of_body(state, *hit) + ".");
+      }
+    }
+    if (in_door_way(state.node(i), state.scene.agent.position, *state.profile)) {
+      return failed(Failure::Blocked, "You stand in the way of " + id + ".");
+    }
+  }
+
+  look_at(state, state.node(i).pose.position);
+  std::vector<std::size_t> changed{i};
+  std::vector<Bounds> touched{state.physics.bounds(static_cast<BodyId>(i))};
+  if (!riding.empty()) {
+    const int joint =
+        std::find_if(shape.cavities.begin(), shape.cavities.end(), [](const Cavity& c) { return c.joint >= 0; })->joint;
+    const Pose& pose = state.node(i).pose;
+    const Pose motion =
+        pose * joint_motion(shape, joint, to) * inverse(joint_motion(shape, joint, from)) * inverse(pose);
+    for (const std::size_t rider : riding) {
+      touched.push_back(state.physics.bounds(static_cast<BodyId>(rider)));
+      state.node(rider).pose = motion * state.node(rider).pose;
+      state.physics.move(static_cast<BodyId>(rider), state.node(rider).pose);
+      touched.push_back(state.physics.bounds(static_cast<BodyId>(rider)));
+      changed.push_back(rider);
+    }
+  }
+  Node& node = state.node(i);
+  node.opening = to;
+  node.states.set({open ? Predicate::Open : Predicate::Closed, ""});
+  state.physics.set(static_cast<BodyId>(i), shape, node.pose, node.opening, node.movable ? node.mass : 0);
+  touched.push_back(state.physics.bounds(static_cast<BodyId>(i)));
+  state.forget_grid();
+  state.carry_along();
+  state.refresh(touched, changed);
+  run_processes(state, i);
+  return succeeded();
+}
+
+}  // namespace unietp

@@ -1,0 +1,184 @@
+#include "simulation/world.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "simulation/relations.h"
+#include "simulation/view.h"
+#include "simulation/world_state.h"
+
+namespace unietp {
+
+struct World::Impl {
+  WorldState state;
+};
+
+namespace {
+
+Outcome wrong_arguments(const ActionInfo& action) {
+  const char* wants = action.argument == ActionArgument::None ? "no argument" : "one argument";
+  return failed(Failure::InvalidArgument, std::string(action.name) + " takes " + wants + ".");
+}
+
+Outcome perform(WorldState& state, const Action& action) {
+  const ActionInfo& about = info(action.type);
+  if (!offers(about, state.scene.simulator)) {
+    return failed(Failure::NotOffered,
+                  std::string(name_of(state.scene.simulator)) + " does not offer " + std::string(about.name) + ".");
+  }
+  if (action.args.size() != (about.argument == ActionArgument::None ? 0u : 1u)) return wrong_arguments(about);
+  if (action.type == ActionType::Stop) {
+    state.stopped = true;
+    return succeeded();
+  }
+  if (action.type == ActionType::GoTo) return go_to(state, action.args.front());
+  if (about.argument == ActionArgument::None) {
+    return failed(Failure::NotReady, "The backend does not run " + std::string(about.name) + ".");
+  }
+  const auto node = state.index_of(action.args.front());
+  if (!node) return failed(Failure::InvalidArgument, "There is no object " + action.args.front() + ".");
+  switch (action.type) {
+    case ActionType::TurnTo:
+      return turn_to(state, *node);
+    case ActionType::PickUp:
+      return pick_up(state, *node);
+    case ActionType::PlaceOn:
+      return place(state, *node, false);
+    case ActionType::PlaceIn:
+      return place(state, *node, true);
+    case ActionType::Open:
+      return swing(state, *node, true);
+    case ActionType::Close:
+      return swing(state, *node, false);
+    case ActionType::TurnOn:
+      return switch_power(state, *node, true);
+    case ActionType::TurnOff:
+      return switch_power(state, *node, false);
+    case ActionType::Slice:
+      return slice(state, *node);
+    case ActionType::HeatWith:
+      return treat_with(state, *node, "heats");
+    case ActionType::CoolWith:
+      return treat_with(state, *node, "cools");
+    case ActionType::WashWith:
+      return treat_with(state, *node, "washes");
+    default:
+      return failed(Failure::NotReady, "The backend does not run " + std::string(about.name) + ".");
+  }
+}
+
+}  // namespace
+
+World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(const World& other) {
+  if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);
+  return *this;
+}
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+Result<World> World::create(Scene start, const Knowledge& knowledge, const Profile& profile) {
+  for (const Node& node : start.nodes) {
+    if (knowledge.find(node.category) == nullptr) {
+      return Error{Error::Kind::Schema,
+                   start.id,
+                   {},
+                   "object " + node.id + " has category " + node.category + ", which the knowledge base of " +
+                       std::string(name_of(knowledge.simulator())) + " does not have"};
+    }
+  }
+  if (start.simulator != knowledge.simulator() || start.simulator != profile.simulator) {
+    return Error{Error::Kind::Schema, start.id, {}, "scene, knowledge base and profile are of different simulators"};
+  }
+  if (room_at(start, start.agent.position) == nullptr) {
+    return Error{Error::Kind::Schema, start.id, {}, "the agent stands in no room"};
+  }
+  auto impl = std::make_unique<Impl>();
+  WorldState& state = impl->state;
+  state.scene = std::move(start);
+  state.knowledge = &knowledge;
+  state.profile = &profile;
+  state.physics = physics_of(state.scene);
+  std::vector<std::size_t> in_hand;
+  for (const std::string& id : state.scene.agent.held) {
+    const auto i = state.index_of(id);
+    if (!i) return Error{Error::Kind::Schema, state.scene.id, {}, "the agent holds " + id + ", which does not exist"};
+    for (const std::size_t member : state.group_of(*i)) in_hand.push_back(member);
+  }
+  std::vector<Edge> carried;
+  for (const Edge& edge : state.scene.edges) {
+    const auto from = state.index_of(edge.from), to = state.index_of(edge.to);
+    const auto is_in_hand = [&](const std::optional<std::size_t>& i) {
+      return i && std::find(in_hand.begin(), in_hand.end(), *i) != in_hand.end();
+    };
+    const bool contact = edge.relation == Predicate::On || edge.relation == Predicate::Inside;
+    if (contact && is_in_hand(from) && is_in_hand(to)) carried.push_back(edge);
+  }
+  for (const std::size_t i : in_hand) state.physics.remove(static_cast<BodyId>(i));
+  state.scene.edges = read_relations(state.scene, state.physics, carried);
+  return World(std::move(impl));
+}
+
+Outcome World::step(const Action& action) {
+  if (impl_->state.stopped) return failed(Failure::InvalidAction, "The episode has ended.");
+  return perform(impl_->state, action);
+}
+
+const Scene& World::scene() const { return impl_->state.scene; }
+bool World::stopped() const { return impl_->state.stopped; }
+
+std::vector<VisibleObject> World::visible() const {
+  const WorldState& state = impl_->state;
+  return view_of(state.scene, state.physics, *state.profile);
+}
+
+std::optional<Vec2> World::standing_place_for(std::string_view id) const {
+  const WorldState& state = impl_->state;
+  const auto node = state.index_of(id);
+  if (!node || state.held(id)) return std::nullopt;
+  return standing_place(state.scene, state.physics, state.grid(), state.walk(), *state.profile, *node);
+}
+
+bool World::can_stand_at(std::string_view id) const {
+  const WorldState& state = impl_->state;
+  const auto node = state.index_of(id);
+  return node && !state.closed_around(*node) && standing_place_for(id).has_value();
+}
+
+double World::walking_distance(std::string_view id) const {
+  const WorldState& state = impl_->state;
+  const auto node = state.index_of(id);
+  double best = std::numeric_limits<double>::infinity();
+  if (!node) return best;
+  if (state.held(id)) return 0;
+  const NavigationGrid& grid = state.grid();
+  const auto& walk = state.walk();
+  const Bounds bounds = bounds_of(state.node(*node).pose, state.node(*node).size);
+  const double beside = state.profile->reach_m;
+  const auto from = grid.cell_at(bounds.low.head<2>() - Vec2::Constant(beside));
+  const auto to = grid.cell_at(bounds.high.head<2>() + Vec2::Constant(beside));
+  for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
+    for (int x = std::max(0, from.x); x <= std::min(grid.width() - 1, to.x); ++x) {
+      const std::int32_t steps = walk[static_cast<std::size_t>(y * grid.width() + x)];
+      if (steps >= 0) best = std::min(best, steps * NavigationGrid::kCell_m);
+    }
+  }
+  return best;
+}
+
+bool World::in_reach(std::string_view id) const {
+  const auto node = impl_->state.index_of(id);
+  return node && !impl_->state.held(id) && !out_of_hands_way(impl_->state, *node);
+}
+
+std::string World::closed_around(std::string_view id) const {
+  const WorldState& state = impl_->state;
+  const auto node = state.index_of(id);
+  if (!node) return "";
+  const auto container = state.closed_around(*node);
+  return container ? state.node(*container).id : "";
+}
+
+}  // namespace unietp

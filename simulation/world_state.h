@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "scene/action.h"
+#include "scene/scene.h"
+#include "simulation/navigation.h"
+#include "simulation/physics.h"
+#include "simulation/profile.h"
+#include "simulation/world.h"
+
+namespace unietp {
+
+/// The inside of World, shared by the files that implement its actions and by nobody else.
+struct WorldState {
+  Scene scene;
+  const Knowledge* knowledge = nullptr;
+  const Profile* profile = nullptr;
+  PhysicsWorld physics;  // node i is body i; what is in the hands is not in it
+  bool stopped = false;
+
+  /// Where the body can walk now, and the steps from the agent to every cell; made at the first question after a
+  /// change.
+  const NavigationGrid& grid() const;
+  const std::vector<std::int32_t>& walk() const;
+  void forget_grid();
+  void forget_walk();
+
+  std::optional<std::size_t> index_of(std::string_view id) const;
+  Node& node(std::size_t i) { return scene.nodes[i]; }
+  const Node& node(std::size_t i) const { return scene.nodes[i]; }
+  bool held(std::string_view id) const;
+  /// The outermost closed container around a node, or nullopt.
+  std::optional<std::size_t> closed_around(std::size_t i) const;
+  /// A node and all that rests on or in it, as indices, the node first.
+  std::vector<std::size_t> group_of(std::size_t i) const;
+  /// Re-reads the edges near what changed.
+  void refresh(std::span<const Bounds> touched, std::span<const std::size_t> changed);
+  /// Puts what the hands hold in front of the agent, with all that rests on or in it.
+  void carry_along();
+
+ private:
+  mutable std::optional<NavigationGrid> grid_;
+  mutable std::vector<std::int32_t> walk_;
+};
+
+inline Outcome succeeded() { return {true, Failure::None, ""}; }
+inline Outcome failed(Failure failure, std::string feedback) { return {false, failure, std::move(feedback)}; }
+
+/// Why the agent cannot act on a node from where it stands (closed container, reach, sight), or nullopt.
+std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t node);
+/// Turns the agent's head and body towards a point.
+void look_at(WorldState& state, const Vec3& point);
+
+// The actions, one function each. A failed one leaves the state as it was.
+Outcome go_to(WorldState& state, const std::string& id);
+Outcome turn_to(WorldState& state, std::size_t node);
+Outcome pick_up(WorldState& state, std::size_t node);
+Outcome place(WorldState& state, std::size_t target, bool inside);
+Outcome swing(WorldState& state, std::size_t node, bool open);
+Outcome switch_power(WorldState& state, std::size_t node, bool on);
+Outcome slice(WorldState& state, std::size_t node);
+/// wash_with, heat_with, cool_with: the atomic steps they stand for, each with all its checks.
+Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect);
+
+/// What a tool does by itself to what lies in or on it, as things are now: effects whose needs are met. `tap_runs`:
+/// water flows into it.
+void run_processes(WorldState& state, std::size_t tool, bool tap_runs = false);
+
+}  // namespace unietp
