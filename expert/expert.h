@@ -32,15 +32,16 @@ struct ExpertOptions {
   int max_plans = 12;                     // alternative orders and witnesses tried
 };
 
-/// Stage: from the goal formula alone: chooses witnesses, orders subgoals, expands them to actions, executes them in the
-/// backend, replans on failure, stops. Knows no template. Kept only if the goal holds on the executed trace by the direct
-/// evaluator. Deterministic.
+/// Stage: from the goal formula alone: chooses witnesses, orders subgoals, expands them to actions, executes them in
+/// the backend, replans on failure, stops. Knows no template. Kept only if the goal holds on the executed trace by the
+/// direct evaluator. Deterministic.
 std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                                                    const Profile& profile, const ExpertOptions& options);
 
 /// Must-fail mutations: each needed step dropped in turn, steps of ordered parts swapped; gives the mutations (as text)
-/// that wrongly still satisfy the goal although they leave a needed step out: empty when the goal really tests the plan.
-/// A dropped step whose absence makes no difference to the goal (such as closing a door out of good manners) is reported.
+/// that wrongly still satisfy the goal although they leave a needed step out: empty when the goal really tests the
+/// plan. A dropped step whose absence makes no difference to the goal (such as closing a door out of good manners) is
+/// reported.
 std::vector<std::string> needless_steps(const Formula& goal, const Scene& start, const Demonstration& demonstration,
                                         const Knowledge& knowledge, const Profile& profile);
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "expert/subgoal.h"
+
+namespace unietp {
+
+/// Lists of alternatives as an algebra: one of several, all of several, k of several. Every list is sorted by cost,
+/// free of repeats and at most `beam` long.
+class Choices {
+ public:
+  Choices(const Situation& situation, const Experience& experience, std::size_t beam)
+      : situation_(situation), experience_(experience), beam_(beam) {}
+
+  using List = std::vector<Alternative>;
+  static List none() { return {}; }
+  static List nothing_to_do() { return {Alternative{}}; }
+  List single(Literal literal) const;
+  List either(List a, List b) const;
+  /// Every pair that does not contradict itself.
+  List both(const List& a, const List& b) const;
+  /// As `both`, but nothing has to hold together: the parts are moments of their own.
+  List in_turn(const List& a, const List& b) const;
+
+  struct Member {
+    List yes, no;  // ways to make it one of those counted, and not
+  };
+  /// Exactly, at least or at most k of the members.
+  List exactly(int k, const std::vector<Member>& members) const;
+  List at_least(int k, const std::vector<Member>& members) const;
+  List at_most(int k, const std::vector<Member>& members) const;
+
+ private:
+  List trimmed(List list) const;
+  std::vector<std::vector<bool>> picks(std::size_t k, const std::vector<double>& price) const;
+
+  const Situation& situation_;
+  const Experience& experience_;
+  std::size_t beam_;
+};
+
+}  // namespace unietp

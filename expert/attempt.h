@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "expert/expert.h"
+#include "expert/subgoal.h"
+#include "scene/trace.h"
+#include "simulation/world.h"
+
+namespace unietp {
+
+/// An execution of one alternative in a world of its own: does actions, records those that succeed, watches which
+/// moments have come, and takes back an action that would break a truth to keep. What went wrong last is remembered, so
+/// that a method can try another tool or place and the expert can choose otherwise next time.
+class Attempt {
+ public:
+  Attempt(const World& start, const Situation& situation, const Alternative& alternative, const ExpertOptions& options);
+
+  /// Does the action; false when it failed, would break a truth to keep, or a budget is used up.
+  bool act(ActionType type, const std::string& argument);
+  bool act(ActionType type) { return act(Action{type, {}}); }
+
+  const Situation& situation() const { return *situation_; }
+  const Alternative& alternative() const { return *alternative_; }
+  const World& world() const { return world_; }
+  const Scene& scene() const { return world_.scene(); }
+  const std::vector<Action>& actions() const { return actions_; }
+
+  bool holds(const Literal& literal) const;
+  bool has_come(std::size_t moment) const { return come_[moment]; }
+  /// Node that an entity stands for now; nullptr for a slice that is not cut yet, for rooms and the agent.
+  const Node* node(EntityIndex entity) const;
+  /// Id of an entity of any kind; "" for a slice that is not cut yet.
+  std::string id_of(EntityIndex entity) const;
+  bool is_held(std::string_view id) const;
+
+  struct Trouble {
+    std::string reason = "action-failed";  // as in Rejection
+    Action action;
+    Failure failure = Failure::None;
+    std::string text;
+  };
+  const std::optional<Trouble>& trouble() const { return trouble_; }
+  int failures() const { return failures_; }
+  bool exhausted() const { return exhausted_; }
+
+ private:
+  bool act(Action action);
+  void give_up(Action action, std::string reason, std::string text);
+  bool keeps_hold() const;
+  void mark_moments();
+  std::optional<EntityIndex> current(EntityIndex entity) const;
+
+  const Situation* situation_;
+  const Alternative* alternative_;
+  ExpertOptions options_;
+  World world_;
+  FactReader reader_;
+  Trace trace_;
+  std::vector<bool> come_;
+  std::vector<Action> actions_;
+  std::optional<Trouble> trouble_;
+  int failures_ = 0;
+  bool exhausted_ = false;
+};
+
+}  // namespace unietp

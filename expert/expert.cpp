@@ -1,0 +1,149 @@
+#include "expert/expert.h"
+
+#include <array>
+#include <map>
+#include <set>
+
+#include "expert/attempt.h"
+#include "expert/execution.h"
+#include "expert/goal_reading.h"
+#include "expert/methods.h"
+#include "expert/ordering.h"
+#include "logic/monitor.h"
+
+namespace unietp {
+namespace {
+
+constexpr std::array kHabits{Habits{false, false}, Habits{false, true}, Habits{true, false}, Habits{true, true}};
+constexpr double kPerHabit = 2;         // surcharge for each departure from the usual habits, in actions
+constexpr double kFailedLiteral = 100;  // surcharges that a failure teaches, in actions
+constexpr double kFailedThing = 30;
+constexpr int kTriesPerLiteral = 3;  // a truth that later steps keep undoing is given up after so many
+
+struct Choice {
+  Alternative alternative;
+  Habits habits;
+};
+
+/// The cheapest choice that was not tried yet.
+std::optional<Choice> next_choice(const std::vector<Alternative>& alternatives, const Situation& situation,
+                                  std::set<std::string>& tried) {
+  const Alternative* best = nullptr;
+  std::size_t best_habit = 0;
+  double best_cost = 0;
+  std::string best_name;
+  for (const Alternative& alternative : alternatives) {
+    const std::string text = to_text(alternative, situation);
+    for (std::size_t h = 0; h < kHabits.size(); ++h) {
+      const double cost = alternative.cost + kPerHabit * static_cast<double>(h);
+      std::string name = std::to_string(h) + " " + text;
+      if ((best != nullptr && cost >= best_cost) || tried.contains(name)) continue;
+      best = &alternative;
+      best_habit = h;
+      best_cost = cost;
+      best_name = std::move(name);
+    }
+  }
+  if (best == nullptr) return std::nullopt;
+  tried.insert(best_name);
+  return Choice{*best, kHabits[best_habit]};
+}
+
+/// Brings all the literals about so that they hold together; gives the one that failed.
+std::optional<Literal> bring_about(Attempt& attempt, Methods& methods, const std::vector<Literal>& literals,
+                                   const Habits& habits) {
+  std::map<Literal, int> tries;
+  while (const auto literal = next_literal(attempt, literals, habits)) {
+    if (++tries[*literal] > kTriesPerLiteral) return literal;
+    if (!methods.achieve(*literal)) return literal;
+  }
+  return std::nullopt;
+}
+
+/// Moments in order, then the end. Gives the literal that failed.
+std::optional<Literal> carry_out(Attempt& attempt, Methods& methods, const Habits& habits) {
+  const Alternative& alternative = attempt.alternative();
+  for (const std::size_t moment : order_of_moments(alternative, habits)) {
+    if (attempt.has_come(moment)) continue;
+    if (const auto failed = bring_about(attempt, methods, alternative.moments[moment].literals, habits)) return failed;
+  }
+  return bring_about(attempt, methods, alternative.end, habits);
+}
+
+void learn(Experience& experience, const Situation& situation, const Attempt& attempt, const Literal& failed) {
+  experience.literals.emplace_back(failed, kFailedLiteral);
+  if (situation.is_imagined(failed.subject)) {
+    experience.things.emplace_back(situation.slice(failed.subject).whole, kFailedThing);
+  }
+  if (!attempt.trouble()) return;
+  for (const std::string& id : attempt.trouble()->action.args) {
+    for (EntityIndex entity = 0; entity < situation.first_imagined; ++entity) {
+      if (situation.entity(entity).id == id) experience.things.emplace_back(entity, kFailedThing);
+    }
+  }
+}
+
+std::string missing_after(const Formula& goal, const Scene& start, const Demonstration& demonstration) {
+  Monitor monitor(goal);
+  FactReader reader(mentions(goal, Predicate::Nearest));
+  Scene scene = start;
+  Facts facts = reader.read(scene);
+  monitor.observe(reader.entities(), facts);
+  for (const DemonstrationStep& step : demonstration.steps) {
+    scene = apply(std::move(scene), step.changes);
+    facts = reader.read(scene);
+    monitor.observe(reader.entities(), facts);
+  }
+  return monitor.missing();
+}
+
+std::vector<Delta> changes_of(const Demonstration& demonstration) {
+  std::vector<Delta> changes;
+  for (const DemonstrationStep& step : demonstration.steps) changes.push_back(step.changes);
+  return changes;
+}
+
+}  // namespace
+
+std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                                                   const Profile& profile, const ExpertOptions& options) {
+  const auto world = World::create(start, knowledge, profile);
+  if (!world) return Rejection{"expert", "no-plan", format(world.error())};
+  const Situation situation = look_around(*world, start, goal, knowledge, profile);
+  Experience experience;
+  std::set<std::string> tried;
+  Rejection last{"expert", "no-plan", "no way to meet the goal with what the scene has: " + to_text(goal)};
+  for (int plan = 0; plan < options.max_plans; ++plan) {
+    const auto choice = next_choice(read_goal(goal, situation, experience), situation, tried);
+    if (!choice) break;
+    Attempt attempt(*world, situation, choice->alternative, options);
+    Methods methods(attempt, categories_of(goal));
+    const auto failed = carry_out(attempt, methods, choice->habits);
+    if (failed) {
+      learn(experience, situation, attempt, *failed);
+      const std::string aim = to_text(*failed, situation);
+      if (attempt.trouble()) {
+        last = {"expert", attempt.trouble()->reason, "for " + aim + ": " + attempt.trouble()->text};
+      } else {
+        last = {"expert", "action-failed", "no way to " + aim};
+      }
+      continue;
+    }
+    std::vector<Action> actions = attempt.actions();
+    actions.push_back(Action{ActionType::Stop, {}});
+    std::vector<Delta> changes;
+    World trial = *world;
+    perform(trial, actions, changes);
+    if (goal_holds(goal, start, changes)) {
+      // Only an attempt that had to change its mind leaves detours longer than a step.
+      actions = without_needless(goal, start, *world, std::move(actions), attempt.failures() == 0 ? 1 : 6);
+    }
+    Demonstration demonstration = record(*world, actions);
+    if (goal_holds(goal, start, changes_of(demonstration))) return demonstration;
+    last = {"expert", "goal-not-met", missing_after(goal, start, demonstration)};
+    for (const Literal& literal : choice->alternative.end) experience.literals.emplace_back(literal, 1.0);
+  }
+  return last;
+}
+
+}  // namespace unietp

@@ -1,0 +1,272 @@
+#include "expert/methods.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "expert/ways.h"
+
+namespace unietp {
+namespace {
+
+constexpr std::size_t kMostTools = 4;  // tools tried for one change
+constexpr std::size_t kMostSpots = 5;  // places tried for putting something aside
+
+}  // namespace
+
+const Node* Methods::find(const std::string& id) const { return find_node(attempt_.scene(), id); }
+
+bool Methods::is(const std::string& id, Predicate state) const {
+  const Node* node = find(id);
+  return node != nullptr && node->states.has(state);
+}
+
+bool Methods::achieve(const Literal& literal) {
+  if (attempt_.holds(literal)) return true;
+  const std::string id = attempt_.id_of(literal.subject);
+  if (id.empty()) return false;
+  bool done = false;
+  if (literal.predicate == Predicate::Held) {
+    done = literal.positive ? hold(id) : put_aside(id);
+  } else if (is_placement(literal.predicate)) {
+    done = literal.positive ? place(literal) : take_away(literal);
+  } else {
+    done = literal.positive && change_state(literal);
+  }
+  return done && attempt_.holds(literal);
+}
+
+bool Methods::change_state(const Literal& literal) {
+  const std::string id = attempt_.id_of(literal.subject);
+  for (const StateWay& way : ways_to(literal.predicate, *attempt_.situation().profile)) {
+    bool done = false;
+    switch (way.way) {
+      case Way::Direct:
+        done = device(way.action, id);
+        break;
+      case Way::ToolOnHeld:
+        done = with_tool_on_held(literal, way.action, way.needs);
+        break;
+      case Way::HeldToolOn:
+        done = with_held_tool(literal, way.action, way.needs);
+        break;
+      case Way::Appliance:
+        done = in_appliance(literal, way.needs);
+        break;
+    }
+    if (done && attempt_.holds(literal)) return true;
+  }
+  return false;
+}
+
+std::vector<std::string> Methods::nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const {
+  std::vector<std::tuple<bool, double, std::string>> found;
+  for (const Node& node : attempt_.scene().nodes) {
+    const bool fits =
+        std::any_of(rules.begin(), rules.end(), [&node](const Effect* rule) { return rule->tool == node.category; });
+    if (!fits || node.id == except) continue;
+    const bool held = attempt_.is_held(node.id);
+    found.emplace_back(!held, held ? 0.0 : attempt_.world().walking_distance(node.id), node.id);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> ids;
+  for (const auto& entry : found) {
+    if (ids.size() < kMostTools) ids.push_back(std::get<2>(entry));
+  }
+  return ids;
+}
+
+bool Methods::with_held_tool(const Literal& literal, ActionType action, std::string_view effect) {
+  const std::string id = attempt_.id_of(literal.subject);
+  const StateWay way{literal.predicate, Way::HeldToolOn, action, effect};
+  const Node* node = find(id);
+  const auto rules = node == nullptr ? std::vector<const Effect*>()
+                                     : rules_for(way, node->category, literal.symbol, attempt_.scene(),
+                                                 *attempt_.situation().knowledge);
+  if (rules.empty()) return false;
+  if (attempt_.is_held(id) && !put_aside(id)) return false;
+  for (const std::string& tool : nearest_of(rules, id)) {
+    if (!hold(tool)) continue;
+    if (do_at(action, id)) return true;
+    if (attempt_.exhausted()) return false;
+    // Not where it lies now: bring it into the open and come back with the tool.
+    if (find(id) != nullptr && find(id)->movable && hold(id) && put_aside(id) && hold(tool) && do_at(action, id)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::string_view effect) {
+  const std::string id = attempt_.id_of(literal.subject);
+  const StateWay way{literal.predicate, Way::ToolOnHeld, action, effect};
+  const Node* node = find(id);
+  if (node == nullptr) return false;
+  const auto rules = rules_for(way, node->category, literal.symbol, attempt_.scene(), *attempt_.situation().knowledge);
+  if (rules.empty() || !hold(id)) return false;
+  for (const std::string& tool : nearest_of(rules, id)) {
+    if (do_at(action, tool)) return true;
+    const auto& trouble = attempt_.trouble();
+    if (!trouble || attempt_.exhausted()) return false;
+    const bool wants_closed = trouble->failure == Failure::MustBeClosed && is(tool, Predicate::Open);
+    const bool wants_open = trouble->failure == Failure::ReceptacleClosed && is(tool, Predicate::Closed);
+    if (wants_closed && device(ActionType::Close, tool) && do_at(action, tool)) return true;
+    if (wants_open && device(ActionType::Open, tool) && do_at(action, tool)) return true;
+  }
+  return false;
+}
+
+/// Into the appliance, door shut, power on; it stays there.
+bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
+  const std::string id = attempt_.id_of(literal.subject);
+  const Node* node = find(id);
+  if (node == nullptr || !node->movable) return false;
+  for (const Effect* rule : attempt_.situation().knowledge->effects_on(node->category, effect)) {
+    const bool on_top = std::find(rule->needs.begin(), rule->needs.end(), "on") != rule->needs.end();
+    for (const std::string& tool : nearest_of({rule}, id)) {
+      const Predicate relation = on_top ? Predicate::On : Predicate::Inside;
+      const bool there = has_edge(attempt_.scene(), relation, id, tool);
+      if (!there && !put(id, on_top ? ActionType::PlaceOn : ActionType::PlaceIn, tool)) continue;
+      if (is(tool, Predicate::PowerOn) && !device(ActionType::TurnOff, tool)) continue;
+      if (device(ActionType::TurnOn, tool) && attempt_.holds(literal)) return true;
+      if (attempt_.exhausted()) return false;
+    }
+  }
+  return false;
+}
+
+bool Methods::place(const Literal& literal) {
+  const std::string id = attempt_.id_of(literal.subject), target = attempt_.id_of(literal.object);
+  if (target.empty()) return false;
+  switch (literal.predicate) {
+    case Predicate::On:
+      return put(id, ActionType::PlaceOn, target);
+    case Predicate::Inside:
+      return put(id, ActionType::PlaceIn, target);
+    case Predicate::OnFloor:
+      return hold(id) && attempt_.act(ActionType::GoTo, target) && attempt_.act(ActionType::Drop);
+    case Predicate::InRoom:
+      return id == "agent" ? attempt_.act(ActionType::GoTo, target) : place_in_room(id, target);
+    case Predicate::NextTo:
+      for (const Edge& edge : attempt_.scene().edges) {
+        if (edge.relation == Predicate::On && edge.from == target) {
+          const std::string support = edge.to;
+          return put(id, ActionType::PlaceOn, support);
+        }
+      }
+      return false;
+    default:
+      return false;
+  }
+}
+
+bool Methods::place_in_room(const std::string& id, const std::string& room) {
+  if (!hold(id)) return false;
+  std::size_t tried = 0;
+  const Scene scene = attempt_.scene();
+  for (const Node& spot : scene.nodes) {
+    if (!has_edge(scene, Predicate::InRoom, spot.id, room) || spot.movable) continue;
+    if (attempt_.situation().knowledge->placement(find(id)->category, "on", spot.category) == nullptr) continue;
+    if (put(id, ActionType::PlaceOn, spot.id)) return true;
+    if (attempt_.exhausted() || ++tried == kMostSpots) break;
+  }
+  return attempt_.act(ActionType::GoTo, room) && attempt_.act(ActionType::Drop);
+}
+
+/// In the hand a thing is on and in nothing; only a room needs it carried out.
+bool Methods::take_away(const Literal& literal) {
+  const std::string id = attempt_.id_of(literal.subject);
+  if (literal.predicate != Predicate::InRoom) return hold(id);
+  for (const Room& room : attempt_.scene().rooms) {
+    if (room.id != attempt_.id_of(literal.object)) return place_in_room(id, room.id);
+  }
+  return false;
+}
+
+bool Methods::hold(const std::string& id) {
+  if (attempt_.is_held(id)) return true;
+  return free_hand(id) && do_at(ActionType::PickUp, id);
+}
+
+bool Methods::free_hand(const std::string& wanted) {
+  const auto hands = static_cast<std::size_t>(attempt_.situation().profile->hands);
+  while (attempt_.scene().agent.held.size() >= hands) {
+    const std::string held = attempt_.scene().agent.held.front();
+    if (held == wanted) return true;
+    if (!put_aside(held)) return false;
+  }
+  return true;
+}
+
+bool Methods::put_aside(const std::string& id) {
+  if (!attempt_.is_held(id)) return true;
+  const auto relevant = [this](const Node& node) {
+    return std::find(relevant_.begin(), relevant_.end(), node.category) != relevant_.end();
+  };
+  const Knowledge& knowledge = *attempt_.situation().knowledge;
+  const Node* thing = find(id);
+  std::vector<std::tuple<bool, bool, bool, double, std::string>> spots;
+  for (const Node& node : attempt_.scene().nodes) {
+    if (node.movable || node.id == id || !attempt_.world().closed_around(node.id).empty()) continue;
+    const bool usual = thing != nullptr && knowledge.placement(thing->category, "on", node.category) != nullptr;
+    if (!usual && !knowledge.has(node.category, "receptacle")) continue;
+    const double walk = attempt_.world().walking_distance(node.id);
+    if (walk >= Situation::kFar_m) continue;
+    spots.emplace_back(relevant(node), !usual, !attempt_.world().in_reach(node.id), walk, node.id);
+  }
+  std::sort(spots.begin(), spots.end());
+  if (spots.size() > kMostSpots) spots.resize(kMostSpots);
+  for (const auto& spot : spots) {
+    if (do_at(ActionType::PlaceOn, std::get<4>(spot))) return true;
+    if (attempt_.exhausted()) return false;
+  }
+  return offers(info(ActionType::Drop), attempt_.situation().profile->simulator) && attempt_.act(ActionType::Drop);
+}
+
+bool Methods::put(const std::string& id, ActionType action, const std::string& target) {
+  if (attempt_.is_held(target) && !put_aside(target)) return false;
+  if (!hold(id)) return false;
+  const bool shut = action == ActionType::PlaceIn && is(target, Predicate::Closed);
+  if (shut && !device(ActionType::Open, target)) {
+    const auto& trouble = attempt_.trouble();
+    if (!trouble || trouble->failure != Failure::HandsFull || attempt_.exhausted()) return false;
+    if (!put_aside(id) || !device(ActionType::Open, target) || !hold(id)) return false;
+  }
+  return do_at(action, target);
+}
+
+bool Methods::open_around(const std::string& id) {
+  for (std::string container = attempt_.world().closed_around(id); !container.empty();
+       container = attempt_.world().closed_around(id)) {
+    if (!device(ActionType::Open, container)) return false;
+  }
+  return true;
+}
+
+bool Methods::reach(const std::string& id) {
+  return attempt_.world().in_reach(id) || attempt_.act(ActionType::GoTo, id);
+}
+
+/// Opening, closing and switching, with what they need first: no power while opening, shut while running.
+bool Methods::device(ActionType action, const std::string& id) {
+  const Profile& profile = *attempt_.situation().profile;
+  const bool power_first = action == ActionType::Open && profile.open_needs_power_off && is(id, Predicate::PowerOn);
+  if (power_first && !do_at(ActionType::TurnOff, id)) return false;
+  const bool shut_first = action == ActionType::TurnOn && profile.power_needs_closed && is(id, Predicate::Open);
+  if (shut_first && !do_at(ActionType::Close, id)) return false;
+  return do_at(action, id);
+}
+
+/// The action where the object can be reached and seen; walks only when it has to.
+bool Methods::do_at(ActionType action, const std::string& id) {
+  if (!open_around(id)) return false;
+  if (attempt_.world().in_reach(id)) {
+    if (attempt_.act(action, id)) return true;
+    const auto& trouble = attempt_.trouble();
+    const bool too_far = trouble && (trouble->failure == Failure::TooFar || trouble->failure == Failure::NotVisible ||
+                                     trouble->failure == Failure::Blocked);
+    if (!too_far || attempt_.exhausted()) return false;
+  }
+  return attempt_.act(ActionType::GoTo, id) && attempt_.act(action, id);
+}
+
+}  // namespace unietp

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "expert/attempt.h"
+#include "logic/formula.h"
+
+namespace unietp {
+
+/// Brings literals about by actions in an attempt: reaching, opening what is in the way, freeing a hand, choosing tools
+/// and places, each with the next best option when one fails.
+class Methods {
+ public:
+  /// `relevant`: categories that the goal speaks of; things are put aside elsewhere if possible.
+  Methods(Attempt& attempt, std::vector<std::string> relevant) : attempt_(attempt), relevant_(std::move(relevant)) {}
+
+  /// True when the literal holds afterwards.
+  bool achieve(const Literal& literal);
+
+ private:
+  bool change_state(const Literal& literal);
+  bool with_held_tool(const Literal& literal, ActionType action, std::string_view effect);
+  bool with_tool_on_held(const Literal& literal, ActionType action, std::string_view effect);
+  bool in_appliance(const Literal& literal, std::string_view effect);
+  bool place(const Literal& literal);
+  bool place_in_room(const std::string& id, const std::string& room);
+  bool take_away(const Literal& literal);
+
+  bool hold(const std::string& id);
+  bool free_hand(const std::string& wanted);
+  bool put_aside(const std::string& id);
+  bool put(const std::string& id, ActionType action, const std::string& target);
+  bool reach(const std::string& id);
+  bool open_around(const std::string& id);
+  bool device(ActionType action, const std::string& id);
+  bool do_at(ActionType action, const std::string& id);
+  bool is(const std::string& id, Predicate state) const;
+  const Node* find(const std::string& id) const;
+  std::vector<std::string> nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const;
+
+  Attempt& attempt_;
+  std::vector<std::string> relevant_;
+};
+
+}  // namespace unietp

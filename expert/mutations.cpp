@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <iterator>
+
+#include "expert/execution.h"
+#include "expert/expert.h"
+#include "expert/situation.h"
+#include "logic/evaluate.h"
+
+namespace unietp {
+namespace {
+
+bool manipulates(const Action& action) {
+  const ActionClass group = info(action.type).group;
+  return group == ActionClass::Manipulation || group == ActionClass::Composite;
+}
+
+/// From walking up to something to the hands being as they were: the parts whose order a goal may fix.
+struct Block {
+  std::size_t begin = 0, end = 0;
+};
+
+std::vector<Block> blocks_of(const std::vector<Action>& actions) {
+  std::vector<Block> blocks;
+  std::size_t begin = 0;
+  int in_hand = 0;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const ActionType type = actions[i].type;
+    if (type == ActionType::PickUp) ++in_hand;
+    if (type == ActionType::PlaceOn || type == ActionType::PlaceIn || type == ActionType::Drop) --in_hand;
+    const bool changes_state = manipulates(actions[i]) && type != ActionType::PickUp;
+    if (in_hand <= 0 ? changes_state : info(type).group == ActionClass::Composite || type == ActionType::Slice) {
+      blocks.push_back({begin, i + 1});
+      begin = i + 1;
+    }
+  }
+  return blocks;
+}
+
+class Mutator {
+ public:
+  Mutator(const Formula& goal, const Scene& start, const World& world) : goal_(goal), start_(start), world_(world) {}
+
+  bool survives(const std::vector<Action>& actions) const {
+    World world = world_;
+    std::vector<Delta> changes;
+    perform(world, actions, changes);
+    return goal_holds(goal_, start_, changes);
+  }
+
+  void drop_each(const std::vector<Action>& actions, std::vector<std::string>& surviving) const {
+    for (std::size_t i = 0; i < actions.size(); ++i) {
+      if (actions[i].type == ActionType::Stop) continue;
+      std::vector<Action> mutant = actions;
+      mutant.erase(mutant.begin() + static_cast<std::ptrdiff_t>(i));
+      if (survives(mutant)) surviving.push_back("without step " + std::to_string(i + 1) + ": " + to_text(actions[i]));
+    }
+  }
+
+  /// Only some orders need matter (two mugs before a plate: the mugs may swap), but not none.
+  void swap_neighbours(const std::vector<Action>& actions, std::vector<std::string>& surviving) const {
+    if (!mentions(goal_, {Formula::Op::Before, Formula::Op::Until})) return;
+    const std::vector<Block> blocks = blocks_of(actions);
+    std::vector<std::string> swapped;
+    for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
+      std::vector<Action> mutant = actions;
+      const auto at = [&mutant](std::size_t i) { return mutant.begin() + static_cast<std::ptrdiff_t>(i); };
+      std::rotate(at(blocks[b].begin), at(blocks[b].end), at(blocks[b + 1].end));
+      if (!survives(mutant)) return;
+      swapped.push_back("with " + to_text(actions[blocks[b].end - 1]) + " after " +
+                        to_text(actions[blocks[b + 1].end - 1]));
+    }
+    surviving.insert(surviving.end(), swapped.begin(), swapped.end());
+  }
+
+  /// Each referent of a referring domain replaced by each object of its category that the domain excludes.
+  void use_distractors(const Formula& formula, const Trace& trace, const std::vector<Action>& actions,
+                       std::vector<std::string>& surviving) const {
+    for (const Formula& child : formula.children) use_distractors(child, trace, actions, surviving);
+    if (formula.domain.where.empty()) return;
+    auto outer = free_variables(formula.domain.where.front());
+    std::erase(outer, formula.variable);
+    if (!outer.empty()) return;
+    const auto referents = members_of(formula.domain, formula.variable, trace);
+    Domain whole = formula.domain;
+    whole.where.clear();
+    for (const EntityIndex other : members_of(whole, formula.variable, trace)) {
+      if (std::find(referents.begin(), referents.end(), other) != referents.end()) continue;
+      for (const EntityIndex referent : referents) {
+        replace(trace.entities[referent].id, trace.entities[other].id, actions, surviving);
+      }
+    }
+  }
+
+ private:
+  void replace(const std::string& from, const std::string& to, const std::vector<Action>& actions,
+               std::vector<std::string>& surviving) const {
+    std::vector<Action> mutant = actions;
+    bool used = false;
+    for (Action& action : mutant) {
+      for (std::string& argument : action.args) {
+        if (argument != from) continue;
+        argument = to;
+        used = used || manipulates(action);
+      }
+    }
+    if (used && survives(mutant)) surviving.push_back("with " + to + " instead of " + from);
+  }
+
+  const Formula& goal_;
+  const Scene& start_;
+  const World& world_;
+};
+
+}  // namespace
+
+std::vector<std::string> needless_steps(const Formula& goal, const Scene& start, const Demonstration& demonstration,
+                                        const Knowledge& knowledge, const Profile& profile) {
+  const auto world = World::create(start, knowledge, profile);
+  if (!world) return {"the start cannot be replayed: " + format(world.error())};
+  std::vector<Action> actions;
+  for (const DemonstrationStep& step : demonstration.steps) actions.push_back(step.action);
+  const Mutator mutator(goal, start, *world);
+  std::vector<std::string> surviving;
+  mutator.drop_each(actions, surviving);
+  mutator.swap_neighbours(actions, surviving);
+  mutator.use_distractors(goal, to_logic(start, {}, mentions(goal, Predicate::Nearest)), actions, surviving);
+  return surviving;
+}
+
+}  // namespace unietp

@@ -1,0 +1,154 @@
+#include "expert/ordering.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "expert/ways.h"
+
+namespace unietp {
+namespace {
+
+enum Stage { kBeforeCutting, kCutting, kClearing, kMoving, kFixedDevices, kHolding, kClosing, kSwitchingOn, kWalking };
+
+class Ranker {
+ public:
+  Ranker(const Attempt& attempt, std::vector<Literal> open, const Habits& habits)
+      : attempt_(attempt), open_(std::move(open)), habits_(habits) {}
+
+  auto key(const Literal& literal) const {
+    const Node* node = attempt_.node(literal.subject);
+    double metres = node == nullptr || attempt_.is_held(node->id) ? 0 : attempt_.world().walking_distance(node->id);
+    if (habits_.far_first) metres = -metres;
+    return std::tuple(stage(literal), depth(literal), metres, literal.subject, place_in_group(literal), literal);
+  }
+
+ private:
+  bool movable(EntityIndex entity) const {
+    const Node* node = attempt_.situation().nodes[entity];
+    return node != nullptr && node->movable;
+  }
+
+  template <class Test>
+  bool any_of_subject(EntityIndex subject, const Test& test) const {
+    return std::any_of(open_.begin(), open_.end(),
+                       [&](const Literal& other) { return other.subject == subject && test(other); });
+  }
+
+  Stage stage(const Literal& literal) const {
+    if (literal.predicate == Predicate::Sliced) return kCutting;
+    if (!movable(literal.subject)) {
+      switch (literal.predicate) {
+        case Predicate::InRoom:
+          return kWalking;
+        case Predicate::Closed:
+          return kClosing;
+        case Predicate::PowerOn:
+          return kSwitchingOn;
+        default:
+          return kFixedDevices;
+      }
+    }
+    const auto is_sliced = [](const Literal& other) { return other.predicate == Predicate::Sliced; };
+    const auto is_held = [](const Literal& other) { return other.predicate == Predicate::Held && other.positive; };
+    if (changes_in_hand(literal.predicate)) {
+      if (any_of_subject(literal.subject, is_sliced)) return kBeforeCutting;
+      if (depth(literal) > 0) return kClearing;  // wash the plate before something lies on it
+    }
+    if (any_of_subject(literal.subject, is_held)) return kHolding;
+    const bool only_clearing = !any_of_subject(literal.subject, [](const Literal& other) { return other.positive; });
+    return only_clearing ? kClearing : kMoving;
+  }
+
+  /// How many layers of things still have to be put into or on the literal's subject.
+  int depth(const Literal& literal) const { return depth(literal.subject, 0); }
+  int depth(EntityIndex carrier, int above) const {
+    int deepest = 0;
+    if (above > 4) return deepest;
+    for (const Literal& other : open_) {
+      if (other.object == carrier && other.positive && is_placement(other.predicate)) {
+        deepest = std::max(deepest, 1 + depth(other.subject, above + 1));
+      }
+    }
+    return deepest;
+  }
+
+  int place_in_group(const Literal& literal) const {
+    const bool device =
+        !changes_in_hand(literal.predicate) && !is_placement(literal.predicate) && literal.predicate != Predicate::Held;
+    if (device) {
+      const bool waits = literal.predicate == Predicate::Open || literal.predicate == Predicate::PowerOn;
+      const bool then_out_of_reach = any_of_subject(literal.subject, [](const Literal& other) {
+        return other.predicate == Predicate::Inside || other.predicate == Predicate::Held;
+      });
+      return waits && !then_out_of_reach && !habits_.switch_before_placing ? 20 : 0;
+    }
+    switch (literal.predicate) {
+      case Predicate::Empty:
+        return 2;
+      case Predicate::Clean:
+        return 1;
+      case Predicate::Soaked:
+      case Predicate::Filled:
+        return 3;
+      case Predicate::Cooked:
+      case Predicate::Burnt:
+        return 4;
+      case Predicate::Held:
+        return 12;
+      default:
+        return is_placement(literal.predicate) ? 10 : 5;
+    }
+  }
+
+  const Attempt& attempt_;
+  std::vector<Literal> open_;
+  Habits habits_;
+};
+
+/// The thing to cut for a literal about a slice that does not exist yet.
+std::optional<Literal> cut_for(const Attempt& attempt, const Literal& literal) {
+  for (const EntityIndex entity : {literal.subject, literal.object}) {
+    if (entity == kNobody || !attempt.situation().is_imagined(entity) || !attempt.id_of(entity).empty()) continue;
+    Literal cut;
+    cut.predicate = Predicate::Sliced;
+    cut.subject = attempt.situation().slice(entity).whole;
+    return cut;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Literal> next_literal(const Attempt& attempt, const std::vector<Literal>& literals,
+                                    const Habits& habits) {
+  std::vector<Literal> open;
+  for (const Literal& literal : literals) {
+    if (attempt.holds(literal)) continue;
+    open.push_back(cut_for(attempt, literal).value_or(literal));
+  }
+  if (open.empty()) return std::nullopt;
+  const Ranker ranker(attempt, open, habits);
+  return *std::min_element(open.begin(), open.end(),
+                           [&ranker](const Literal& a, const Literal& b) { return ranker.key(a) < ranker.key(b); });
+}
+
+std::vector<std::size_t> order_of_moments(const Alternative& alternative, const Habits& habits) {
+  std::vector<std::size_t> order;
+  const std::size_t n = alternative.moments.size();
+  std::vector<bool> done(n, false);
+  for (std::size_t round = 0; round < n; ++round) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t m = habits.far_first ? n - 1 - i : i;
+      const auto& after = alternative.moments[m].after;
+      if (done[m] || !std::all_of(after.begin(), after.end(), [&](std::size_t earlier) { return done[earlier]; })) {
+        continue;
+      }
+      done[m] = true;
+      order.push_back(m);
+      break;
+    }
+  }
+  return order;
+}
+
+}  // namespace unietp

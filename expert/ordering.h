@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "expert/attempt.h"
+
+namespace unietp {
+
+/// Habits that decide among orders; further ones are tried when the usual ones fail.
+struct Habits {
+  bool far_first = false;              // else the nearest object first
+  bool switch_before_placing = false;  // open or switch on a movable thing before it is put down, not after
+};
+
+/// Which of the literals that do not hold yet to bring about next; nullopt when all hold. Cutting comes first, then
+/// clearing away, then one movable object after the other (states in hand, then its place; contents before what carries
+/// them), then fixed doors and switches, then what is to stay in hand, closing and switching on last. Distances decide
+/// between equals.
+std::optional<Literal> next_literal(const Attempt& attempt, const std::vector<Literal>& literals, const Habits& habits);
+
+/// An order of an alternative's moments that respects their arrows.
+std::vector<std::size_t> order_of_moments(const Alternative& alternative, const Habits& habits);
+
+}  // namespace unietp

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "logic/formula.h"
+#include "logic/trace.h"
+#include "simulation/world.h"
+
+namespace unietp {
+
+inline constexpr EntityIndex kNobody = std::numeric_limits<EntityIndex>::max();
+
+/// A slice that does not exist yet: the `ordinal`-th (from 0) that cutting `whole` would make.
+struct ImaginedSlice {
+  EntityIndex whole = kNobody;
+  int ordinal = 0;
+};
+
+/// The start of an episode as the planner sees it. Entities are those of the start in the order of FactReader, so their
+/// indices stay valid in every trace that begins there; after them come the slices that could be cut, which are told
+/// apart by index and looked up by (whole, ordinal) once they exist.
+struct Situation {
+  const Scene* start = nullptr;
+  const Knowledge* knowledge = nullptr;
+  const Profile* profile = nullptr;
+  Trace trace;  // the start, then an imagined state in which all slices exist too
+  EntityIndex first_imagined = 0;
+  std::vector<ImaginedSlice> imagined;
+  std::vector<const Node*> nodes;    // by entity; of an imagined slice its whole's; nullptr for rooms and the agent
+  std::vector<double> walk_m;        // by entity, from where the agent stands; capped at kFar_m
+  std::vector<EntityIndex> shut_in;  // by entity: the closed container around it, or kNobody
+  static constexpr double kFar_m = 100;
+
+  const Facts& facts() const { return trace.states.front(); }
+  const Entity& entity(EntityIndex index) const { return trace.entities[index]; }
+  bool is_imagined(EntityIndex index) const { return index != kNobody && index >= first_imagined; }
+  const ImaginedSlice& slice(EntityIndex index) const { return imagined[index - first_imagined]; }
+};
+
+/// `start`, the knowledge and the profile must outlive the situation.
+Situation look_around(const World& world, const Scene& start, const Formula& goal, const Knowledge& knowledge,
+                      const Profile& profile);
+
+/// True when the formula, or the condition of one of its domains, reads the predicate.
+bool mentions(const Formula& formula, Predicate predicate);
+/// True when the formula has one of the operators, at any depth.
+bool mentions(const Formula& formula, std::initializer_list<Formula::Op> operators);
+
+}  // namespace unietp

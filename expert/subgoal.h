@@ -1,0 +1,63 @@
+#pragma once
+
+#include <compare>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "expert/situation.h"
+#include "logic/evaluate.h"
+
+namespace unietp {
+
+/// One truth to bring about or, with `positive` false, to take away.
+struct Literal {
+  Predicate predicate = Predicate::Open;
+  EntityIndex subject = kNobody, object = kNobody;
+  std::string symbol;
+  bool positive = true;
+  auto operator<=>(const Literal&) const = default;
+};
+std::string to_text(const Literal& literal, const Situation& situation);
+
+/// Truths that have to hold together at one position of the trace.
+struct Moment {
+  std::vector<Literal> literals;   // sorted
+  std::vector<std::size_t> after;  // moments that must have come earlier
+};
+
+/// A state formula that must hold at every position up to a moment (with the moment's own position when `inclusive`),
+/// or always.
+struct Keep {
+  static constexpr std::size_t kAlways = static_cast<std::size_t>(-1);
+  Formula formula;
+  Assignment assignment;
+  std::size_t until = kAlways;
+  bool inclusive = false;
+};
+
+/// One way to meet a goal: every choice of witness, branch and number is made; only the order is open. Truths that hold
+/// at the start are listed too, since they must still hold at the end.
+struct Alternative {
+  std::vector<Literal> end;  // sorted
+  std::vector<Moment> moments;
+  std::vector<Keep> keeps;
+  double cost = 0;  // estimated actions, plus a little for the way
+};
+std::string to_text(const Alternative& alternative, const Situation& situation);
+
+/// What failed attempts taught: a surcharge on truths and on things, in actions.
+struct Experience {
+  std::vector<std::pair<Literal, double>> literals;
+  std::vector<std::pair<EntityIndex, double>> things;
+  double surcharge(const Literal& literal) const;
+  double surcharge(EntityIndex thing) const;
+};
+
+bool holds_in(const Literal& literal, const Facts& facts);
+/// Can never hold together: opposite truths, two states of one group, one thing in two places, more held than hands.
+bool clash(const Literal& a, const Literal& b, const Situation& situation);
+/// Estimated actions for an alternative; shared trips, doors and cuts are counted once.
+double estimate(const Alternative& alternative, const Situation& situation, const Experience& experience);
+
+}  // namespace unietp

@@ -1,0 +1,101 @@
+#include "expert/ways.h"
+
+#include <algorithm>
+#include <array>
+
+namespace unietp {
+namespace {
+
+constexpr std::array kWays{
+    StateWay{Predicate::Open, Way::Direct, ActionType::Open, "openable"},
+    StateWay{Predicate::Closed, Way::Direct, ActionType::Close, "openable"},
+    StateWay{Predicate::PowerOn, Way::Direct, ActionType::TurnOn, "switchable"},
+    StateWay{Predicate::PowerOff, Way::Direct, ActionType::TurnOff, "switchable"},
+    StateWay{Predicate::UsedUp, Way::Direct, ActionType::UseUp, "consumable"},
+    StateWay{Predicate::Clean, Way::ToolOnHeld, ActionType::WashWith, "washes"},
+    StateWay{Predicate::Hot, Way::ToolOnHeld, ActionType::HeatWith, "heats"},
+    StateWay{Predicate::Cool, Way::ToolOnHeld, ActionType::CoolWith, "cools"},
+    StateWay{Predicate::Frozen, Way::ToolOnHeld, ActionType::CoolWith, "freezes"},
+    StateWay{Predicate::Cooked, Way::ToolOnHeld, ActionType::CookWith, "cooks"},
+    StateWay{Predicate::Burnt, Way::ToolOnHeld, ActionType::BurnWith, "burns"},
+    StateWay{Predicate::Filled, Way::ToolOnHeld, ActionType::FillWith, "fills"},
+    StateWay{Predicate::Soaked, Way::ToolOnHeld, ActionType::SoakWith, "soaks"},
+    StateWay{Predicate::Empty, Way::ToolOnHeld, ActionType::PourTo, "drains"},
+    StateWay{Predicate::Sliced, Way::HeldToolOn, ActionType::Slice, "slices"},
+    StateWay{Predicate::Clean, Way::HeldToolOn, ActionType::Wipe, "wipes"},
+    StateWay{Predicate::Covered, Way::HeldToolOn, ActionType::SpreadTo, "dispenses"},
+    StateWay{Predicate::Hot, Way::Appliance, ActionType::TurnOn, "heats"},
+    StateWay{Predicate::Cooked, Way::Appliance, ActionType::TurnOn, "cooks"},
+};
+
+bool state_achievable(const Literal& literal, const Situation& situation) {
+  const Node* node = situation.nodes[literal.subject];
+  if (node == nullptr) return false;
+  const std::string& category = situation.entity(literal.subject).category;
+  for (const StateWay& way : ways_to(literal.predicate, *situation.profile)) {
+    if (way.way == Way::Direct) {
+      if (situation.knowledge->has(category, way.needs)) return true;
+      continue;
+    }
+    const bool in_hand = way.way == Way::ToolOnHeld || way.way == Way::Appliance;
+    if (in_hand && !node->movable) continue;
+    if (!rules_for(way, category, literal.symbol, *situation.start, *situation.knowledge).empty()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<StateWay> ways_to(Predicate predicate, const Profile& profile) {
+  std::vector<StateWay> ways;
+  for (const StateWay& way : kWays) {
+    if (way.predicate == predicate && offers(info(way.action), profile.simulator)) ways.push_back(way);
+  }
+  return ways;
+}
+
+std::vector<const Effect*> rules_for(const StateWay& way, std::string_view category, std::string_view symbol,
+                                     const Scene& scene, const Knowledge& knowledge) {
+  std::vector<const Effect*> rules;
+  for (const Effect* effect : knowledge.effects_on(category, way.needs)) {
+    if (!symbol.empty() && symbol != "any" && effect->gives != symbol) continue;
+    const bool present = std::any_of(scene.nodes.begin(), scene.nodes.end(),
+                                     [effect](const Node& node) { return node.category == effect->tool; });
+    if (present) rules.push_back(effect);
+  }
+  return rules;
+}
+
+bool is_placement(Predicate predicate) {
+  switch (predicate) {
+    case Predicate::On:
+    case Predicate::Inside:
+    case Predicate::OnFloor:
+    case Predicate::InRoom:
+    case Predicate::NextTo:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool changes_in_hand(Predicate predicate) {
+  return std::any_of(kWays.begin(), kWays.end(), [predicate](const StateWay& way) {
+    return way.predicate == predicate && way.way == Way::ToolOnHeld;
+  });
+}
+
+bool achievable(const Literal& literal, const Situation& situation) {
+  if (literal.subject == literal.object) return false;
+  const Node* node = situation.nodes[literal.subject];
+  if (literal.predicate == Predicate::InRoom && literal.positive &&
+      situation.entity(literal.subject).kind == Entity::Kind::Agent) {
+    return true;
+  }
+  if (is_placement(literal.predicate) || literal.predicate == Predicate::Held) {
+    return node != nullptr && (node->movable || situation.is_imagined(literal.subject));
+  }
+  return literal.positive && state_achievable(literal, situation);
+}
+
+}  // namespace unietp

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "expert/subgoal.h"
+#include "scene/action.h"
+
+namespace unietp {
+
+/// How an action brings a state about.
+enum class Way {
+  Direct,      // done to the object itself: open(x)
+  ToolOnHeld,  // done with a tool or place to the object in hand: wash_with(sink)
+  HeldToolOn,  // done to the object with a tool in hand: slice(x) with a knife
+  Appliance,   // the object is put into (or on) an appliance that is then switched on
+};
+
+struct StateWay {
+  Predicate predicate;
+  Way way;
+  ActionType action;
+  std::string_view needs;  // Direct: an affordance of the object; else the effect that the tool must have on it
+};
+
+/// The ways to a state that the simulator offers, best first.
+std::vector<StateWay> ways_to(Predicate predicate, const Profile& profile);
+
+/// Effects in the knowledge base by which a tool that the scene has does this to the category (and leaves this symbol).
+std::vector<const Effect*> rules_for(const StateWay& way, std::string_view category, std::string_view symbol,
+                                     const Scene& scene, const Knowledge& knowledge);
+
+bool is_placement(Predicate predicate);
+/// A state that changes while the object is in hand.
+bool changes_in_hand(Predicate predicate);
+/// False when nothing the agent can do makes the literal true.
+bool achievable(const Literal& literal, const Situation& situation);
+
+}  // namespace unietp
