@@ -1,6 +1,8 @@
 #include "scene/geometry.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -62,6 +64,21 @@ TEST(Geometry, APointOnASharedWallLiesInExactlyOneRoom) {
     const double t = i / 300.0;
     const Vec2 point(0.7 + 0.4 * t, 3 * t);
     EXPECT_NE(contains(west, point), contains(east, point)) << t;
+  }
+}
+
+TEST(Geometry, TilesOfAFloorShareNoPointAndLeaveNoneOut) {
+  const std::vector<Vec2> tiles[] = {
+      {{0, 0}, {4, 0}, {2, 2}}, {{4, 0}, {4, 4}, {2, 2}}, {{4, 4}, {0, 4}, {2, 2}}, {{0, 4}, {0, 0}, {2, 2}}};
+  for (double x = 0; x < 4; x += 0.25) {
+    for (double y = 0; y < 4; y += 0.25) {  // many rays run through corners and along edges
+      EXPECT_EQ(std::count_if(std::begin(tiles), std::end(tiles),
+                              [&](const std::vector<Vec2>& tile) {
+                                return contains(tile, {x, y});
+                              }),
+                1)
+          << x << " " << y;
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #include "scene/scene_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,5 +1,6 @@
 // Holds what the writers write, and what the readers accept, against data/schemas/. The checker knows the part of JSON
 // Schema that these schemas use and refuses a schema that uses more.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>

@@ -1,5 +1,6 @@
 #include "scene/trace.h"
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
