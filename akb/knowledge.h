@@ -1,9 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "core/result.h"
@@ -13,7 +13,8 @@
 
 namespace unietp {
 
-/// Where a fact comes from: `metadata:<file>`, `derived:<rule>`, `llm:<model>` or `curated`, and how sure it is, (0, 1].
+/// Where a fact comes from: `metadata:<file>`, `derived:<rule>`, `llm:<model>` or `curated`, and how sure it is, (0,
+/// 1].
 struct Source {
   std::string source;
   double confidence = 1;
@@ -21,18 +22,18 @@ struct Source {
 };
 
 struct Category {
-  std::string name;     // the simulator's own: "CoffeeMachine", "kitchencabinet", "coffee_table"
-  std::string display;  // "coffee machine"
-  std::string plural;   // "coffee machines"; equal to display for uncountable ones ("bread")
-  std::string synset;   // WordNet 3.0, "mug.n.04"; "" when none fits
+  std::string name;       // the simulator's own: "CoffeeMachine", "kitchencabinet", "coffee_table"
+  std::string display;    // "coffee machine"
+  std::string plural;     // "coffee machines"; equal to display for uncountable ones ("bread")
+  std::string synset;     // WordNet 3.0, "mug.n.04"; "" when none fits
   bool countable = true;  // false: "some bread", not "a bread"
   bool movable = false;
   Archetype archetype = Archetype::Box;
-  Vec3 size = Vec3::Zero();           // typical full extents, metres: width x, depth y, height z
-  double mass = 0;                    // kilograms
-  std::vector<std::string> rooms;     // usual room types, most usual first
+  Vec3 size = Vec3::Zero();                     // typical full extents, metres: width x, depth y, height z
+  double mass = 0;                              // kilograms
+  std::vector<std::string> rooms;               // usual room types, most usual first
   std::vector<std::string> colours, materials;  // what instances come in
-  Source source;                      // of the row as a whole
+  Source source;                                // of the row as a whole
   Source size_source, mass_source;
 };
 
@@ -46,11 +47,11 @@ struct Placement {
 
 /// What a tool or appliance does to what: `Microwave heats Potato; needs closed,power_on`.
 struct Effect {
-  std::string tool;                // category
-  std::string effect;              // heats cools freezes washes cooks burns slices fills soaks wipes dispenses drains
-  std::string target;              // category
-  std::string gives;               // slices: category of the pieces ("AppleSliced"); fills, dispenses: the substance; else ""
-  int amount = 0;                  // slices: how many pieces
+  std::string tool;    // category
+  std::string effect;  // heats cools freezes washes cooks burns slices fills soaks wipes dispenses drains
+  std::string target;  // category
+  std::string gives;   // slices: category of the pieces ("AppleSliced"); fills, dispenses: the substance; else ""
+  int amount = 0;      // slices: how many pieces
   std::vector<std::string> needs;  // of the tool or place: closed, power_on, held, inside, on, under_tap
   Source source;
 };
@@ -66,9 +67,10 @@ struct AffordanceFact {
   Source source;
 };
 
-/// The names of affordances that tables may use: pickupable, receptacle (things can be put on it), container (things can
-/// be put inside it), openable, switchable, sliceable, cookable, heatable, freezable, dirtyable, fillable, breakable,
-/// foldable, soakable, consumable, coverable, sittable, lieable, pluggable, burnable, heat_source, cold_source, drain.
+/// The names of affordances that tables may use: pickupable, receptacle (things can be put on it), container (things
+/// can be put inside it), openable, switchable, sliceable, cookable, heatable, freezable, dirtyable, fillable,
+/// breakable, foldable, soakable, consumable, coverable, sittable, lieable, pluggable, burnable, heat_source,
+/// cold_source, drain.
 const std::vector<std::string>& affordance_names();
 
 /// One simulator's affordance knowledge base, in memory. Immutable after loading; queries are in table order, which is
@@ -106,12 +108,16 @@ class Knowledge {
   std::vector<Placement> placements_;
   std::vector<Effect> effects_;
   std::vector<Alias> aliases_;
+  // Rows in another order than their table's own, so that every query is a binary search.
+  std::vector<std::uint32_t> by_affordance_;  // affordance, category
+  std::vector<std::uint32_t> by_receptacle_;  // receptacle, relation, object
+  std::vector<std::uint32_t> by_target_;      // target, effect, tool
 };
 
 /// Compiles `<tables>/<simulator>/{category,affordance,relation,effect,alias}.csv` of all four simulators into one
 /// SQLite file (written aside, then renamed) that carries the digest of its inputs.
-/// Errors: Schema with file, line and column: an unknown or missing column, a bad number, an unknown category, affordance,
-/// archetype or relation, a duplicate key, a missing or malformed source. All of them, not only the first.
+/// Errors: Schema with file, line and column: an unknown or missing column, a bad number, an unknown category,
+/// affordance, archetype or relation, a duplicate key, a missing or malformed source. All of them, not only the first.
 std::vector<Error> compile_knowledge(const std::filesystem::path& tables, const std::filesystem::path& database);
 
 /// SHA-256 over the names and bytes of all tables, in order.

@@ -1,0 +1,211 @@
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+#include "akb/import_common.h"
+#include "akb/importers.h"
+#include "akb/metadata_json.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::json;
+const std::string kTypes = "metadata:object_types.json", kScenes = "metadata:ithor_scenes.json.gz",
+                  kAssets = "metadata:procthor_asset_database.json.gz",
+                  kReceptacles = "metadata:procthor_receptacles.json", kAlfred = "metadata:alfred_constants.json";
+
+/// "breakable (Some)" -> "breakable" with less confidence.
+void afford(TableBuilder& builder, const std::string& type, const std::string& property) {
+  static const std::map<std::string, std::string> kNames{
+      {"pickupable", "pickupable"}, {"openable", "openable"},   {"toggleable", "switchable"},
+      {"sliceable", "sliceable"},   {"cookable", "cookable"},   {"dirtyable", "dirtyable"},
+      {"fillable", "fillable"},     {"breakable", "breakable"}, {"usedUp", "consumable"}};
+  const auto some = property.find(" (Some)");
+  const auto name = kNames.find(property.substr(0, some));
+  if (name != kNames.end()) builder.afford(type, name->second, kTypes, some == std::string::npos ? 1 : 0.7);
+}
+
+std::set<std::string> words(const Json& list) {
+  std::set<std::string> names;
+  for (const auto& item : list) names.insert(item.get<std::string>());
+  names.erase("");
+  return names;
+}
+
+bool listed(const Json& type, const char* field, const char* word) {
+  const auto names = words(type.at(field));
+  return names.contains(word);
+}
+
+/// Median box of a type's ProcTHOR assets, which stand in their own frame (x width, y up, z depth).
+std::optional<Vec3> asset_extents(const Json& assets, const std::string& type) {
+  if (!assets.contains(type)) return std::nullopt;
+  std::vector<Vec3> boxes;
+  for (const auto& asset : assets.at(type)) {
+    const auto& box = asset.at("boundingBox");
+    boxes.emplace_back(box.at("x").get<double>(), box.at("z").get<double>(), box.at("y").get<double>());
+  }
+  return median(boxes);
+}
+
+struct SceneFacts {
+  std::map<std::string, std::vector<double>> masses;
+  std::map<std::string, std::vector<Vec3>> extents;
+  std::map<std::pair<std::string, std::string>, int> held;  // object type, receptacle type
+};
+
+SceneFacts facts_of(const Json& scenes) {
+  SceneFacts facts;
+  for (const auto& [name, scene] : scenes.at("scenes").items()) {
+    std::map<std::string, std::string> type_of;
+    for (const auto& object : scene.at("objects")) type_of[object.at("objectId")] = object.at("objectType");
+    for (const auto& object : scene.at("objects")) {
+      const std::string type = object.at("objectType");
+      if (object.contains("mass")) facts.masses[type].push_back(object.at("mass"));
+      if (object.contains("aabbSize")) {
+        const auto& s = object.at("aabbSize");
+        facts.extents[type].emplace_back(s.at(0).get<double>(), s.at(2).get<double>(), s.at(1).get<double>());
+      }
+      if (!object.contains("parentReceptacles")) continue;
+      for (const auto& parent : object.at("parentReceptacles")) {
+        const auto holder = type_of.find(parent.get<std::string>());
+        if (holder != type_of.end()) ++facts.held[{type, holder->second}];
+      }
+    }
+  }
+  return facts;
+}
+
+void add_categories(TableBuilder& builder, const Json& types, const Json& assets, const SceneFacts& facts) {
+  for (const auto& [type, row] : types.items()) {
+    RawCategory raw;
+    raw.name = type;
+    raw.movable = listed(row, "actionable_properties", "pickupable");
+    raw.source = {kTypes, 1};
+    raw.extents = asset_extents(assets, type);
+    raw.extents_source = kAssets;
+    if (const auto seen = facts.extents.find(type); !raw.extents && seen != facts.extents.end()) {
+      raw.extents = median(seen->second);
+      raw.extents_source = kScenes;
+    }
+    if (const auto seen = facts.masses.find(type); seen != facts.masses.end()) {
+      raw.mass = median(seen->second);
+      raw.mass_source = kScenes;
+    }
+    builder.add(raw);
+  }
+}
+
+void add_affordances(TableBuilder& builder, const Json& types, const Json& alfred) {
+  for (const auto& [type, row] : types.items()) {
+    for (const auto& property : words(row.at("actionable_properties"))) afford(builder, type, property);
+    if (listed(row, "materials_properties", "changeTemp")) {
+      builder.afford(type, type == "Fridge" ? "cold_source" : "heat_source", kTypes, 1);
+    }
+  }
+  for (const auto& type : words(alfred.at("VAL_ACTION_OBJECTS").at("Heatable"))) {
+    builder.afford(type, "heatable", kAlfred, 1);
+  }
+  for (const char* type : {"Kettle", "Pan", "Pot", "EggCracked"}) builder.afford(type, "heatable", "curated", 0.8);
+  for (const char* type : {"Sink", "SinkBasin", "Bathtub", "BathtubBasin"}) {
+    builder.afford(type, "drain", "curated", 0.9);
+  }
+  builder.afford_by_archetype();
+}
+
+/// A receptacle that the metadata names holds an object inside when it is hollow, else on top; a chest's drawer counts
+/// as inside only where the type can be opened.
+std::string relation_at(const TableBuilder& builder, const std::string& receptacle) {
+  const auto archetype = builder.find(receptacle)->archetype;
+  const bool drawers = archetype == Archetype::Drawers && builder.has(receptacle, "openable");
+  return builder.has(receptacle, "container") || drawers ? "inside" : "on";
+}
+
+void add_placements(TableBuilder& builder, const Json& types, const Json& receptacles, const SceneFacts& facts) {
+  for (const auto& [type, row] : types.items()) {
+    for (const auto& receptacle : words(row.at("compatible_receptacles"))) {
+      if (builder.find(receptacle)) builder.seen(type, relation_at(builder, receptacle), receptacle, 0.5, kTypes);
+    }
+  }
+  for (const auto& [pair, count] : facts.held) {
+    const auto& [object, receptacle] = pair;
+    if (!builder.find(object) || !builder.find(receptacle) || receptacle == "Floor") continue;
+    builder.seen(object, relation_at(builder, receptacle), receptacle, 0.2 * count, kScenes);
+  }
+  for (const auto& [receptacle, objects] : receptacles.items()) {
+    if (!builder.find(receptacle)) continue;
+    for (const auto& [object, row] : objects.items()) {
+      if (builder.find(object)) {
+        builder.seen(object, relation_at(builder, receptacle), receptacle, 4 * row.at("p").get<double>(), kReceptacles);
+      }
+    }
+  }
+  builder.place_by_kind(0.05);
+}
+
+void add_effects(TableBuilder& builder, const Json& types, const Json& alfred) {
+  const auto& actions = alfred.at("VAL_ACTION_OBJECTS");
+  const auto add = [&](const std::string& tool, const std::string& effect, const std::string& target,
+                       const std::string& gives, int amount, std::vector<std::string> needs, const Source& source) {
+    builder.effect({tool, effect, target, gives, amount, std::move(needs), source});
+  };
+  for (const auto& type : words(actions.at("Heatable"))) {
+    add("Microwave", "heats", type, "", 0, {"closed", "power_on", "inside"}, {kAlfred, 1});
+  }
+  for (const auto& type : words(actions.at("Coolable"))) {
+    add("Fridge", "cools", type, "", 0, {"closed", "inside"}, {kAlfred, 1});
+  }
+  for (const char* type : {"Kettle", "Pan", "Pot"}) {
+    add("StoveBurner", "heats", type, "", 0, {"power_on", "on"}, {kAlfred, 0.9});
+  }
+  add("CoffeeMachine", "heats", "Mug", "", 0, {"power_on"}, {"curated", 0.9});
+  for (const char* type : {"Potato", "PotatoSliced", "EggCracked"}) {
+    add("Microwave", "cooks", type, "", 0, {"closed", "power_on", "inside"}, {"curated", 0.9});
+    add("StoveBurner", "cooks", type, "", 0, {"power_on", "on"}, {"curated", 0.9});
+  }
+  add("Toaster", "cooks", "BreadSliced", "", 0, {"power_on", "inside"}, {kAlfred, 1});
+  add("StoveBurner", "cooks", "BreadSliced", "", 0, {"power_on", "on"}, {"curated", 0.9});
+  add("CoffeeMachine", "fills", "Mug", "coffee", 0, {"power_on"}, {kAlfred, 0.9});
+  add("WineBottle", "fills", "Cup", "wine", 0, {"held"}, {"curated", 0.9});
+  const std::map<std::string, std::pair<std::string, int>> slices{
+      {"Apple", {"AppleSliced", 5}},     {"Bread", {"BreadSliced", 6}},   {"Egg", {"EggCracked", 1}},
+      {"Lettuce", {"LettuceSliced", 5}}, {"Potato", {"PotatoSliced", 6}}, {"Tomato", {"TomatoSliced", 6}}};
+  for (const auto& [type, pieces] : slices) {
+    for (const char* knife : {"Knife", "ButterKnife"}) {
+      add(knife, "slices", type, pieces.first, pieces.second, {"held"}, {kAlfred, 0.9});
+    }
+  }
+  for (const auto& [type, row] : types.items()) {
+    if (!builder.has(type, "pickupable")) continue;
+    if (builder.has(type, "dirtyable")) add("Sink", "washes", type, "", 0, {"under_tap"}, {kAlfred, 0.9});
+    if (!builder.has(type, "fillable")) continue;
+    add("Sink", "fills", type, "water", 0, {"under_tap"}, {"curated", 0.9});
+    add("Sink", "drains", type, "", 0, {}, {"curated", 0.9});
+  }
+}
+
+}  // namespace
+
+Result<Tables> import_ai2thor(const std::filesystem::path& upstream, const std::filesystem::path& curated) {
+  const auto folder = upstream / "ai2thor";
+  const auto types = read_metadata_json(folder / "object_types.json");
+  if (!types) return types.error();
+  const auto scenes = read_metadata_json(folder / "ithor_scenes.json.gz");
+  if (!scenes) return scenes.error();
+  const auto assets = read_metadata_json(folder / "procthor_asset_database.json.gz");
+  if (!assets) return assets.error();
+  const auto receptacles = read_metadata_json(folder / "procthor_receptacles.json");
+  if (!receptacles) return receptacles.error();
+  const auto alfred = read_metadata_json(folder / "alfred_constants.json");
+  if (!alfred) return alfred.error();
+
+  TableBuilder builder(Simulator::Ai2thor, curated);
+  const auto facts = facts_of(*scenes);
+  add_categories(builder, *types, *assets, facts);
+  add_affordances(builder, *types, *alfred);
+  add_placements(builder, *types, *receptacles, facts);
+  add_effects(builder, *types, *alfred);
+  return builder.finish();
+}
+
+}  // namespace unietp

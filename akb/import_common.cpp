@@ -1,0 +1,363 @@
+#include "akb/import_common.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <numeric>
+
+#include "akb/fit.h"
+#include "akb/placement_rules.h"
+#include "akb/row_reader.h"
+#include "core/files.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+constexpr double kSizeFactor = 1.7, kMassFactor = 3;
+
+/// To millimetres, so that files stay short.
+Vec3 millimetres(const Vec3& v) {
+  return {std::round(v.x() * 1000) / 1000, std::round(v.y() * 1000) / 1000, std::round(v.z() * 1000) / 1000};
+}
+
+std::array<int, 3> order_of(const Vec3& v) {
+  std::array<int, 3> order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return v[a] < v[b]; });
+  return order;
+}
+
+/// The extents laid along the axes so that the longest lies where the model's longest does; nothing when one is far
+/// off.
+std::optional<Vec3> laid_like(const Vec3& extents, const Vec3& model) {
+  const auto from = order_of(extents), to = order_of(model);
+  Vec3 laid = Vec3::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double ratio = extents[from[i]] / model[to[i]];
+    if (!(ratio <= kSizeFactor && ratio >= 1 / kSizeFactor)) return std::nullopt;
+    laid[to[i]] = extents[from[i]];
+  }
+  return millimetres(laid);
+}
+
+}  // namespace
+
+std::string words_of(std::string_view name) {
+  std::string words;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool upper = std::isupper(static_cast<unsigned char>(name[i])) != 0;
+    if (upper && i != 0) words += ' ';
+    words += name[i] == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
+  }
+  return words;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[(values.size() - 1) / 2];
+}
+
+Vec3 median(const std::vector<Vec3>& values) {
+  Vec3 result = Vec3::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> along;
+    for (const auto& value : values) along.push_back(value[axis]);
+    result[axis] = median(along);
+  }
+  return result;
+}
+
+TableBuilder::TableBuilder(Simulator simulator, std::filesystem::path curated)
+    : simulator_(simulator), curated_(std::move(curated)), lexicon_(read_lexicon(curated_, errors_)) {
+  const auto path = folder() / "category.csv";
+  const auto text = read_file(path);
+  if (!text) {
+    errors_.push_back(text.error());
+    return;
+  }
+  const auto file = read_csv(path.string(), *text);
+  errors_.insert(errors_.end(), file.errors.begin(), file.errors.end());
+  for (const auto& row : file.rows) {
+    const auto& name = row.front().text;
+    curated_names_.push_back(name);
+    for (std::size_t i = 0; i < row.size(); ++i) cells_[name][file.header[i].text] = row[i].text;
+  }
+}
+
+std::filesystem::path TableBuilder::folder() const { return curated_ / std::string(name_of(simulator_)); }
+
+std::vector<std::string> TableBuilder::curated_names() const { return curated_names_; }
+
+std::string TableBuilder::curated(const std::string& name, const std::string& column) const {
+  const auto row = cells_.find(name);
+  if (row == cells_.end()) return {};
+  const auto cell = row->second.find(column);
+  return cell == row->second.end() ? std::string() : cell->second;
+}
+
+void TableBuilder::add(const RawCategory& raw) {
+  auto display = curated(raw.name, "display");
+  if (display.empty()) display = raw.display.empty() ? words_of(raw.name) : raw.display;
+  const auto word = lexicon_.find(display);
+  if (word == lexicon_.end()) {
+    errors_.push_back({Error::Kind::Schema,
+                       (curated_ / "lexicon.csv").string(),
+                       {},
+                       "no word '" + display + "' for category '" + raw.name + "'; expected a row for it"});
+    return;
+  }
+  Category c = word->second.category;
+  c.name = raw.name;
+  c.movable = raw.movable;
+  c.source = raw.source;
+  if (raw.extents) {
+    if (const auto laid = laid_like(*raw.extents, c.size)) {
+      c.size = *laid;
+      c.size_source = {raw.extents_source, 0.9};
+    }
+  }
+  if (raw.mass && *raw.mass <= c.mass * kMassFactor && *raw.mass * kMassFactor >= c.mass) {
+    c.mass = std::round(*raw.mass * 1000) / 1000;
+    c.mass_source = {raw.mass_source, 0.9};
+  }
+  const auto cell = [&](const std::string& column) { return curated(raw.name, column); };
+  if (!cell("movable").empty()) c.movable = cell("movable") == "true";
+  if (!cell("archetype").empty()) c.archetype = archetype_named(cell("archetype")).value_or(c.archetype);
+  if (!cell("width").empty()) {
+    c.size = {std::stod(cell("width")), std::stod(cell("depth")), std::stod(cell("height"))};
+    c.size_source = {"curated", 0.9};
+  }
+  if (!cell("mass").empty()) {
+    c.mass = std::stod(cell("mass"));
+    c.mass_source = {"curated", 0.9};
+  }
+  if (!cell("rooms").empty()) c.rooms = cell("rooms") == "-" ? std::vector<std::string>{} : split(cell("rooms"), '|');
+  kinds_[raw.name] = cell("kind").empty() ? word->second.kind : cell("kind");
+  categories_[raw.name] = std::move(c);
+}
+
+void TableBuilder::afford(const std::string& category, std::string_view affordance, const std::string& source,
+                          double confidence) {
+  if (!categories_.contains(category)) return;
+  affordances_.try_emplace({category, std::string(affordance)},
+                           AffordanceFact{category, std::string(affordance), {source, confidence}});
+}
+
+bool TableBuilder::has(const std::string& category, std::string_view affordance) const {
+  return affordances_.contains({category, std::string(affordance)});
+}
+
+void TableBuilder::afford_by_archetype() {
+  static const std::set<std::string> kNone{"part",         "wall_thing", "floor_thing",  "appliance",
+                                           "plant",        "kettle",     "drink",        "rug",
+                                           "light_switch", "vase",       "bucket_small", "pitcher"};
+  for (const auto& [name, c] : categories_) {
+    if (kNone.contains(kinds_[name])) continue;
+    if (room_of(c, "inside") && c.archetype != Archetype::Drawers) {
+      afford(name, "container", "derived:archetype", 0.9);
+    }
+    const bool furniture = !c.movable || c.archetype == Archetype::Plate;
+    const bool slice_or_food = c.archetype == Archetype::Plate && is_kind(name, {"slice", "meal", "bakery", "gadget"});
+    if (furniture && !slice_or_food && c.archetype != Archetype::Fixture && room_of(c, "on")) {
+      afford(name, "receptacle", "derived:archetype", 0.9);
+    }
+  }
+}
+
+void TableBuilder::seen(const std::string& object, std::string_view relation, const std::string& receptacle,
+                        double weight, const std::string& source) {
+  auto& placement = placements_[{object, std::string(relation), receptacle}];
+  if (placement.object.empty()) placement = {object, std::string(relation), receptacle, 0, 1, {source, 0.9}};
+  placement.likelihood += weight;
+}
+
+void TableBuilder::place_by_kind(double scale) {
+  const auto rules = read_placement_rules(curated_ / "placement_rules.csv", errors_);
+  const auto drawer_like = [](const std::string& kind) { return kind == "nightstand" || kind == "dresser"; };
+  for (const auto& [object, c] : categories_) {
+    for (const auto& [receptacle, r] : categories_) {
+      if (object == receptacle) continue;
+      const auto& at = kinds_[receptacle];
+      for (const auto& rule : rules) {
+        if (rule.kind != kinds_[object]) continue;
+        const bool same = rule.receptacle == at;
+        const bool in_drawer = rule.relation == "inside" && rule.receptacle == "drawer" && drawer_like(at);
+        if (!same && !in_drawer) continue;
+        if (rule.relation == "inside" && !has(receptacle, "container")) continue;
+        if (rule.relation == "on" && !has(receptacle, "receptacle")) continue;
+        const auto key = std::tuple(object, rule.relation, receptacle);
+        if (!placements_.contains(key)) {
+          placements_[key] = {object, rule.relation, receptacle, rule.weight * scale, 1, {"derived:kind", 0.7}};
+        }
+      }
+    }
+  }
+}
+
+std::set<std::pair<std::string, std::string>> TableBuilder::sensible_pairs() {
+  const auto kept = placements_;
+  place_by_kind(1);
+  std::set<std::pair<std::string, std::string>> pairs;
+  for (const auto& [key, p] : placements_) pairs.emplace(p.object, p.receptacle);
+  placements_ = kept;
+  return pairs;
+}
+
+void TableBuilder::effect(Effect effect) {
+  if (!categories_.contains(effect.tool) || !categories_.contains(effect.target)) return;
+  if (effect.effect == "slices" && !categories_.contains(effect.gives)) return;
+  effects_.try_emplace({effect.tool, effect.effect, effect.target, effect.gives}, effect);
+}
+
+void TableBuilder::overlay_curated() {
+  std::vector<std::string> names;
+  for (const auto& [name, c] : categories_) names.push_back(name);
+  const auto with = [&](const std::string& table, const auto& read) {
+    const auto path = folder() / (table + ".csv");
+    if (!std::filesystem::exists(path)) return;
+    const auto text = read_file(path);
+    if (!text) {
+      errors_.push_back(text.error());
+      return;
+    }
+    RowReader row(path.string(), *text, columns_of(table), errors_);
+    for (const auto& cells : row.rows()) {
+      row.at(cells);
+      read(row);
+    }
+  };
+  with("affordance", [&](RowReader& row) {
+    AffordanceFact f{row.one_of("category", names, "category"),
+                     row.one_of("affordance", affordance_names(), "affordance"), row.source("source", "confidence")};
+    if (row.sound()) affordances_[{f.category, f.affordance}] = f;
+  });
+  with("relation", [&](RowReader& row) {
+    Placement p{row.one_of("object", names, "category"),
+                row.one_of("relation", relation_names(), "relation"),
+                row.one_of("receptacle", names, "category"),
+                row.number("likelihood", 0, 1000, false),
+                row.integer("capacity", 1),
+                row.source("source", "confidence")};
+    if (row.sound()) placements_[{p.object, p.relation, p.receptacle}] = p;
+  });
+  with("effect", [&](RowReader& row) {
+    Effect e{row.one_of("tool", names, "category"),
+             row.one_of("effect", effect_names(), "effect"),
+             row.one_of("target", names, "category"),
+             row.text("gives"),
+             row.integer("amount", 0),
+             row.all_of("needs", need_names(), "need"),
+             row.source("source", "confidence")};
+    if (row.sound()) effects_[{e.tool, e.effect, e.target, e.gives}] = e;
+  });
+  with("alias", [&](RowReader& row) {
+    Alias a{row.one_of("category", names, "category"), row.required("text"),
+            row.one_of("kind", alias_kinds(), "kind of alias"), row.source("source", "confidence")};
+    if (row.sound()) aliases_[{a.category, a.kind, a.text}] = a;
+  });
+}
+
+void TableBuilder::drop_removed() {
+  const auto path = folder() / "removed.csv";
+  if (!std::filesystem::exists(path)) return;
+  const auto text = read_file(path);
+  if (!text) {
+    errors_.push_back(text.error());
+    return;
+  }
+  RowReader row(path.string(), *text, {"table", "subject", "verb", "object"}, errors_);
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    const auto &subject = row.text("subject"), &verb = row.text("verb"), &object = row.text("object");
+    std::size_t removed = 0;
+    if (row.text("table") == "affordance") {
+      removed = affordances_.erase({subject, verb});
+    } else if (row.text("table") == "relation") {
+      removed = std::erase_if(placements_, [&](const auto& entry) {
+        const auto& p = entry.second;
+        return p.object == subject && p.relation == verb && (object == "*" || p.receptacle == object);
+      });
+    }
+    if (removed == 0) row.fail("subject", "nothing to remove; expected a fact of the affordance or relation table");
+  }
+}
+
+void TableBuilder::drop_unfit() {
+  for (auto& [key, p] : placements_) {
+    const auto object = categories_.find(p.object), receptacle = categories_.find(p.receptacle);
+    const bool known = object != categories_.end() && receptacle != categories_.end();
+    p.capacity = known ? capacity_of(object->second, p.relation, receptacle->second) : 0;
+  }
+  std::erase_if(placements_, [](const auto& entry) { return entry.second.capacity == 0; });
+  std::erase_if(effects_, [&](const auto& entry) {
+    const Effect& e = entry.second;
+    const bool inside = std::find(e.needs.begin(), e.needs.end(), "inside") != e.needs.end();
+    return inside && !fits(categories_.at(e.target), "inside", categories_.at(e.tool));
+  });
+}
+
+void TableBuilder::normalise() {
+  std::map<std::string, double> sum;
+  for (const auto& [key, p] : placements_) sum[p.object] += p.likelihood;
+  for (auto& [key, p] : placements_) {
+    p.likelihood = std::max(1e-4, std::round(p.likelihood / sum[p.object] * 1e4) / 1e4);
+  }
+}
+
+void TableBuilder::add_aliases() {
+  const auto path = curated_ / "aliases.csv";
+  const auto text = read_file(path);
+  if (!text) {
+    errors_.push_back(text.error());
+    return;
+  }
+  RowReader row(path.string(), *text, {"display", "kind", "text"}, errors_);
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    const auto& display = row.required("display");
+    const auto kind = row.one_of("kind", alias_kinds(), "kind of alias");
+    const auto alias = row.required("text");
+    if (!lexicon_.contains(display))
+      row.fail("display", "no word '" + display + "' in lexicon.csv; expected one of its rows");
+    if (!row.sound()) continue;
+    for (const auto& [name, c] : categories_) {
+      if (c.display == display) aliases_.try_emplace({name, kind, alias}, Alias{name, alias, kind, {"curated", 0.9}});
+    }
+  }
+}
+
+const Category* TableBuilder::find(const std::string& name) const {
+  const auto at = categories_.find(name);
+  return at == categories_.end() ? nullptr : &at->second;
+}
+
+std::string TableBuilder::kind(const std::string& name) const {
+  const auto at = kinds_.find(name);
+  return at == kinds_.end() ? std::string() : at->second;
+}
+
+std::vector<std::string> TableBuilder::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, c] : categories_) names.push_back(name);
+  return names;
+}
+
+Result<Tables> TableBuilder::finish() {
+  add_aliases();
+  overlay_curated();
+  drop_removed();
+  if (!errors_.empty()) return errors_.front();
+  drop_unfit();
+  normalise();
+  Tables tables;
+  for (auto& [key, row] : categories_) tables.categories.push_back(std::move(row));
+  for (auto& [key, row] : affordances_) tables.affordances.push_back(std::move(row));
+  for (auto& [key, row] : placements_) tables.placements.push_back(std::move(row));
+  for (auto& [key, row] : effects_) tables.effects.push_back(std::move(row));
+  for (auto& [key, row] : aliases_) tables.aliases.push_back(std::move(row));
+  sort_tables(tables);
+  return tables;
+}
+
+}  // namespace unietp

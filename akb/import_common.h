@@ -1,0 +1,96 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "akb/lexicon.h"
+#include "akb/tables.h"
+#include "core/result.h"
+#include "scene/simulator.h"
+
+namespace unietp {
+
+/// What a simulator's metadata says about one category, before our own words are added.
+struct RawCategory {
+  std::string name;
+  std::string display;  // empty: taken from the name
+  bool movable = false;
+  std::optional<Vec3> extents;  // full extents in any order of axes, metres
+  std::string extents_source;
+  std::optional<double> mass;
+  std::string mass_source;
+  Source source;
+};
+
+/// One simulator's tables while they are being made. The steps are called in the order in which they stand here.
+class TableBuilder {
+ public:
+  TableBuilder(Simulator simulator, std::filesystem::path curated);
+
+  /// Names that curated/<simulator>/category.csv lists, in its order.
+  std::vector<std::string> curated_names() const;
+  /// The curated cell of a category, "" when there is none.
+  std::string curated(const std::string& name, const std::string& column) const;
+
+  /// Adds a category: metadata first, the word of the same display name for what it lacks, curated cells over both.
+  /// Extents are laid along the axes in the order of the word's own (rule `word-axes`), since upstream boxes are
+  /// rotated now and then; extents or a mass that are far from the word's (a factor of 1.7, 3) are not used.
+  void add(const RawCategory& raw);
+
+  void afford(const std::string& category, std::string_view affordance, const std::string& source, double confidence);
+  bool has(const std::string& category, std::string_view affordance) const;
+  /// receptacle and container from the archetype (rule `archetype`).
+  void afford_by_archetype();
+
+  /// A placement seen in metadata; weights of one pair add up.
+  void seen(const std::string& object, std::string_view relation, const std::string& receptacle, double weight,
+            const std::string& source);
+  /// Placements of placement_rules.csv (rule `kind`) for every pair that metadata does not name; `scale` says how much
+  /// they weigh against metadata.
+  void place_by_kind(double scale);
+  /// Object and receptacle of every pair that a rule of placement_rules.csv names.
+  std::set<std::pair<std::string, std::string>> sensible_pairs();
+
+  void effect(Effect effect);
+  /// Adds the aliases, then lays curated tables over, drops what does not fit (rule `footprint` gives capacities) and
+  /// normalises likelihoods. Errors: everything wrong in a curated file, the first one reported.
+  Result<Tables> finish();
+
+  const Category* find(const std::string& name) const;
+  std::string kind(const std::string& name) const;
+  bool is_kind(const std::string& name, const std::set<std::string>& kinds) const { return kinds.contains(kind(name)); }
+  std::vector<std::string> names() const;
+
+ private:
+  void overlay_curated();
+  void drop_removed();
+  void drop_unfit();
+  void normalise();
+  void add_aliases();
+  std::filesystem::path folder() const;
+
+  Simulator simulator_;
+  std::filesystem::path curated_;
+  std::vector<Error> errors_;
+  Lexicon lexicon_;
+  std::vector<std::string> curated_names_;
+  std::map<std::string, std::map<std::string, std::string>> cells_;  // curated category cells, by name and column
+  std::map<std::string, Category> categories_;
+  std::map<std::string, std::string> kinds_;
+  std::map<std::pair<std::string, std::string>, AffordanceFact> affordances_;
+  std::map<std::tuple<std::string, std::string, std::string>, Placement> placements_;
+  std::map<std::tuple<std::string, std::string, std::string, std::string>, Effect> effects_;
+  std::map<std::tuple<std::string, std::string, std::string>, Alias> aliases_;
+};
+
+/// "CoffeeMachine" -> "coffee machine", "coffee_table" -> "coffee table".
+std::string words_of(std::string_view name);
+/// The middle of the values, or of each coordinate; the lower of the two middles for an even count.
+double median(std::vector<double> values);
+Vec3 median(const std::vector<Vec3>& values);
+
+}  // namespace unietp

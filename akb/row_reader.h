@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "akb/csv.h"
+#include "akb/knowledge.h"
+
+namespace unietp {
+
+/// One CSV file whose cells are read by column name; every cell that does not read is an error at its place.
+class RowReader {
+ public:
+  /// Errors: those of read_csv; a column missing or unknown.
+  RowReader(std::string where, std::string_view text, const std::vector<std::string>& columns,
+            std::vector<Error>& errors);
+
+  const std::vector<CsvRow>& rows() const { return file_.rows; }
+  /// Starts a row: `sound()` tells afterwards whether all its cells read well.
+  void at(const CsvRow& row);
+  bool sound() const { return sound_; }
+
+  const std::string& text(std::string_view column) const;
+  std::string required(std::string_view column);
+  bool flag(std::string_view column);  // true or false
+  double number(std::string_view column, double low, double high, bool low_allowed);
+  int integer(std::string_view column, int low);           // >= low
+  std::vector<std::string> list(std::string_view column);  // joined by |
+  std::string one_of(std::string_view column, const std::vector<std::string>& names, std::string_view noun);
+  std::vector<std::string> all_of(std::string_view column, const std::vector<std::string>& names,
+                                  std::string_view noun);
+  Source source(std::string_view source_column, std::string_view confidence_column);
+  void fail(std::string_view column, std::string message);
+
+ private:
+  const CsvCell& cell(std::string_view column) const;
+
+  std::string where_;
+  CsvFile file_;
+  std::map<std::string, std::size_t, std::less<>> column_;
+  std::vector<Error>& errors_;
+  const CsvRow* row_ = nullptr;
+  bool sound_ = true;
+};
+
+}  // namespace unietp

@@ -1,0 +1,171 @@
+#include "akb/tables.h"
+
+#include <set>
+
+#include "akb/row_reader.h"
+#include "core/files.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+constexpr double kLargest_m = 20, kHeaviest_kg = 2000;
+
+std::vector<std::string> archetype_names() {
+  std::vector<std::string> names;
+  for (const auto archetype : all_archetypes()) names.emplace_back(name_of(archetype));
+  return names;
+}
+
+/// Keys of the rows seen so far; a row whose key was seen is a fault of `column`.
+class Keys {
+ public:
+  void check(RowReader& row, std::string_view column, const std::vector<std::string>& key) {
+    if (row.sound() && !seen_.insert(join(key, "\x1f")).second) {
+      row.fail(column, "row for '" + join(key, " ") + "' twice; expected one row a key");
+    }
+  }
+
+ private:
+  std::set<std::string> seen_;
+};
+
+std::vector<Category> read_categories(RowReader& row) {
+  const auto archetypes = archetype_names();
+  std::vector<Category> categories;
+  Keys keys;
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    Category c;
+    c.name = row.required("name");
+    c.display = row.required("display");
+    c.plural = row.required("plural");
+    c.synset = row.text("synset");
+    c.countable = row.flag("countable");
+    c.movable = row.flag("movable");
+    c.archetype = archetype_named(row.one_of("archetype", archetypes, "archetype")).value_or(Archetype::Box);
+    c.size = {row.number("width", 0, kLargest_m, false), row.number("depth", 0, kLargest_m, false),
+              row.number("height", 0, kLargest_m, false)};
+    c.mass = row.number("mass", 0, kHeaviest_kg, false);
+    c.rooms = row.all_of("rooms", room_types(), "room type");
+    c.colours = row.list("colours");
+    c.materials = row.list("materials");
+    c.source = row.source("source", "confidence");
+    c.size_source = row.source("size_source", "size_confidence");
+    c.mass_source = row.source("mass_source", "mass_confidence");
+    keys.check(row, "name", {c.name});
+    if (row.sound()) categories.push_back(std::move(c));
+  }
+  return categories;
+}
+
+std::vector<AffordanceFact> read_affordances(RowReader& row, const std::vector<std::string>& names) {
+  std::vector<AffordanceFact> facts;
+  Keys keys;
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    AffordanceFact fact;
+    fact.category = row.one_of("category", names, "category");
+    fact.affordance = row.one_of("affordance", affordance_names(), "affordance");
+    fact.source = row.source("source", "confidence");
+    keys.check(row, "category", {fact.category, fact.affordance});
+    if (row.sound()) facts.push_back(std::move(fact));
+  }
+  return facts;
+}
+
+std::vector<Placement> read_placements(RowReader& row, const std::vector<std::string>& names) {
+  std::vector<Placement> placements;
+  Keys keys;
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    Placement p;
+    p.object = row.one_of("object", names, "category");
+    p.relation = row.one_of("relation", relation_names(), "relation");
+    p.receptacle = row.one_of("receptacle", names, "category");
+    p.likelihood = row.number("likelihood", 0, 1, false);
+    p.capacity = row.integer("capacity", 1);
+    p.source = row.source("source", "confidence");
+    keys.check(row, "object", {p.object, p.relation, p.receptacle});
+    if (row.sound()) placements.push_back(std::move(p));
+  }
+  return placements;
+}
+
+std::vector<Effect> read_effects(RowReader& row, const std::vector<std::string>& names) {
+  std::vector<Effect> effects;
+  Keys keys;
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    Effect e;
+    e.tool = row.one_of("tool", names, "category");
+    e.effect = row.one_of("effect", effect_names(), "effect");
+    e.target = row.one_of("target", names, "category");
+    e.gives = e.effect == "slices" ? row.one_of("gives", names, "category") : row.text("gives");
+    e.amount = row.integer("amount", e.effect == "slices" ? 1 : 0);
+    e.needs = row.all_of("needs", need_names(), "need");
+    e.source = row.source("source", "confidence");
+    keys.check(row, "tool", {e.tool, e.effect, e.target, e.gives});
+    if (row.sound()) effects.push_back(std::move(e));
+  }
+  return effects;
+}
+
+std::vector<Alias> read_aliases(RowReader& row, const std::vector<std::string>& names) {
+  std::vector<Alias> aliases;
+  Keys keys;
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    Alias a;
+    a.category = row.one_of("category", names, "category");
+    a.kind = row.one_of("kind", alias_kinds(), "kind of alias");
+    a.text = row.required("text");
+    a.source = row.source("source", "confidence");
+    keys.check(row, "category", {a.category, a.kind, a.text});
+    if (row.sound()) aliases.push_back(std::move(a));
+  }
+  return aliases;
+}
+
+}  // namespace
+
+bool well_formed_source(std::string_view source) {
+  if (source == "curated") return true;
+  for (const std::string_view kind : {"metadata:", "derived:", "llm:"}) {
+    if (source.starts_with(kind)) {
+      const auto name = source.substr(kind.size());
+      return !name.empty() && name.find_first_of(" \t\r\n") == std::string_view::npos;
+    }
+  }
+  return false;
+}
+
+Tables read_tables(const std::filesystem::path& folder, std::vector<Error>& errors) {
+  Tables tables;
+  std::vector<std::string> names;
+  const auto with_rows = [&](const std::string& table, const auto& read) {
+    const auto path = folder / (table + ".csv");
+    const auto text = read_file(path);
+    if (!text) {
+      errors.push_back(text.error());
+      return;
+    }
+    RowReader row(path.string(), *text, columns_of(table), errors);
+    read(row);
+  };
+  // A category whose own row is faulty is still a name that other tables may use: one fault, one message.
+  with_rows("category", [&](RowReader& row) {
+    tables.categories = read_categories(row);
+    for (const auto& cells : row.rows()) {
+      row.at(cells);
+      names.push_back(row.text("name"));
+    }
+  });
+  with_rows("affordance", [&](RowReader& row) { tables.affordances = read_affordances(row, names); });
+  with_rows("relation", [&](RowReader& row) { tables.placements = read_placements(row, names); });
+  with_rows("effect", [&](RowReader& row) { tables.effects = read_effects(row, names); });
+  with_rows("alias", [&](RowReader& row) { tables.aliases = read_aliases(row, names); });
+  return tables;
+}
+
+}  // namespace unietp

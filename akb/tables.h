@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "akb/knowledge.h"
+
+namespace unietp {
+
+/// One simulator's tables as they stand in its five CSV files.
+struct Tables {
+  std::vector<Category> categories;
+  std::vector<AffordanceFact> affordances;
+  std::vector<Placement> placements;
+  std::vector<Effect> effects;
+  std::vector<Alias> aliases;
+};
+
+/// The five table names in their order: category, affordance, relation, effect, alias.
+const std::vector<std::string>& table_names();
+/// The columns that a table must have, in any order.
+const std::vector<std::string>& columns_of(std::string_view table);
+
+const std::vector<std::string>& relation_names();  // on inside next_to under
+const std::vector<std::string>& effect_names();    // heats cools ... drains
+const std::vector<std::string>& need_names();      // closed power_on held inside on under_tap
+const std::vector<std::string>& alias_kinds();     // synonym function context
+const std::vector<std::string>& room_types();      // kitchen living_room ...
+/// `metadata:<file>`, `derived:<rule>`, `llm:<model>` or `curated`.
+bool well_formed_source(std::string_view source);
+
+/// Reads and checks `<folder>/{category,...}.csv`; appends every problem to `errors` (Schema, Parse or Io with file,
+/// line and column). Rows with a problem are left out. Lists are joined by `|` in their cell.
+Tables read_tables(const std::filesystem::path& folder, std::vector<Error>& errors);
+
+/// Sorts each table by its key, the order in which files and queries give them.
+void sort_tables(Tables& tables);
+
+/// The text of one table (`table` as in table_names) with all columns and a header; equal tables give equal bytes.
+std::string table_csv(const Tables& tables, std::string_view table);
+/// Writes the five files of one simulator. Errors: Io.
+Result<Done> write_tables(const std::filesystem::path& folder, const Tables& tables);
+
+}  // namespace unietp

@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <tuple>
+
+#include "akb/csv.h"
+#include "akb/tables.h"
+#include "core/files.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+std::string flag_text(bool value) { return value ? "true" : "false"; }
+
+std::vector<std::string> fields(const Category& c) {
+  return {c.name,
+          c.display,
+          c.plural,
+          c.synset,
+          flag_text(c.countable),
+          flag_text(c.movable),
+          std::string(name_of(c.archetype)),
+          number_text(c.size.x()),
+          number_text(c.size.y()),
+          number_text(c.size.z()),
+          number_text(c.mass),
+          join(c.rooms, "|"),
+          join(c.colours, "|"),
+          join(c.materials, "|"),
+          c.source.source,
+          number_text(c.source.confidence),
+          c.size_source.source,
+          number_text(c.size_source.confidence),
+          c.mass_source.source,
+          number_text(c.mass_source.confidence)};
+}
+std::vector<std::string> fields(const AffordanceFact& f) {
+  return {f.category, f.affordance, f.source.source, number_text(f.source.confidence)};
+}
+std::vector<std::string> fields(const Placement& p) {
+  return {p.object,
+          p.relation,
+          p.receptacle,
+          number_text(p.likelihood),
+          std::to_string(p.capacity),
+          p.source.source,
+          number_text(p.source.confidence)};
+}
+std::vector<std::string> fields(const Effect& e) {
+  return {e.tool,
+          e.effect,
+          e.target,
+          e.gives,
+          std::to_string(e.amount),
+          join(e.needs, "|"),
+          e.source.source,
+          number_text(e.source.confidence)};
+}
+std::vector<std::string> fields(const Alias& a) {
+  return {a.category, a.kind, a.text, a.source.source, number_text(a.source.confidence)};
+}
+
+template <class Row>
+std::string csv_of(std::string_view table, const std::vector<Row>& rows) {
+  std::string text = csv_line(columns_of(table));
+  for (const auto& row : rows) text += csv_line(fields(row));
+  return text;
+}
+
+template <class Row, class Key>
+void sort_by(std::vector<Row>& rows, const Key& key) {
+  std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) { return key(a) < key(b); });
+}
+
+}  // namespace
+
+void sort_tables(Tables& tables) {
+  sort_by(tables.categories, [](const Category& c) { return std::tie(c.name); });
+  sort_by(tables.affordances, [](const AffordanceFact& f) { return std::tie(f.category, f.affordance); });
+  sort_by(tables.placements, [](const Placement& p) { return std::tie(p.object, p.relation, p.receptacle); });
+  sort_by(tables.effects, [](const Effect& e) { return std::tie(e.tool, e.effect, e.target, e.gives); });
+  sort_by(tables.aliases, [](const Alias& a) { return std::tie(a.category, a.kind, a.text); });
+}
+
+std::string table_csv(const Tables& tables, std::string_view table) {
+  if (table == "category") return csv_of(table, tables.categories);
+  if (table == "affordance") return csv_of(table, tables.affordances);
+  if (table == "relation") return csv_of(table, tables.placements);
+  if (table == "effect") return csv_of(table, tables.effects);
+  return csv_of(table, tables.aliases);
+}
+
+Result<Done> write_tables(const std::filesystem::path& folder, const Tables& tables) {
+  for (const auto& table : table_names()) {
+    auto written = write_file(folder / (table + ".csv"), table_csv(tables, table));
+    if (!written) return written;
+  }
+  return Done{};
+}
+
+}  // namespace unietp
