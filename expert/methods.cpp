@@ -225,7 +225,8 @@ bool Methods::put_aside(const std::string& id) {
 bool Methods::put(const std::string& id, ActionType action, const std::string& target) {
   if (attempt_.is_held(target) && !put_aside(target)) return false;
   if (!hold(id)) return false;
-  const bool shut = action == ActionType::PlaceIn && is(target, Predicate::Closed);
+  const Node* into = find(target);
+  const bool shut = action == ActionType::PlaceIn && into != nullptr && into->openable && !is(target, Predicate::Open);
   if (shut && !device(ActionType::Open, target)) {
     const auto& trouble = attempt_.trouble();
     if (!trouble || trouble->failure != Failure::HandsFull || attempt_.exhausted()) return false;
@@ -249,6 +250,8 @@ bool Methods::reach(const std::string& id) {
 /// Opening, closing and switching, with what they need first: no power while opening, shut while running.
 bool Methods::device(ActionType action, const std::string& id) {
   const Profile& profile = *attempt_.situation().profile;
+  const bool moves = action == ActionType::Open || action == ActionType::Close;
+  if (moves && attempt_.is_held(id) && !put_aside(id)) return false;
   const bool power_first = action == ActionType::Open && profile.open_needs_power_off && is(id, Predicate::PowerOn);
   if (power_first && !do_at(ActionType::TurnOff, id)) return false;
   const bool shut_first = action == ActionType::TurnOn && profile.power_needs_closed && is(id, Predicate::Open);

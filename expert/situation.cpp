@@ -32,7 +32,8 @@ void imagine_slices(Situation& situation) {
     if (node == nullptr || node->states.has(Predicate::Sliced)) continue;
     const Effect* effect = slicing_of(*node, *situation.start, *situation.knowledge);
     if (effect == nullptr) continue;
-    for (int ordinal = 0; ordinal < std::max(1, effect->amount); ++ordinal) {
+    // The first piece keeps the whole's identity, so that a goal can still speak of it; the others are new.
+    for (int ordinal = 0; ordinal < std::max(2, effect->amount) - 1; ++ordinal) {
       const auto slice = static_cast<EntityIndex>(situation.trace.entities.size());
       situation.trace.entities.push_back(Entity{
           Entity::Kind::Object, node->id + "/slice_" + std::to_string(ordinal + 1), effect->gives, node->category});

@@ -1,0 +1,81 @@
+#include "expert/goal_reading.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/expert/house.h"
+
+namespace unietp::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Reading : ::testing::Test {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Scene start = house();
+
+  std::vector<std::string> ways(const std::string& text, const Experience& experience = {}) const {
+    const Formula formula = goal(text);
+    const auto world = World::create(start, knowledge, profile);
+    const Situation situation = look_around(*world, start, formula, knowledge, profile);
+    std::vector<std::string> texts;
+    for (const Alternative& way : read_goal(formula, situation, experience)) texts.push_back(to_text(way, situation));
+    return texts;
+  }
+};
+
+TEST_F(Reading, ListsEachWitnessOnce) {
+  EXPECT_THAT(ways("(exists (?x - Mug) (at-end (held ?x)))"),
+              ::testing::UnorderedElementsAre("held(mug_1); ", "held(mug_2); ", "held(mug_3); "));
+}
+
+TEST_F(Reading, ReadsAReferringDomainInTheStart) {
+  EXPECT_THAT(ways("(exists (?x - (Mug :where (not (dirty ?x)))) (at-end (held ?x)))"),
+              ::testing::ElementsAre("held(mug_3); "));
+}
+
+TEST_F(Reading, KeepsOneObjectForOneVariable) {
+  for (const std::string& way : ways("(exists (?x - Mug) (at-end (and (clean ?x) (held ?x))))")) {
+    const auto of = [&](const char* id) { return way.find(id) != std::string::npos; };
+    EXPECT_EQ(of("mug_1") + of("mug_2") + of("mug_3"), 1) << way;
+  }
+}
+
+TEST_F(Reading, LeavesOutWhatContradictsItself) {
+  EXPECT_THAT(ways("(exists (?x - Mug) (at-end (and (clean ?x) (dirty ?x))))"), ::testing::IsEmpty());
+  EXPECT_THAT(ways("(exists (?x - Mug) (exists (?y - Mug) (at-end (and (not (= ?x ?y)) (held ?x) (held ?y)))))"),
+              ::testing::IsEmpty());
+  EXPECT_THAT(ways("(exists (?x - Mug) (at-end (and (on ?x ?x))))"), ::testing::IsEmpty());
+}
+
+TEST_F(Reading, AnExactNumberSaysOfEveryMemberWhetherItCounts) {
+  for (const std::string& way : ways("(exists (?b - SideTable) (at-end (count = 1 (?x - Mug) (on ?x ?b))))")) {
+    for (const char* mug : {"mug_1", "mug_2", "mug_3"}) EXPECT_THAT(way, HasSubstr(mug));
+  }
+}
+
+TEST_F(Reading, PutsBeforeIntoAnOrderOfMoments) {
+  EXPECT_THAT(ways("(exists (?x - Plate) (exists (?y - Mug) (and (before (held ?x) (held ?y)) (at-end (held ?y)))))"),
+              ::testing::Contains("held(plate_1); then held(mug_1); then held(mug_1); "));
+}
+
+TEST_F(Reading, ImaginesSlicesOfWhatCanBeCut) {
+  EXPECT_THAT(
+      ways("(exists (?s - Apple/slice) (at-end (held ?s)))"),
+      ::testing::UnorderedElementsAre("held(apple_1/slice_1); ", "held(apple_1/slice_2); ", "held(apple_1/slice_3); ",
+                                      "held(apple_2/slice_1); ", "held(apple_2/slice_2); ", "held(apple_2/slice_3); "));
+}
+
+TEST_F(Reading, WhatFailedComesLast) {
+  const Formula formula = goal("(exists (?x - Mug) (at-end (held ?x)))");
+  const auto world = World::create(start, knowledge, profile);
+  const Situation situation = look_around(*world, start, formula, knowledge, profile);
+  const Literal first = read_goal(formula, situation, {}).front().end.front();
+  Experience experience;
+  experience.literals.emplace_back(first, 100);
+  EXPECT_EQ(read_goal(formula, situation, experience).back().end.front(), first);
+}
+
+}  // namespace
+}  // namespace unietp::testing

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "expert/expert.h"
+#include "logic/formula.h"
+#include "scene/scene.h"
+#include "simulation/profile.h"
+
+namespace unietp::testing {
+
+/// A kitchen and a living room, built by hand, in the style of AI2-THOR: a table, a counter, a fridge, a microwave, a
+/// sink, a dresser, a side table, a lamp, a television; mugs, plates, apples, potatoes, a knife, a box, a laptop.
+Knowledge house_knowledge();
+Scene house();
+Profile house_profile();
+
+Node& add(Scene& scene, const Knowledge& knowledge, const std::string& id, const std::string& category, double x,
+          double y, double z, double yaw = 0);
+/// The scene at rest with its edges read afresh.
+Scene at_rest(Scene scene);
+void set_state(Scene& scene, const std::string& id, Predicate state);
+
+Formula goal(const std::string& text);
+std::string plan_of(const Demonstration& demonstration);
+/// The actions done in a fresh world: empty when each succeeds and changes what the demonstration says, and the goal
+/// holds on the trace by the direct evaluator; else what is wrong.
+std::string replay(const Formula& goal, const Scene& start, const Demonstration& demonstration,
+                   const Knowledge& knowledge, const Profile& profile);
+
+}  // namespace unietp::testing

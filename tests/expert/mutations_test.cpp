@@ -1,0 +1,96 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/expert/house.h"
+
+namespace unietp::testing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// Does the actions in a fresh world and records them.
+Demonstration done(const Scene& start, const Knowledge& knowledge, const Profile& profile,
+                   const std::vector<Action>& actions) {
+  auto world = World::create(start, knowledge, profile);
+  Demonstration demonstration;
+  for (const Action& action : actions) {
+    const Scene before = world->scene();
+    DemonstrationStep step;
+    step.action = action;
+    step.outcome = world->step(action);
+    EXPECT_TRUE(step.outcome.success) << to_text(action) << ": " << step.outcome.feedback;
+    step.changes = difference(before, world->scene());
+    demonstration.steps.push_back(std::move(step));
+  }
+  return demonstration;
+}
+
+struct NeedlessSteps : ::testing::Test {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Scene start = house();
+  std::vector<std::string> of(const std::string& text, const std::vector<Action>& actions) const {
+    return needless_steps(goal(text), start, done(start, knowledge, profile, actions), knowledge, profile);
+  }
+};
+
+TEST_F(NeedlessSteps, AreNoneWhenEveryStepIsNeeded) {
+  EXPECT_THAT(of("(exists (?x - Fridge) (at-end (open ?x)))",
+                 {{ActionType::GoTo, {"fridge_1"}}, {ActionType::Open, {"fridge_1"}}, {ActionType::Stop, {}}}),
+              IsEmpty());
+}
+
+TEST_F(NeedlessSteps, NameADoorClosedOutOfGoodManners) {
+  EXPECT_THAT(of("(exists (?x - Fridge) (sometime (open ?x)))", {{ActionType::GoTo, {"fridge_1"}},
+                                                                 {ActionType::Open, {"fridge_1"}},
+                                                                 {ActionType::Close, {"fridge_1"}},
+                                                                 {ActionType::Stop, {}}}),
+              Contains("without step 3: close(fridge_1)"));
+}
+
+TEST_F(NeedlessSteps, NameAWalkThatLeadsNowhere) {
+  EXPECT_THAT(of("(exists (?x - Fridge) (at-end (open ?x)))", {{ActionType::GoTo, {"sidetable_1"}},
+                                                               {ActionType::GoTo, {"fridge_1"}},
+                                                               {ActionType::Open, {"fridge_1"}},
+                                                               {ActionType::Stop, {}}}),
+              Contains("without step 1: go_to(sidetable_1)"));
+}
+
+TEST_F(NeedlessSteps, NameAnOrderThatDoesNotMatterWhereTheGoalHasOne) {
+  // `until (closed fridge) ...` is met by any order when the second part is about something else than the first.
+  const std::vector<Action> actions{{ActionType::GoTo, {"lamp_1"}},
+                                    {ActionType::TurnOn, {"lamp_1"}},
+                                    {ActionType::GoTo, {"laptop_1"}},
+                                    {ActionType::TurnOn, {"laptop_1"}},
+                                    {ActionType::Stop, {}}};
+  EXPECT_THAT(
+      of("(exists (?x - Lamp) (exists (?y - Laptop) (exists (?f - Fridge) (and (until (closed ?f) (power_on ?x)) "
+         "(at-end (and (power_on ?x) (power_on ?y)))))))",
+         actions),
+      Contains(HasSubstr("after turn_on(laptop_1)")));
+  EXPECT_THAT(
+      of("(exists (?x - Lamp) (exists (?y - Laptop) (and (before (power_on ?x) (power_on ?y)) (at-end (power_on "
+         "?y)))))",
+         actions),
+      IsEmpty());
+}
+
+TEST_F(NeedlessSteps, NameADistractorThatWouldDoAsWell) {
+  // The second part is what the plan achieves, so which lamp the first part refers to makes no difference.
+  const std::vector<Action> actions{
+      {ActionType::GoTo, {"apple_1"}}, {ActionType::PickUp, {"apple_1"}}, {ActionType::Stop, {}}};
+  EXPECT_THAT(
+      of("(exists (?a - Apple) (and (at-end (held ?a)) (not (exists (?x - (Apple :where (exists (?c - CounterTop) "
+         "(on ?x ?c)))) (sometime (sliced ?x))))))",
+         actions),
+      IsEmpty());
+  EXPECT_THAT(of("(and (exists (?a - Apple) (at-end (held ?a))) (not (exists (?x - (Apple :where (exists (?c - "
+                 "DiningTable) (on ?x ?c)))) (sometime (sliced ?x)))))",
+                 actions),
+              Contains("with apple_2 instead of apple_1"));
+}
+
+}  // namespace
+}  // namespace unietp::testing
