@@ -204,6 +204,10 @@ std::vector<Vec3> sight_points(const Node& node) {
       points.push_back(node.pose * local);
     }
   }
+  for (int i = 7; i >= 0; --i) {  // upper corners first: they are the likelier to be seen
+    const Vec3 side((i & 1) ? 1 : -1, (i & 2) ? 1 : -1, (i & 4) ? 1 : -1);
+    points.push_back(node.pose * (kInside / 2 * side.cwiseProduct(node.size)));
+  }
   return points;
 }
 

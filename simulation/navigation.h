@@ -49,7 +49,8 @@ double reach_distance(const Node& node, const Vec2& at, const Profile& profile);
 /// True when a body standing at `at` would be hit by the node's door, lid or drawer somewhere on its way.
 bool in_door_way(const Node& node, const Vec2& at, const Profile& profile);
 
-/// Points that rays go to when it is asked whether a node can be seen: the box's centre and one inside each face, W.
+/// Points that rays go to when it is asked whether a node can be seen: the box's centre, one inside each face and each
+/// corner, W.
 std::vector<Vec3> sight_points(const Node& node);
 
 /// True when a ray from the camera standing at `at` meets the node before anything else; `ignore` are bodies in the

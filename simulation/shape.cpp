@@ -178,7 +178,7 @@ void hollow_block(Builder& b, double wall, double floor_z, double top_z, bool cl
 
 void basin(Builder& b) {
   const Vec3 h = b.half();
-  const double depth = std::min(0.65 * 2 * h.z(), 0.42);
+  const double depth = std::min(0.65 * 2 * h.z(), 0.4 * 2 * std::min(h.x(), h.y()));  // sinks are shallow, tubs deeper
   const double wall = std::clamp(0.08 * std::min(h.x(), h.y()) * 2, 0.02, 0.06);
   hollow_block(b, wall, h.z() - depth, h.z(), false);
 }

@@ -1,0 +1,110 @@
+#include "tests/simulation/kitchen.h"
+
+#include <numbers>
+
+namespace unietp::testing {
+namespace {
+
+const Source kCurated{"curated", 1};
+
+Category category(std::string name, bool movable, Archetype archetype, Vec3 size, double mass) {
+  Category c;
+  c.name = std::move(name);
+  c.display = c.plural = c.name;
+  c.movable = movable;
+  c.archetype = archetype;
+  c.size = size;
+  c.mass = mass;
+  c.source = c.size_source = c.mass_source = kCurated;
+  return c;
+}
+
+}  // namespace
+
+Knowledge kitchen_knowledge() {
+  std::vector<Category> categories{
+      category("Apple", true, Archetype::Sphere, {0.08, 0.08, 0.08}, 0.2),
+      category("AppleSliced", true, Archetype::Box, {0.02, 0.08, 0.08}, 0.05),
+      category("CounterTop", false, Archetype::Block, {1.4, 0.6, 0.9}, 60),
+      category("DiningTable", false, Archetype::Table, {1.2, 0.8, 0.75}, 25),
+      category("Dresser", false, Archetype::Drawers, {0.8, 0.45, 0.7}, 30),
+      category("Fridge", false, Archetype::Cabinet, {0.7, 0.65, 1.7}, 80),
+      category("Knife", true, Archetype::Box, {0.22, 0.025, 0.02}, 0.1),
+      category("Microwave", false, Archetype::Cabinet, {0.5, 0.36, 0.3}, 12),
+      category("Mug", true, Archetype::Vessel, {0.09, 0.09, 0.1}, 0.3),
+      category("Plate", true, Archetype::Plate, {0.24, 0.24, 0.02}, 0.4),
+      category("Potato", true, Archetype::Box, {0.09, 0.06, 0.06}, 0.2),
+      category("Sink", false, Archetype::Basin, {0.6, 0.5, 0.9}, 40),
+  };
+  std::vector<AffordanceFact> affordances;
+  const auto affords = [&](const std::string& name, std::initializer_list<const char*> what) {
+    for (const char* affordance : what) affordances.push_back({name, affordance, kCurated});
+  };
+  affords("Apple", {"pickupable", "sliceable"});
+  affords("AppleSliced", {"pickupable"});
+  affords("CounterTop", {"receptacle"});
+  affords("DiningTable", {"receptacle"});
+  affords("Dresser", {"container", "openable", "receptacle"});
+  affords("Fridge", {"container", "openable", "receptacle"});
+  affords("Knife", {"pickupable"});
+  affords("Microwave", {"container", "openable", "switchable"});
+  affords("Mug", {"container", "dirtyable", "heatable", "pickupable"});
+  affords("Plate", {"dirtyable", "pickupable", "receptacle"});
+  affords("Potato", {"heatable", "pickupable"});
+  affords("Sink", {"container"});
+  std::vector<Effect> effects{
+      {"Fridge", "cools", "Mug", "", 0, {"closed", "inside"}, kCurated},
+      {"Knife", "slices", "Apple", "AppleSliced", 4, {"held"}, kCurated},
+      {"Microwave", "heats", "Mug", "", 0, {"closed", "inside", "power_on"}, kCurated},
+      {"Microwave", "heats", "Potato", "", 0, {"closed", "inside", "power_on"}, kCurated},
+      {"Sink", "washes", "Mug", "", 0, {"inside", "under_tap"}, kCurated},
+      {"Sink", "washes", "Plate", "", 0, {"inside", "under_tap"}, kCurated},
+  };
+  return Knowledge(Simulator::Ai2thor, std::move(categories), std::move(affordances), {}, std::move(effects), {});
+}
+
+Node& add(Scene& scene, const std::string& id, const Knowledge& knowledge, const std::string& name, double x, double y,
+          double z, double yaw) {
+  const Category& c = *knowledge.find(name);
+  Node node;
+  node.id = id;
+  node.category = name;
+  node.movable = c.movable;
+  node.archetype = c.archetype;
+  node.openable = knowledge.has(name, "openable");
+  node.size = c.size;
+  node.mass = c.mass;
+  node.pose = upright(Vec3(x, y, z + c.size.z() / 2), yaw);
+  for (const StateGroup& group : state_groups()) {
+    if (knowledge.has(name, group.affordance)) node.states.set({group.predicates.front(), ""});
+  }
+  scene.nodes.push_back(node);
+  return scene.nodes.back();
+}
+
+Scene kitchen() {
+  const Knowledge knowledge = kitchen_knowledge();
+  Scene scene;
+  scene.id = "kitchen";
+  scene.simulator = Simulator::Ai2thor;
+  scene.rooms = {{"kitchen_1", "kitchen", {{0, 0}, {5, 0}, {5, 4}, {0, 4}}}};
+  // Fronts face -y, so furniture on the upper wall faces into the room; the dresser's front is turned to +x.
+  add(scene, "diningtable_1", knowledge, "DiningTable", 2.5, 1.2, 0);
+  add(scene, "countertop_1", knowledge, "CounterTop", 1.8, 3.6, 0);
+  add(scene, "fridge_1", knowledge, "Fridge", 4.4, 3.55, 0);
+  add(scene, "microwave_1", knowledge, "Microwave", 1.5, 3.65, 0.902);
+  add(scene, "sink_1", knowledge, "Sink", 3.2, 3.6, 0);
+  add(scene, "dresser_1", knowledge, "Dresser", 0.35, 1.5, 0, std::numbers::pi / 2);
+  add(scene, "mug_1", knowledge, "Mug", 2.2, 1.0, 0.751);
+  add(scene, "apple_1", knowledge, "Apple", 2.5, 1.0, 0.751);
+  add(scene, "knife_1", knowledge, "Knife", 2.8, 1.1, 0.751);
+  add(scene, "plate_1", knowledge, "Plate", 2.3, 1.35, 0.751);
+  add(scene, "potato_1", knowledge, "Potato", 2.75, 1.35, 0.751);
+  scene.agent.position = {1.5, 2.3};
+  scene.edges = read_relations(scene);
+  return scene;
+}
+
+Profile kitchen_profile() { return {}; }
+
+}  // namespace unietp::testing

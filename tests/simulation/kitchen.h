@@ -1,0 +1,20 @@
+#pragma once
+
+#include "akb/knowledge.h"
+#include "scene/scene.h"
+#include "simulation/profile.h"
+#include "simulation/relations.h"
+
+namespace unietp::testing {
+
+/// A 5 x 4 m kitchen with a table, a counter, a fridge, a microwave on the counter, a sink, a chest of drawers, and on
+/// the table a mug, an apple, a knife and a plate: what the tests of physics and actions need, built by hand.
+Knowledge kitchen_knowledge();
+Scene kitchen();
+Profile kitchen_profile();
+
+/// Adds a movable resting at (x, y) with its lowest side at z.
+Node& add(Scene& scene, const std::string& id, const Knowledge& knowledge, const std::string& category, double x,
+          double y, double z, double yaw = 0);
+
+}  // namespace unietp::testing

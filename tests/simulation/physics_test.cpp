@@ -1,0 +1,121 @@
+#include "simulation/physics.h"
+
+#include <gtest/gtest.h>
+
+#include "simulation/relations.h"
+#include "tests/simulation/kitchen.h"
+
+namespace unietp {
+namespace {
+
+using testing::add;
+using testing::kitchen;
+using testing::kitchen_knowledge;
+
+std::size_t index_of(const Scene& scene, std::string_view id) {
+  return static_cast<std::size_t>(find_node(scene, id) - scene.nodes.data());
+}
+
+/// Drops one object and reads what it came to.
+Scene dropped(Scene scene, const std::string& id) {
+  PhysicsWorld world = physics_of(scene);
+  const BodyId loose[] = {static_cast<BodyId>(index_of(scene, id))};
+  const Settled settled = world.settle(loose);
+  EXPECT_TRUE(settled.calm);
+  find_node(scene, id)->pose = settled.bodies.front().pose;
+  scene.edges = read_relations(scene);
+  return scene;
+}
+
+TEST(Settle, WhatIsLetGoAboveATableComesToRestOnIt) {
+  Scene scene = kitchen();
+  add(scene, "mug_2", kitchen_knowledge(), "Mug", 2.9, 0.95, 0.85);
+  const Scene after = dropped(scene, "mug_2");
+  EXPECT_TRUE(has_edge(after, Predicate::On, "mug_2", "diningtable_1"));
+  EXPECT_NEAR(find_node(after, "mug_2")->pose.position.z(), 0.75 + 0.05, 0.002);
+}
+
+TEST(Settle, WhatIsLetGoBesideTheTableFallsToTheFloor) {
+  Scene scene = kitchen();
+  add(scene, "mug_2", kitchen_knowledge(), "Mug", 4.0, 1.2, 0.85);
+  const Scene after = dropped(scene, "mug_2");
+  EXPECT_FALSE(has_edge(after, Predicate::On, "mug_2", "diningtable_1"));
+  EXPECT_TRUE(has_edge(after, Predicate::OnFloor, "mug_2", "kitchen_1"));
+}
+
+TEST(Settle, WhatHangsOverTheEdgeTopplesOff) {
+  Scene scene = kitchen();
+  add(scene, "plate_2", kitchen_knowledge(), "Plate", 3.1 + 0.07, 1.0, 0.76);  // its middle is 7 cm past the edge
+  EXPECT_TRUE(has_edge(dropped(scene, "plate_2"), Predicate::OnFloor, "plate_2", "kitchen_1"));
+}
+
+TEST(Settle, AStackStandsAndEachIsOnTheNextBelowOnly) {
+  Scene scene = kitchen();
+  add(scene, "plate_2", kitchen_knowledge(), "Plate", 2.3, 1.35, 0.78);
+  const Scene after = dropped(scene, "plate_2");
+  EXPECT_TRUE(has_edge(after, Predicate::On, "plate_2", "plate_1"));
+  EXPECT_FALSE(has_edge(after, Predicate::On, "plate_2", "diningtable_1"));
+}
+
+TEST(Settle, AFridgeHoldsWhatIsInItAndAMugWhatIsInIt) {
+  Scene scene = kitchen();
+  const Knowledge knowledge = kitchen_knowledge();
+  add(scene, "mug_2", knowledge, "Mug", 4.4, 3.6, 0.03);
+  Scene after = dropped(scene, "mug_2");
+  EXPECT_TRUE(has_edge(after, Predicate::Inside, "mug_2", "fridge_1"));
+  EXPECT_FALSE(has_edge(after, Predicate::On, "mug_2", "fridge_1"));
+  Node& pea = add(after, "potato_2", knowledge, "Potato", 0, 0, 0);
+  pea.size = Vec3(0.04, 0.04, 0.04);
+  pea.pose.position = find_node(after, "mug_2")->pose.position + Vec3(0, 0, 0.03);
+  after = dropped(after, "potato_2");
+  EXPECT_TRUE(has_edge(after, Predicate::Inside, "potato_2", "mug_2"));
+  EXPECT_TRUE(has_edge(after, Predicate::Inside, "potato_2", "fridge_1"));  // and so in the fridge as well
+}
+
+TEST(Settle, GivesTheSameBitsEachTime) {
+  Scene scene = kitchen();
+  add(scene, "apple_2", kitchen_knowledge(), "Apple", 2.6, 1.2, 1.2);
+  const PhysicsWorld world = physics_of(scene);
+  const BodyId loose[] = {static_cast<BodyId>(index_of(scene, "apple_2")),
+                          static_cast<BodyId>(index_of(scene, "mug_1"))};
+  const Settled first = world.settle(loose), second = PhysicsWorld(world).settle(loose);
+  ASSERT_EQ(first.bodies.size(), second.bodies.size());
+  for (std::size_t i = 0; i < first.bodies.size(); ++i) EXPECT_TRUE(first.bodies[i].pose == second.bodies[i].pose);
+}
+
+TEST(Overlap, NamesWhatStandsThereAndNothingWhenFree) {
+  const Scene scene = kitchen();
+  const PhysicsWorld world = physics_of(scene);
+  const Shape mug = make_shape(Archetype::Vessel, {0.09, 0.09, 0.1}, false);
+  const auto hit = world.overlap(mug, upright({2.2, 1.0, 0.81}, 0), 0, {});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(scene.nodes[*hit].id, "mug_1");
+  EXPECT_FALSE(world.overlap(mug, upright({2.2, 1.0, 1.2}, 0), 0, {}));
+}
+
+TEST(Ray, MeetsWallsAndClosedDoorsFirst) {
+  const Scene scene = kitchen();
+  const PhysicsWorld world = physics_of(scene);
+  const auto wall = world.ray({2.5, 2, 1.5}, {2.5, -3, 1.5});
+  ASSERT_TRUE(wall);
+  EXPECT_GE(wall->body, kFirstWall);
+  const auto door = world.ray({4.4, 2, 1.0}, {4.4, 3.6, 1.0});
+  ASSERT_TRUE(door);
+  EXPECT_EQ(scene.nodes[door->body].id, "fridge_1");
+}
+
+TEST(ReadRelations, AnUpdateAfterAChangeEqualsAFreshReading) {
+  Scene scene = kitchen();
+  PhysicsWorld world = physics_of(scene);
+  const std::size_t mug = index_of(scene, "mug_1");
+  const Bounds before = world.bounds(static_cast<BodyId>(mug));
+  scene.nodes[mug].pose = upright({1.2, 3.55, 0.9505}, 0.3);
+  world.move(static_cast<BodyId>(mug), scene.nodes[mug].pose);
+  const Bounds touched[] = {before, world.bounds(static_cast<BodyId>(mug))};
+  const std::size_t changed[] = {mug};
+  EXPECT_EQ(update_relations(scene, world, {}, touched, changed), read_relations(scene));
+  EXPECT_NE(read_relations(scene), scene.edges);
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,59 @@
+#include "simulation/shape.h"
+
+#include <gtest/gtest.h>
+
+#include "core/rng.h"
+
+namespace unietp {
+namespace {
+
+/// Do two parts of a shape overlap by more than a hair? For axis-aligned boxes at closed joints.
+bool overlap_by(const Part& a, const Part& b, double depth) {
+  const Bounds x = bounds_of(a.pose, a.size), y = bounds_of(b.pose, b.size);
+  return (x.high.cwiseMin(y.high) - x.low.cwiseMax(y.low)).minCoeff() > depth;
+}
+
+TEST(MakeShape, KeepsEveryPartInsideTheBoxForAnySizeWhenClosed) {
+  Rng rng(1);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 size(rng.uniform(0.05, 2), rng.uniform(0.05, 1), rng.uniform(0.03, 2));
+    for (const Archetype archetype : all_archetypes()) {
+      if (archetype == Archetype::Sphere || archetype == Archetype::Cylinder) continue;  // round: width and depth agree
+      SCOPED_TRACE(std::string(name_of(archetype)));
+      for (const bool openable : {false, true}) {
+        const Shape shape = make_shape(archetype, size, openable);
+        ASSERT_FALSE(shape.parts.empty());
+        const Bounds bounds = bounds_of(shape, {}, 0);
+        EXPECT_LE((bounds.high - size / 2).maxCoeff(), 1e-9);
+        EXPECT_GE((bounds.low + size / 2).minCoeff(), -1e-9);
+        for (const Part& part : shape.parts) EXPECT_GT(part.size.minCoeff(), 0);
+      }
+    }
+  }
+}
+
+TEST(MakeShape, LeavesCavitiesFreeOfSolidsExceptShelves) {
+  const Shape fridge = make_shape(Archetype::Cabinet, {0.7, 0.65, 0.4}, true);  // low: one bay, no shelf
+  ASSERT_EQ(fridge.cavities.size(), 1u);
+  const Cavity& cavity = fridge.cavities.front();
+  const Part hollow{Part::Kind::Box, {cavity.centre, Quat::Identity()}, 2 * cavity.half, -1};
+  for (const Part& part : fridge.parts) EXPECT_FALSE(overlap_by(part, hollow, 1e-9));
+  EXPECT_GT(8 * cavity.half.prod(), 0.7 * 0.7 * 0.65 * 0.4);
+}
+
+TEST(MakeShape, ADoorSwingsOutInFrontAndAnOpenDrawerSlidesOut) {
+  const Shape cabinet = make_shape(Archetype::Cabinet, {0.6, 0.5, 0.8}, true);
+  EXPECT_NEAR(bounds_of(cabinet, {}, 1).low.y(), -0.25 - 0.6, 0.03);
+  EXPECT_NEAR(bounds_of(cabinet, {}, 1).high.y(), 0.25, 1e-9);
+  const Shape chest = make_shape(Archetype::Drawers, {0.6, 0.5, 0.8}, true);
+  EXPECT_NEAR(bounds_of(chest, {}, 1).low.y(), -0.25 - 0.8 * 0.48, 0.03);
+}
+
+TEST(MakeShape, ALidOpensUpwardsAndPastUpright) {
+  const Shape box = make_shape(Archetype::Lidded, {0.4, 0.3, 0.2}, true);
+  EXPECT_GT(bounds_of(box, {}, 0.5).high.z(), 0.3);
+  EXPECT_GT(bounds_of(box, {}, 1).high.y(), 0.15);
+}
+
+}  // namespace
+}  // namespace unietp
