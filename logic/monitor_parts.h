@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "logic/progression.h"
+
+namespace unietp::monitoring {
+
+/// The goal's own structure down to its outermost temporal operators, with an instance for every object met so far; so
+/// that parts which are already met still count. Each leaf carries the residual of its temporal formula.
+struct Part {
+  /// The instances of one variable, or the parts of an and/or.
+  struct Group {
+    std::vector<Part> parts;
+    std::vector<Part> waiting;  // none or one: the instance for objects that are yet to appear
+    Slot slot = 0;
+    bool quantified = false;
+    int weight = 1;
+  };
+  NodeId node = 0;
+  Ref origin = kFalse;        // of a leaf: its pending residual at the first position
+  Ref residual = kFalse;      // of a leaf: what is asked of the states after the last one
+  bool now = false;           // truth if the trace ends with the last state
+  std::vector<Group> groups;  // empty: a leaf
+};
+
+Part build_part(const Program& program, NodeId node, Residuals& residuals);
+/// Takes in the last state: new objects get instances, residuals advance.
+void update_part(Part& part, const Program& program, const Known& known, Residuals& residuals, Progression& step);
+
+/// What any continuation can still make of a part; `Open` where that is not known.
+enum class Outlook : std::uint8_t { Lost, Won, Open };
+Outlook outlook_of(const Part& part, const Program& program);
+
+}  // namespace unietp::monitoring

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "logic/residual.h"
+
+namespace unietp::monitoring {
+
+/// What a monitor knows of the scene: the entities that have existed so far, sorted into the domains of the goal.
+struct Known {
+  std::vector<std::vector<EntityIndex>> members;  // by slot, in order of appearance
+  std::vector<std::size_t> fresh_from;            // by slot: members from here on are new in the last state
+  EntityIndex agent = kWaits - 1;                 // an entity that exists nowhere while there is no agent
+  Facts first, last;                              // the first and the last observed state
+};
+
+/// Reads a program in the last observed state: truth if the trace ends here (`now`, of a residual
+/// `holds_now`), and what is left to ask of the rest if it goes on (`next`, `advance`). Lives for one step. Every
+/// variable starts as waiting: for an entity that is yet to appear, of which nothing holds in this state.
+class Progression {
+ public:
+  Progression(const Program& program, const Known& known, Residuals& residuals)
+      : program_(program), known_(known), residuals_(residuals), facts_(&known.last) {
+    for (Slot slot = 0; slot < program.quantifiers.size(); ++slot) values_.push_back(waiting(slot));
+  }
+
+  bool holds_now(Ref ref);
+  Ref advance(Ref ref);
+  /// Gives the free variables of a pending residual their values; for reading its program node directly.
+  void enter(Ref pending);
+
+  bool now(const Node& node);
+  Ref next(NodeId node);
+  const Node& node(NodeId id) const { return program_.nodes[id]; }
+  Value& value(Slot slot) { return values_[slot]; }
+  Value value(const Node::Argument& argument) const;
+
+ private:
+  bool holds_atom(const Node& node) const;
+  bool now_quantified(const Node& node, bool universal);
+  bool now_new(Ref ref, bool universal);
+  int number_of(const Node& node);
+  Ref next_same(Value a, Value b, bool positive);
+  Ref next_junction(const std::vector<NodeId>& children, bool conjunctive);
+  Ref next_quantifier(const Node& node);
+  Ref next_sum(const Node& node);
+  Ref advance_new(Ref ref);
+  Ref advance_sum(Ref ref);
+  Ref pending(NodeId node);
+  Ref compute_advance(Ref ref);
+
+  const Program& program_;
+  const Known& known_;
+  Residuals& residuals_;
+  const Facts* facts_;         // the last state; inside a guard, the first
+  std::vector<Value> values_;  // by slot
+  std::vector<Ref> memo_;      // advance(ref) plus one; 0 is not yet known
+};
+
+}  // namespace unietp::monitoring

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "logic/monitor_program.h"
+
+namespace unietp::monitoring {
+
+/// An entity, or, with the highest bit set, the variable of a slot that still waits for an entity to appear.
+using Value = std::uint32_t;
+inline constexpr Value kWaits = 0x80000000U;
+inline constexpr bool waits(Value value) { return (value & kWaits) != 0; }
+inline constexpr Value waiting(Slot slot) { return kWaits | slot; }
+
+/// Position of a residual in its store.
+using Ref = std::uint32_t;
+inline constexpr Ref kFalse = 0, kTrue = 1;
+
+/// What is still asked of the rest of a trace. Equal residuals are one: each is stored once, and/or are flat sorted
+/// sets in which no part repeats deeper down, so what can arise from one goal is finite however long the trace.
+class Residuals {
+ public:
+  enum class Kind : std::uint8_t {
+    False,
+    True,
+    Pending,  // data: values of the program node's free variables; to be read at the next position
+    Same,     // data: two values, at least one waiting; 1 if asked to be the same
+    And,
+    Or,       // data: parts
+    ForNew,   // id: slot; data: body. For every entity of the slot's domain that appears from now on
+    SomeNew,  // the same for some entity
+    Sum,      // id: relation; data: constant, number of terms, (part, weight)…, (slot, part, weight)…
+  };
+
+  Residuals();
+  Kind kind(Ref ref) const { return items_[ref].kind; }
+  std::uint32_t id(Ref ref) const { return items_[ref].id; }
+  std::span<const std::uint32_t> data(Ref ref) const { return {pool_.data() + items_[ref].begin, items_[ref].size}; }
+  std::size_t size() const { return items_.size(); }
+
+  Ref pending(NodeId node, std::span<const Value> values);
+  Ref same(Value a, Value b, bool positive);
+  Ref conjunction(std::vector<Ref> parts) { return junction(Kind::And, std::move(parts)); }
+  Ref disjunction(std::vector<Ref> parts) { return junction(Kind::Or, std::move(parts)); }
+  Ref for_new(Slot slot, Ref body);
+  Ref some_new(Slot slot, Ref body);
+
+  struct Term {
+    Ref part;
+    int weight;
+    auto operator<=>(const Term&) const = default;
+  };
+  struct NewTerm {
+    Slot slot;
+    Ref part;
+    int weight;
+    auto operator<=>(const NewTerm&) const = default;
+  };
+  Ref sum(Relation relation, int constant, std::vector<Term> terms, std::vector<NewTerm> news);
+  struct SumView {
+    Relation relation;
+    int constant;
+    std::vector<Term> terms;
+    std::vector<NewTerm> news;
+  };
+  SumView view_sum(Ref ref) const;
+
+  /// The residual with the waiting variable of a slot replaced by an entity.
+  Ref instantiate(Ref ref, Slot slot, Value entity);
+
+  /// Copies what a residual needs from another store.
+  Ref import(const Residuals& from, Ref ref, std::vector<Ref>& known);
+
+ private:
+  struct Item {
+    Kind kind;
+    std::uint32_t id;
+    std::uint32_t begin, size;
+    std::uint64_t waiting;  // slots that wait inside, modulo 64
+  };
+
+  Ref intern(Kind kind, std::uint32_t id, std::span<const std::uint32_t> data);
+  std::uint64_t waiting_in(Kind kind, std::uint32_t id, std::span<const std::uint32_t> data) const;
+  void grow_table();
+  Ref junction(Kind kind, std::vector<Ref> parts);
+  void flatten(Kind kind, std::vector<Ref>& parts) const;
+  bool merge_new(Kind kind, std::vector<Ref>& parts);
+  Ref assume(Ref ref, const std::vector<Ref>& known, Ref value, Ref self);
+
+  std::vector<Item> items_;
+  std::vector<std::uint32_t> pool_;
+  std::vector<Ref> table_;  // open addressing; kFalse marks a free place
+};
+
+}  // namespace unietp::monitoring
