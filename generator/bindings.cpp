@@ -6,6 +6,10 @@
 namespace unietp {
 namespace {
 
+bool is_meant_for(const Template& source, Simulator simulator) {
+  return std::find(source.simulators.begin(), source.simulators.end(), simulator) != source.simulators.end();
+}
+
 bool is_room(const Parameter& parameter) { return parameter.affordances == std::vector<std::string>{"room"}; }
 
 class BindingSearch {
@@ -60,12 +64,14 @@ class BindingSearch {
 
 std::vector<Binding> enumerate_bindings(const Template& source, const Knowledge& knowledge, std::size_t limit) {
   std::vector<Binding> found;
+  if (!is_meant_for(source, knowledge.simulator())) return found;
   BindingSearch(source, knowledge).enumerate(limit, found);
   return found;
 }
 
 std::optional<Binding> sample_binding(const Template& source, const Knowledge& knowledge,
                                       const std::vector<std::string>& offered, Rng rng) {
+  if (!is_meant_for(source, knowledge.simulator())) return std::nullopt;
   std::vector<Binding> found;
   BindingSearch search(source, knowledge);
   search.restrict_to(offered);

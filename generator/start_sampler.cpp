@@ -68,7 +68,7 @@ StartSampler::World StartSampler::random_world(Rng& rng) const {
     for (std::uint64_t i = 0; i < number; ++i) {
       Object object{k, {}, std::nullopt, 0};
       for (const auto group : kind.groups) object.value.push_back(rng.below(state_groups()[group].predicates.size()));
-      if (!rooms_.empty()) object.room = rng.below(rooms_.size());
+      object.room = rng.below(rooms_.size() + 1);
       world.push_back(std::move(object));
     }
   }
@@ -102,7 +102,7 @@ void StartSampler::randomise(World& world, std::size_t object, const Formula& ai
     const auto places = places_for(world, object);
     changed.place.reset();
     if (!places.empty() && rng.chance(literal.positive ? 0.9 : 0.5)) changed.place = rng.pick(places);
-    if (!rooms_.empty()) changed.room = rng.below(rooms_.size());
+    changed.room = rng.below(rooms_.size() + 1);
     return;
   }
   const auto& groups = kinds_[changed.kind].groups;
@@ -127,8 +127,7 @@ Trace StartSampler::trace_of(const World& world) const {
   }
   const auto first_room = static_cast<EntityIndex>(trace.entities.size());
   for (const auto& type : rooms_) add({Entity::Kind::Room, type + "_1", type, ""});
-  const auto agent = add({Entity::Kind::Agent, "agent", "agent", ""});
-  if (!rooms_.empty()) facts.set(Predicate::InRoom, agent, first_room);
+  add({Entity::Kind::Agent, "agent", "agent", ""});  // with empty hands and in none of these rooms
   for (std::size_t i = 0; i < world.size(); ++i) {
     const auto& object = world[i];
     const auto index = static_cast<EntityIndex>(i);
@@ -142,7 +141,8 @@ Trace StartSampler::trace_of(const World& world) const {
       }
     }
     if (object.place) facts.set(object.place->relation, index, static_cast<EntityIndex>(object.place->receptacle));
-    if (!rooms_.empty()) facts.set(Predicate::InRoom, index, first_room + static_cast<EntityIndex>(object.room));
+    if (object.room < rooms_.size())
+      facts.set(Predicate::InRoom, index, first_room + static_cast<EntityIndex>(object.room));
   }
   trace.states.push_back(std::move(facts));
   return trace;

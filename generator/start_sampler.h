@@ -31,7 +31,7 @@ class StartSampler {
     std::size_t kind;                // position in kinds_
     std::vector<std::size_t> value;  // of each of its state groups: position in the group
     std::optional<Place> place;
-    std::size_t room = 0;  // position in rooms_; meaningless when there are none
+    std::size_t room = 0;  // position in rooms_, or their number for some other room
   };
   struct Kind {
     std::string category;

@@ -195,6 +195,7 @@ class TemplateReader {
         item.is_list() && item.children.size() >= 3 && item.children[1].is_atom("-") &&
         std::all_of(item.children.begin(), item.children.end(), [](const Sexpr& c) { return c.is_atom(); });
     if (!formed) {
+      source_.parameters_read = false;
       error(item.pos,
             "expected a placeholder, '-' and what it must afford, such as (A - pickupable) or (C - furniture "
             "container openable)");
@@ -202,6 +203,7 @@ class TemplateReader {
     }
     Parameter parameter{item.children[0].text, {}, item.children[0].pos};
     if (!is_placeholder_name(parameter.name)) {
+      source_.parameters_read = false;
       error(parameter.pos, "'" + parameter.name + "' is no placeholder; one starts with a capital letter, such as A");
     }
     for (const auto& other : source_.value.parameters) {
@@ -229,6 +231,12 @@ class TemplateReader {
   }
 
   void read_constraint(const Sexpr& item) {
+    const auto before = errors_.size();
+    read_sound_constraint(item);
+    if (errors_.size() != before) source_.constraints_read = false;
+  }
+
+  void read_sound_constraint(const Sexpr& item) {
     const bool formed =
         item.is_list() && !item.children.empty() &&
         std::all_of(item.children.begin(), item.children.end(), [](const Sexpr& c) { return c.is_atom(); });

@@ -108,10 +108,10 @@ class Checker {
   }
 
   void require_declared(const std::string& name, SourcePos pos) {
-    if (is_declared(name)) return;
+    if (is_declared(name) || !source_.parameters_read) return;
     const auto near = nearest_name(name, declared_);
     error(pos, "undeclared placeholder '" + name + "'; declared in parameters: " + join(declared_, ", ") +
-                   (near.empty() ? "" : "; did you mean '" + near + "'?"));
+                   (near.size() < 2 ? "" : "; did you mean '" + near + "'?"));  // of one letter any is near
   }
 
   void use_domains(const Sexpr& expression, std::set<std::string>& used) {
@@ -141,6 +141,7 @@ class Checker {
         for (const auto* atom : binder.names) in_goal_.insert(placeholder_use(atom->text).name);
       }
     }
+    if (!source_.constraints_read || !source_.parameters_read) return;
     for (const auto& parameter : value_.parameters) {
       if (used.contains(parameter.name)) continue;
       error(parameter.pos, "placeholder '" + parameter.name +

@@ -15,6 +15,8 @@ struct TemplateSource {
   std::vector<bool> init_read;  // of each: whether it became the next entry of value.init
   std::vector<Sexpr> goal;      // none or one
   bool goal_read = false;
+  bool parameters_read = true;   // false when one was malformed: then nobody knows what is declared
+  bool constraints_read = true;  // false when one was malformed: then nobody knows what is used
   std::vector<Sexpr> phrasings;  // of value.instructions, same order
 };
 

@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "generator/specification.h"
+#include "small_home.h"
+
+namespace unietp {
+namespace {
+
+/// All combinations of categories, kept when the scan of the tables says they fit.
+std::vector<Binding> bindings_by_brute_force(const Template& source, const Knowledge& knowledge) {
+  std::vector<Binding> open = {{}}, found;
+  for (const auto& parameter : source.parameters) {
+    std::vector<Binding> longer;
+    for (const auto& binding : open) {
+      for (const auto& category : knowledge.categories()) {
+        longer.push_back(binding);
+        longer.back().emplace_back(parameter.name, category.name);
+      }
+    }
+    open = std::move(longer);
+  }
+  for (auto& binding : open) {
+    if (fits_by_scan(source, binding, knowledge)) found.push_back(std::move(binding));
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+TEST(EnumerateBindings, FindsExactlyWhatBruteForceFinds) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  for (const auto& source : library()) {
+    if (source.parameters.size() > 3) continue;  // 20^4 combinations take too long here
+    SCOPED_TRACE(source.name);
+    EXPECT_EQ(enumerate_bindings(source, knowledge, 100000), bindings_by_brute_force(source, knowledge));
+  }
+}
+
+TEST(EnumerateBindings, StopsAtTheLimitWithTheFirstOnes) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto& source = library_template("place-one-on");
+  const auto all = enumerate_bindings(source, knowledge, 1000);
+  const auto few = enumerate_bindings(source, knowledge, 7);
+  ASSERT_EQ(few.size(), 7U);
+  EXPECT_TRUE(std::equal(few.begin(), few.end(), all.begin()));
+  EXPECT_TRUE(enumerate_bindings(source, knowledge, 0).empty());
+}
+
+TEST(EnumerateBindings, IsEmptyWhereTheTemplateIsNotMeantForTheSimulator) {
+  EXPECT_TRUE(enumerate_bindings(library_template("wash-one"), small_home(Simulator::Habitat), 10).empty());
+  EXPECT_FALSE(sample_binding(library_template("wash-one"), small_home(Simulator::Habitat), {}, Rng(1)));
+}
+
+TEST(SampleBinding, MeetsTheConstraintsForEverySeedAndTemplate) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  for (const auto& source : library()) {
+    SCOPED_TRACE(source.name);
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      const auto binding = sample_binding(source, knowledge, {}, Rng(seed));
+      ASSERT_TRUE(binding);
+      EXPECT_TRUE(fits_by_scan(source, *binding, knowledge)) << seed;
+      EXPECT_EQ(binding, sample_binding(source, knowledge, {}, Rng(seed))) << "not deterministic";
+    }
+  }
+}
+
+TEST(SampleBinding, DrawsTheFirstPlaceholderUniformlyOverCategoriesThatCanBeCompleted) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto& source = library_template("wash-and-place-on");
+  std::map<std::string, int> drawn;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    ++drawn[sample_binding(source, knowledge, {}, Rng(seed))->front().second];
+  }
+  ASSERT_EQ(drawn.size(), 4U);  // Bowl, Mug, Plate, Pot
+  for (const auto& [name, times] : drawn) EXPECT_NEAR(times, 500, 100) << name;
+}
+
+TEST(SampleBinding, KeepsToWhatIsOffered) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const std::vector<std::string> offered = {"Mug", "Apple", "Table", "Fridge", "Shelf"};
+  const auto& source = library_template("place-one-on");
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const auto binding = sample_binding(source, knowledge, offered, Rng(seed));
+    ASSERT_TRUE(binding);
+    for (const auto& [name, category] : *binding) {
+      EXPECT_NE(std::find(offered.begin(), offered.end(), category), offered.end()) << category;
+    }
+  }
+  EXPECT_FALSE(sample_binding(source, knowledge, {"Mug", "Fridge"}, Rng(1)));
+}
+
+TEST(SampleBinding, FillsARoomPlaceholderWithATypeOfRoom) {
+  const auto reading = parse_template("bring.template", R"((template bring (name "bring <A> into <R>") (split atomic)
+    (parameters (A - pickupable) (R - room))
+    (init (forall (?a - A) (not (exists (?r - R) (in_room ?a ?r)))))
+    (goal (exists (?a - A) (exists (?r - R) (at-end (in_room ?a ?r)))))
+    (instruction "Bring {A:indefinite} {R:into}.")))");
+  ASSERT_EQ(reading.templates.size(), 1U) << format(reading.errors.front());
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto binding = sample_binding(reading.templates[0], knowledge, {"Mug", "Table"}, Rng(3));
+  ASSERT_TRUE(binding);
+  EXPECT_EQ((*binding)[0].second, "Mug");
+  EXPECT_TRUE((*binding)[1].second == "Kitchen" || (*binding)[1].second == "LivingRoom");
+  EXPECT_TRUE(instantiate(reading.templates[0], knowledge, *binding));
+}
+
+}  // namespace
+}  // namespace unietp

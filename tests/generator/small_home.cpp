@@ -1,0 +1,208 @@
+#include "small_home.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+#include "core/text.h"
+#include "logic/evaluate.h"
+
+namespace unietp {
+namespace {
+
+const Source kCurated = {"curated", 1};
+
+Category category(const std::string& name, bool movable) {
+  Category made;
+  made.name = name;
+  made.display = lower(name);
+  made.plural = made.display + "s";
+  made.movable = movable;
+  made.size = Vec3(0.2, 0.2, 0.2);
+  made.mass = 1;
+  made.rooms = {"Kitchen"};
+  if (!movable) made.rooms.push_back("LivingRoom");
+  made.source = made.size_source = made.mass_source = kCurated;
+  return made;
+}
+
+}  // namespace
+
+Knowledge small_home(Simulator simulator) {
+  const std::vector<std::string> movable = {"Apple",       "AppleSliced", "Book", "Bowl",  "Bread",
+                                            "BreadSliced", "Knife",       "Mug",  "Plate", "Pot"};
+  const std::vector<std::string> furniture = {"Cabinet",   "Counter", "Drawer", "Fridge", "Lamp",
+                                              "Microwave", "Shelf",   "Sink",   "Table",  "Television"};
+  std::vector<Category> categories;
+  std::vector<AffordanceFact> affordances;
+  const auto afford = [&](const std::string& name, const std::vector<std::string>& words) {
+    for (const auto& word : words) affordances.push_back({name, word, kCurated});
+  };
+  for (const auto& name : movable) {
+    categories.push_back(category(name, true));
+    afford(name, {"pickupable"});
+  }
+  for (const auto& name : furniture) categories.push_back(category(name, false));
+  for (const auto* name : {"Bowl", "Mug", "Plate", "Pot"}) afford(name, {"dirtyable", "heatable"});
+  for (const auto* name : {"Apple", "Bread"}) afford(name, {"sliceable", "heatable", "cookable"});
+  for (const auto* name : {"Cabinet", "Drawer", "Fridge", "Microwave"}) afford(name, {"container", "openable"});
+  for (const auto* name : {"Counter", "Shelf", "Table"}) afford(name, {"receptacle"});
+  for (const auto* name : {"Lamp", "Microwave", "Television"}) afford(name, {"switchable"});
+  afford("Sink", {"container"});
+
+  std::vector<Placement> placements;
+  std::vector<Effect> effects;
+  for (const auto& name : movable) {
+    for (const auto* top : {"Counter", "Shelf", "Table"}) placements.push_back({name, "on", top, 0.5, 5, kCurated});
+    for (const auto* box : {"Cabinet", "Drawer", "Fridge"})
+      placements.push_back({name, "inside", box, 0.2, 4, kCurated});
+    placements.push_back({name, "inside", "Microwave", 0.1, 1, kCurated});
+    placements.push_back({name, "inside", "Sink", 0.1, 3, kCurated});
+  }
+  for (const auto* name : {"Bowl", "Mug", "Plate", "Pot"})
+    effects.push_back({"Sink", "washes", name, "", 0, {}, kCurated});
+  for (const auto* name : {"Apple", "Bowl", "Bread", "Mug", "Plate", "Pot"}) {
+    effects.push_back({"Microwave", "heats", name, "", 0, {"closed", "power_on"}, kCurated});
+    effects.push_back({"Fridge", "cools", name, "", 0, {"closed"}, kCurated});
+  }
+  effects.push_back({"Knife", "slices", "Apple", "AppleSliced", 4, {"held"}, kCurated});
+  effects.push_back({"Knife", "slices", "Bread", "BreadSliced", 6, {"held"}, kCurated});
+  std::vector<Alias> aliases = {{"Mug", "something to drink from", "function", kCurated},
+                                {"Bowl", "something to drink from", "function", kCurated},
+                                {"Mug", "coffee cup", "synonym", kCurated},
+                                {"Book", "reading matter", "synonym", kCurated},
+                                {"Apple", "I am hungry for fruit.", "context", kCurated}};
+  return Knowledge(simulator, std::move(categories), std::move(affordances), std::move(placements), std::move(effects),
+                   std::move(aliases));
+}
+
+const std::vector<Template>& library() {
+  static const auto kReading = load_templates(std::filesystem::path(UNIETP_SOURCE_DIR) / "templates/library");
+  EXPECT_TRUE(kReading.errors.empty()) << format(kReading.errors.front());
+  return kReading.templates;
+}
+
+const Template& library_template(const std::string& name) {
+  const auto& all = library();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Template& t) { return t.name == name; });
+  if (found == all.end()) throw std::runtime_error("no template " + name);
+  return *found;
+}
+
+bool fits_by_scan(const Template& source, const Binding& binding, const Knowledge& knowledge) {
+  const auto category_of = [&](std::string argument) {
+    const bool slice = argument.ends_with("/slice");
+    if (slice) argument.resize(argument.size() - 6);
+    for (const auto& [name, bound] : binding) {
+      if (name != argument) continue;
+      if (!slice) return bound;
+      for (const auto& effect : knowledge.effects()) {
+        if (effect.effect == "slices" && effect.target == bound && !effect.gives.empty()) return effect.gives;
+      }
+      return bound;
+    }
+    return std::string();
+  };
+  if (binding.size() != source.parameters.size()) return false;
+  for (const auto& parameter : source.parameters) {
+    const auto name = category_of(parameter.name);
+    for (const auto& wanted : parameter.affordances) {
+      if (wanted == "any") continue;
+      bool found = false;
+      for (const auto& known : knowledge.categories()) {
+        found = found || (known.name == name &&
+                          ((wanted == "furniture" && !known.movable) || (wanted == "movable" && known.movable)));
+      }
+      for (const auto& fact : knowledge.affordances()) {
+        found = found || (fact.category == name && fact.affordance == wanted);
+      }
+      if (!found) return false;
+    }
+  }
+  for (const auto& constraint : source.constraints) {
+    const auto& arguments = constraint.arguments;
+    if (constraint.kind == "distinct") {
+      std::set<std::string> names;
+      for (const auto& argument : arguments) names.insert(category_of(argument));
+      if (names.size() != arguments.size()) return false;
+      continue;
+    }
+    bool found = false;
+    if (constraint.kind.starts_with("fits-")) {
+      const int wanted = arguments.size() > 2 ? std::stoi(arguments[2]) : 1;
+      for (const auto& row : knowledge.placements()) {
+        found = found || (row.object == category_of(arguments[0]) && row.receptacle == category_of(arguments[1]) &&
+                          row.relation == constraint.kind.substr(5) && row.capacity >= wanted);
+      }
+    } else {
+      for (const auto& row : knowledge.effects()) {
+        found = found || (row.tool == category_of(arguments[0]) && row.target == category_of(arguments[1]) &&
+                          row.effect == constraint.kind);
+      }
+    }
+    if (!found) return false;
+  }
+  return true;
+}
+
+std::vector<Trace> starts_by_rejection(const Specification& specification, const Knowledge& knowledge, Rng rng,
+                                       int tries) {
+  using enum Predicate;
+  const std::vector<std::pair<std::string, std::vector<Predicate>>> groups = {
+      {"openable", {Closed, Open}},   {"switchable", {PowerOff, PowerOn}}, {"dirtyable", {Clean, Dirty}},
+      {"sliceable", {Whole, Sliced}}, {"cookable", {Raw, Cooked}},         {"heatable", {RoomTemperature, Hot, Cool}}};
+  std::set<std::string> names;
+  for (const auto& name : categories_of(specification.goal)) names.insert(name);
+  for (const auto& start : specification.init) {
+    for (const auto& name : categories_of(start)) names.insert(name);
+  }
+  std::vector<Trace> starts;
+  for (int i = 0; i < tries; ++i) {
+    Trace trace;
+    Facts facts;
+    for (const auto& name : names) {
+      const auto number = 1 + rng.below(3);
+      for (std::uint64_t n = 0; n < number; ++n) {
+        facts.set_exists(static_cast<EntityIndex>(trace.entities.size()));
+        trace.entities.push_back({Entity::Kind::Object, name + std::to_string(n), name, ""});
+      }
+    }
+    // Objects of one category mostly share a state or a place, else hardly any start would meet `forall` constraints.
+    const bool alike = rng.chance(0.5);
+    for (const auto& name : names) {
+      std::vector<std::pair<Predicate, EntityIndex>> places;
+      for (EntityIndex to = 0; to < trace.entities.size(); ++to) {
+        for (const auto& [relation, word] : {std::pair(On, "on"), std::pair(Inside, "inside")}) {
+          for (const auto& row : knowledge.placements()) {
+            if (row.object == name && row.relation == word && row.receptacle == trace.entities[to].category) {
+              places.emplace_back(relation, to);
+            }
+          }
+        }
+      }
+      std::vector<std::size_t> shared;
+      for (const auto& group : groups) shared.push_back(rng.below(group.second.size()));
+      const auto shared_place = rng.below(3 * places.size() + 1);
+      for (EntityIndex at = 0; at < trace.entities.size(); ++at) {
+        if (trace.entities[at].category != name) continue;
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+          if (!knowledge.has(name, groups[g].first)) continue;
+          const auto& states = groups[g].second;
+          facts.set(alike ? states[shared[g]] : states[rng.below(states.size())], at);
+        }
+        const auto place = alike ? shared_place : rng.below(3 * places.size() + 1);
+        if (place < places.size()) facts.set(places[place].first, at, places[place].second);
+      }
+    }
+    trace.states.push_back(facts);
+    const bool meets = std::all_of(specification.init.begin(), specification.init.end(),
+                                   [&](const Formula& start) { return holds_in(start, trace, 0); });
+    if (meets) starts.push_back(std::move(trace));
+  }
+  return starts;
+}
+
+}  // namespace unietp
