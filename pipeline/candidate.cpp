@@ -1,0 +1,131 @@
+#include "pipeline/candidate.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/digest.h"
+#include "core/files.h"
+#include "core/text.h"
+#include "pipeline/formula_json.h"
+#include "scene/scene_json.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json binding_json(const Binding& binding) {
+  Json json = Json::object();
+  for (const auto& [placeholder, category] : binding) json[placeholder] = category;
+  return json;
+}
+
+Json demonstration_summary(const Demonstration& demonstration) {
+  int failures = 0;
+  for (const auto& step : demonstration.steps) failures += step.outcome.success ? 0 : 1;
+  return {{"steps", demonstration.steps.size()}, {"failures", failures}};
+}
+
+std::string task_line(const Task& task) {
+  const auto& specification = task.episode.specification;
+  Json init = Json::array();
+  for (const auto& formula : specification.init) init.push_back(to_text(formula));
+  Json json{{"format", "unietp-task/1"},
+            {"id", task.id},
+            {"template", specification.template_name},
+            {"split", name_of(specification.split)},
+            {"simulator", name_of(specification.simulator)},
+            {"scene", task.episode.start.id},
+            {"layout", task.episode.layout},
+            {"bindings", binding_json(specification.binding)},
+            {"refinement", specification.refinement},
+            {"goal", {{"text", to_text(specification.goal)}, {"tree", formula_to_json(specification.goal)}}},
+            {"start", {{"constraints", std::move(init)}, {"edits", task.episode.edits}}},
+            {"instruction",
+             {{"text", task.instruction.text},
+              {"writer", task.instruction.writer},
+              {"style", task.instruction.style},
+              {"checks", task.instruction.checks}}},
+            {"expert", {{name_of(task.demonstration.mode), demonstration_summary(task.demonstration)}}},
+            {"seed", {{"run", task.seed}, {"slot", task.slot}, {"attempt", task.attempt}}}};
+  return line_of(json);
+}
+
+std::string demonstration_line(const Task& task) {
+  Json steps = Json::array();
+  for (const auto& step : task.demonstration.steps) {
+    Json visible = Json::array();
+    for (const auto& object : step.visible) visible.push_back({{"id", object.id}, {"box", object.box}});
+    Json json = action_to_json(step.action);
+    json["success"] = step.outcome.success;
+    json["failure"] = name_of(step.outcome.failure);
+    json["feedback"] = step.outcome.feedback;
+    json["visible"] = std::move(visible);
+    json["changes"] = delta_to_json(step.changes);
+    steps.push_back(std::move(json));
+  }
+  return line_of({{"format", "unietp-demonstration/1"},
+                  {"task", task.id},
+                  {"mode", name_of(task.demonstration.mode)},
+                  {"steps", std::move(steps)}});
+}
+
+/// Key of what is done in which start, whatever the scene is called.
+std::string start_key(const Task& task) {
+  const auto& specification = task.episode.specification;
+  Scene start = task.episode.start;
+  start.id = task.episode.layout;
+  return sha256(specification.template_name + "\n" + line_of(binding_json(specification.binding)) + "\n" +
+                to_text(specification.goal) + "\n" + scene_to_json(start));
+}
+
+}  // namespace
+
+std::string rejection_line(const RejectedCandidate& candidate) {
+  return line_of({{"format", "unietp-rejection/1"},
+                  {"slot", candidate.slot},
+                  {"attempt", candidate.attempt},
+                  {"template", candidate.template_name},
+                  {"simulator", name_of(candidate.simulator)},
+                  {"split", name_of(candidate.split)},
+                  {"stage", candidate.rejection.stage},
+                  {"reason", candidate.rejection.reason},
+                  {"detail", candidate.rejection.detail}});
+}
+
+std::string normalised_text(std::string_view text) {
+  std::string words;
+  bool gap = false;
+  for (const char c : lower(text)) {
+    const bool word = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (static_cast<unsigned char>(c) >= 0x80);
+    if (word && gap && !words.empty()) words += ' ';
+    if (word) words += c;
+    gap = !word;
+  }
+  return words;
+}
+
+CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate) {
+  CandidateRecord record;
+  if (const auto* rejected = std::get_if<RejectedCandidate>(&candidate)) {
+    record.slot = rejected->slot;
+    record.attempt = rejected->attempt;
+    record.template_name = rejected->template_name;
+    record.rejection = rejection_line(*rejected);
+    return record;
+  }
+  const auto& task = std::get<Task>(candidate);
+  record.slot = task.slot;
+  record.attempt = task.attempt;
+  record.accepted = true;
+  record.template_name = task.episode.specification.template_name;
+  record.task = task_line(task);
+  record.demonstration = demonstration_line(task);
+  record.scene = gzip(scene_to_json(task.episode.start));
+  record.start_key = start_key(task);
+  record.text_key = sha256(task.episode.layout + "\n" + normalised_text(task.instruction.text));
+  return record;
+}
+
+}  // namespace unietp

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "pipeline/make_task.h"
+
+namespace unietp {
+
+/// A candidate's outcome as it will stand in files: what the ledger keeps and the data set is written from.
+struct CandidateRecord {
+  int slot = 0, attempt = 0;
+  bool accepted = false;
+  std::string template_name;
+  // of an accepted one
+  std::string task;           // line of tasks.jsonl, without its end
+  std::string demonstration;  // line of demonstrations/M1.jsonl
+  std::string scene;          // gzip of the start scene's JSON
+  std::string start_key;      // equal for equal (template, binding, start)
+  std::string text_key;       // equal for equal (layout, normalised instruction)
+  // of a rejected one
+  std::string rejection;  // line of rejections.jsonl
+  bool operator==(const CandidateRecord&) const = default;
+};
+
+/// Pure; no clock, no order that depends on threads.
+CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate);
+
+std::string rejection_line(const RejectedCandidate& candidate);
+
+/// Lower case, letters and digits only, single blanks: instructions that differ in nothing else are the same.
+std::string normalised_text(std::string_view text);
+
+}  // namespace unietp

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "core/result.h"
+#include "scene/simulator.h"
+#include "templates/template.h"
+
+namespace unietp {
+
+/// What a data set is made of. Together with the program's version, the knowledge digest and the seed it names the
+/// bytes of the result; how the work is done (threads, folders) is no part of it.
+struct RunConfiguration {
+  int count = 40;
+  std::uint64_t seed = 1;
+  std::vector<Simulator> simulators{kSimulators.begin(), kSimulators.end()};
+  std::vector<Split> splits;           // empty: every split that some template can fill
+  std::vector<std::string> templates;  // names; empty: all that the library has
+  int attempts = 40;                   // candidates tried for one task before it is given up
+  int rooms = 6;                       // of a home
+  int objects = 60;                    // movable ones asked for in a home
+  bool operator==(const RunConfiguration&) const = default;
+};
+
+nlohmann::ordered_json to_json(const RunConfiguration& configuration);
+
+/// All five splits in the order of the enum.
+const std::vector<Split>& all_splits();
+
+/// Names separated by commas; sorted as the enum and without repeats.
+/// Errors: Usage naming `option`, the unknown name, the nearest known one and all that are accepted.
+Result<std::vector<Simulator>> parse_simulators(std::string_view option, std::string_view text);
+Result<std::vector<Split>> parse_splits(std::string_view option, std::string_view text);
+
+/// A `Usage` error that says which names are accepted and which one is near.
+Error unknown_name_error(std::string_view option, std::string_view name, const std::vector<std::string>& accepted);
+
+}  // namespace unietp

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "akb/sqlite_file.h"
+#include "core/result.h"
+
+namespace unietp {
+
+/// `dataset.sqlite`: the lines of a data set as tables, for queries. Equal input gives equal bytes: rows are inserted
+/// in file order and the finished file is a VACUUM copy, which leaves no trace of how it grew.
+class DatasetDatabase {
+ public:
+  static Result<DatasetDatabase> begin(const std::filesystem::path& path);
+  Result<Done> add_task(const nlohmann::ordered_json& task, const nlohmann::ordered_json& demonstration);
+  Result<Done> add_rejection(const nlohmann::ordered_json& rejection);
+  Result<Done> finish();
+
+ private:
+  DatasetDatabase(std::filesystem::path path, SqliteFile file) : path_(std::move(path)), file_(std::move(file)) {}
+  std::filesystem::path path_;
+  SqliteFile file_;
+};
+
+}  // namespace unietp

@@ -1,0 +1,75 @@
+#include "pipeline/dataset_writer.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+#include "pipeline/dataset_card.h"
+#include "pipeline/manifest.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error io_error(const fs::path& path) { return {Error::Kind::Io, path.string(), {}, "cannot write; is the disk full?"}; }
+
+}  // namespace
+
+DatasetWriter::DatasetWriter(fs::path folder, DatasetDatabase database)
+    : folder_(std::move(folder)),
+      tasks_(folder_ / "tasks.jsonl", std::ios::binary),
+      demonstrations_(folder_ / "demonstrations" / "M1.jsonl", std::ios::binary),
+      rejections_(folder_ / "rejections.jsonl", std::ios::binary),
+      database_(std::move(database)) {}
+
+Result<DatasetWriter> DatasetWriter::begin(const fs::path& folder) {
+  std::error_code code;
+  fs::create_directories(folder / "scenes", code);
+  if (!code) fs::create_directories(folder / "demonstrations", code);
+  if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot make this folder: " + code.message()};
+  auto database = DatasetDatabase::begin(folder / "dataset.sqlite");
+  if (!database) return database.error();
+  return DatasetWriter(folder, std::move(*database));
+}
+
+Result<Done> DatasetWriter::add_task(const CandidateRecord& record) {
+  const auto task = nlohmann::ordered_json::parse(record.task);
+  const auto demonstration = nlohmann::ordered_json::parse(record.demonstration);
+  tasks_ << record.task << '\n';
+  demonstrations_ << record.demonstration << '\n';
+  if (!tasks_ || !demonstrations_) return io_error(folder_);
+  const auto scene = task.at("scene").get<std::string>();
+  if (auto written = write_file(folder_ / "scenes" / (scene + ".scene.json.gz"), record.scene); !written)
+    return written.error();
+  ++counts_.tasks;
+  ++counts_.by_split[task.at("split").get<std::string>()];
+  ++counts_.by_simulator[task.at("simulator").get<std::string>()];
+  ++counts_.by_template[task.at("template").get<std::string>()];
+  return database_.add_task(task, demonstration);
+}
+
+Result<Done> DatasetWriter::add_rejection(const std::string& line) {
+  const auto rejection = nlohmann::ordered_json::parse(line);
+  rejections_ << line << '\n';
+  if (!rejections_) return io_error(folder_ / "rejections.jsonl");
+  ++counts_.rejections[rejection.at("stage").get<std::string>()][rejection.at("reason").get<std::string>()];
+  return database_.add_rejection(rejection);
+}
+
+Result<Done> DatasetWriter::finish(const RunConfiguration& configuration, const Resources& resources,
+                                   const fs::path& licences) {
+  for (auto* stream : {&tasks_, &demonstrations_, &rejections_}) {
+    stream->close();
+    if (!*stream) return io_error(folder_);
+  }
+  if (auto done = database_.finish(); !done) return done.error();
+  const auto sources = sources_of(configuration, resources, licences);
+  if (!sources) return sources.error();
+  if (auto written = write_file(folder_ / "README.md", dataset_card(configuration, counts_, *sources)); !written)
+    return written.error();
+  const auto manifest = manifest_of(folder_, configuration, resources, counts_, *sources);
+  if (!manifest) return manifest.error();
+  return write_file(folder_ / "manifest.json", *manifest);
+}
+
+}  // namespace unietp

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "core/result.h"
+#include "pipeline/candidate.h"
+#include "pipeline/configuration.h"
+#include "pipeline/dataset_database.h"
+#include "pipeline/resources.h"
+
+namespace unietp {
+
+/// How many tasks of each kind, and why candidates were given up. Maps, so that files are in order of name.
+struct DatasetCounts {
+  int tasks = 0;
+  std::map<std::string, int> by_split, by_simulator, by_template;
+  std::map<std::string, std::map<std::string, int>> rejections;  // stage, reason
+};
+
+/// Writes a data set's folder (docs/files.md), task by task. Equal input gives equal bytes.
+class DatasetWriter {
+ public:
+  /// Errors: Io.
+  static Result<DatasetWriter> begin(const std::filesystem::path& folder);
+
+  /// In slot order; a slot's rejections in order of attempt.
+  Result<Done> add_task(const CandidateRecord& record);
+  Result<Done> add_rejection(const std::string& line);
+  /// The manifest, the database and the card; after it the folder is complete.
+  Result<Done> finish(const RunConfiguration& configuration, const Resources& resources,
+                      const std::filesystem::path& licences);
+
+ private:
+  DatasetWriter(std::filesystem::path folder, DatasetDatabase database);
+  std::filesystem::path folder_;
+  std::ofstream tasks_, demonstrations_, rejections_;
+  DatasetDatabase database_;
+  DatasetCounts counts_;
+};
+
+}  // namespace unietp

@@ -1,0 +1,69 @@
+#include "pipeline/layout_pool.h"
+
+#include <set>
+
+#include "pipeline/slots.h"
+
+namespace unietp {
+namespace {
+
+constexpr std::uint64_t kTriesPerLayout = 8;
+
+std::string layout_id(Simulator simulator, int index) {
+  auto digits = std::to_string(index + 1);
+  digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+  return std::string(name_of(simulator)) + "-home-" + digits;
+}
+
+Result<Layout> make_layout(const RunConfiguration& configuration, const Resources& resources, Simulator simulator,
+                           int index) {
+  const auto& backend = resources.backend(simulator);
+  LayoutOptions options;
+  options.rooms = configuration.rooms;
+  options.movable_objects = configuration.objects;
+  const Rng stream = Rng(configuration.seed).fork("layout", static_cast<std::uint64_t>(simulator));
+  Error last;
+  for (std::uint64_t attempt = 0; attempt < kTriesPerLayout; ++attempt) {
+    auto scene = generate_layout(resources.recipe(simulator), backend.knowledge, backend.profile, options,
+                                 layout_id(simulator, index),
+                                 stream.fork("home", static_cast<std::uint64_t>(index) * kTriesPerLayout + attempt));
+    if (scene) {
+      auto offered = offered_categories(*scene, backend.knowledge);
+      return Layout{std::move(*scene), std::move(offered)};
+    }
+    last = scene.error();
+  }
+  return last;
+}
+
+}  // namespace
+
+LayoutPool::LayoutPool(const RunConfiguration& configuration, const Resources& resources)
+    : configuration_(configuration), resources_(resources), per_simulator_(layouts_per_simulator(configuration)) {
+  for (int i = 0; i < per_simulator_ * static_cast<int>(kSimulators.size()); ++i)
+    entries_.push_back(std::make_unique<Entry>());
+}
+
+const Result<Layout>& LayoutPool::layout(Simulator simulator, int index) {
+  Entry& entry = *entries_[static_cast<std::size_t>(static_cast<int>(simulator) * per_simulator_ + index)];
+  std::call_once(entry.once, [&] {
+    entry.layout = std::make_unique<Result<Layout>>(make_layout(configuration_, resources_, simulator, index));
+  });
+  return *entry.layout;
+}
+
+std::vector<std::string> offered_categories(const Scene& scene, const Knowledge& knowledge) {
+  std::set<std::string> offered;
+  for (const auto& node : scene.nodes) offered.insert(node.category);
+  const std::set<std::string> present = offered;
+  for (const auto& placement : knowledge.placements()) {
+    if (placement.relation != "on" && placement.relation != "inside") continue;
+    const Category* object = knowledge.find(placement.object);
+    if (object != nullptr && object->movable && present.count(placement.receptacle) > 0)
+      offered.insert(placement.object);
+  }
+  for (const auto& room : scene.rooms) offered.insert(room.type);
+  return {offered.begin(), offered.end()};
+}
+
+}  // namespace unietp

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "pipeline/configuration.h"
+#include "pipeline/resources.h"
+
+namespace unietp {
+
+/// A home and what can be asked about in it.
+struct Layout {
+  Scene scene;
+  std::vector<std::string> offered;  // categories that it has, or that can be put somewhere in it; and its room types
+};
+
+/// The homes of a run, each made when it is first asked for and then shared. Which thread makes it does not matter: a
+/// home depends on (seed, simulator, index) only. Safe to use from several threads.
+class LayoutPool {
+ public:
+  LayoutPool(const RunConfiguration& configuration, const Resources& resources);
+
+  int size() const { return per_simulator_; }
+  /// `index` in [0, size()). Errors: those of generate_layout, after a few tries. The reference lives as the pool does.
+  const Result<Layout>& layout(Simulator simulator, int index);
+
+ private:
+  struct Entry {
+    std::once_flag once;
+    std::unique_ptr<Result<Layout>> layout;
+  };
+  const RunConfiguration& configuration_;
+  const Resources& resources_;
+  int per_simulator_;
+  std::vector<std::unique_ptr<Entry>> entries_;
+};
+
+/// Categories that a scene has, and movable ones whose usual receptacles it has; and the types of its rooms. Sorted.
+std::vector<std::string> offered_categories(const Scene& scene, const Knowledge& knowledge);
+
+}  // namespace unietp

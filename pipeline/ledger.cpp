@@ -1,0 +1,114 @@
+#include "pipeline/ledger.h"
+
+#include <exception>
+
+namespace unietp {
+namespace {
+
+// WAL with synchronous=NORMAL: a killed process loses nothing, and a commit costs no disk flush.
+constexpr const char* kSchema = R"(
+PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;
+CREATE TABLE IF NOT EXISTS run(identity TEXT NOT NULL);
+CREATE TABLE IF NOT EXISTS candidate(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, accepted INTEGER NOT NULL,
+  template TEXT NOT NULL, task TEXT NOT NULL, demonstration TEXT NOT NULL, scene TEXT NOT NULL, start_key TEXT NOT NULL,
+  text_key TEXT NOT NULL, rejection TEXT NOT NULL, PRIMARY KEY(slot, attempt));
+)";
+
+Error failure(std::string_view what, const std::exception& reason) {
+  return {Error::Kind::Io, "ledger.sqlite", {}, std::string(what) + ": " + reason.what()};
+}
+
+}  // namespace
+
+Result<Ledger> Ledger::open(const std::filesystem::path& path, const std::string& identity) {
+  try {
+    SqliteFile file(path, SqliteFile::Mode::Create);
+    file.run(kSchema);
+    std::string stored;
+    {
+      auto query = file.prepare("SELECT identity FROM run");
+      if (query.step()) stored = query.text(0);
+    }
+    if (stored.empty()) {
+      auto insert = file.prepare("INSERT INTO run VALUES(?)");
+      insert.bind(1, std::string_view(identity));
+      insert.step();
+    } else if (stored != identity) {
+      return Error{Error::Kind::Usage,
+                   path.parent_path().string(),
+                   {},
+                   "holds an unfinished run with other settings, so it cannot be resumed\n  it was: " + stored +
+                       "\n  asked:  " + identity +
+                       "\nrepeat the command with the same options and program, or remove that folder to start anew"};
+    }
+    return Ledger(std::move(file));
+  } catch (const std::exception& reason) {
+    return failure("cannot open " + path.string(), reason);
+  }
+}
+
+Result<Done> Ledger::add(const CandidateRecord& record) {
+  try {
+    auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?)");
+    insert.bind(1, std::int64_t{record.slot});
+    insert.bind(2, std::int64_t{record.attempt});
+    insert.bind(3, std::int64_t{record.accepted});
+    int column = 3;
+    for (const auto* text : {&record.template_name, &record.task, &record.demonstration, &record.scene,
+                             &record.start_key, &record.text_key, &record.rejection})
+      insert.bind(++column, std::string_view(*text));
+    insert.step();
+    return Done{};
+  } catch (const std::exception& reason) {
+    return failure("cannot keep a candidate", reason);
+  }
+}
+
+Result<std::vector<CandidateRecord>> Ledger::outlines() {
+  try {
+    std::vector<CandidateRecord> records;
+    auto query = file_.prepare(
+        "SELECT slot, attempt, accepted, template, start_key, text_key FROM candidate ORDER BY attempt, slot");
+    while (query.step()) {
+      CandidateRecord record;
+      record.slot = static_cast<int>(query.integer(0));
+      record.attempt = static_cast<int>(query.integer(1));
+      record.accepted = query.integer(2) != 0;
+      record.template_name = query.text(3);
+      record.start_key = query.text(4);
+      record.text_key = query.text(5);
+      records.push_back(std::move(record));
+    }
+    return records;
+  } catch (const std::exception& reason) {
+    return failure("cannot read the candidates", reason);
+  }
+}
+
+Result<CandidateRecord> Ledger::read(int slot, int attempt) {
+  try {
+    auto query = file_.prepare(
+        "SELECT accepted, template, task, demonstration, scene, start_key, text_key, rejection FROM candidate "
+        "WHERE slot = ? AND attempt = ?");
+    query.bind(1, std::int64_t{slot});
+    query.bind(2, std::int64_t{attempt});
+    if (!query.step())
+      return Error{Error::Kind::Io,
+                   "ledger.sqlite",
+                   {},
+                   "lacks candidate " + std::to_string(attempt) + " of slot " + std::to_string(slot)};
+    CandidateRecord record;
+    record.slot = slot;
+    record.attempt = attempt;
+    record.accepted = query.integer(0) != 0;
+    int column = 0;
+    for (auto* text : {&record.template_name, &record.task, &record.demonstration, &record.scene, &record.start_key,
+                       &record.text_key, &record.rejection})
+      *text = query.text(++column);
+    return record;
+  } catch (const std::exception& reason) {
+    return failure("cannot read a candidate", reason);
+  }
+}
+
+}  // namespace unietp

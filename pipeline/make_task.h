@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "annotator/instruction.h"
+#include "expert/expert.h"
+#include "grounding/episode.h"
+#include "pipeline/layout_pool.h"
+#include "pipeline/resources.h"
+#include "pipeline/slots.h"
+
+namespace unietp {
+
+/// One finished task: an episode with its demonstration and its instruction.
+struct Task {
+  std::string id;  // "ai2thor-00003"
+  Episode episode;
+  Demonstration demonstration;  // mode M1
+  Instruction instruction;
+  std::uint64_t seed = 0;  // of the run
+  int slot = 0, attempt = 0;
+};
+
+/// A candidate that was given up, with what it was going to be.
+struct RejectedCandidate {
+  Rejection rejection;
+  std::string template_name;
+  Simulator simulator = Simulator::Ai2thor;
+  Split split = Split::Atomic;
+  int slot = 0, attempt = 0;
+};
+
+/// The stages that a candidate goes through, in order.
+enum class Stage { Layout, Generator, Grounding, Expert, Mutations, Annotator, Writer };
+inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::Writer) + 1;
+std::string_view name_of(Stage stage);
+
+/// Wall-clock seconds spent by stage. For benchmarks and progress only; never reaches an output.
+struct StageCosts {
+  std::array<double, kStageCount> seconds{};
+};
+
+/// The whole path of one candidate: template → binding → specification → refinement → episode → demonstration →
+/// must-fail mutations → instruction. Deterministic in (configuration, resources, slot, attempt); `costs` may be null.
+std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configuration, const Resources& resources,
+                                                LayoutPool& layouts, const Slot& slot, int attempt, StageCosts* costs);
+
+}  // namespace unietp

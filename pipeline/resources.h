@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "core/result.h"
+#include "grounding/layout.h"
+#include "simulation/profile.h"
+#include "templates/template.h"
+
+namespace unietp {
+
+/// Where the facts lie: a checkout, or a copy of its `data/` and `templates/` folders.
+struct DataFolders {
+  std::filesystem::path root;   // holds data/ and templates/library/
+  std::filesystem::path cache;  // compiled knowledge is kept here, named by its digest
+
+  std::filesystem::path tables() const { return root / "data" / "akb"; }
+  std::filesystem::path profiles() const { return root / "data" / "simulators"; }
+  std::filesystem::path layouts() const { return root / "data" / "layouts"; }
+  std::filesystem::path licences() const { return root / "data" / "licences.csv"; }
+  std::filesystem::path library() const { return root / "templates" / "library"; }
+};
+
+/// A simulator as the stages see it: what is known of its categories and how it limits its agent.
+struct Backend {
+  Knowledge knowledge;
+  Profile profile;
+};
+
+/// The database that the tables compile to, made when the cache lacks it. Safe when several processes start at once.
+/// Errors: those of compile_knowledge, all of them; Io when the cache folder cannot be written.
+struct CompiledKnowledge {
+  std::filesystem::path database;
+  std::vector<Error> errors;  // empty when sound
+};
+CompiledKnowledge compiled_knowledge(const DataFolders& folders);
+
+/// The four backends in the order of kSimulators. Errors: as above, and those of the profiles.
+struct BackendsReading {
+  std::vector<Backend> backends;
+  std::vector<Error> errors;
+};
+BackendsReading load_backends(const DataFolders& folders);
+
+/// Everything that the stages read. Immutable; shared by all threads.
+struct Resources {
+  std::vector<Backend> backends;      // in the order of kSimulators
+  std::vector<LayoutRecipe> recipes;  // likewise
+  std::vector<Template> templates;    // in order of file name
+  std::string digest;                 // knowledge_digest of the folders
+
+  const Backend& backend(Simulator simulator) const { return backends[static_cast<std::size_t>(simulator)]; }
+  const LayoutRecipe& recipe(Simulator simulator) const { return recipes[static_cast<std::size_t>(simulator)]; }
+};
+
+struct ResourcesReading {
+  Resources resources;
+  std::vector<Error> errors;  // empty when sound; every problem of every file otherwise
+};
+ResourcesReading load_resources(const DataFolders& folders);
+
+/// SHA-256 over the names and bytes of tables, profiles, layout recipes and templates, in order of path.
+/// Errors: Io.
+Result<std::string> knowledge_digest(const DataFolders& folders);
+
+/// A category that a template names itself (not through a placeholder) must be known to one of its simulators.
+/// Errors: Schema at the name's place in the template's file.
+std::vector<Error> unknown_categories(const Template& source, const std::vector<Backend>& backends);
+
+}  // namespace unietp

@@ -1,0 +1,228 @@
+#include "pipeline/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/dataset_writer.h"
+#include "pipeline/ledger.h"
+#include "pipeline/manifest.h"
+#include "pipeline/selection.h"
+#include "pipeline/workspace.h"
+
+namespace unietp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Outlines = std::vector<std::vector<CandidateRecord>>;  // by attempt, in slot order
+
+/// One run under way: the slots, what has been found, and the threads that look for more.
+class Run {
+ public:
+  Run(const RunConfiguration& configuration, const Resources& resources, const RunOptions& options, Ledger& ledger,
+      std::vector<Slot> slots)
+      : configuration_(configuration),
+        resources_(resources),
+        options_(options),
+        ledger_(ledger),
+        slots_(std::move(slots)),
+        layouts_(configuration, resources),
+        selection_(slots_.size()),
+        duplicates_(slots_.size()) {}
+
+  /// Errors: Io of the ledger. False when stopped from outside.
+  Result<bool> fill_slots();
+  Result<Done> write(const std::filesystem::path& folder);
+  RunReport report() const;
+
+ private:
+  bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+  /// Tries the given slots, several at a time, and adds what comes of it to `found`.
+  Result<Done> try_slots(const std::vector<int>& slots, int attempt, std::vector<CandidateRecord>& found);
+  void keep(CandidateRecord record, std::vector<CandidateRecord>& found);
+  std::string duplicate_line(const CandidateRecord& record, Selection::Verdict verdict) const;
+  void tell();
+
+  const RunConfiguration& configuration_;
+  const Resources& resources_;
+  const RunOptions& options_;
+  Ledger& ledger_;
+  std::vector<Slot> slots_;
+  LayoutPool layouts_;
+  Selection selection_;
+  std::vector<std::vector<std::pair<int, std::string>>> duplicates_;  // by slot: attempt, line of rejections.jsonl
+
+  std::mutex mutex_;  // guards the ledger and everything below
+  std::optional<Error> failure_;
+  std::exception_ptr thrown_;
+  int candidates_ = 0, accepted_now_ = 0, accepted_in_round_ = 0;
+  Clock::time_point start_ = Clock::now();
+};
+
+void Run::tell() {
+  if (!options_.progress) return;
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  options_.progress(
+      {selection_.taken() + accepted_in_round_, static_cast<int>(slots_.size()), candidates_, seconds, accepted_now_});
+}
+
+void Run::keep(CandidateRecord record, std::vector<CandidateRecord>& found) {
+  const std::scoped_lock lock(mutex_);
+  if (failure_) return;
+  if (const auto added = ledger_.add(record); !added) {
+    failure_ = added.error();
+    return;
+  }
+  ++candidates_;
+  if (record.accepted) ++accepted_now_, ++accepted_in_round_;
+  for (auto* text : {&record.task, &record.demonstration, &record.scene, &record.rejection}) text->clear();
+  found.push_back(std::move(record));
+  tell();
+}
+
+Result<Done> Run::try_slots(const std::vector<int>& slots, int attempt, std::vector<CandidateRecord>& found) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < slots.size() && !stopped(); i = next++) {
+      try {
+        const auto& slot = slots_[static_cast<std::size_t>(slots[i])];
+        keep(record_of(make_task(configuration_, resources_, layouts_, slot, attempt, nullptr)), found);
+      } catch (...) {  // a broken invariant: carried to the caller's thread
+        const std::scoped_lock lock(mutex_);
+        thrown_ = std::current_exception();
+        next = slots.size();
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 1; i < options_.threads; ++i) threads.emplace_back(work);
+  work();
+  for (auto& thread : threads) thread.join();
+  if (thrown_) std::rethrow_exception(thrown_);
+  if (failure_) return *failure_;
+  return Done{};
+}
+
+Result<bool> Run::fill_slots() {
+  auto outlines = ledger_.outlines();
+  if (!outlines) return outlines.error();
+  Outlines by_attempt(static_cast<std::size_t>(configuration_.attempts));
+  for (auto& outline : *outlines) {
+    ++candidates_;
+    by_attempt[static_cast<std::size_t>(outline.attempt)].push_back(std::move(outline));
+  }
+  for (int attempt = 0; attempt < configuration_.attempts; ++attempt) {
+    const auto open = selection_.open_slots();
+    auto& found = by_attempt[static_cast<std::size_t>(attempt)];
+    std::vector<int> missing;
+    for (const int slot : open) {
+      const bool known = std::any_of(found.begin(), found.end(), [&](const auto& one) { return one.slot == slot; });
+      if (!known) missing.push_back(slot);
+    }
+    accepted_in_round_ = static_cast<int>(
+        std::count_if(found.begin(), found.end(), [](const CandidateRecord& record) { return record.accepted; }));
+    if (auto tried = try_slots(missing, attempt, found); !tried) return tried.error();
+    if (stopped()) return false;
+    std::sort(found.begin(), found.end(),
+              [](const CandidateRecord& a, const CandidateRecord& b) { return a.slot < b.slot; });
+    for (const auto& record : found) {
+      if (!record.accepted) continue;
+      const auto verdict = selection_.offer(record);
+      if (verdict != Selection::Verdict::Taken)
+        duplicates_[static_cast<std::size_t>(record.slot)].emplace_back(attempt, duplicate_line(record, verdict));
+    }
+    accepted_in_round_ = 0;
+  }
+  return true;
+}
+
+std::string Run::duplicate_line(const CandidateRecord& record, Selection::Verdict verdict) const {
+  const auto& slot = slots_[static_cast<std::size_t>(record.slot)];
+  const bool same_start = verdict == Selection::Verdict::SameStart;
+  return rejection_line({{"pipeline", same_start ? "duplicate-start" : "duplicate-text",
+                          same_start ? "an earlier task has this template, binding and start"
+                                     : "an earlier task in this home has this instruction"},
+                         record.template_name,
+                         slot.simulator,
+                         slot.split,
+                         record.slot,
+                         record.attempt});
+}
+
+Result<Done> Run::write(const std::filesystem::path& folder) {
+  auto writer = DatasetWriter::begin(folder);
+  if (!writer) return writer.error();
+  for (const auto& slot : slots_) {
+    const int chosen = selection_.chosen(slot.index);
+    const int last = chosen < 0 ? configuration_.attempts - 1 : chosen;
+    const auto& repeated = duplicates_[static_cast<std::size_t>(slot.index)];
+    for (int attempt = 0; attempt <= last; ++attempt) {
+      const auto duplicate =
+          std::find_if(repeated.begin(), repeated.end(), [&](const auto& one) { return one.first == attempt; });
+      if (duplicate != repeated.end()) {
+        if (auto added = writer->add_rejection(duplicate->second); !added) return added.error();
+        continue;
+      }
+      const auto record = ledger_.read(slot.index, attempt);
+      if (!record) return record.error();
+      const auto added = record->accepted ? writer->add_task(*record) : writer->add_rejection(record->rejection);
+      if (!added) return added.error();
+    }
+  }
+  return writer->finish(configuration_, resources_, options_.licences);
+}
+
+RunReport Run::report() const {
+  RunReport report;
+  report.tasks = selection_.taken();
+  report.candidates = candidates_;
+  report.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  for (const int open : selection_.open_slots()) {
+    const auto& slot = slots_[static_cast<std::size_t>(open)];
+    UnfilledSlot unfilled{open, std::string(name_of(slot.split)) + " task on " + std::string(name_of(slot.simulator)),
+                          ""};
+    if (const auto record = ledger_.read(open, configuration_.attempts - 1); record && !record->accepted)
+      unfilled.last_reason = record->rejection;
+    report.unfilled.push_back(std::move(unfilled));
+  }
+  return report;
+}
+
+}  // namespace
+
+std::string identity_of(const RunConfiguration& configuration, const Resources& resources) {
+  return nlohmann::ordered_json{{"version", program_version()},
+                                {"knowledge", resources.digest},
+                                {"seed", configuration.seed},
+                                {"configuration", to_json(configuration)}}
+      .dump();
+}
+
+Result<RunReport> run_generation(const RunConfiguration& configuration, const Resources& resources,
+                                 const RunOptions& options) {
+  auto slots = plan_slots(configuration, resources);
+  if (!slots) return slots.error();
+  auto workspace = Workspace::enter(options.out, options.resume);
+  if (!workspace) return workspace.error();
+  if (workspace->already_published()) return RunReport{false, configuration.count, 0, 0, {}};
+  auto ledger = Ledger::open(workspace->ledger(), identity_of(configuration, resources));
+  if (!ledger) return ledger.error();
+
+  Run run(configuration, resources, options, *ledger, std::move(*slots));
+  const auto filled = run.fill_slots();
+  if (!filled) return filled.error();
+  auto report = run.report();
+  report.interrupted = !*filled;
+  if (report.interrupted) return report;
+  const auto folder = workspace->fresh_data_folder();
+  if (!folder) return folder.error();
+  if (auto written = run.write(*folder); !written) return written.error();
+  if (auto published = workspace->publish(); !published) return published.error();
+  return report;
+}
+
+}  // namespace unietp

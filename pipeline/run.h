@@ -1,0 +1,56 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/configuration.h"
+#include "pipeline/resources.h"
+
+namespace unietp {
+
+struct RunProgress {
+  int tasks = 0, asked = 0;  // accepted so far, wanted
+  int candidates = 0;        // tried so far
+  double seconds = 0;        // since this process began
+  int tasks_now = 0;         // accepted by this process, for the rate
+};
+
+/// How the work is done; no part of it reaches the data set.
+struct RunOptions {
+  std::filesystem::path out;
+  std::filesystem::path licences;  // table of the sources' licences, for the manifest
+  int threads = 1;
+  bool resume = false;
+  const std::atomic<bool>* stop = nullptr;           // set from outside: finish the candidates under way, then return
+  std::function<void(const RunProgress&)> progress;  // called with a lock held; may be empty
+};
+
+struct UnfilledSlot {
+  int slot = 0;
+  std::string description;  // "logical task on habitat"
+  std::string last_reason;
+};
+
+struct RunReport {
+  bool interrupted = false;  // nothing was written but the ledger
+  int tasks = 0, candidates = 0;
+  double seconds = 0;
+  std::vector<UnfilledSlot> unfilled;
+};
+
+/// Fills the slots of a configuration and writes the data set to `options.out`, all or nothing: work is kept in
+/// `<out>.partial` and renamed at the end. Attempt k of all open slots runs in parallel; then, in slot order,
+/// duplicates are turned away: so neither threads nor a kill change a byte. Errors: Usage when the folder exists, is in
+/// use or belongs to another run; Io.
+Result<RunReport> run_generation(const RunConfiguration& configuration, const Resources& resources,
+                                 const RunOptions& options);
+
+/// The name of a run: program version, knowledge digest, configuration and seed, as one line.
+std::string identity_of(const RunConfiguration& configuration, const Resources& resources);
+
+}  // namespace unietp

@@ -1,0 +1,101 @@
+#include "pipeline/slots.h"
+
+#include <algorithm>
+
+#include "core/rng.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+/// A refinement takes any template; the other splits take their own.
+bool fits(const Template& source, Simulator simulator, Split split) {
+  const bool refined = split == Split::InstanceGrounding || split == Split::Linguistic;
+  return (refined || source.split == split) &&
+         std::find(source.simulators.begin(), source.simulators.end(), simulator) != source.simulators.end();
+}
+
+bool asked_for(const RunConfiguration& configuration, const Template& source) {
+  return configuration.templates.empty() || std::find(configuration.templates.begin(), configuration.templates.end(),
+                                                      source.name) != configuration.templates.end();
+}
+
+std::vector<std::size_t> shuffled_templates(const RunConfiguration& configuration, const Resources& resources,
+                                            Simulator simulator, Split split) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < resources.templates.size(); ++i) {
+    const auto& source = resources.templates[i];
+    if (asked_for(configuration, source) && fits(source, simulator, split)) found.push_back(i);
+  }
+  const auto item = static_cast<std::uint64_t>(simulator) * 16 + static_cast<std::uint64_t>(split);
+  Rng(configuration.seed).fork("template-order", item).shuffle(found);
+  return found;
+}
+
+struct Group {
+  Split split;
+  std::vector<std::size_t> templates;
+};
+
+Result<std::vector<Group>> groups_of(const RunConfiguration& configuration, const Resources& resources,
+                                     Simulator simulator) {
+  std::vector<Group> groups;
+  for (const Split split : configuration.splits.empty() ? all_splits() : configuration.splits) {
+    auto templates = shuffled_templates(configuration, resources, simulator, split);
+    if (!templates.empty()) {
+      groups.push_back({split, std::move(templates)});
+    } else if (!configuration.splits.empty()) {
+      return Error{Error::Kind::Usage,
+                   "--splits",
+                   {},
+                   "no template of those asked for makes " + std::string(name_of(split)) + " tasks on " +
+                       std::string(name_of(simulator)) + "; `unietp template list` shows what each can make"};
+    }
+  }
+  if (groups.empty())
+    return Error{Error::Kind::Usage,
+                 "--templates",
+                 {},
+                 "none of the templates asked for fits " + std::string(name_of(simulator)) +
+                     "; `unietp template list` shows what each can make"};
+  return groups;
+}
+
+}  // namespace
+
+int layouts_per_simulator(const RunConfiguration& configuration) {
+  const int simulators = std::max<int>(1, static_cast<int>(configuration.simulators.size()));
+  constexpr int kTasksPerLayout = 5;
+  return std::max(1, (configuration.count + simulators * kTasksPerLayout - 1) / (simulators * kTasksPerLayout));
+}
+
+Result<std::vector<Slot>> plan_slots(const RunConfiguration& configuration, const Resources& resources) {
+  std::vector<std::string> known;
+  for (const auto& source : resources.templates) known.push_back(source.name);
+  for (const auto& name : configuration.templates) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      return unknown_name_error("--templates", name, known);
+  }
+  std::vector<std::vector<Group>> groups;
+  for (const auto simulator : configuration.simulators) {
+    auto found = groups_of(configuration, resources, simulator);
+    if (!found) return found.error();
+    groups.push_back(std::move(*found));
+  }
+
+  std::vector<Slot> slots;
+  for (int i = 0; i < configuration.count; ++i) {
+    const auto share = static_cast<std::size_t>(i) % groups.size();
+    const int number = i / static_cast<int>(groups.size());
+    const auto& own = groups[share];
+    const Group& group = own[static_cast<std::size_t>(number) % own.size()];
+    Slot slot{i, configuration.simulators[share], group.split, number, group.templates};
+    const auto turn = static_cast<std::size_t>(number) / own.size() % slot.templates.size();
+    std::rotate(slot.templates.begin(), slot.templates.begin() + static_cast<std::ptrdiff_t>(turn),
+                slot.templates.end());
+    slots.push_back(std::move(slot));
+  }
+  return slots;
+}
+
+}  // namespace unietp
