@@ -11,6 +11,20 @@ namespace {
 constexpr std::size_t kMostTools = 4;  // tools tried for one change
 constexpr std::size_t kMostSpots = 5;  // places tried for putting something aside
 
+/// Failures that may not happen from another place to stand.
+bool depends_on_standing(Failure failure) {
+  switch (failure) {
+    case Failure::TooFar:
+    case Failure::NotVisible:
+    case Failure::Blocked:
+    case Failure::NoFreePlace:
+    case Failure::DidNotRest:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 const Node* Methods::find(const std::string& id) const { return find_node(attempt_.scene(), id); }
@@ -107,27 +121,36 @@ bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::
     if (do_at(action, tool)) return true;
     const auto& trouble = attempt_.trouble();
     if (!trouble || attempt_.exhausted()) return false;
-    const bool wants_closed = trouble->failure == Failure::MustBeClosed && is(tool, Predicate::Open);
-    const bool wants_open = trouble->failure == Failure::ReceptacleClosed && is(tool, Predicate::Closed);
-    if (wants_closed && device(ActionType::Close, tool) && do_at(action, tool)) return true;
-    if (wants_open && device(ActionType::Open, tool) && do_at(action, tool)) return true;
+    if (trouble->failure == Failure::MustBeClosed && is(tool, Predicate::Open)) {
+      if (device(ActionType::Close, tool) && do_at(action, tool)) return true;
+    } else if (is(tool, Predicate::Closed)) {
+      // With the door open, one stands elsewhere and sees what one lets go of.
+      if (device(ActionType::Open, tool) && attempt_.act(ActionType::GoTo, tool) && attempt_.act(action, tool))
+        return true;
+    }
   }
   return false;
 }
 
-/// Into the appliance, door shut, power on; it stays there.
+/// What the tool does by itself: into it (or on it), door shut, power on. The object stays there.
 bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
   const std::string id = attempt_.id_of(literal.subject);
   const Node* node = find(id);
   if (node == nullptr || !node->movable) return false;
-  for (const Effect* rule : attempt_.situation().knowledge->effects_on(node->category, effect)) {
-    const bool on_top = std::find(rule->needs.begin(), rule->needs.end(), "on") != rule->needs.end();
+  const StateWay way{literal.predicate, Way::Appliance, ActionType::PlaceIn, effect};
+  for (const Effect* rule :
+       rules_for(way, node->category, literal.symbol, attempt_.scene(), *attempt_.situation().knowledge)) {
+    const auto needs = [rule](std::string_view need) {
+      return std::find(rule->needs.begin(), rule->needs.end(), need) != rule->needs.end();
+    };
+    const Predicate relation = needs("on") ? Predicate::On : Predicate::Inside;
     for (const std::string& tool : nearest_of({rule}, id)) {
-      const Predicate relation = on_top ? Predicate::On : Predicate::Inside;
-      const bool there = has_edge(attempt_.scene(), relation, id, tool);
-      if (!there && !put(id, on_top ? ActionType::PlaceOn : ActionType::PlaceIn, tool)) continue;
-      if (is(tool, Predicate::PowerOn) && !device(ActionType::TurnOff, tool)) continue;
-      if (device(ActionType::TurnOn, tool) && attempt_.holds(literal)) return true;
+      const bool there = has_edge(attempt_.scene(), relation, id, tool) ||
+                         put(id, needs("on") ? ActionType::PlaceOn : ActionType::PlaceIn, tool);
+      if (there && needs("power_on") && is(tool, Predicate::PowerOn)) device(ActionType::TurnOff, tool);
+      if (there && needs("closed") && is(tool, Predicate::Open)) device(ActionType::Close, tool);
+      if (there && needs("power_on") && !attempt_.holds(literal)) device(ActionType::TurnOn, tool);
+      if (attempt_.holds(literal)) return true;
       if (attempt_.exhausted()) return false;
     }
   }
@@ -265,9 +288,7 @@ bool Methods::do_at(ActionType action, const std::string& id) {
   if (attempt_.world().in_reach(id)) {
     if (attempt_.act(action, id)) return true;
     const auto& trouble = attempt_.trouble();
-    const bool too_far = trouble && (trouble->failure == Failure::TooFar || trouble->failure == Failure::NotVisible ||
-                                     trouble->failure == Failure::Blocked);
-    if (!too_far || attempt_.exhausted()) return false;
+    if (!trouble || attempt_.exhausted() || !depends_on_standing(trouble->failure)) return false;
   }
   return attempt_.act(ActionType::GoTo, id) && attempt_.act(action, id);
 }

@@ -24,8 +24,10 @@ constexpr std::array kWays{
     StateWay{Predicate::Sliced, Way::HeldToolOn, ActionType::Slice, "slices"},
     StateWay{Predicate::Clean, Way::HeldToolOn, ActionType::Wipe, "wipes"},
     StateWay{Predicate::Covered, Way::HeldToolOn, ActionType::SpreadTo, "dispenses"},
-    StateWay{Predicate::Hot, Way::Appliance, ActionType::TurnOn, "heats"},
-    StateWay{Predicate::Cooked, Way::Appliance, ActionType::TurnOn, "cooks"},
+    StateWay{Predicate::Hot, Way::Appliance, ActionType::PlaceIn, "heats"},
+    StateWay{Predicate::Cool, Way::Appliance, ActionType::PlaceIn, "cools"},
+    StateWay{Predicate::Frozen, Way::Appliance, ActionType::PlaceIn, "freezes"},
+    StateWay{Predicate::Cooked, Way::Appliance, ActionType::PlaceIn, "cooks"},
 };
 
 bool state_achievable(const Literal& literal, const Situation& situation) {

@@ -14,7 +14,7 @@ enum class Way {
   Direct,      // done to the object itself: open(x)
   ToolOnHeld,  // done with a tool or place to the object in hand: wash_with(sink)
   HeldToolOn,  // done to the object with a tool in hand: slice(x) with a knife
-  Appliance,   // the object is put into (or on) an appliance that is then switched on
+  Appliance,   // the object is put into (or on) an appliance that is shut and switched on as the rule asks
 };
 
 struct StateWay {

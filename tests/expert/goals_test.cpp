@@ -221,8 +221,8 @@ const Case kCases[] = {
     {"not_cool_any_more", "(exists (?x - (Mug :where (cool ?x))) (at-end (not (cool ?x))))", cooled_mug},
     {"go_to_a_room", "(exists (?r - living_room) (at-end (in_room agent ?r)))"},
     {"on_the_floor", "(exists (?x - Mug) (exists (?r - living_room) (at-end (in_room ?x ?r))))"},
-    {"into_a_box_in_a_fridge",
-     "(exists (?x - Mug) (exists (?b - Box) (exists (?c - SideTable) (at-end (and (inside ?x ?b) (on ?b ?c) (closed "
+    {"into_a_carried_box",
+     "(exists (?x - Mug) (exists (?b - Box) (exists (?c - CounterTop) (at-end (and (inside ?x ?b) (on ?b ?c) (closed "
      "?b))))))",
      box_open},
 };

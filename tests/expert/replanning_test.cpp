@@ -94,8 +94,8 @@ TEST_F(Replanning, SaysWhyThereIsNoPlan) {
 }
 
 TEST_F(Replanning, GivesUpAfterTooManyFailures) {
-  EXPECT_EQ(refusal("(exists (?x - Mug) (exists (?y - Microwave) (forall (?z - Mug) (at-end (on ?z ?y)))))", house(),
-                    {.max_failures = 0})
+  EXPECT_EQ(refusal("(exists (?x - Apple) (exists (?f - Fridge) (and (always (closed ?f)) (at-end (inside ?x ?f)))))",
+                    house(), {.max_failures = 0})
                 .reason,
             "too-many-failures");
 }
