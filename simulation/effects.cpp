@@ -200,7 +200,7 @@ Outcome slice(WorldState& state, std::size_t i) {
     touched.push_back(state.physics.bounds(body.body));
   }
   look_at(state, state.node(i).pose.position);
-  state.forget_grid();
+  if (std::any_of(touched.begin(), touched.end(), stands_low)) state.forget_grid();
   state.carry_along();
   const std::vector<std::size_t> changed(loose.begin(), loose.end());
   state.refresh(touched, changed);

@@ -139,13 +139,14 @@ Outcome pick_up(WorldState& state, std::size_t i) {
   const auto left_behind = neighbours(state, before, group);
   for (const std::size_t member : group) state.physics.remove(static_cast<BodyId>(member));
   state.scene.agent.held.push_back(id);
-  state.forget_grid();
+  if (stands_low(before)) state.forget_grid();
   state.carry_along();
   std::vector<Bounds> touched{before};
   std::vector<std::size_t> changed(left_behind.begin(), left_behind.end());
   if (!left_behind.empty()) {
     apply(state, state.physics.settle(left_behind), {});
     touched.push_back(group_bounds(state, changed));
+    if (stands_low(touched.back())) state.forget_grid();
   }
   changed.insert(changed.end(), group.begin(), group.end());
   state.refresh(touched, changed);
@@ -194,9 +195,9 @@ Outcome place(WorldState& state, std::size_t target, bool inside) {
     const double knocked = apply(trial, settled, beside);
     if (!settled.calm || knocked > kKnocked_m) continue;
     std::erase(trial.scene.agent.held, id);
-    trial.forget_grid();
     const std::vector<std::size_t> changed(loose.begin(), loose.end());
     const Bounds touched[] = {let_go, group_bounds(trial, changed)};
+    if (stands_low(let_go) || stands_low(touched[1])) trial.forget_grid();
     trial.refresh(touched, changed);
     if (!has_edge(trial.scene, inside ? Predicate::Inside : Predicate::On, id, target_id)) continue;
     state = std::move(trial);

@@ -11,6 +11,7 @@ namespace unietp {
 namespace {
 
 constexpr double kStepOver_m = 0.05;  // lower things on the floor do not stop a body
+constexpr double kLow_m = 0.15;       // movable things that start higher lie on furniture, which blocks the way itself
 constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 /// A solid seen from above: a rectangle turned by its yaw, or its bounds when it does not stand upright.
@@ -65,6 +66,8 @@ bool within(const std::vector<Footprint>& footprints, const Vec2& at, double rad
 
 }  // namespace
 
+bool stands_low(const Bounds& bounds) { return bounds.low.z() < kLow_m; }
+
 bool in_door_way(const Node& node, const Vec2& at, const Profile& profile) {
   return within(door_way(node, profile), at, profile.body_radius_m);
 }
@@ -83,8 +86,14 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile) {
   height_ = static_cast<int>(std::ceil((high.y() - low.y()) / kCell_m));
   blocked_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 1);
   for (const Room& room : scene.rooms) {
-    for (int y = 0; y < height_; ++y) {
-      for (int x = 0; x < width_; ++x) {
+    Vec2 room_low = room.polygon.front(), room_high = room_low;
+    for (const Vec2& p : room.polygon) {
+      room_low = room_low.cwiseMin(p);
+      room_high = room_high.cwiseMax(p);
+    }
+    const Cell from = cell_at(room_low), to = cell_at(room_high);
+    for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
+      for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
         if (contains(room.polygon, centre({x, y}))) blocked_[static_cast<std::size_t>(y * width_ + x)] = 0;
       }
     }
@@ -104,6 +113,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile) {
   }
   for (const Node& node : scene.nodes) {
     if (std::find(scene.agent.held.begin(), scene.agent.held.end(), node.id) != scene.agent.held.end()) continue;
+    if (node.movable && !stands_low(bounds_of(node.pose, node.size))) continue;
     for (const Footprint& f : footprints_of(node, shape_of(node), node.opening, profile.body_height_m, false)) block(f);
   }
 }
@@ -177,6 +187,13 @@ std::vector<NavigationGrid::Cell> NavigationGrid::path(Cell from, Cell to) const
 }
 
 double reach_distance(const Node& node, const Vec2& at, const Profile& profile) {
+  const Vec3 up = node.pose.rotation * Vec3::UnitZ();
+  if (std::abs(up.z()) > 1 - 1e-9) {  // upright, as most things are: a rectangle and an interval of heights
+    const Vec3 x = node.pose.rotation * Vec3::UnitX();
+    const double sideways = distance_to({node.pose.position.head<2>(), x.head<2>(), node.size.head<2>() / 2}, at);
+    const double low = node.pose.position.z() - node.size.z() / 2, high = low + node.size.z();
+    return std::hypot(sideways, std::max({0.0, low - profile.body_height_m, -high}));
+  }
   const Pose to_node = inverse(node.pose);
   const auto distance = [&](double z) {
     const Vec3 local = to_node * Vec3(at.x(), at.y(), z);

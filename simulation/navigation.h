@@ -46,6 +46,9 @@ class NavigationGrid {
 /// node, metres.
 double reach_distance(const Node& node, const Vec2& at, const Profile& profile);
 
+/// Whether a movable thing with these bounds is in the way of walking: it is on or near the floor.
+bool stands_low(const Bounds& bounds);
+
 /// True when a body standing at `at` would be hit by the node's door, lid or drawer somewhere on its way.
 bool in_door_way(const Node& node, const Vec2& at, const Profile& profile);
 
