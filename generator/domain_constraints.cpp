@@ -137,6 +137,7 @@ bool affords(const Parameter& parameter, const std::string& category, const Know
     if (affordance == "any") return true;
     if (affordance == "furniture") return !known->movable;
     if (affordance == "movable") return known->movable;
+    if (affordance == "countable") return known->countable;
     return knowledge.has(category, affordance);
   });
 }

@@ -169,10 +169,15 @@ std::optional<Specification> refine_referring(const Specification& plain, const 
   std::vector<std::vector<Reference>> kinds = {by_state(plain, knowledge),
                                                by_place(plain, knowledge, rng.fork("place", 0))};
   rng.shuffle(kinds);
-  for (auto& references : kinds) {
-    rng.shuffle(references);
-    for (const auto& reference : references) {
-      if (auto refined = refined_by(plain, knowledge, reference)) return refined;
+  for (auto& references : kinds) rng.shuffle(references);
+  // Movable objects first: a scene can be given one more of them as distractor, seldom one more fridge.
+  for (const bool movable : {true, false}) {
+    for (const auto& references : kinds) {
+      for (const auto& reference : references) {
+        const auto* category = knowledge.find(reference.variable.category);
+        if (category == nullptr || category->movable != movable) continue;
+        if (auto refined = refined_by(plain, knowledge, reference)) return refined;
+      }
     }
   }
   return std::nullopt;

@@ -77,7 +77,7 @@ std::string substance_of(const DomainConstraint& constraint) {
 }
 
 const std::vector<std::string>& pseudo_affordances() {
-  static const std::vector<std::string> kNames = {"furniture", "movable", "room", "any"};
+  static const std::vector<std::string> kNames = {"furniture", "movable", "countable", "room", "any"};
   return kNames;
 }
 

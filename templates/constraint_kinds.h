@@ -41,7 +41,8 @@ int capacity_of(const DomainConstraint& constraint);
 std::string substance_of(const DomainConstraint& constraint);
 
 /// What a parameter may be asked to be besides an affordance of the AKB.
-/// `furniture`: stays where it is; `movable`: not furniture; `room`: a type of room; `any`: the constraints decide.
+/// `furniture`: stays where it is; `movable`: not furniture; `countable`: "two mugs", not "some bread"; `room`: a type
+/// of room; `any`: the constraints decide.
 const std::vector<std::string>& pseudo_affordances();
 
 }  // namespace unietp

@@ -19,7 +19,7 @@ std::optional<Split> split_named(std::string_view name);
 /// A placeholder and what a category must afford to fill it; `room` as the only affordance: a room type.
 struct Parameter {
   std::string name;                      // "A"
-  std::vector<std::string> affordances;  // of the AKB, or the pseudo-affordances `furniture`, `movable`, `room`
+  std::vector<std::string> affordances;  // of the AKB, or one of pseudo_affordances()
   SourcePos pos;
 };
 
