@@ -32,6 +32,11 @@ void laptop_open(Scene& s) { set_state(s, "laptop_1", Predicate::Open); }
 void microwave_on(Scene& s) { set_state(s, "microwave_1", Predicate::PowerOn); }
 void box_open(Scene& s) { set_state(s, "box_1", Predicate::Open); }
 void dresser_open(Scene& s) { set_state(s, "dresser_1", Predicate::Open); }
+void all_dirty(Scene& s) {
+  for (Node& node : s.nodes) {
+    if (node.states.has(Predicate::Clean)) node.states.set({Predicate::Dirty, ""});
+  }
+}
 void cooled_mug(Scene& s) { set_state(s, "mug_1", Predicate::Cool); }
 
 // One for each shape of the goal catalogue that the actions of this backend can reach.
@@ -46,7 +51,7 @@ const Case kCases[] = {
     {"place_on", "(exists (?x - Mug) (exists (?y - SideTable) (at-end (on ?x ?y))))"},
     {"place_inside", "(exists (?x - Apple) (exists (?y - Fridge) (at-end (inside ?x ?y))))"},
     {"place_inside_a_drawer", "(exists (?x - Apple) (exists (?y - Dresser) (at-end (inside ?x ?y))))"},
-    {"wash", "(exists (?x - Mug) (at-end (clean ?x)))", [](Scene& s) { set_state(s, "mug_3", Predicate::Dirty); }},
+    {"wash", "(exists (?x - Mug) (at-end (clean ?x)))", all_dirty},
     {"heat", "(exists (?x - Potato) (at-end (hot ?x)))"},
     {"cool", "(exists (?x - Mug) (at-end (cool ?x)))"},
     {"slice", "(exists (?x - Apple) (at-end (sliced ?x)))"},
@@ -88,8 +93,9 @@ const Case kCases[] = {
      lamp_on},
     {"one_open_one_closed", "(exists (?x - Fridge) (exists (?y - Dresser) (at-end (and (open ?x) (closed ?y)))))",
      dresser_open},
-    {"wash_and_hold", "(exists (?x - Mug) (at-end (and (clean ?x) (held ?x))))"},
-    {"wash_and_place", "(exists (?x - Plate) (exists (?b - CounterTop) (at-end (and (clean ?x) (on ?x ?b)))))"},
+    {"wash_and_hold", "(exists (?x - Mug) (at-end (and (clean ?x) (held ?x))))", all_dirty},
+    {"wash_and_place", "(exists (?x - Plate) (exists (?b - CounterTop) (at-end (and (clean ?x) (on ?x ?b)))))",
+     all_dirty},
     {"wash_and_place_inside",
      "(exists (?x - (Mug :where (dirty ?x))) (exists (?b - Fridge) (at-end (and (clean ?x) (inside ?x ?b)))))"},
     {"wash_two_kinds",
@@ -140,7 +146,7 @@ const Case kCases[] = {
      all_on},
     {"open_all", "(forall (?x - (either Fridge Dresser)) (at-end (open ?x)))"},
     {"wash_then_heat", "(exists (?x - Mug) (and (before (clean ?x) (hot ?x)) (at-end (and (clean ?x) (hot ?x)))))",
-     [](Scene& s) { set_state(s, "mug_3", Predicate::Dirty); }},
+     all_dirty},
     {"one_first",
      "(exists (?c - Fridge) (exists (?x - Apple) (exists (?y - Mug) (and (before (inside ?x ?c) (inside ?y ?c)) "
      "(at-end "
@@ -243,6 +249,7 @@ TEST_P(EveryGoalShape, IsDemonstratedWithoutAFailedOrNeedlessStep) {
       << std::get<Rejection>(result).reason << ": " << std::get<Rejection>(result).detail;
   const Demonstration& demonstration = std::get<Demonstration>(result);
   SCOPED_TRACE(plan_of(demonstration));
+  RecordProperty("plan", plan_of(demonstration));
   EXPECT_EQ(replay(formula, start, demonstration, knowledge, profile), "");
   EXPECT_LE(demonstration.steps.size(), 50u);
   EXPECT_EQ(needless_steps(formula, start, demonstration, knowledge, profile), std::vector<std::string>());
