@@ -6,61 +6,71 @@
 namespace unietp {
 namespace {
 
-constexpr double kOpen_m = 3;           // free height where there is no roof but the ceiling
-constexpr double kShelf_m = 0.36;       // usual distance of shelves
+// Numbers of simulation/shape.cpp, which builds the solids; a test of the house compares the two.
+constexpr double kOpen_m = 2;       // free height with nothing above
+constexpr double kEdge_m = 0.01;    // kept free along every edge
+constexpr double kSlack_m = 0.002;  // around doors, drawers and lids
+constexpr double kShelfSetBack_m = 0.03;
+constexpr double kBoard_m = 0.02;
 constexpr double kHighestTop_m = 1.25;  // a higher top is out of reach
-constexpr double kMargin_m = 0.01;
+constexpr double kMargin_m = 0.005;
 
-/// Thickness of a wall: 2 cm for furniture, a tenth of the smaller side for small things.
-double wall(const Vec3& size) { return std::clamp(0.1 * std::min(size.x(), size.y()), 0.004, 0.02); }
-
-int shelves(double height) { return std::max(1, static_cast<int>(std::lround(height / kShelf_m))); }
+double wall(const Vec3& size, double most) { return std::clamp(0.07 * size.minCoeff(), 0.003, most); }
 
 std::optional<Room3> hollow(const Category& c) {
-  const double t = wall(c.size);
   const Vec3& s = c.size;
   switch (c.archetype) {
     case Archetype::Cabinet: {
-      const double height = s.z() - 2 * t;
-      const int levels = height > 0.55 ? shelves(height) : 1;
-      return Room3{s.x() - 2 * t, s.y() - 2 * t, height / levels - (levels > 1 ? t : 0), false, levels};
+      const double t = wall(s, 0.02), height = s.z() - 2 * t;
+      const int bays = std::clamp(static_cast<int>(std::floor(height / 0.4)), 1, 5);
+      return Room3{s.x() - 2 * t - 2 * kEdge_m, s.y() - 2 * t - kSlack_m - kShelfSetBack_m - 2 * kEdge_m,
+                   height / bays - t, false, bays};
     }
-    case Archetype::Drawers:
-      return Room3{s.x() - 4 * t, s.y() - 4 * t, std::min(0.2, s.z() / 3) - 2 * t, false, 1};
-    case Archetype::Basin:
-      return Room3{0.8 * s.x() - 2 * t, 0.8 * s.y() - 2 * t, std::min(0.18, 0.7 * s.z()), true, 1};
-    case Archetype::Vessel:
-      return Room3{s.x() - 2 * t, s.y() - 2 * t, s.z() - t, true, 1};
-    case Archetype::Lidded:
-      return Room3{s.x() - 2 * t, s.y() - 2 * t, s.z() - 2.5 * t, false, 1};
+    case Archetype::Drawers: {
+      const double t = wall(s, 0.02), slot = std::min(s.z() - 2 * t, 0.24);
+      return Room3{s.x() - 4 * t - 2 * kSlack_m - 2 * kEdge_m, s.y() - 3 * t - kSlack_m - 2 * kEdge_m,
+                   slot - t - 2 * kSlack_m, false, 1};
+    }
+    case Archetype::Basin: {
+      const double side = std::min(s.x(), s.y()), t = std::clamp(0.08 * side, 0.02, 0.06);
+      return Room3{s.x() - 2 * t, s.y() - 2 * t, std::min(0.65 * s.z(), 0.4 * side), true, 1};
+    }
+    case Archetype::Vessel: {
+      const double t = wall(s, 0.012);
+      return Room3{s.x() - 2 * t - kSlack_m, s.y() - 2 * t - kSlack_m, s.z() - t, true, 1};
+    }
+    case Archetype::Lidded: {
+      const double t = wall(s, 0.012);
+      return Room3{s.x() - 2 * t - kSlack_m, s.y() - 2 * t - kSlack_m, s.z() - 2 * t - kSlack_m, false, 1};
+    }
     default:
       return std::nullopt;
   }
 }
 
+Room3 plane(double width, double depth) { return {width - 2 * kEdge_m, depth - 2 * kEdge_m, kOpen_m, false, 1}; }
+
 std::optional<Room3> top(const Category& c) {
-  const double t = wall(c.size);
   const Vec3& s = c.size;
   switch (c.archetype) {
     case Archetype::Block:
     case Archetype::Table:
     case Archetype::Drawers:
-      return Room3{s.x(), s.y(), kOpen_m, false, 1};
+    case Archetype::Plate:
+      return plane(s.x(), s.y());
     case Archetype::Cabinet:
       if (s.z() > kHighestTop_m) return std::nullopt;
-      return Room3{s.x(), s.y(), kOpen_m, false, 1};
+      return plane(s.x(), s.y() - 0.025);  // the door
     case Archetype::Seat:
-      return Room3{0.9 * s.x(), 0.65 * s.y(), kOpen_m, false, 1};
+      return plane(s.x(), s.y() - std::min(0.15, 0.2 * s.y()) - 0.01);
     case Archetype::Bed:
-      return Room3{s.x(), 0.85 * s.y(), kOpen_m, false, 1};
+      return plane(s.x(), s.y() - 0.06);
     case Archetype::Shelf: {
-      const int levels = shelves(s.z());
-      return Room3{s.x() - 2 * t, s.y() - t, s.z() / levels - 2 * t, false, levels};
+      if (s.z() < 0.15) return plane(s.x(), s.y());
+      const int bays = std::clamp(static_cast<int>(std::lround(s.z() / 0.42)), 1, 6);
+      const double pitch = (s.z() - kBoard_m) / bays;
+      return Room3{s.x() - 2 * kBoard_m - 2 * kEdge_m, s.y() - kBoard_m - 2 * kEdge_m, pitch - kBoard_m, false, bays};
     }
-    case Archetype::Plate:
-      return Room3{0.95 * s.x(), 0.95 * s.y(), kOpen_m, false, 1};
-    case Archetype::Fixture:
-      return Room3{s.x(), s.y(), kOpen_m, false, 1};
     default:
       return std::nullopt;
   }

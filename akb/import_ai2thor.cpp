@@ -158,14 +158,14 @@ void add_effects(TableBuilder& builder, const Json& types, const Json& alfred) {
   for (const char* type : {"Kettle", "Pan", "Pot"}) {
     add("StoveBurner", "heats", type, "", 0, {"power_on", "on"}, {kAlfred, 0.9});
   }
-  add("CoffeeMachine", "heats", "Mug", "", 0, {"power_on"}, {"curated", 0.9});
+  add("CoffeeMachine", "heats", "Mug", "", 0, {"power_on", "on"}, {"curated", 0.9});
   for (const char* type : {"Potato", "PotatoSliced", "EggCracked"}) {
     add("Microwave", "cooks", type, "", 0, {"closed", "power_on", "inside"}, {"curated", 0.9});
     add("StoveBurner", "cooks", type, "", 0, {"power_on", "on"}, {"curated", 0.9});
   }
   add("Toaster", "cooks", "BreadSliced", "", 0, {"power_on", "inside"}, {kAlfred, 1});
   add("StoveBurner", "cooks", "BreadSliced", "", 0, {"power_on", "on"}, {"curated", 0.9});
-  add("CoffeeMachine", "fills", "Mug", "coffee", 0, {"power_on"}, {kAlfred, 0.9});
+  add("CoffeeMachine", "fills", "Mug", "coffee", 0, {"power_on", "on"}, {kAlfred, 0.9});
   add("WineBottle", "fills", "Cup", "wine", 0, {"held"}, {"curated", 0.9});
   const std::map<std::string, std::pair<std::string, int>> slices{
       {"Apple", {"AppleSliced", 5}},     {"Bread", {"BreadSliced", 6}},   {"Egg", {"EggCracked", 1}},

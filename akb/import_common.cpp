@@ -15,11 +15,32 @@
 namespace unietp {
 namespace {
 
-constexpr double kSizeFactor = 1.7, kMassFactor = 3;
+constexpr double kSizeFactor = 1.4, kMassFactor = 3;
 
 /// To millimetres, so that files stay short.
 Vec3 millimetres(const Vec3& v) {
   return {std::round(v.x() * 1000) / 1000, std::round(v.y() * 1000) / 1000, std::round(v.z() * 1000) / 1000};
+}
+
+bool has_joint(Archetype archetype) {
+  return archetype == Archetype::Cabinet || archetype == Archetype::Drawers || archetype == Archetype::Lidded ||
+         archetype == Archetype::Folding;
+}
+
+/// Kinds that a rule of placement_rules.csv names also stand for these: a chest's drawer for "drawer", a cabinet's top
+/// for "dresser", a stove's oven for "oven".
+bool stands_for(const PlacementRule& rule, const std::string& kind) {
+  if (rule.receptacle == kind) return true;
+  static const std::set<std::pair<std::string, std::string>> kInside{
+      {"drawer", "nightstand"}, {"drawer", "dresser"}, {"oven", "stove"}};
+  static const std::set<std::pair<std::string, std::string>> kOn{{"dresser", "cabinet"},
+                                                                 {"dresser", "drawer"},
+                                                                 {"counter", "kitchen_cabinet"},
+                                                                 {"counter", "dishwasher"},
+                                                                 {"bathroom_counter", "bathroom_cabinet"},
+                                                                 {"washer", "dryer"},
+                                                                 {"stool", "stool"}};
+  return (rule.relation == "inside" ? kInside : kOn).contains({rule.receptacle, kind});
 }
 
 std::array<int, 3> order_of(const Vec3& v) {
@@ -139,7 +160,10 @@ void TableBuilder::add(const RawCategory& raw) {
 
 void TableBuilder::afford(const std::string& category, std::string_view affordance, const std::string& source,
                           double confidence) {
-  if (!categories_.contains(category)) return;
+  const auto found = categories_.find(category);
+  if (found == categories_.end()) return;
+  // What has no door, drawer, lid or hinge in our bodies cannot be opened: blinds, curtains, a toilet's seat.
+  if (affordance == "openable" && !has_joint(found->second.archetype)) return;
   affordances_.try_emplace({category, std::string(affordance)},
                            AffordanceFact{category, std::string(affordance), {source, confidence}});
 }
@@ -149,6 +173,7 @@ bool TableBuilder::has(const std::string& category, std::string_view affordance)
 }
 
 void TableBuilder::afford_by_archetype() {
+  overlay_affordances();
   static const std::set<std::string> kNone{"part",         "wall_thing", "floor_thing",  "appliance",
                                            "plant",        "kettle",     "drink",        "rug",
                                            "light_switch", "vase",       "bucket_small", "pitcher"};
@@ -157,11 +182,9 @@ void TableBuilder::afford_by_archetype() {
     if (room_of(c, "inside") && c.archetype != Archetype::Drawers) {
       afford(name, "container", "derived:archetype", 0.9);
     }
+    const bool flat_food = c.archetype == Archetype::Plate && is_kind(name, {"slice", "meal", "bakery", "gadget"});
     const bool furniture = !c.movable || c.archetype == Archetype::Plate;
-    const bool slice_or_food = c.archetype == Archetype::Plate && is_kind(name, {"slice", "meal", "bakery", "gadget"});
-    if (furniture && !slice_or_food && c.archetype != Archetype::Fixture && room_of(c, "on")) {
-      afford(name, "receptacle", "derived:archetype", 0.9);
-    }
+    if (furniture && !flat_food && room_of(c, "on")) afford(name, "receptacle", "derived:archetype", 0.9);
   }
 }
 
@@ -174,16 +197,13 @@ void TableBuilder::seen(const std::string& object, std::string_view relation, co
 
 void TableBuilder::place_by_kind(double scale) {
   const auto rules = read_placement_rules(curated_ / "placement_rules.csv", errors_);
-  const auto drawer_like = [](const std::string& kind) { return kind == "nightstand" || kind == "dresser"; };
   for (const auto& [object, c] : categories_) {
     for (const auto& [receptacle, r] : categories_) {
       if (object == receptacle) continue;
       const auto& at = kinds_[receptacle];
       for (const auto& rule : rules) {
         if (rule.kind != kinds_[object]) continue;
-        const bool same = rule.receptacle == at;
-        const bool in_drawer = rule.relation == "inside" && rule.receptacle == "drawer" && drawer_like(at);
-        if (!same && !in_drawer) continue;
+        if (!stands_for(rule, at)) continue;
         if (rule.relation == "inside" && !has(receptacle, "container")) continue;
         if (rule.relation == "on" && !has(receptacle, "receptacle")) continue;
         const auto key = std::tuple(object, rule.relation, receptacle);
@@ -210,49 +230,54 @@ void TableBuilder::effect(Effect effect) {
   effects_.try_emplace({effect.tool, effect.effect, effect.target, effect.gives}, effect);
 }
 
-void TableBuilder::overlay_curated() {
-  std::vector<std::string> names;
-  for (const auto& [name, c] : categories_) names.push_back(name);
-  const auto with = [&](const std::string& table, const auto& read) {
-    const auto path = folder() / (table + ".csv");
-    if (!std::filesystem::exists(path)) return;
-    const auto text = read_file(path);
-    if (!text) {
-      errors_.push_back(text.error());
-      return;
-    }
-    RowReader row(path.string(), *text, columns_of(table), errors_);
-    for (const auto& cells : row.rows()) {
-      row.at(cells);
-      read(row);
-    }
-  };
-  with("affordance", [&](RowReader& row) {
-    AffordanceFact f{row.one_of("category", names, "category"),
+template <class Read>
+void TableBuilder::with_curated(const std::string& table, const Read& read) {
+  const auto path = folder() / (table + ".csv");
+  if (!std::filesystem::exists(path)) return;
+  const auto text = read_file(path);
+  if (!text) {
+    errors_.push_back(text.error());
+    return;
+  }
+  RowReader row(path.string(), *text, columns_of(table), errors_);
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    read(row);
+  }
+}
+
+void TableBuilder::overlay_affordances() {
+  const auto known = names();
+  with_curated("affordance", [&](RowReader& row) {
+    AffordanceFact f{row.one_of("category", known, "category"),
                      row.one_of("affordance", affordance_names(), "affordance"), row.source("source", "confidence")};
     if (row.sound()) affordances_[{f.category, f.affordance}] = f;
   });
-  with("relation", [&](RowReader& row) {
-    Placement p{row.one_of("object", names, "category"),
+}
+
+void TableBuilder::overlay_curated() {
+  const auto known = names();
+  with_curated("relation", [&](RowReader& row) {
+    Placement p{row.one_of("object", known, "category"),
                 row.one_of("relation", relation_names(), "relation"),
-                row.one_of("receptacle", names, "category"),
+                row.one_of("receptacle", known, "category"),
                 row.number("likelihood", 0, 1000, false),
                 row.integer("capacity", 1),
                 row.source("source", "confidence")};
     if (row.sound()) placements_[{p.object, p.relation, p.receptacle}] = p;
   });
-  with("effect", [&](RowReader& row) {
-    Effect e{row.one_of("tool", names, "category"),
+  with_curated("effect", [&](RowReader& row) {
+    Effect e{row.one_of("tool", known, "category"),
              row.one_of("effect", effect_names(), "effect"),
-             row.one_of("target", names, "category"),
+             row.one_of("target", known, "category"),
              row.text("gives"),
              row.integer("amount", 0),
              row.all_of("needs", need_names(), "need"),
              row.source("source", "confidence")};
     if (row.sound()) effects_[{e.tool, e.effect, e.target, e.gives}] = e;
   });
-  with("alias", [&](RowReader& row) {
-    Alias a{row.one_of("category", names, "category"), row.required("text"),
+  with_curated("alias", [&](RowReader& row) {
+    Alias a{row.one_of("category", known, "category"), row.required("text"),
             row.one_of("kind", alias_kinds(), "kind of alias"), row.source("source", "confidence")};
     if (row.sound()) aliases_[{a.category, a.kind, a.text}] = a;
   });
@@ -288,12 +313,27 @@ void TableBuilder::drop_unfit() {
     const auto object = categories_.find(p.object), receptacle = categories_.find(p.receptacle);
     const bool known = object != categories_.end() && receptacle != categories_.end();
     p.capacity = known ? capacity_of(object->second, p.relation, receptacle->second) : 0;
+    const bool shut = known && p.relation == "inside" && receptacle->second.archetype == Archetype::Drawers &&
+                      !has(p.receptacle, "openable");
+    if (shut) p.capacity = 0;
   }
   std::erase_if(placements_, [](const auto& entry) { return entry.second.capacity == 0; });
   std::erase_if(effects_, [&](const auto& entry) {
     const Effect& e = entry.second;
     const bool inside = std::find(e.needs.begin(), e.needs.end(), "inside") != e.needs.end();
-    return inside && !fits(categories_.at(e.target), "inside", categories_.at(e.tool));
+    const bool on = std::find(e.needs.begin(), e.needs.end(), "on") != e.needs.end();
+    const auto &tool = categories_.at(e.tool), &target = categories_.at(e.target);
+    return (inside && !fits(target, "inside", tool)) || (on && !fits(target, "on", tool));
+  });
+  // A derived receptacle in or on which nothing of this simulator fits is none.
+  std::erase_if(affordances_, [&](const auto& entry) {
+    const auto& fact = entry.second;
+    const bool holds = fact.affordance == "container" || fact.affordance == "receptacle";
+    const char* relation = fact.affordance == "container" ? "inside" : "on";
+    return holds && fact.source.source == "derived:archetype" &&
+           std::none_of(placements_.begin(), placements_.end(), [&](const auto& placed) {
+             return placed.second.receptacle == fact.category && placed.second.relation == relation;
+           });
   });
 }
 

@@ -43,7 +43,8 @@ class TableBuilder {
 
   void afford(const std::string& category, std::string_view affordance, const std::string& source, double confidence);
   bool has(const std::string& category, std::string_view affordance) const;
-  /// receptacle and container from the archetype (rule `archetype`).
+  /// Lays curated/<simulator>/affordance.csv over, then adds receptacle and container from the archetype (rule
+  /// `archetype`) where nothing says so yet.
   void afford_by_archetype();
 
   /// A placement seen in metadata; weights of one pair add up.
@@ -66,6 +67,9 @@ class TableBuilder {
   std::vector<std::string> names() const;
 
  private:
+  template <class Read>
+  void with_curated(const std::string& table, const Read& read);
+  void overlay_affordances();
   void overlay_curated();
   void drop_removed();
   void drop_unfit();
