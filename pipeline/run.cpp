@@ -11,8 +11,8 @@
 #include "pipeline/dataset_writer.h"
 #include "pipeline/ledger.h"
 #include "pipeline/manifest.h"
+#include "pipeline/run_folder.h"
 #include "pipeline/selection.h"
-#include "pipeline/workspace.h"
 
 namespace unietp {
 namespace {
@@ -206,10 +206,10 @@ Result<RunReport> run_generation(const RunConfiguration& configuration, const Re
                                  const RunOptions& options) {
   auto slots = plan_slots(configuration, resources);
   if (!slots) return slots.error();
-  auto workspace = Workspace::enter(options.out, options.resume);
-  if (!workspace) return workspace.error();
-  if (workspace->already_published()) return RunReport{false, configuration.count, 0, 0, {}};
-  auto ledger = Ledger::open(workspace->ledger(), identity_of(configuration, resources));
+  auto work = RunFolder::enter(options.out, options.resume);
+  if (!work) return work.error();
+  if (work->already_published()) return RunReport{false, configuration.count, 0, 0, {}};
+  auto ledger = Ledger::open(work->ledger(), identity_of(configuration, resources));
   if (!ledger) return ledger.error();
 
   Run run(configuration, resources, options, *ledger, std::move(*slots));
@@ -218,10 +218,10 @@ Result<RunReport> run_generation(const RunConfiguration& configuration, const Re
   auto report = run.report();
   report.interrupted = !*filled;
   if (report.interrupted) return report;
-  const auto folder = workspace->fresh_data_folder();
+  const auto folder = work->fresh_data_folder();
   if (!folder) return folder.error();
   if (auto written = run.write(*folder); !written) return written.error();
-  if (auto published = workspace->publish(); !published) return published.error();
+  if (auto published = work->publish(); !published) return published.error();
   return report;
 }
 

@@ -8,14 +8,14 @@ namespace unietp {
 
 /// `<out>.partial`, held by one run at a time: the ledger lives in it, the data set grows in it, and becomes `<out>` by
 /// one rename. Leaving without `publish` keeps the folder for a later `--resume`.
-class Workspace {
+class RunFolder {
  public:
   /// Errors: Usage when `out` exists, when an unfinished run is there and `resume` is not asked for, or when another
   /// process is working in it; Io when the folder cannot be made or written.
-  static Result<Workspace> enter(const std::filesystem::path& out, bool resume);
-  Workspace(Workspace&& other) noexcept;
-  Workspace& operator=(Workspace&&) = delete;
-  ~Workspace();  // lets go of the lock
+  static Result<RunFolder> enter(const std::filesystem::path& out, bool resume);
+  RunFolder(RunFolder&& other) noexcept;
+  RunFolder& operator=(RunFolder&&) = delete;
+  ~RunFolder();  // lets go of the lock
 
   /// A run was killed after it had published and before it had tidied up; `enter` did the rest.
   bool already_published() const { return already_published_; }
@@ -26,7 +26,7 @@ class Workspace {
   Result<Done> publish();
 
  private:
-  Workspace(std::filesystem::path out, std::filesystem::path folder, int lock)
+  RunFolder(std::filesystem::path out, std::filesystem::path folder, int lock)
       : out_(std::move(out)), folder_(std::move(folder)), lock_(lock) {}
   std::filesystem::path out_, folder_;
   int lock_ = -1;  // file descriptor

@@ -1,4 +1,4 @@
-#include "pipeline/workspace.h"
+#include "pipeline/run_folder.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -27,7 +27,7 @@ fs::path without_slash(const fs::path& path) { return path.has_filename() ? path
 
 }  // namespace
 
-Result<Workspace> Workspace::enter(const fs::path& asked, bool resume) {
+Result<RunFolder> RunFolder::enter(const fs::path& asked, bool resume) {
   const fs::path out = without_slash(asked);
   const fs::path folder = out.string() + ".partial";
   std::error_code code;
@@ -44,29 +44,29 @@ Result<Workspace> Workspace::enter(const fs::path& asked, bool resume) {
     if (!unfinished) fs::remove(folder, code);
     return io(folder, "cannot write here: " + reason + "; choose a folder that you can write to");
   }
-  Workspace workspace(out, folder, lock);
+  RunFolder run(out, folder, lock);
   if (::flock(lock, LOCK_EX | LOCK_NB) != 0)
     return usage(folder, "another run is working here; wait for it to end, or choose another folder");
   if (unfinished && !resume)
     return usage(folder, "holds an unfinished run; add --resume to continue it, or remove that folder to start anew");
   if (tidy_up && fs::exists(out, code)) {
     fs::remove_all(folder, code);
-    workspace.already_published_ = true;
+    run.already_published_ = true;
   }
-  return workspace;
+  return run;
 }
 
-Workspace::Workspace(Workspace&& other) noexcept
+RunFolder::RunFolder(RunFolder&& other) noexcept
     : out_(std::move(other.out_)),
       folder_(std::move(other.folder_)),
       lock_(std::exchange(other.lock_, -1)),
       already_published_(other.already_published_) {}
 
-Workspace::~Workspace() {
+RunFolder::~RunFolder() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-Result<fs::path> Workspace::fresh_data_folder() const {
+Result<fs::path> RunFolder::fresh_data_folder() const {
   const fs::path data = folder_ / "data";
   std::error_code code;
   fs::remove_all(data, code);
@@ -75,7 +75,7 @@ Result<fs::path> Workspace::fresh_data_folder() const {
   return data;
 }
 
-Result<Done> Workspace::publish() {
+Result<Done> RunFolder::publish() {
   if (const auto marked = write_file(folder_ / kPublishing, ""); !marked) return marked.error();
   std::error_code code;
   fs::rename(folder_ / "data", out_, code);

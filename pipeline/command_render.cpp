@@ -1,0 +1,83 @@
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+#include "core/text.h"
+#include "grounding/scene_svg.h"
+#include "pipeline/commands.h"
+#include "scene/scene_json.h"
+
+namespace unietp {
+namespace {
+
+constexpr const char* kHelp =
+    "Draw a scene from above as SVG.\n"
+    "\n"
+    "  unietp render out/first ai2thor-00001 --out task.svg\n"
+    "      a task's start, with the way its demonstration goes\n"
+    "  unietp render home.scene.json.gz --out home.svg";
+
+struct Options {
+  std::filesystem::path input, out;
+  std::string task;
+};
+
+/// Where the agent stands after each step of a task's demonstration, the start first.
+Result<std::vector<Vec2>> way_of(const std::filesystem::path& file, const std::string& task, const Scene& start) {
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  for (const auto& line : split(*text, '\n')) {
+    if (line.empty()) continue;
+    const auto json = nlohmann::ordered_json::parse(line, nullptr, false);
+    if (!json.is_object() || json.value("task", "") != task) continue;
+    std::vector<Vec2> way{start.agent.position};
+    Scene scene = start;
+    for (const auto& step : json.value("steps", nlohmann::ordered_json::array())) {
+      const auto changes = delta_from_json(file.string(), step.value("changes", nlohmann::ordered_json::object()));
+      if (!changes) return changes.error();
+      scene = apply(std::move(scene), *changes);
+      if (scene.agent.position != way.back()) way.push_back(scene.agent.position);
+    }
+    return way;
+  }
+  return Error{Error::Kind::Usage, file.string(), {}, "has no task \"" + task + "\"; tasks.jsonl lists the ids"};
+}
+
+Exit render(const Options& options) {
+  std::error_code code;
+  const bool dataset = std::filesystem::is_directory(options.input, code);
+  if (dataset == options.task.empty())
+    return refuse({Error::Kind::Usage,
+                   options.input.string(),
+                   {},
+                   "expected a data set's folder and a task's id, or a scene file alone"});
+  const auto scene_file = dataset ? options.input / "scenes" / (options.task + ".scene.json.gz") : options.input;
+  const auto text = read_maybe_gzip(scene_file);
+  if (!text) return refuse(text.error());
+  const auto scene = scene_from_json(scene_file.string(), *text);
+  if (!scene) return refuse(scene.error());
+  std::vector<Vec2> way;
+  if (dataset) {
+    auto found = way_of(options.input / "demonstrations" / "M1.jsonl", options.task, *scene);
+    if (!found) return refuse(found.error());
+    way = std::move(*found);
+  }
+  if (const auto written = write_file(options.out, scene_svg(*scene, way)); !written) return refuse(written.error());
+  return Exit::Ok;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Program& program) {
+  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  auto* command = app.add_subcommand("render", kHelp);
+  command->add_option("input", options->input, "A data set, or a scene file (.json or .json.gz)")->required();
+  command->add_option("task", options->task, "A task of the data set");
+  command->add_option("--out", options->out, "The SVG file to write")->required();
+  command->callback([options, &program] { program.exit = render(*options); });
+}
+
+}  // namespace unietp
