@@ -1,0 +1,98 @@
+#include "includes.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+/// A room and everything below it that it may reach.
+std::set<std::string> reachable(const RoomGraph& graph, const std::string& room) {
+  std::set<std::string> found{room};
+  const auto declared = graph.depends.find(room);
+  if (declared == graph.depends.end()) return found;
+  for (const auto& below : declared->second) {
+    const auto further = reachable(graph, below);
+    found.insert(further.begin(), further.end());
+  }
+  return found;
+}
+
+/// `<vector>`, `<unistd.h>`: no folder. Ours and the third parties' headers stand in one.
+bool is_third_party(std::string_view name) {
+  static const std::set<std::string_view> kWithoutFolder{"sqlite3.h", "zlib.h", "btBulletDynamicsCommon.h",
+                                                         "btBulletCollisionCommon.h"};
+  const bool posix = name.starts_with("sys/");
+  return (name.find('/') != std::string_view::npos && !posix) || kWithoutFolder.count(name) > 0;
+}
+
+bool allowed_in_header(std::string_view name, std::string_view room) {
+  return name == "nlohmann/json_fwd.hpp" || (room == "scene" && name.starts_with("Eigen/"));
+}
+
+}  // namespace
+
+RoomGraph read_room_graph(std::string_view text) {
+  RoomGraph graph;
+  for (const auto& line : split(text, '\n')) {
+    const auto colon = line.find(':');
+    if (colon == std::string::npos) continue;
+    const std::string room(trim(line.substr(0, colon)));
+    graph.rooms.push_back(room);
+    for (const auto& below : split(line.substr(colon + 1), ';')) {
+      if (!trim(below).empty()) graph.depends[room].emplace_back(trim(below));
+    }
+  }
+  return graph;
+}
+
+std::vector<std::string> graph_problems(const RoomGraph& graph) {
+  std::vector<std::string> problems;
+  const auto level = [&](const std::string& room) {
+    return std::find(graph.rooms.begin(), graph.rooms.end(), room) - graph.rooms.begin();
+  };
+  for (const auto& [room, depends] : graph.depends) {
+    for (const auto& below : depends) {
+      if (level(below) == static_cast<std::ptrdiff_t>(graph.rooms.size())) {
+        problems.push_back(room + " declares " + below + ", which is no room");
+      } else if (level(below) >= level(room)) {
+        problems.push_back(room + " declares " + below + ", which stands above it");
+      }
+    }
+  }
+  return problems;
+}
+
+std::vector<std::string> include_problems(const RoomGraph& graph, const std::string& path, std::string_view text) {
+  std::vector<std::string> problems;
+  const std::string room = path.substr(0, path.find('/'));
+  const auto accepted = reachable(graph, room);
+  const bool header = path.ends_with(".h");
+  int number = 0;
+  for (const auto& line : split(text, '\n')) {
+    ++number;
+    const auto trimmed = trim(line);
+    if (!trimmed.starts_with("#include")) continue;
+    const auto open = trimmed.find_first_of("<\"");
+    const auto close = open == std::string_view::npos ? open : trimmed.find_first_of(">\"", open + 1);
+    if (close == std::string_view::npos) continue;
+    const std::string name(trimmed.substr(open + 1, close - open - 1));
+    const auto at = path + ":" + std::to_string(number) + ": ";
+    if (trimmed[open] == '<') {
+      if (header && is_third_party(name) && !allowed_in_header(name, room))
+        problems.push_back(at + "a third party's header <" + name + "> in a header; it belongs in a .cpp file");
+      continue;
+    }
+    const auto other = name.substr(0, name.find('/'));
+    if (std::find(graph.rooms.begin(), graph.rooms.end(), other) == graph.rooms.end()) {
+      problems.push_back(at + "\"" + name + "\" is in no room; includes are written \"room/file.h\"");
+    } else if (accepted.count(other) == 0) {
+      problems.push_back(at + room + " may not include " + other + "; its CMakeLists.txt does not declare that arrow");
+    }
+  }
+  return problems;
+}
+
+}  // namespace unietp

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unietp {
+
+/// The rooms lowest first, each with the rooms that it declares to include.
+struct RoomGraph {
+  std::vector<std::string> rooms;
+  std::map<std::string, std::vector<std::string>> depends;
+};
+/// Lines of the form `logic: core;scene`, as cmake/Room.cmake writes them.
+RoomGraph read_room_graph(std::string_view text);
+
+/// What is wrong with the declared arrows: a room that is not built, an arrow to a room that stands higher.
+std::vector<std::string> graph_problems(const RoomGraph& graph);
+
+/// What is wrong with the includes of one file of a room, each with file, line and what would be accepted: a room that
+/// is not declared (directly or through others), a third-party header in a header.
+std::vector<std::string> include_problems(const RoomGraph& graph, const std::string& path, std::string_view text);
+
+}  // namespace unietp
