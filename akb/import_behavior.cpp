@@ -116,9 +116,11 @@ void add_temperature(TableBuilder& builder, const std::map<std::string, Facts>& 
       if (properties.contains("heatSource") && builder.has(tool, "switchable")) {
         const auto& source = properties.at("heatSource");
         const bool kitchen = builder.is_kind(tool, {"oven", "stove", "microwave"});
-        if (kitchen && builder.has(target, "heatable")) add("heats", source);
-        if (kitchen && builder.has(target, "cookable")) add("cooks", source);
-        if (builder.is_kind(tool, {"stove"}) && builder.has(target, "burnable")) add("burns", source);
+        // An open flame burns food that lies on it, a closed oven cooks it.
+        const bool flame = builder.is_kind(tool, {"stove"}), burns = flame && builder.has(target, "burnable");
+        if (burns) add("burns", source);
+        if (kitchen && !burns && builder.has(target, "heatable")) add("heats", source);
+        if (kitchen && !flame && builder.has(target, "cookable")) add("cooks", source);
       }
       if (properties.contains("coldSource") && builder.is_kind(tool, {"fridge", "freezer", "cooler"})) {
         const auto& source = properties.at("coldSource");

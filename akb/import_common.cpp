@@ -32,7 +32,7 @@ bool has_joint(Archetype archetype) {
 bool stands_for(const PlacementRule& rule, const std::string& kind) {
   if (rule.receptacle == kind) return true;
   static const std::set<std::pair<std::string, std::string>> kInside{
-      {"drawer", "nightstand"}, {"drawer", "dresser"}, {"oven", "stove"}};
+      {"drawer", "nightstand"}, {"drawer", "dresser"}, {"oven", "stove"}, {"kitchen_cabinet", "top_cabinet"}};
   static const std::set<std::pair<std::string, std::string>> kOn{{"dresser", "cabinet"},
                                                                  {"dresser", "drawer"},
                                                                  {"counter", "kitchen_cabinet"},
@@ -215,13 +215,14 @@ void TableBuilder::place_by_kind(double scale) {
   }
 }
 
-std::set<std::pair<std::string, std::string>> TableBuilder::sensible_pairs() {
-  const auto kept = placements_;
+std::set<std::tuple<std::string, std::string, std::string>> TableBuilder::sensible_placements() {
+  auto kept = std::move(placements_);
+  placements_.clear();
   place_by_kind(1);
-  std::set<std::pair<std::string, std::string>> pairs;
-  for (const auto& [key, p] : placements_) pairs.emplace(p.object, p.receptacle);
-  placements_ = kept;
-  return pairs;
+  std::set<std::tuple<std::string, std::string, std::string>> found;
+  for (const auto& [key, p] : placements_) found.insert(key);
+  placements_ = std::move(kept);
+  return found;
 }
 
 void TableBuilder::effect(Effect effect) {
@@ -367,6 +368,24 @@ void TableBuilder::add_aliases() {
   }
 }
 
+/// A synonym that is another category's name, or that two categories share, names neither.
+void TableBuilder::drop_ambiguous_aliases() {
+  std::map<std::string, std::set<std::string>> named;
+  for (const auto& [name, c] : categories_) {
+    named[c.display].insert(name);
+    named[c.plural].insert(name);
+  }
+  for (const auto& [key, a] : aliases_) {
+    if (a.kind == "synonym") named[a.text].insert(a.category);
+  }
+  std::erase_if(aliases_, [&](const auto& entry) {
+    const Alias& a = entry.second;
+    if (a.kind != "synonym") return false;
+    const Category& own = categories_.at(a.category);
+    return named[a.text].size() > 1 || a.text == own.display || a.text == own.plural;
+  });
+}
+
 const Category* TableBuilder::find(const std::string& name) const {
   const auto at = categories_.find(name);
   return at == categories_.end() ? nullptr : &at->second;
@@ -388,6 +407,7 @@ Result<Tables> TableBuilder::finish() {
   overlay_curated();
   drop_removed();
   if (!errors_.empty()) return errors_.front();
+  drop_ambiguous_aliases();
   drop_unfit();
   normalise();
   Tables tables;

@@ -53,8 +53,8 @@ class TableBuilder {
   /// Placements of placement_rules.csv (rule `kind`) for every pair that metadata does not name; `scale` says how much
   /// they weigh against metadata.
   void place_by_kind(double scale);
-  /// Object and receptacle of every pair that a rule of placement_rules.csv names.
-  std::set<std::pair<std::string, std::string>> sensible_pairs();
+  /// Object, relation and receptacle of every placement that place_by_kind would add.
+  std::set<std::tuple<std::string, std::string, std::string>> sensible_placements();
 
   void effect(Effect effect);
   /// Adds the aliases, then lays curated tables over, drops what does not fit (rule `footprint` gives capacities) and
@@ -75,6 +75,7 @@ class TableBuilder {
   void drop_unfit();
   void normalise();
   void add_aliases();
+  void drop_ambiguous_aliases();
   std::filesystem::path folder() const;
 
   Simulator simulator_;

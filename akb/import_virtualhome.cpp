@@ -56,14 +56,17 @@ std::string class_named(const TableBuilder& builder, const std::string& script_n
   return other != kOther.end() && builder.find(other->second) ? other->second : std::string();
 }
 
+using Placements = std::set<std::tuple<std::string, std::string, std::string>>;
+
 /// What the script world or a scene says is kept in place only where a rule of ours calls it common sense; such a pair
-/// then weighs more than one that only the rule knows. Otherwise waterglass on rug would pass.
-void confirm(TableBuilder& builder, const std::set<std::pair<std::string, std::string>>& sensible,
-             const std::string& object, const std::string& receptacle, double weight, const std::string& source) {
-  if (!sensible.contains({object, receptacle})) return;
-  const auto* at = builder.find(receptacle);
-  const bool inside = builder.has(receptacle, "container") && at->archetype != Archetype::Shelf;
-  builder.seen(object, inside ? "inside" : "on", receptacle, weight, source);
+/// then weighs more than one that only the rule knows. Otherwise a water glass on a rug would pass.
+void confirm(TableBuilder& builder, const Placements& sensible, const std::string& object,
+             const std::string& receptacle, double weight, const std::string& source) {
+  for (const char* relation : {"inside", "on"}) {
+    if (!sensible.contains({object, relation, receptacle})) continue;
+    builder.seen(object, relation, receptacle, weight, source);
+    return;
+  }
 }
 
 void add_affordances(TableBuilder& builder, const Json& properties) {
@@ -126,7 +129,7 @@ Result<Tables> import_virtualhome(const std::filesystem::path& upstream, const s
   builder.afford("bottlewater", "pickupable", "curated", 0.9);
   builder.afford("oventray", "pickupable", "curated", 0.9);
 
-  const auto sensible = builder.sensible_pairs();
+  const auto sensible = builder.sensible_placements();
   for (const auto& [object, list] : placing->items()) {
     for (const auto& place : list) {
       const auto thing = class_named(builder, object);
