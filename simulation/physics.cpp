@@ -69,9 +69,17 @@ Bounds solid_bounds(const btCollisionShape& shape, const Pose& pose) {
 
 BodyId id_of(const btCollisionObject* object) { return static_cast<BodyId>(object->getUserIndex()); }
 
+/// Worlds are small and many: Bullet's default pools of 4096 entries would cost more than the work itself.
+btDefaultCollisionConstructionInfo small_pools() {
+  btDefaultCollisionConstructionInfo pools;
+  pools.m_defaultMaxPersistentManifoldPoolSize = 256;
+  pools.m_defaultMaxCollisionAlgorithmPoolSize = 256;
+  return pools;
+}
+
 /// Bullet's machinery for questions about fixed poses.
 struct Questions {
-  btDefaultCollisionConfiguration configuration;
+  btDefaultCollisionConfiguration configuration{small_pools()};
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   btCollisionWorld world{&dispatcher, &broadphase, &configuration};
@@ -240,7 +248,7 @@ namespace {
 
 /// A small dynamics world that owns what it steps.
 struct Dynamics {
-  btDefaultCollisionConfiguration configuration;
+  btDefaultCollisionConfiguration configuration{small_pools()};
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
@@ -248,8 +256,7 @@ struct Dynamics {
   btStaticPlaneShape floor_shape{btVector3(0, 0, 1), 0};
   std::vector<std::unique_ptr<btRigidBody>> bodies;
 
-  explicit Dynamics(const btDefaultCollisionConstructionInfo& pools) : configuration(pools) {
-    broadphase.getOverlappingPairCache();
+  Dynamics() {
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
     world.setForceUpdateAllAabbs(false);
     world.setGravity({0, 0, -kGravity_m_s2});
@@ -285,10 +292,7 @@ Bounds merged(const Bounds& a, const Bounds& b) { return {a.low.cwiseMin(b.low),
 
 Settled PhysicsWorld::settle(std::span<const BodyId> loose, const SettleOptions& options) const {
   if (loose.empty()) return {{}, true};
-  btDefaultCollisionConstructionInfo pools;
-  pools.m_defaultMaxPersistentManifoldPoolSize = 256;  // small pools: a world a settle must be cheap to build
-  pools.m_defaultMaxCollisionAlgorithmPoolSize = 256;
-  Dynamics dynamics(pools);
+  Dynamics dynamics;
 
   const auto is_loose = [&](BodyId id) { return std::find(loose.begin(), loose.end(), id) != loose.end(); };
   Bounds region = impl_->bodies.at(loose.front()).bounds;

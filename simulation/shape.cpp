@@ -55,7 +55,7 @@ void solid(Builder& b, bool surface_on_top) {
 void round_solid(Builder& b, Part::Kind kind) {
   const Vec3 h = b.half();
   const double diameter = h.x() + h.y();
-  const Vec3 size = kind == Part::Kind::Sphere ? Vec3::Constant(2 * h.mean()) : Vec3(diameter, diameter, 2 * h.z());
+  const Vec3 size = kind == Part::Kind::Sphere ? Vec3::Constant(2 * h.z()) : Vec3(diameter, diameter, 2 * h.z());
   b.shape.parts.push_back({kind, {}, size, -1});
   const double inscribed = 0.35 * diameter;
   if (kind == Part::Kind::Cylinder) b.surface(-inscribed, inscribed, -inscribed, inscribed, h.z(), kOpenAbove_m);

@@ -1,0 +1,103 @@
+// The knowledge base says what goes on and into what; physics must agree: a body that holds the object can put it
+// there.
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "core/rng.h"
+#include "simulation/world.h"
+#include "tests/simulation/kitchen.h"
+
+namespace unietp {
+namespace {
+
+/// A bare room with one receptacle, open, and the object on the floor in a far corner.
+Scene bare_room(const Knowledge& knowledge, const Placement& row, double body_height) {
+  Scene scene;
+  scene.id = "bare";
+  scene.simulator = knowledge.simulator();
+  scene.rooms = {{"room_1", "kitchen", {{0, 0}, {6, 0}, {6, 6}, {0, 6}}}};
+  const Category& receptacle = *knowledge.find(row.receptacle);
+  // Small appliances and movable receptacles stand at the height of a counter when that leaves them within reach.
+  Node& node = testing::add(scene, "receptacle", knowledge, row.receptacle, 3, 3, 0);
+  if (receptacle.size.z() < 0.5) {
+    const Category counter = [] {
+      Category c;
+      c.name = "block";
+      c.archetype = Archetype::Block;
+      c.size = Vec3(1, 1, 0.8);
+      return c;
+    }();
+    node.pose.position.z() += 0.801;
+    Node support = node;
+    support.id = "support";
+    support.category = row.receptacle;
+    support.movable = false;
+    support.openable = false;
+    support.archetype = counter.archetype;
+    support.size = Vec3(node.size.x() + 0.05, node.size.y() + 0.05, 0.8);
+    support.pose = upright(Vec3(3, 3, 0.4), 0);
+    support.states = {};
+    scene.nodes.push_back(support);
+  }
+  Node& holder = *find_node(scene, "receptacle");
+  if (holder.openable && row.relation == "inside") {
+    holder.opening = 1;
+    holder.states.set({Predicate::Open, ""});
+  }
+  testing::add(scene, "object", knowledge, row.object, 3, 3, body_height);
+  scene.agent.held = {"object"};
+  scene.agent.position = {5.5, 0.5};
+  return scene;
+}
+
+class KnowledgeInPhysics : public ::testing::TestWithParam<Simulator> {};
+
+TEST_P(KnowledgeInPhysics, WhatTheTablesPlaceABodyCanPlace) {
+  const std::filesystem::path source = UNIETP_SOURCE_DIR;
+  const auto database = std::filesystem::path(::testing::TempDir()) / "placement_test.sqlite";
+  const auto errors = compile_knowledge(source / "data/akb", database);
+  ASSERT_TRUE(errors.empty()) << format(errors.front());
+  const auto knowledge = load_knowledge(database, GetParam());
+  const auto profile = load_profile(source / "data/simulators", GetParam());
+  ASSERT_TRUE(knowledge) << format(knowledge.error());
+  ASSERT_TRUE(profile) << format(profile.error());
+  const bool all = std::getenv("UNIETP_ALL_PLACEMENTS") != nullptr;
+  Rng rng(3);
+  int tried = 0, placed = 0;
+  std::map<std::string, int> failures;
+  for (const Placement& row : knowledge->placements()) {
+    if (row.relation != "on" && row.relation != "inside") continue;
+    if (!knowledge->has(row.object, "pickupable")) continue;
+    if (!all && !rng.chance(0.1)) continue;
+    ++tried;
+    auto world = World::create(bare_room(*knowledge, row, 1.0), *knowledge, *profile);
+    ASSERT_TRUE(world) << format(world.error());
+    Outcome outcome = world->step({ActionType::GoTo, {"receptacle"}});
+    if (outcome.success) {
+      outcome = world->step({row.relation == "on" ? ActionType::PlaceOn : ActionType::PlaceIn, {"receptacle"}});
+    }
+    if (outcome.success) {
+      ++placed;
+    } else {
+      ++failures[row.relation + " " + row.receptacle + ": " + std::string(name_of(outcome.failure))];
+      if (all)
+        std::cout << row.object << " " << row.relation << " " << row.receptacle << ": " << name_of(outcome.failure)
+                  << "\n";
+    }
+  }
+  std::cout << name_of(GetParam()) << ": " << placed << " of " << tried << " placements\n";
+  if (all) {
+    for (const auto& [what, count] : failures) std::cout << "  " << count << " " << what << "\n";
+  }
+  ASSERT_GT(tried, 50);
+  EXPECT_GT(placed, 0.9 * tried);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, KnowledgeInPhysics, ::testing::ValuesIn(kSimulators),
+                         [](const auto& simulator) { return std::string(name_of(simulator.param)); });
+
+}  // namespace
+}  // namespace unietp
