@@ -178,7 +178,14 @@ Formula normal_form(const Formula& formula) {
     return std::any_of(free.begin(), free.end(), [&](const auto& name) { return name.starts_with(prefix); });
   };
   while (taken()) prefix += '_';
-  return Normalizer(prefix).normal(flattened(formula), 0);
+  const Normalizer normalizer(prefix);
+  Formula result = normalizer.normal(flattened(formula), 0);
+  // Parts that turned out equal were joined, which can bring new neighbours together; each round makes it smaller.
+  for (;;) {
+    Formula again = normalizer.normal(flattened(result), 0);
+    if (to_text(again).size() >= to_text(result).size()) return result;
+    result = std::move(again);
+  }
 }
 
 }  // namespace unietp

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include "logic/formula.h"
+
+namespace unietp {
+namespace {
+
+struct BadFormula {
+  FormulaUse use;
+  std::string_view text;
+  std::string_view message;
+};
+
+constexpr FormulaUse kGoal = FormulaUse::Goal, kState = FormulaUse::State;
+
+const BadFormula kBadFormulas[] = {
+    {kGoal, "(at-end (exists (?x - A) (open ?x))", "g:1:36: parse error: missing ')' for the '(' at line 1, column 1"},
+    {kGoal, "(at-end (exists (?x - A) (open ?x))))", "g:1:37: parse error: unexpected ')'; no '(' is open here"},
+    {kGoal, "", "g:1:1: parse error: expected an expression, found nothing"},
+    {kGoal, "(and) (or)", "g:1:7: parse error: expected one expression, found a second"},
+    {kGoal, "open", "g:1:1: parse error: expected a formula in brackets such as (open ?x), found 'open'"},
+    {kGoal, "(at-end ())", "g:1:9: parse error: empty brackets; expected an operator or a predicate after '('"},
+    {kGoal, "((and))",
+     "g:1:2: parse error: expected the name of an operator or a predicate after '(', found '(and …)'"},
+    {kGoal, "(at-end\n  (exists (?x - A)\n    (opn ?x)))",
+     "g:3:6: parse error: unknown operator or predicate 'opn'; did you mean 'open'?"},
+    {kGoal, "(sometimes (and))",
+     "g:1:2: parse error: unknown operator or predicate 'sometimes'; did you mean 'sometime'?"},
+    {kGoal, "(qqqqqqqq ?x)",
+     "g:1:2: parse error: unknown operator or predicate 'qqqqqqqq'; accepted are the operators =, and, or, not, imply, "
+     "forall, exists, count, number, at-end, sometime, always, until, before and the predicates of docs/logic.md"},
+    {kGoal, "(at-end (open ?x))",
+     "g:1:15: parse error: the variable ?x is not bound here; bind it with forall, exists or count"},
+    {kGoal, "(exists (?x - A) (at-end (open ?y)))",
+     "g:1:32: parse error: the variable ?y is not bound here; bound are ?x"},
+    {kGoal, "(exists (?x - A) (open ?x))",
+     "g:1:18: parse error: 'open' stands outside every temporal operator; in a goal write it under at-end, sometime, "
+     "always, until or before"},
+    {kState, "(exists (?x - A) (sometime (open ?x)))",
+     "g:1:18: parse error: the temporal operator 'sometime' cannot stand here; this formula is read in one state"},
+    {kGoal, "(exists (?x - (A :where (always (open ?x)))) (at-end (hot ?x)))",
+     "g:1:25: parse error: the temporal operator 'always' cannot stand here; a :where is read in the first state only"},
+    {kState, "(exists (?x - (A :where (open ?x))) (hot ?x))",
+     "g:1:18: parse error: a :where cannot stand here; a formula that is read in one state has none"},
+    {kGoal, "(exists (?x - A) (at-end (on ?x)))",
+     "g:1:26: parse error: 'on' takes 2 arguments, found 1; write (on ?x ?y)"},
+    {kGoal, "(exists (?x - A) (at-end (open ?x ?x)))",
+     "g:1:26: parse error: 'open' takes 1 argument, found 2; write (open ?x)"},
+    {kGoal, "(exists (?x - A) (at-end (filled ?x)))",
+     "g:1:26: parse error: 'filled' takes 2 arguments, found 1; write (filled ?x water)"},
+    {kGoal, "(exists (?x - A) (at-end (filled ?x ?x)))",
+     "g:1:37: parse error: the second argument of 'filled' must be a word such as water, found '?x'"},
+    {kGoal, "(exists (?x - A) (at-end (open x)))",
+     "g:1:32: parse error: the first argument of 'open' must be a variable such as ?x, found 'x'; did you mean '?x'?"},
+    {kGoal, "(exists (?r - room) (at-end (open ?r)))",
+     "g:1:35: parse error: the first argument of 'open' must be an object; ?r ranges over rooms"},
+    {kGoal, "(exists (?x - object) (exists (?y - A/slice) (at-end (in_room ?x ?y))))",
+     "g:1:66: parse error: the second argument of 'in_room' must be a room; ?y ranges over objects"},
+    {kGoal, "(at-end (exists (?x - A) (on agent ?x)))",
+     "g:1:30: parse error: the first argument of 'on' cannot be the agent; 'agent' stands only first in 'in_room'"},
+    {kGoal, "(exists (?x - A) (forall (?x - B) (at-end (open ?x))))",
+     "g:1:27: parse error: the variable ?x is already bound here; choose another name"},
+    {kGoal, "(at-end (exists ?x (open ?x)))",
+     "g:1:17: parse error: expected a variable and its domain such as (?x - Mug), found '?x'"},
+    {kGoal, "(at-end (exists (?x - (A B)) (open ?x)))",
+     "g:1:23: parse error: expected a domain: a category, A/slice, object, room, agent, (either A B) or (A :where f), "
+     "found '(A …)'"},
+    {kGoal, "(at-end (exists (?x - A/half) (open ?x)))",
+     "g:1:23: parse error: expected a category or a category with /slice, found 'A/half'"},
+    {kGoal, "(at-end (exists (?x - (either)) (open ?x)))", "g:1:23: parse error: 'either' takes at least one category"},
+    {kGoal, "(at-end (exists (?x - (either A room)) (open ?x)))",
+     "g:1:33: parse error: 'room' cannot stand in 'either'; it takes categories"},
+    {kGoal, "(at-end (exists (?x - (A :where)) (open ?x)))",
+     "g:1:26: parse error: ':where' takes one formula, found 0; write (A :where f)"},
+    {kGoal, "(at-end (count => 2 (?x - A) (open ?x)))",
+     "g:1:16: parse error: expected a comparison (=, >=, <=, > or <) after 'count', found '=>'"},
+    {kGoal, "(at-end (count >= two (?x - A) (open ?x)))",
+     "g:1:19: parse error: expected a whole number from 0 after the comparison, found 'two'"},
+    {kGoal, "(at-end (count >= -1 (?x - A) (open ?x)))",
+     "g:1:19: parse error: expected a whole number from 0 after the comparison, found '-1'"},
+    {kGoal, "(at-end (count >= 99999999999 (?x - A) (open ?x)))",
+     "g:1:19: parse error: expected a whole number from 0 after the comparison, found '99999999999'"},
+    {kGoal, "(at-end (count >= 2))",
+     "g:1:9: parse error: 'count' takes 3 or 4 parts, found 2; write (count >= 2 (?x - D) f) or "
+     "(count > (number (?x - D) f) (number (?y - E) g))"},
+    {kGoal, "(at-end (count > (?x - A) (open ?x) (?y - B)))",
+     "g:1:37: parse error: expected (number (?y - D) g) to compare with, found '(?y …)'"},
+    {kGoal, "(at-end (number (?x - A) (open ?x)))",
+     "g:1:9: parse error: 'number' stands only inside a count: (count > (number (?x - A) f) (number (?y - B) g))"},
+    {kGoal, "(not)", "g:1:1: parse error: 'not' takes 1 part, found 0; write (not f)"},
+    {kGoal, "(until (and))", "g:1:1: parse error: 'until' takes 2 parts, found 1; write (until f g)"},
+    {kGoal, "(exists (?x - A) (= ?x red))",
+     "g:1:24: parse error: the second part of '=' must be a variable such as ?x, found 'red'"},
+    {kGoal, "(exists (?x - A) (at-end (filled ?x \"water)))", "g:1:37: parse error: this string has no closing '\"'"},
+};
+
+TEST(ParseFormula, RefusesBadInputWithAWholeMessage) {
+  for (const auto& bad : kBadFormulas) {
+    const auto parsed = parse_formula("g", bad.text, bad.use);
+    ASSERT_FALSE(parsed) << bad.text;
+    EXPECT_EQ(format(parsed.error()), bad.message) << bad.text;
+  }
+}
+
+TEST(ParseFormula, TakesPlaceholdersWhereCategoriesAndSymbolsStand) {
+  for (const char* text :
+       {"(exists (?x - A) (at-end (filled ?x S)))", "(exists (?x - coffee_table.n.01) (at-end (dirty ?x)))",
+        "(exists (?r - R) (at-end (in_room agent ?r)))",
+        "(exists (?g - agent) (exists (?r - room) (sometime (in_room ?g ?r))))"}) {
+    const auto parsed = parse_formula("g", text, FormulaUse::Goal);
+    ASSERT_TRUE(parsed) << format(parsed.error());
+    EXPECT_EQ(to_text(*parsed), text);
+  }
+}
+
+TEST(ParseFormula, ReadsAFormulaInsideALargerFileWithItsOuterVariables) {
+  const auto file = read_sexprs("t.template", "(goal\n  (at-end (open ?x)))");
+  ASSERT_TRUE(file);
+  const Sexpr& inner = file->front().children[1];
+  const auto parsed = parse_formula("t.template", inner, FormulaUse::Goal, {"x"});
+  ASSERT_TRUE(parsed);
+  EXPECT_EQ(free_variables(*parsed), std::vector<std::string>{"x"});
+  const auto unbound = parse_formula("t.template", inner, FormulaUse::Goal);
+  ASSERT_FALSE(unbound);
+  EXPECT_EQ(unbound.error().pos, (SourcePos{2, 17}));
+}
+
+}  // namespace
+}  // namespace unietp
