@@ -48,10 +48,12 @@ std::optional<std::vector<Delta>> all_succeed(World world, const std::vector<Act
 
 std::vector<Action> without_needless(const Formula& goal, const Scene& start, const World& world,
                                      std::vector<Action> actions, std::size_t longest_run) {
-  for (std::size_t run = 1; run <= longest_run; ++run) {
+  std::size_t run = 1;
+  while (run <= longest_run) {
     World here = world;
     std::vector<Delta> so_far;
     std::size_t i = 0;
+    bool shortened = false;
     while (i + run < actions.size()) {
       const auto position = actions.begin() + static_cast<std::ptrdiff_t>(i);
       std::vector<Action> shorter(actions.begin(), position);
@@ -61,12 +63,15 @@ std::vector<Action> without_needless(const Formula& goal, const Scene& start, co
         changes.insert(changes.end(), rest->begin(), rest->end());
         if (goal_holds(goal, start, changes)) {
           actions = std::move(shorter);
+          shortened = true;
           continue;
         }
       }
       perform(here, {actions[i]}, so_far);
       ++i;
     }
+    // A shorter plan may make a step needless that was needed before.
+    run = shortened ? 1 : run + 1;
   }
   return actions;
 }

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "tests/expert/house.h"
 
 namespace unietp::testing {
@@ -254,6 +256,36 @@ TEST_P(EveryGoalShape, IsDemonstratedWithoutAFailedOrNeedlessStep) {
   EXPECT_LE(demonstration.steps.size(), 50u);
   EXPECT_EQ(needless_steps(formula, start, demonstration, knowledge, profile), std::vector<std::string>());
   for (const DemonstrationStep& step : demonstration.steps) EXPECT_TRUE(step.outcome.success);
+}
+
+TEST(AnyStart, GivesASoundDemonstrationOrAKnownReason) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const std::set<std::string> reasons{"no-plan", "action-failed", "too-many-steps", "too-many-failures",
+                                      "goal-not-met"};
+  int asked = 0, shown = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Rng rng(seed);
+    const Scene start = strewn_house(rng.fork("house", seed));
+    for (int i = 0; i < 4; ++i) {
+      const Case& about = kCases[rng.below(std::size(kCases))];
+      SCOPED_TRACE(std::to_string(seed) + " " + about.name);
+      const Formula formula = goal(about.goal);
+      const auto result = demonstrate(formula, start, knowledge, profile, {});
+      ++asked;
+      if (const auto* rejection = std::get_if<Rejection>(&result)) {
+        EXPECT_TRUE(reasons.contains(rejection->reason)) << rejection->reason;
+        EXPECT_FALSE(rejection->detail.empty());
+        continue;
+      }
+      ++shown;
+      const Demonstration& demonstration = std::get<Demonstration>(result);
+      SCOPED_TRACE(plan_of(demonstration));
+      EXPECT_EQ(replay(formula, start, demonstration, knowledge, profile), "");
+      EXPECT_EQ(needless_steps(formula, start, demonstration, knowledge, profile), std::vector<std::string>());
+    }
+  }
+  EXPECT_GT(shown, asked * 3 / 4) << "of " << asked;
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryGoalShape, ::testing::ValuesIn(kCases),

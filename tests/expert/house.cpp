@@ -1,7 +1,8 @@
 #include "tests/expert/house.h"
 
-#include <cmath>
+#include <algorithm>
 #include <numbers>
+#include <stdexcept>
 
 #include "expert/situation.h"
 #include "logic/evaluate.h"
@@ -165,6 +166,51 @@ Scene house() {
   set_state(scene, "mug_1", Predicate::Dirty);
   set_state(scene, "mug_2", Predicate::Dirty);
   set_state(scene, "plate_1", Predicate::Dirty);
+  return at_rest(std::move(scene));
+}
+
+Scene strewn_house(Rng rng) {
+  struct Area {
+    Vec2 low, high;
+    double z;
+  };
+  static const std::vector<Area> kAreas{
+      {{2.0, 0.7}, {3.0, 1.3}, 0.751},                                       // dining table
+      {{2.0, 3.45}, {2.4, 3.75}, 0.902},                                     // counter, beside the microwave
+      {{0.25, 1.55}, {0.45, 2.05}, 0.701},                                   // dresser
+      {{8.3, 3.3}, {8.7, 3.7}, 0.601},                                       // side tables
+      {{8.3, 0.3}, {8.7, 0.7}, 0.601},     {{4.2, 3.45}, {4.6, 3.65}, 0.9},  // fridge
+  };
+  const Knowledge knowledge = house_knowledge();
+  Scene scene = house();
+  std::erase_if(scene.nodes, [](const Node& node) { return node.movable; });
+  const std::vector<std::pair<std::string, int>> things{{"Mug", 4},   {"Apple", 3}, {"Plate", 2},  {"Potato", 2},
+                                                        {"Knife", 1}, {"Lamp", 2},  {"Laptop", 1}, {"Box", 1}};
+  for (const auto& [category, most] : things) {
+    for (int i = 0; i < most; ++i) {
+      const Vec3 size = knowledge.find(category)->size;
+      for (int draw = 0; draw < 50; ++draw) {
+        const Area& area = kAreas[rng.below(kAreas.size())];
+        const Vec2 at(rng.uniform(area.low.x(), area.high.x()), rng.uniform(area.low.y(), area.high.y()));
+        const bool free = std::none_of(scene.nodes.begin(), scene.nodes.end(), [&](const Node& node) {
+          const double apart = (node.size.head<2>().maxCoeff() + size.head<2>().maxCoeff()) / 2 + 0.03;
+          return node.movable && (node.pose.position.head<2>() - at).norm() < apart;
+        });
+        if (!free) continue;
+        add(scene, knowledge, fresh_id(scene, category), category, at.x(), at.y(), area.z);
+        break;
+      }
+    }
+  }
+  for (Node& node : scene.nodes) {
+    for (const StateGroup& group : state_groups()) {
+      const bool appliance = node.category == "Microwave" && group.affordance == "switchable";
+      if (knowledge.has(node.category, group.affordance) && !appliance && group.affordance != "sliceable") {
+        set_state(scene, node.id, group.predicates[rng.below(2)]);
+      }
+    }
+  }
+  scene.agent.position = Vec2(rng.uniform(1.2, 3.5), rng.uniform(2.0, 2.6));
   return at_rest(std::move(scene));
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "akb/knowledge.h"
+#include "core/rng.h"
 #include "expert/expert.h"
 #include "logic/formula.h"
 #include "scene/scene.h"
@@ -16,6 +17,9 @@ namespace unietp::testing {
 Knowledge house_knowledge();
 Scene house();
 Profile house_profile();
+/// The same rooms and furniture with more movable things, strewn over the furniture and into the fridge, in drawn
+/// states.
+Scene strewn_house(Rng rng);
 
 Node& add(Scene& scene, const Knowledge& knowledge, const std::string& id, const std::string& category, double x,
           double y, double z, double yaw = 0);
