@@ -1,8 +1,5 @@
-// Holds what the writers write, and what the readers accept, against data/schemas/. The checker knows the part of JSON
-// Schema that these schemas use and refuses a schema that uses more.
+// Holds what the writers write, and what the readers accept, against data/schemas/.
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -13,109 +10,15 @@
 #include "random_scene.h"
 #include "scene/node_json.h"
 #include "scene/scene_json.h"
+#include "schema_checker.h"
 
 namespace unietp {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json schema_file(const std::string& name) {
-  const auto text = read_file(std::string(UNIETP_SOURCE_DIR) + "/data/schemas/" + name);
-  EXPECT_TRUE(text);
-  return text ? Json::parse(*text) : Json();
-}
-
-class Checker {
- public:
-  /// What is wrong with `value`, or "".
-  std::string check(const Json& value, const std::string& file) { return check(value, root(file), file, ""); }
-
- private:
-  const Json& root(const std::string& file) {
-    const auto [place, is_new] = files_.try_emplace(file);
-    if (is_new) place->second = schema_file(file);
-    return place->second;
-  }
-
-  std::string check(const Json& value, const Json& schema, const std::string& file, const std::string& path) {
-    for (const auto& [word, rule] : schema.items()) {
-      const std::string problem = broken(word, rule, value, schema, file, path);
-      if (!problem.empty()) return problem;
-    }
-    return "";
-  }
-
-  std::string broken(const std::string& word, const Json& rule, const Json& value, const Json& schema,
-                     const std::string& file, const std::string& path) {
-    static const std::set<std::string> silent{"$schema", "$id", "title", "description", "$defs", "properties"};
-    const auto unless = [&](bool sound) {
-      return sound ? std::string() : path + " breaks " + word + ": " + value.dump();
-    };
-    if (silent.contains(word)) return "";
-    if (word == "$ref") {
-      const auto parts = split(rule.get<std::string>(), '#');
-      const std::string target = parts[0].empty() ? file : parts[0];
-      return check(value, root(target).at(Json::json_pointer(parts[1])), target, path);
-    }
-    if (word == "type") {
-      const std::string type = value.is_number() ? "number" : value.type_name();
-      return unless(type == rule);
-    }
-    if (word == "const") return unless(value == rule);
-    if (word == "enum") return unless(std::find(rule.begin(), rule.end(), value) != rule.end());
-    if (word == "required") {
-      for (const Json& name : rule) {
-        if (!value.contains(name.get<std::string>())) return path + " lacks " + name.dump();
-      }
-      return "";
-    }
-    if (word == "additionalProperties") {
-      EXPECT_EQ(rule, false);
-      for (const auto& [name, field] : value.items()) {
-        if (!schema["properties"].contains(name)) return path + " has the extra field " + name;
-        const auto problem = check(field, schema["properties"][name], file, path + "/" + name);
-        if (!problem.empty()) return problem;
-      }
-      return "";
-    }
-    if (word == "items") {
-      for (std::size_t i = 0; i < value.size(); ++i) {
-        const auto problem = check(value[i], rule, file, path + "/" + std::to_string(i));
-        if (!problem.empty()) return problem;
-      }
-      return "";
-    }
-    if (word == "minItems") return unless(value.size() >= rule);
-    if (word == "maxItems") return unless(value.size() <= rule);
-    if (word == "uniqueItems") return unless(std::set<Json>(value.begin(), value.end()).size() == value.size());
-    if (word == "minLength") return unless(!value.get<std::string>().empty());
-    if (word == "minimum") return unless(value >= rule);
-    if (word == "maximum") return unless(value <= rule);
-    if (word == "exclusiveMinimum") return unless(value > rule);
-    if (word == "pattern") return unless(matches(value.get<std::string>(), rule.get<std::string>()));
-    return "the checker does not know " + word;
-  }
-
-  /// Of the one form of pattern in use: ^((a|b|…)|(c|d|…)\([\s\S]+\))$
-  static bool matches(const std::string& text, const std::string& pattern) {
-    const auto between = pattern.find(")|(");
-    const auto end = pattern.find(")\\([\\s\\S]+\\))$");
-    EXPECT_TRUE(pattern.starts_with("^((") && between != std::string::npos && end != std::string::npos) << pattern;
-    const auto plain = split(pattern.substr(3, between - 3), '|');
-    const auto symbolic = split(pattern.substr(between + 3, end - between - 3), '|');
-    const auto among = [](const std::vector<std::string>& names, const std::string& name) {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    const auto bracket = text.find('(');
-    if (bracket == std::string::npos) return among(plain, text);
-    return among(symbolic, text.substr(0, bracket)) && text.back() == ')' && text.size() > bracket + 2;
-  }
-
-  std::map<std::string, Json> files_;
-};
-
 TEST(Schemas, EveryWrittenSceneAndDeltaFollowsItsSchemaForAnySeed) {
-  Checker checker;
+  SchemaChecker checker;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
@@ -127,7 +30,7 @@ TEST(Schemas, EveryWrittenSceneAndDeltaFollowsItsSchemaForAnySeed) {
 }
 
 TEST(Schemas, EveryWrittenActionFollowsItsSchemaAndNoOtherName) {
-  Checker checker;
+  SchemaChecker checker;
   for (const ActionInfo& action : all_actions()) {
     EXPECT_EQ(checker.check(action_to_json({action.type, {}}), "action.schema.json"), "");
   }
@@ -173,7 +76,7 @@ TEST(Schemas, TheExampleOfThePageIsAFileAsTheWriterWritesIt) {
 
 /// Every way to drop a field, add one or change a value's type is refused by the schema and by the reader alike.
 TEST(Schemas, RefuseTheSameDamageAsTheReader) {
-  Checker checker;
+  SchemaChecker checker;
   Rng rng(11);
   Scene scene = random_scene(rng);
   scene.nodes = {random_node("bread_1", rng)};

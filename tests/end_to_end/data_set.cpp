@@ -1,0 +1,91 @@
+#include "data_set.h"
+
+#include <gtest/gtest.h>
+
+#include "core/digest.h"
+#include "core/files.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string bytes_of(const std::filesystem::path& file) {
+  const auto bytes = read_file(file);
+  EXPECT_TRUE(bytes) << file;
+  return bytes ? *bytes : std::string();
+}
+
+}  // namespace
+
+std::vector<std::string> small_options(const std::string& out) {
+  return {"generate", "--count", std::to_string(kSmallCount), "--seed", "7", "--rooms", "5", "--objects", "25",
+          "--out",    out};
+}
+
+const std::filesystem::path& small_data_set() {
+  static const ScratchFolder kScratch;
+  static const std::filesystem::path kFolder = [] {
+    auto options = small_options(kScratch.at("small"));
+    options.insert(options.end(), {"--threads", "2"});
+    const auto ended = run_program(options);
+    EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+    return std::filesystem::path(kScratch.at("small"));
+  }();
+  return kFolder;
+}
+
+Verdict validate(const std::filesystem::path& folder) {
+  const auto ended = run_program({"validate", folder.string(), "--json"});
+  Verdict verdict;
+  verdict.code = ended.code;
+  const auto json = Json::parse(ended.out, nullptr, false);
+  EXPECT_TRUE(json.is_object()) << ended.out << ended.err;
+  if (!json.is_object()) return verdict;
+  verdict.tasks = json["tasks"];
+  verdict.proven = json["proven"];
+  for (const auto& problem : json["problems"])
+    verdict.problems.push_back({problem["task"], problem["where"], problem["message"]});
+  return verdict;
+}
+
+std::vector<Json> json_lines(const std::filesystem::path& file) {
+  std::vector<Json> lines;
+  for (const auto& line : split(bytes_of(file), '\n')) {
+    if (!line.empty()) lines.push_back(Json::parse(line));
+  }
+  return lines;
+}
+
+SpoiltCopy::SpoiltCopy() : folder_(scratch_.at("copy")) {
+  std::filesystem::copy(small_data_set(), folder_, std::filesystem::copy_options::recursive);
+}
+
+std::string SpoiltCopy::read(const std::string& file) const { return bytes_of(folder_ / file); }
+
+void SpoiltCopy::write(const std::string& file, const std::string& bytes) const {
+  EXPECT_TRUE(write_file(folder_ / file, bytes));
+}
+
+std::string SpoiltCopy::read_scene(const std::string& scene) const {
+  const auto text = read_maybe_gzip(folder_ / "scenes" / (scene + ".scene.json.gz"));
+  EXPECT_TRUE(text);
+  return text ? *text : std::string();
+}
+
+void SpoiltCopy::write_scene(const std::string& scene, const std::string& text) const {
+  write("scenes/" + scene + ".scene.json.gz", gzip(text));
+}
+
+void SpoiltCopy::vouch() const {
+  auto manifest = Json::parse(read("manifest.json"));
+  for (auto& file : manifest["files"]) {
+    const auto bytes = read(file["path"].get<std::string>());
+    file["bytes"] = bytes.size();
+    file["sha256"] = sha256(bytes);
+  }
+  write("manifest.json", manifest.dump(2) + "\n");
+}
+
+}  // namespace unietp

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace unietp {
+
+/// A small data set of all simulators and splits, made once by the real program for all tests of this process.
+const std::filesystem::path& small_data_set();
+/// The options that make it, but for the threads.
+std::vector<std::string> small_options(const std::string& out);
+inline constexpr int kSmallCount = 20;
+
+/// What `unietp validate --json` says.
+struct Verdict {
+  int code = -1;
+  int tasks = 0, proven = 0;
+  struct Problem {
+    std::string task, where, message;
+  };
+  std::vector<Problem> problems;
+};
+Verdict validate(const std::filesystem::path& folder);
+
+std::vector<nlohmann::ordered_json> json_lines(const std::filesystem::path& file);
+
+/// A copy of the small data set in which things can be spoilt. `vouch` makes the manifest's checksums true again, so
+/// that only what the files mean is left to find.
+class SpoiltCopy {
+ public:
+  SpoiltCopy();
+  const std::filesystem::path& folder() const { return folder_; }
+  std::string read(const std::string& file) const;
+  void write(const std::string& file, const std::string& bytes) const;
+  std::string read_scene(const std::string& scene) const;
+  void write_scene(const std::string& scene, const std::string& text) const;
+  void vouch() const;
+
+ private:
+  ScratchFolder scratch_;
+  std::filesystem::path folder_;
+};
+
+}  // namespace unietp

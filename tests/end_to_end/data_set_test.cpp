@@ -1,0 +1,162 @@
+// The whole path: what the real program makes, and what it says of a data set that was tampered with.
+#include <signal.h>
+
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "core/text.h"
+#include "data_set.h"
+#include "schema_checker.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+TEST(DataSet, HoldsEverySimulatorAndSplitAndIsProven) {
+  std::set<std::string> simulators, splits;
+  for (const auto& task : json_lines(small_data_set() / "tasks.jsonl")) {
+    simulators.insert(task["simulator"]);
+    splits.insert(task["split"]);
+  }
+  EXPECT_EQ(simulators.size(), 4U);
+  EXPECT_EQ(splits.size(), 5U);
+  const auto verdict = validate(small_data_set());
+  EXPECT_EQ(verdict.code, 0);
+  EXPECT_EQ(verdict.tasks, kSmallCount);
+  EXPECT_EQ(verdict.proven, kSmallCount);
+  EXPECT_TRUE(verdict.problems.empty());
+}
+
+TEST(DataSet, EveryFileFollowsItsSchema) {
+  SchemaChecker checker;
+  const std::vector<std::pair<std::string, std::string>> lines{{"tasks.jsonl", "task.schema.json"},
+                                                               {"demonstrations/M1.jsonl", "demonstration.schema.json"},
+                                                               {"rejections.jsonl", "rejection.schema.json"}};
+  for (const auto& [file, schema] : lines) {
+    for (const auto& json : json_lines(small_data_set() / file)) EXPECT_EQ(checker.check(json, schema), "") << file;
+  }
+  const auto manifest = read_file(small_data_set() / "manifest.json");
+  ASSERT_TRUE(manifest);
+  EXPECT_EQ(checker.check(Json::parse(*manifest), "manifest.schema.json"), "");
+  for (const auto& entry : fs::directory_iterator(small_data_set() / "scenes")) {
+    const auto scene = read_maybe_gzip(entry.path());
+    ASSERT_TRUE(scene);
+    EXPECT_EQ(checker.check(Json::parse(*scene), "scene.schema.json"), "");
+  }
+}
+
+TEST(DataSet, TheFunnelCountsEveryCandidate) {
+  const auto text = read_file(small_data_set() / "manifest.json");
+  ASSERT_TRUE(text);
+  const auto counts = Json::parse(*text)["counts"];
+  const auto rejections = json_lines(small_data_set() / "rejections.jsonl");
+  EXPECT_EQ(counts["candidates"].get<std::size_t>(), counts["tasks"].get<std::size_t>() + rejections.size());
+  EXPECT_EQ(counts["tasks"], kSmallCount);
+}
+
+TEST(DataSet, OneThreadGivesTheSameBytes) {
+  ScratchFolder folder;
+  auto options = small_options(folder.at("one"));
+  options.insert(options.end(), {"--threads", "1"});
+  const auto ended = run_program(options);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(bytes_below(folder.at("one")), bytes_below(small_data_set()));
+  EXPECT_FALSE(fs::exists(folder.at("one.partial")));
+}
+
+TEST(DataSet, AnotherSeedGivesOtherTasks) {
+  ScratchFolder folder;
+  const auto ended = run_program({"generate", "--count", "2", "--seed", "8", "--rooms", "5", "--objects", "25",
+                                  "--simulators", "ai2thor", "--out", folder.at("other")});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  for (const auto& task : json_lines(folder.path() / "other" / "tasks.jsonl"))
+    EXPECT_THAT(bytes_below(small_data_set())["tasks.jsonl"],
+                testing::Not(HasSubstr(task["instruction"]["text"].get<std::string>() + "\",\"writer")));
+}
+
+/// Waits until the run has kept something, then a little longer.
+void wait_for_work(RunningProgram& program, const fs::path& partial, int milliseconds) {
+  for (int i = 0; i < 2000 && program.running() && !fs::exists(partial / "ledger.sqlite"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  for (int waited = 0; waited < milliseconds && program.running(); waited += 5)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+TEST(DataSet, KilledAgainAndAgainAndResumedGivesTheSameBytes) {
+  ScratchFolder folder;
+  auto options = small_options(folder.at("killed"));
+  options.insert(options.end(), {"--threads", "2", "--resume"});
+  int kills = 0;
+  for (const int milliseconds : {0, 150, 400, 900, 1500}) {
+    RunningProgram program(options);
+    wait_for_work(program, folder.at("killed.partial"), milliseconds);
+    if (!program.running()) break;
+    program.send(SIGKILL);
+    EXPECT_EQ(program.wait().signal, SIGKILL);
+    EXPECT_FALSE(fs::exists(folder.at("killed")));
+    ++kills;
+  }
+  EXPECT_GE(kills, 2) << "the run is too quick for this test to kill it midway";
+  const auto ended = run_program(options);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  if (fs::exists(folder.at("killed"))) EXPECT_EQ(bytes_below(folder.at("killed")), bytes_below(small_data_set()));
+  EXPECT_FALSE(fs::exists(folder.at("killed.partial")));
+}
+
+TEST(DataSet, AnInterruptEndsCleanlyWithTheWayToGoOn) {
+  ScratchFolder folder;
+  const auto options = small_options(folder.at("out"));
+  RunningProgram program(options);
+  wait_for_work(program, folder.at("out.partial"), 100);
+  program.send(SIGINT);
+  const auto ended = program.wait();
+  EXPECT_EQ(ended.code, 130) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("--resume"));
+  EXPECT_FALSE(fs::exists(folder.at("out")));
+
+  const auto refused = run_program(options);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("add --resume"));
+  auto other = options;
+  other[4] = "8";  // the seed
+  other.emplace_back("--resume");
+  const auto mismatch = run_program(other);
+  EXPECT_EQ(mismatch.code, 2);
+  EXPECT_THAT(mismatch.err, HasSubstr("other settings"));
+}
+
+TEST(DataSet, ASecondRunOnTheSameFolderIsRefused) {
+  ScratchFolder folder;
+  auto options = small_options(folder.at("out"));
+  options.emplace_back("--resume");
+  RunningProgram first(options);
+  wait_for_work(first, folder.at("out.partial"), 0);
+  const auto second = run_program(options);
+  EXPECT_EQ(second.code, 2);
+  EXPECT_THAT(second.err, HasSubstr("another run"));
+  first.send(SIGKILL);
+}
+
+TEST(DataSet, ATaskIsDrawnFromAbove) {
+  ScratchFolder folder;
+  const auto task = json_lines(small_data_set() / "tasks.jsonl").front()["id"].get<std::string>();
+  const auto ended = run_program({"render", small_data_set().string(), task, "--out", folder.at("task.svg")});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto svg = read_file(folder.at("task.svg"));
+  ASSERT_TRUE(svg);
+  EXPECT_THAT(*svg, HasSubstr("<svg"));
+  const auto unknown = run_program({"render", small_data_set().string(), "nobody", "--out", folder.at("no.svg")});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_FALSE(fs::exists(folder.at("no.svg")));
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,96 @@
+#include "program.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "core/files.h"
+
+namespace unietp {
+namespace {
+
+std::filesystem::path scratch_file() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "unietp-test-XXXXXX").string();
+  const int file = ::mkstemp(pattern.data());
+  if (file < 0) throw std::runtime_error("no temporary file");
+  ::close(file);
+  return pattern;
+}
+
+std::string taken(const std::filesystem::path& path) {
+  const auto text = read_file(path);
+  std::filesystem::remove(path);
+  return text ? *text : std::string();
+}
+
+}  // namespace
+
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments) : out_(scratch_file()), err_(scratch_file()) {
+  std::vector<char*> argv;
+  std::string name = UNIETP_PROGRAM;
+  argv.push_back(name.data());
+  auto copies = arguments;
+  for (auto& argument : copies) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  process_ = ::fork();
+  if (process_ == 0) {
+    ::dup2(::open(out_.c_str(), O_WRONLY | O_TRUNC), STDOUT_FILENO);
+    ::dup2(::open(err_.c_str(), O_WRONLY | O_TRUNC), STDERR_FILENO);
+    ::execv(name.c_str(), argv.data());
+    ::_exit(127);
+  }
+}
+
+RunningProgram::~RunningProgram() {
+  if (!ended_) {
+    send(SIGKILL);
+    (void)wait();
+  }
+}
+
+bool RunningProgram::running() {
+  if (!ended_ && ::waitpid(process_, &status_, WNOHANG) == process_) ended_ = true;
+  return !ended_;
+}
+
+void RunningProgram::send(int signal) const { ::kill(process_, signal); }
+
+Ended RunningProgram::wait() {
+  if (!ended_) ::waitpid(process_, &status_, 0);
+  ended_ = true;
+  Ended ended;
+  if (WIFEXITED(status_)) ended.code = WEXITSTATUS(status_);
+  if (WIFSIGNALED(status_)) ended.signal = WTERMSIG(status_);
+  ended.out = taken(out_);
+  ended.err = taken(err_);
+  return ended;
+}
+
+Ended run_program(const std::vector<std::string>& arguments) { return RunningProgram(arguments).wait(); }
+
+ScratchFolder::ScratchFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "unietp-test-XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  path_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::map<std::string, std::string> bytes_below(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    const auto bytes = read_file(entry.path());
+    files[std::filesystem::relative(entry.path(), folder).generic_string()] = bytes ? *bytes : "unreadable";
+  }
+  return files;
+}
+
+}  // namespace unietp

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace unietp {
+
+/// How a run of the real program ended.
+struct Ended {
+  int code = -1;   // exit code, or -1 when a signal ended it
+  int signal = 0;  // that signal
+  std::string out, err;
+};
+
+/// The program under way in a process of its own.
+class RunningProgram {
+ public:
+  explicit RunningProgram(const std::vector<std::string>& arguments);
+  RunningProgram(const RunningProgram&) = delete;
+  RunningProgram& operator=(const RunningProgram&) = delete;
+  ~RunningProgram();
+  bool running();
+  void send(int signal) const;
+  Ended wait();
+
+ private:
+  pid_t process_ = -1;
+  int status_ = 0;
+  bool ended_ = false;
+  std::filesystem::path out_, err_;
+};
+
+Ended run_program(const std::vector<std::string>& arguments);
+
+/// A folder that is removed with this value.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder();
+  const std::filesystem::path& path() const { return path_; }
+  std::string at(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Every file below a folder with its bytes.
+std::map<std::string, std::string> bytes_below(const std::filesystem::path& folder);
+
+}  // namespace unietp

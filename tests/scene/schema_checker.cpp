@@ -1,0 +1,105 @@
+#include "schema_checker.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Of the one form of pattern in use: ^((a|b|…)|(c|d|…)\([\s\S]+\))$
+bool matches(const std::string& text, const std::string& pattern) {
+  const auto between = pattern.find(")|(");
+  const auto end = pattern.find(")\\([\\s\\S]+\\))$");
+  EXPECT_TRUE(pattern.starts_with("^((") && between != std::string::npos && end != std::string::npos) << pattern;
+  const auto plain = split(pattern.substr(3, between - 3), '|');
+  const auto symbolic = split(pattern.substr(between + 3, end - between - 3), '|');
+  const auto among = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  const auto bracket = text.find('(');
+  if (bracket == std::string::npos) return among(plain, text);
+  return among(symbolic, text.substr(0, bracket)) && text.back() == ')' && text.size() > bracket + 2;
+}
+
+}  // namespace
+
+Json schema_file(const std::string& name) {
+  const auto text = read_file(std::string(UNIETP_SOURCE_DIR) + "/data/schemas/" + name);
+  EXPECT_TRUE(text);
+  return text ? Json::parse(*text) : Json();
+}
+
+const Json& SchemaChecker::root(const std::string& file) {
+  const auto [place, is_new] = files_.try_emplace(file);
+  if (is_new) place->second = schema_file(file);
+  return place->second;
+}
+
+std::string SchemaChecker::check(const Json& value, const Json& schema, const std::string& file,
+                                 const std::string& path) {
+  for (const auto& [word, rule] : schema.items()) {
+    const std::string problem = broken(word, rule, value, schema, file, path);
+    if (!problem.empty()) return problem;
+  }
+  return "";
+}
+
+std::string SchemaChecker::broken(const std::string& word, const Json& rule, const Json& value, const Json& schema,
+                                  const std::string& file, const std::string& path) {
+  static const std::set<std::string> silent{"$schema", "$id", "title", "description", "$defs", "properties"};
+  const auto unless = [&](bool sound) {
+    return sound ? std::string() : path + " breaks " + word + ": " + value.dump();
+  };
+  if (silent.contains(word)) return "";
+  if (word == "$ref") {
+    const auto parts = split(rule.get<std::string>(), '#');
+    const std::string target = parts[0].empty() ? file : parts[0];
+    return check(value, root(target).at(Json::json_pointer(parts[1])), target, path);
+  }
+  if (word == "type") {
+    const std::string type = value.is_number() ? "number" : value.type_name();
+    return unless(type == rule);
+  }
+  if (word == "const") return unless(value == rule);
+  if (word == "enum") return unless(std::find(rule.begin(), rule.end(), value) != rule.end());
+  if (word == "required") {
+    for (const Json& name : rule) {
+      if (!value.contains(name.get<std::string>())) return path + " lacks " + name.dump();
+    }
+    return "";
+  }
+  if (word == "additionalProperties") {
+    EXPECT_EQ(rule, false);
+    for (const auto& [name, field] : value.items()) {
+      if (!schema["properties"].contains(name)) return path + " has the extra field " + name;
+      const auto problem = check(field, schema["properties"][name], file, path + "/" + name);
+      if (!problem.empty()) return problem;
+    }
+    return "";
+  }
+  if (word == "items") {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const auto problem = check(value[i], rule, file, path + "/" + std::to_string(i));
+      if (!problem.empty()) return problem;
+    }
+    return "";
+  }
+  if (word == "minItems") return unless(value.size() >= rule);
+  if (word == "maxItems") return unless(value.size() <= rule);
+  if (word == "uniqueItems") return unless(std::set<Json>(value.begin(), value.end()).size() == value.size());
+  if (word == "minLength") return unless(!value.get<std::string>().empty());
+  if (word == "minimum") return unless(value >= rule);
+  if (word == "maximum") return unless(value <= rule);
+  if (word == "exclusiveMinimum") return unless(value > rule);
+  if (word == "pattern") return unless(matches(value.get<std::string>(), rule.get<std::string>()));
+  return "the checker does not know " + word;
+}
+
+}  // namespace unietp
