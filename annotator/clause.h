@@ -1,0 +1,80 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "logic/formula.h"
+
+namespace unietp {
+
+/// What a sentence of the controlled English says, free of its wording: the writer makes these from a goal and words
+/// them, the reader makes them from words and composes a goal.
+
+/// How a noun phrase picks its objects.
+enum class Determiner {
+  New,      // a mug: some mug, the same throughout the text
+  Single,   // one mug, a single mug: as New, and said so beside a quantifier
+  Another,  // another mug: New, and not any mug named before
+  Known,    // that mug: the one named before
+  The,      // the mug: Known when one mug was named before, else New
+  It,       // it: the only one named before
+  Ordinal,  // the second mug: the mug named second (number)
+  Any,      // any mug, some mug or other: one that may differ with what stands before
+  Every,
+  No,
+  Exactly,
+  AtLeast,
+  AtMost,  // number: of the last three
+  Agent,   // you
+};
+
+struct Complement;
+
+struct NounPhrase {
+  Determiner determiner = Determiner::New;
+  int number = 0;
+  Domain noun;                        // without `where`
+  std::vector<Complement> modifiers;  // all true in the start state ("that is dirty")
+  std::string variable;               // the writer's: which variable of the goal; "" when read
+  int column = 0;                     // the reader's: where it stood
+};
+
+/// What is said of a subject: a state, a state with a symbol, or a relation to an object.
+struct Complement {
+  Predicate predicate = Predicate::Open;
+  bool negated = false;
+  std::string symbol;
+  std::vector<NounPhrase> object;  // none or one
+};
+
+struct Clause {
+  enum class Kind { Simple, And, Or, Compare };
+  Kind kind = Kind::Simple;
+  std::vector<NounPhrase> subjects;  // Simple: each, or (any_subject) one of them. Compare: two, bare nouns
+  bool any_subject = false;
+  std::vector<Complement> complements;  // Simple: all, or (any_complement) one of them. Compare: one for each subject
+  bool any_complement = false;
+  bool removal = false;                       // Simple: "remove every A from B", subject No
+  Comparison comparison = Comparison::Equal;  // Compare: Equal, Greater or AtLeast
+  std::vector<Clause> parts;                  // And, Or
+};
+
+struct Requirement {
+  enum class Kind {
+    Choose,    // introduces the subject of clause 0, asks nothing
+    Final,     // clause 0 at the end
+    Sometime,  // clause 0 at some point
+    Always,    // clause 0 all the time
+    Until,     // clause 0 until clause 1
+    Before,    // clause 0 before clause 1
+    Then,      // Before, and clause 1 at the end
+    ThenKept,  // Before, and both at the end
+    Again,     // clause 0 at some point, clause 1 at the end
+  };
+  Kind kind = Kind::Final;
+  std::vector<Clause> clauses;
+};
+
+using Message = std::vector<Requirement>;
+
+}  // namespace unietp

@@ -1,0 +1,133 @@
+#include "annotator/instruction.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "annotator/meaning.h"
+#include "annotator/noun_table.h"
+#include "annotator/parse.h"
+#include "annotator/plan.h"
+#include "annotator/realise.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+constexpr int kDraws = 120;  // forms tried before the grammar gives up on a style
+
+/// The text behind a context sentence of the alias table.
+std::string_view without_context(std::string_view text, const Knowledge& knowledge) {
+  std::size_t longest = 0;
+  for (const Alias& alias : knowledge.aliases())
+    if (alias.kind == "context" && text.starts_with(alias.text)) longest = std::max(longest, alias.text.size());
+  text.remove_prefix(longest);
+  return trim(text);
+}
+
+/// A word such as `mug_3`: an id of the scene, not English.
+bool leaks_id(const Token& token) {
+  const std::size_t mark = token.text.rfind('_');
+  if (mark == std::string::npos || mark == 0 || mark + 1 == token.text.size()) return false;
+  return std::all_of(token.text.begin() + static_cast<std::ptrdiff_t>(mark) + 1, token.text.end(),
+                     [](unsigned char c) { return std::isdigit(c); });
+}
+
+bool says(const std::vector<Token>& text, const std::string& name) {
+  const std::vector<Token> words = tokens_of(name);
+  const auto same = [](const Token& a, const Token& b) { return a.text == b.text; };
+  return std::search(text.begin(), text.end(), words.begin(), words.end(), same) != text.end();
+}
+
+/// Whether the style's own promise is kept.
+std::string style_fault(const std::string& text, const Specification& specification, const NounTable& lexicon) {
+  if (specification.style != "alias") return "";
+  const std::vector<Token> tokens = tokens_of(text);
+  for (const std::string& category : categories_of(specification.goal)) {
+    const auto* name = lexicon.display(category);
+    if (name == nullptr || lexicon.synonyms(category).empty()) continue;
+    if (says(tokens, name->singular) || says(tokens, name->plural))
+      return "the alias style calls '" + name->singular + "' by its own name";
+  }
+  return "";
+}
+
+std::vector<std::string> faults(const std::string& text, const Specification& specification, const Knowledge& knowledge,
+                                const NounTable& lexicon) {
+  std::vector<std::string> found;
+  for (const Token& token : tokens_of(text))
+    if (leaks_id(token)) found.push_back("the text names the object id '" + token.text + "'");
+  const auto read = parse_with(without_context(text, knowledge), lexicon);
+  if (!read) {
+    found.push_back(format(read.error()));
+  } else if (!same_meaning(*read, specification.goal)) {
+    found.push_back("the text asks for " + to_text(normal_form(*read)) + ", the goal is " +
+                    to_text(normal_form(specification.goal)));
+  }
+  return found;
+}
+
+/// A context sentence of one of the goal's categories, or "".
+std::string context_of(const Specification& specification, const Knowledge& knowledge, Rng& rng) {
+  std::vector<std::string> sentences;
+  for (const std::string& category : categories_of(specification.goal))
+    for (const Alias* alias : knowledge.aliases_of(category, "context")) sentences.push_back(alias->text);
+  return sentences.empty() ? "" : rng.pick(sentences);
+}
+
+bool has_material(const Specification& specification, const NounTable& lexicon) {
+  if (specification.style != "alias") return true;
+  const auto categories = categories_of(specification.goal);
+  return std::any_of(categories.begin(), categories.end(),
+                     [&](const std::string& c) { return !lexicon.synonyms(c).empty(); });
+}
+
+}  // namespace
+
+Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge, Rng rng) {
+  const NounTable lexicon(knowledge);
+  std::string last = "no form was drawn";
+  std::vector<std::string> styles{specification.style};
+  if (specification.style != "direct") styles.push_back("direct");
+  for (const std::string& style : styles) {
+    Specification asked = specification;
+    asked.style = style;
+    if (!has_material(asked, lexicon)) continue;
+    for (int draw = 0; draw < kDraws; ++draw) {
+      Rng own = rng.fork(style, static_cast<std::uint64_t>(draw));
+      const auto plan = plan_message(asked.goal, own.fork("plan", 0));
+      if (!plan) return plan.error();
+      const auto text = realise(*plan, lexicon, style, own.fork("words", 0));
+      if (!text) continue;
+      std::string whole = *text;
+      if (style == "context") {
+        const std::string sentence = context_of(asked, knowledge, own);
+        if (sentence.empty()) break;
+        whole = sentence + " " + whole;
+      }
+      auto wrong = faults(whole, asked, knowledge, lexicon);
+      if (std::string fault = style_fault(whole, asked, lexicon); !fault.empty()) wrong.push_back(std::move(fault));
+      if (wrong.empty()) return Instruction{whole, "grammar", style, {"parses-back", "no-ids", "style"}};
+      last = "\"" + whole + "\": " + wrong.front();
+    }
+  }
+  return Error{Error::Kind::Unsatisfiable,
+               specification.template_name,
+               {},
+               "the grammar found no text that says the goal and nothing else; the last one was " + last};
+}
+
+Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowledge) {
+  const std::string_view rest = without_context(text, knowledge);
+  auto read = parse_with(rest, NounTable(knowledge));
+  if (read) return read;
+  Error error = read.error();
+  error.pos.column += static_cast<int>(rest.data() - text.data());
+  return error;
+}
+
+std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
+                                           const Knowledge& knowledge) {
+  return faults(text, specification, knowledge, NounTable(knowledge));
+}
+
+}  // namespace unietp

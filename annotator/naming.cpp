@@ -1,0 +1,337 @@
+#include "annotator/naming.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+/// The word for a state of one object, after "is".
+std::string state_word(Predicate predicate) {
+  using P = Predicate;
+  switch (predicate) {
+    case P::Open:
+      return "open";
+    case P::Closed:
+      return "closed";
+    case P::PowerOn:
+      return "switched on";
+    case P::PowerOff:
+      return "switched off";
+    case P::Clean:
+      return "clean";
+    case P::Dirty:
+      return "dirty";
+    case P::Hot:
+      return "hot";
+    case P::Cool:
+      return "cold";
+    case P::RoomTemperature:
+      return "at room temperature";
+    case P::Cooked:
+      return "cooked";
+    case P::Raw:
+      return "raw";
+    case P::Burnt:
+      return "burnt";
+    case P::Unburnt:
+      return "unburnt";
+    case P::Frozen:
+      return "frozen";
+    case P::Thawed:
+      return "thawed";
+    case P::Sliced:
+      return "sliced";
+    case P::Whole:
+      return "whole";
+    case P::Empty:
+      return "empty";
+    case P::Soaked:
+      return "soaked";
+    case P::Dry:
+      return "dry";
+    case P::UsedUp:
+      return "used up";
+    case P::Unused:
+      return "unused";
+    case P::Broken:
+      return "broken";
+    case P::Intact:
+      return "intact";
+    case P::Folded:
+      return "folded";
+    case P::Unfolded:
+      return "unfolded";
+    case P::PluggedIn:
+      return "plugged in";
+    case P::Unplugged:
+      return "unplugged";
+    case P::Held:
+      return "in your hand";
+    case P::SatOn:
+      return "sat on";
+    case P::LainOn:
+      return "lain on";
+    default:
+      return "";
+  }
+}
+
+std::string before_object(Predicate predicate) {
+  using P = Predicate;
+  switch (predicate) {
+    case P::On:
+      return "on";
+    case P::Inside:
+    case P::InRoom:
+      return "in";
+    case P::NextTo:
+      return "next to";
+    case P::Under:
+      return "under";
+    case P::SliceOf:
+      return "cut from";
+    case P::Attached:
+      return "attached to";
+    case P::Nearest:
+      return "nearest to";
+    case P::OnFloor:
+      return "on the floor of";
+    default:
+      return "";
+  }
+}
+
+bool is_adjective(const Complement& modifier, const NounTable& lexicon) {
+  if (modifier.negated || !modifier.object.empty()) return false;
+  if (modifier.predicate == Predicate::Colour) return lexicon.is_colour(modifier.symbol);
+  if (modifier.predicate == Predicate::Size) return modifier.symbol == "large" || modifier.symbol == "small";
+  const std::string word = state_word(modifier.predicate);
+  return modifier.symbol.empty() && word.find(' ') == std::string::npos;
+}
+
+}  // namespace
+
+std::string number_word(int number) {
+  static constexpr std::array kWords{"zero",  "one",   "two",  "three", "four",   "five",  "six",
+                                     "seven", "eight", "nine", "ten",   "eleven", "twelve"};
+  return number >= 0 && number < static_cast<int>(kWords.size()) ? kWords[number] : std::to_string(number);
+}
+
+std::string Naming::pick(std::initializer_list<const char*> choices) {
+  return *(choices.begin() + rng_.below(choices.size()));
+}
+
+bool Naming::was_named(const std::string& variable) const {
+  return std::any_of(named_.begin(), named_.end(), [&](const Named& n) { return n.variable == variable; });
+}
+
+std::optional<std::string> Naming::name_of(const Domain::Member& member, bool plural, bool& countable) {
+  auto found = chosen_.find(member.category);
+  if (found == chosen_.end()) {
+    const NounTable::Name* display = lexicon_.display(member.category);
+    if (display == nullptr) return std::nullopt;
+    NounTable::Name name = *display;
+    const auto others = lexicon_.synonyms(member.category);
+    if (!others.empty() && style_ == "alias") name = rng_.pick(others);
+    if (name.singular.empty()) return std::nullopt;
+    found = chosen_.emplace(member.category, name).first;
+  }
+  const NounTable::Name& name = found->second;
+  countable = name.countable || member.slice;
+  if (member.slice) {
+    const std::string fresh = lexicon_.is_name("slice of " + name.singular) ? "freshly cut " : "";
+    return fresh + (plural ? "slices of " : "slice of ") + name.singular;
+  }
+  return plural ? name.plural : name.singular;
+}
+
+std::optional<Naming::Noun> Naming::noun(const Domain& domain) {
+  if (domain.kind == Domain::Kind::Object) return Noun{"object", "objects"};
+  if (domain.kind == Domain::Kind::Room) return Noun{"room", "rooms"};
+  if (domain.kind == Domain::Kind::Agent) return std::nullopt;
+  if (domain.members.size() > 1) {
+    const auto phrases = lexicon_.functions(domain);
+    if (!phrases.empty() && style_ != "alias") {
+      const std::string text = rng_.pick(phrases);
+      return Noun{text, text, true, true};
+    }
+  }
+  Noun noun;
+  for (const Domain::Member& member : domain.members) {
+    bool countable = true;
+    const auto singular = name_of(member, false, countable), plural = name_of(member, true, countable);
+    if (!singular || !plural || (domain.members.size() > 1 && !countable)) return std::nullopt;
+    noun.singular += (noun.singular.empty() ? "" : " or ") + *singular;
+    noun.plural += (noun.plural.empty() ? "" : " or ") + *plural;
+    noun.countable = countable;
+  }
+  return noun;
+}
+
+std::optional<std::string> Naming::plural(const NounPhrase& phrase) {
+  if (!phrase.modifiers.empty()) return std::nullopt;
+  const auto bare = noun(phrase.noun);
+  if (!bare || bare->function) return std::nullopt;
+  return bare->countable ? bare->plural : "pieces of " + bare->singular;
+}
+
+std::optional<std::string> Naming::complement(const Complement& said, Place place) {
+  std::string text = said.negated ? "not " : "";
+  const std::string symbol = replace_all(said.symbol, "_", " ");
+  switch (said.predicate) {
+    case Predicate::Filled:
+      return text + "filled with " + symbol;
+    case Predicate::Covered:
+      return text + "covered with " + symbol;
+    case Predicate::Material:
+      return text + "made of " + symbol;
+    case Predicate::Colour:
+      return text + "of the colour " + symbol;
+    case Predicate::Size:
+      return text + "of the size " + symbol;
+    default:
+      break;
+  }
+  if (said.object.empty()) {
+    const std::string word = state_word(said.predicate);
+    return word.empty() ? std::nullopt : std::optional(text + word);
+  }
+  const auto object = phrase(said.object[0], place);
+  const std::string preposition = before_object(said.predicate);
+  if (!object || preposition.empty()) return std::nullopt;
+  return text + preposition + " " + object->text;
+}
+
+std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
+  if (said.determiner == Determiner::Agent) return Words{"you", true};
+  const auto bare = noun(said.noun);
+  if (!bare) return std::nullopt;
+  if (!said.variable.empty() && was_named(said.variable)) return again(said, *bare);
+  if (!said.variable.empty() && (place.inside_description || place.beside_none)) return std::nullopt;
+  if (bare->function && (said.determiner != Determiner::New || !said.modifiers.empty())) return std::nullopt;
+
+  std::string before, after;
+  if (said.modifiers.size() == 1 && is_adjective(said.modifiers[0], lexicon_) && rng_.chance(0.7)) {
+    const Complement& modifier = said.modifiers[0];
+    before = (modifier.symbol.empty() ? state_word(modifier.predicate) : modifier.symbol) + " ";
+  } else if (!said.modifiers.empty()) {
+    const bool now = rng_.chance(0.4);
+    for (std::size_t i = 0; i < said.modifiers.size(); ++i) {
+      const auto text = complement(said.modifiers[i], Place{.inside_description = true});
+      if (!text) return std::nullopt;
+      after += (i == 0 ? "" : " and ") + *text;
+    }
+    after = (now ? "now " : "") + after;
+  }
+  bool plural = false;
+  if (said.determiner != Determiner::New) {
+    auto words = counted(said, *bare, before, after, plural);
+    return words;
+  }
+  return first(said, *bare, place, before, after);
+}
+
+std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun) {
+  std::vector<std::size_t> alike;
+  std::size_t position = 0;
+  const bool vague = noun.function;
+  for (const Named& other : named_) {
+    const bool same = other.noun == said.noun;
+    const bool rival = vague && (other.noun.members.size() > 1 || other.noun.kind == Domain::Kind::Object);
+    if (other.variable == said.variable) position = alike.size();
+    if (same || rival) alike.push_back(alike.size());
+  }
+  if (named_.size() == 1 && rng_.chance(0.7)) return Words{"it"};
+  const std::string word = vague ? "object" : noun.singular;
+  if (alike.size() > 1) {
+    if (vague || position > 2 || !noun.countable) return std::nullopt;
+    static constexpr std::array kOrdinals{"first", "second", "third"};
+    return Words{"the " + std::string(kOrdinals[position]) + " " + word};
+  }
+  const std::string article =
+      vague || noun.countable ? pick({"that", "that", "the same", "the"}) : pick({"that", "the same"});
+  return Words{article + " " + word};
+}
+
+std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Place place, const std::string& before,
+                                   const std::string& after) {
+  std::size_t alike = 0, distinct = 0;
+  for (const Named& other : named_) {
+    if (other.noun != said.noun) continue;
+    ++alike;
+    distinct += plan_.distinct.contains({other.variable, said.variable}) ? 1 : 0;
+  }
+  if (!said.variable.empty() && distinct != 0 && distinct != alike) return std::nullopt;
+  const std::string tail = after.empty() ? "" : " that is " + after;
+  const bool another = distinct > 0;
+  // Inside a description the object is any of its kind and stays unnamed.
+  if (!said.variable.empty()) named_.push_back({said.variable, said.noun});
+  if (noun.function) return another || place.beside_every ? std::nullopt : std::optional(Words{noun.singular});
+  if (another) {
+    const std::string word = before + (noun.countable ? noun.singular : "piece of " + noun.singular);
+    return Words{(rng_.chance(0.7) ? "another " : "a different ") + word + tail};
+  }
+  if (!noun.countable) {
+    if (place.beside_every) return Words{"a single " + before + "piece of " + noun.singular + tail};
+    const bool marked = !said.modifiers.empty() && rng_.chance(0.8);
+    return Words{(marked ? "the " : "some ") + before + noun.singular + tail};
+  }
+  if (place.beside_every)
+    return Words{pick({"one", "a single", "one and the same"}) + " " + before + noun.singular + tail};
+  if (place.inside_description && rng_.chance(0.7)) return Words{with_article(before + noun.singular) + tail};
+  if (!said.modifiers.empty() && rng_.chance(0.8)) return Words{"the " + before + noun.singular + tail};
+  const bool room = !said.noun.members.empty() && lexicon_.is_room_type(said.noun.members[0].category);
+  if (alike == 0 && rng_.chance(room ? 0.7 : 0.2)) return Words{"the " + before + noun.singular + tail};
+  if (rng_.chance(0.25)) return Words{"one " + before + noun.singular + tail};
+  return Words{with_article(before + noun.singular) + tail};
+}
+
+std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, const std::string& before,
+                                     const std::string& after, bool& plural) {
+  const std::string one = before + (noun.countable ? noun.singular : "piece of " + noun.singular);
+  const std::string many = before + (noun.countable ? noun.plural : "pieces of " + noun.singular);
+  const std::string number = number_word(said.number);
+  std::string text;
+  plural = said.number != 1;
+  switch (said.determiner) {
+    case Determiner::Any:
+      plural = false;
+      if (!noun.countable) return std::nullopt;
+      text = "any " + one;
+      break;
+    case Determiner::Every:
+      plural = rng_.chance(0.5);
+      if (!noun.countable) {
+        plural = false;
+        text = "all the " + before + noun.singular;
+      } else {
+        text = plural ? pick({"all", "all the", "all of the"}) + " " + many : pick({"every", "each"}) + " " + one;
+      }
+      break;
+    case Determiner::No:
+      plural = noun.countable && rng_.chance(0.4);
+      text = "no " + (plural ? many : before + noun.singular);
+      break;
+    case Determiner::Exactly:
+      text = pick({"exactly", "exactly", "precisely"}) + " " + number;
+      break;
+    case Determiner::AtLeast:
+      text = pick({"at least ", "no fewer than "}) + number;
+      break;
+    case Determiner::AtMost:
+      text = pick({"at most ", "no more than "}) + number;
+      break;
+    default:
+      return std::nullopt;
+  }
+  if (said.determiner == Determiner::Exactly || said.determiner == Determiner::AtLeast ||
+      said.determiner == Determiner::AtMost)
+    text += " " + (plural ? many : one);
+  if (!after.empty()) text += (plural ? " that are " : " that is ") + after;
+  return Words{text, plural};
+}
+
+}  // namespace unietp

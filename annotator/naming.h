@@ -1,0 +1,73 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "annotator/clause.h"
+#include "annotator/noun_table.h"
+#include "annotator/plan.h"
+#include "core/rng.h"
+
+namespace unietp {
+
+/// A noun phrase in words, and whether its verb is plural.
+struct Words {
+  std::string text;
+  bool plural = false;
+};
+
+/// Where a noun phrase stands, as far as that limits its article.
+struct Place {
+  bool beside_every = false;  // "put every mug on …": a bare "a table" would have two readings
+  bool beside_none = false;   // "no mug is on …": nothing new can be named
+  bool inside_description = false;
+};
+
+/// Names the objects of one text as it goes: which were named before, and by which words.
+/// `nullopt` from any member: this text cannot go on; try other words.
+class Naming {
+ public:
+  Naming(const Plan& plan, const NounTable& lexicon, std::string style, Rng& rng)
+      : plan_(plan), lexicon_(lexicon), style_(std::move(style)), rng_(rng) {}
+
+  std::optional<Words> phrase(const NounPhrase& phrase, Place place);
+  /// The bare noun, as "more mugs" has it.
+  std::optional<std::string> plural(const NounPhrase& phrase);
+  /// "clean", "on that table", "filled with water".
+  std::optional<std::string> complement(const Complement& complement, Place place);
+  bool was_named(const std::string& variable) const;
+  /// Ends an alternative: what it named cannot be named again.
+  std::size_t named_count() const { return named_.size(); }
+  void forget_after(std::size_t count) { named_.resize(count); }
+
+ private:
+  struct Noun {
+    std::string singular, plural;
+    bool countable = true, function = false;
+  };
+  struct Named {
+    std::string variable;
+    Domain noun;
+  };
+  std::optional<Noun> noun(const Domain& domain);
+  std::optional<std::string> name_of(const Domain::Member& member, bool plural, bool& countable);
+  std::optional<Words> again(const NounPhrase& phrase, const Noun& noun);
+  std::optional<Words> first(const NounPhrase& phrase, const Noun& noun, Place place, const std::string& before,
+                             const std::string& after);
+  std::optional<Words> counted(const NounPhrase& phrase, const Noun& noun, const std::string& before,
+                               const std::string& after, bool& plural);
+  std::string pick(std::initializer_list<const char*> choices);
+
+  const Plan& plan_;
+  const NounTable& lexicon_;
+  std::string style_;
+  Rng& rng_;
+  std::vector<Named> named_;
+  std::map<std::string, NounTable::Name> chosen_;  // one name a category, the text through
+};
+
+/// "two", "12"
+std::string number_word(int number);
+
+}  // namespace unietp

@@ -1,0 +1,208 @@
+#include "annotator/noun_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <set>
+
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+bool is_word_char(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return std::isalnum(byte) || c == '\'' || c == '-' || c == '_' || c == '&' || c == '/' || byte >= 0x80;
+}
+
+/// "LivingRoom", "living_room" -> "living room"
+std::string spaced(const std::string& name) {
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool upper = std::isupper(static_cast<unsigned char>(name[i]));
+    if (upper && i > 0 && std::islower(static_cast<unsigned char>(name[i - 1]))) text += ' ';
+    text += name[i] == '_' ? ' ' : name[i];
+  }
+  return lower(text);
+}
+
+std::string plural_of(const std::string& noun) {
+  const auto ends = [&](std::string_view tail) { return noun.size() > tail.size() && noun.ends_with(tail); };
+  if (ends("s") || ends("x") || ends("ch") || ends("sh")) return noun + "es";
+  if (ends("y") && std::string_view("aeiou").find(noun[noun.size() - 2]) == std::string_view::npos)
+    return noun.substr(0, noun.size() - 1) + "ies";
+  return noun + "s";
+}
+
+constexpr std::array kUsualRooms{"Bathroom", "Bedroom", "Kitchen", "LivingRoom"};  // for a base that names none
+
+}  // namespace
+
+std::vector<Token> tokens_of(std::string_view text) {
+  std::vector<Token> tokens;
+  for (std::size_t i = 0; i < text.size();) {
+    if (std::isspace(static_cast<unsigned char>(text[i]))) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i + 1;
+    if (is_word_char(text[i]))
+      while (end < text.size() && is_word_char(text[end])) ++end;
+    tokens.push_back({lower(text.substr(i, end - i)), static_cast<int>(i) + 1});
+    i = end;
+  }
+  return tokens;
+}
+
+std::string with_article(const std::string& noun) {
+  const std::string word = lower(noun);
+  const auto starts = [&](std::string_view head) { return word.starts_with(head); };
+  bool vowel = starts_with_vowel_letter(word);
+  for (const char* you : {"uni", "use", "usu", "ute", "uku", "ura", "euro", "ewe", "one", "once"})
+    if (starts(you)) vowel = false;  // spoken "you…", "w…"
+  for (const char* like_un : {"unin", "unim"})
+    if (starts(like_un)) vowel = true;
+  for (const char* silent :
+       {"hour", "heir", "honest", "herb", "8", "11", "18", "lcd", "mp3", "x-ray", "f-", "l-", "s-"})
+    if (starts(silent)) vowel = true;
+  return (vowel ? "an " : "a ") + noun;
+}
+
+NounTable::NounTable(const Knowledge& knowledge) {
+  std::set<std::string> rooms, colours;
+  for (const Category& category : knowledge.categories()) {
+    names_[category.name] = {category.display, category.plural, category.countable};
+    const Domain noun = of_category(category.name);
+    add(nouns_, category.display, noun, category.countable, false, !category.countable, 0);
+    if (category.countable) add(nouns_, category.plural, noun, false, true, false, 0);
+    rooms.insert(category.rooms.begin(), category.rooms.end());
+    colours.insert(category.colours.begin(), category.colours.end());
+  }
+  std::map<std::string, std::set<std::string>> served;
+  for (const Alias& alias : knowledge.aliases()) {
+    const Category* category = knowledge.find(alias.category);
+    if (category == nullptr) continue;
+    if (alias.kind == "function") served[lower(alias.text)].insert(alias.category);
+    if (alias.kind != "synonym") continue;
+    const Name name{alias.text, category->countable ? plural_of(alias.text) : alias.text, category->countable};
+    synonyms_[alias.category].push_back(name);
+    const Domain noun = of_category(alias.category);
+    add(nouns_, name.singular, noun, name.countable, false, !name.countable, 1);
+    if (name.countable) add(nouns_, name.plural, noun, false, true, false, 1);
+  }
+  for (const auto& [text, categories] : served) {
+    Domain noun;
+    for (const std::string& category : categories) noun.members.push_back({category, false});
+    functions_[text] = noun;
+    add(phrases_, text, noun, true, false, false, 0);
+  }
+  if (rooms.empty()) rooms.insert(kUsualRooms.begin(), kUsualRooms.end());
+  for (const std::string& room : rooms) {
+    if (names_.contains(room)) continue;
+    const Name name{spaced(room), plural_of(spaced(room)), true};
+    names_[room] = name;
+    add(nouns_, name.singular, of_category(room), true, false, false, 0);
+    add(nouns_, name.plural, of_category(room), false, true, false, 0);
+    room_types_.push_back(room);
+  }
+  Domain object, room;
+  object.kind = Domain::Kind::Object;
+  room.kind = Domain::Kind::Room;
+  add(nouns_, "object", object, true, false, false, 2);
+  add(nouns_, "objects", object, false, true, false, 2);
+  add(nouns_, "room", room, true, false, false, 2);
+  add(nouns_, "rooms", room, false, true, false, 2);
+  colours_.assign(colours.begin(), colours.end());
+}
+
+void NounTable::add(Index& index, const std::string& text, const Domain& noun, bool singular, bool plural, bool mass,
+                    int rank) {
+  Entry entry{{}, noun, singular, plural, mass, rank};
+  for (const Token& token : tokens_of(text)) entry.words.push_back(token.text);
+  if (entry.words.empty()) return;
+  std::vector<Entry>& bucket = index[entry.words.front()];
+  const auto longer = [](const Entry& a, const Entry& b) { return a.words.size() > b.words.size(); };
+  bucket.insert(std::upper_bound(bucket.begin(), bucket.end(), entry, longer), entry);
+}
+
+const NounTable::Name* NounTable::display(const std::string& category) const {
+  const auto found = names_.find(category);
+  return found == names_.end() ? nullptr : &found->second;
+}
+
+std::vector<NounTable::Name> NounTable::synonyms(const std::string& category) const {
+  const auto found = synonyms_.find(category);
+  return found == synonyms_.end() ? std::vector<Name>{} : found->second;
+}
+
+std::vector<std::string> NounTable::functions(const Domain& noun) const {
+  Domain wanted = noun;
+  wanted.where.clear();
+  std::sort(wanted.members.begin(), wanted.members.end(),
+            [](const auto& a, const auto& b) { return a.category < b.category; });
+  std::vector<std::string> texts;
+  for (const auto& [text, meant] : functions_)
+    if (meant == wanted) texts.push_back(text);
+  return texts;
+}
+
+bool NounTable::is_room_type(const std::string& category) const {
+  return std::binary_search(room_types_.begin(), room_types_.end(), category);
+}
+
+bool NounTable::is_colour(const std::string& word) const {
+  return std::binary_search(colours_.begin(), colours_.end(), word);
+}
+
+NounTable::Reading NounTable::longest(const Index& index, const std::vector<Token>& tokens, std::size_t at) const {
+  Reading reading;
+  if (at >= tokens.size()) return reading;
+  const auto bucket = index.find(tokens[at].text);
+  if (bucket == index.end()) return reading;
+  int rank = 0;
+  for (const Entry& entry : bucket->second) {
+    const std::size_t length = entry.words.size();
+    if (length < reading.length) break;
+    if (at + length > tokens.size()) continue;
+    bool same = true;
+    for (std::size_t i = 0; i < length && same; ++i) same = tokens[at + i].text == entry.words[i];
+    if (!same || (reading.length > 0 && entry.rank > rank)) continue;
+    if (reading.length == 0 || entry.rank < rank) reading = {length, {}, false, false, false}, rank = entry.rank;
+    if (std::find(reading.nouns.begin(), reading.nouns.end(), entry.noun) == reading.nouns.end())
+      reading.nouns.push_back(entry.noun);
+    reading.singular |= entry.singular;
+    reading.plural |= entry.plural;
+    reading.mass |= entry.mass;
+  }
+  return reading;
+}
+
+NounTable::Reading NounTable::noun_at(const std::vector<Token>& tokens, std::size_t at) const {
+  const Reading plain = longest(nouns_, tokens, at);
+  const auto word = [&](std::size_t ahead) { return at + ahead < tokens.size() ? tokens[at + ahead].text : ""; };
+  const std::size_t fresh = word(0) == "freshly" && word(1) == "cut" ? 2 : 0;
+  const std::string head = word(fresh);
+  const bool slice = head == "slice" || head == "slices";
+  if ((!slice && (fresh > 0 || (head != "piece" && head != "pieces"))) || word(fresh + 1) != "of") return plain;
+  Reading of = longest(nouns_, tokens, at + fresh + 2);
+  of.length += fresh + 2;
+  if (of.nouns.empty() || of.plural || (!slice && !of.mass) || of.length <= plain.length) return plain;
+  if (slice)
+    for (Domain& noun : of.nouns)
+      for (Domain::Member& member : noun.members) member.slice = true;
+  of.plural = head.ends_with('s');
+  of.singular = !of.plural;
+  of.mass = false;
+  return of;
+}
+
+bool NounTable::is_name(const std::string& text) const {
+  const std::vector<Token> tokens = tokens_of(text);
+  return longest(nouns_, tokens, 0).length == tokens.size();
+}
+
+NounTable::Reading NounTable::function_at(const std::vector<Token>& tokens, std::size_t at) const {
+  return longest(phrases_, tokens, at);
+}
+
+}  // namespace unietp

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "logic/formula.h"
+
+namespace unietp {
+
+/// A word of an instruction, lower case, or a punctuation mark.
+struct Token {
+  std::string text;
+  int column = 0;  // 1-based, bytes
+};
+std::vector<Token> tokens_of(std::string_view text);
+
+/// "a mug", "an apple", "an hour glass", "a utensil": by how the word starts when spoken.
+std::string with_article(const std::string& noun);
+
+/// What the objects of a knowledge base are called: display names, plurals, synonyms, function phrases, room types.
+class NounTable {
+ public:
+  explicit NounTable(const Knowledge& knowledge);
+
+  struct Name {
+    std::string singular, plural;
+    bool countable = true;
+  };
+  /// A category's or room type's display name; nullptr when the knowledge base does not know it.
+  const Name* display(const std::string& category) const;
+  /// Other names, in table order.
+  std::vector<Name> synonyms(const std::string& category) const;
+  /// Function phrases that mean exactly these categories ("something to drink from"), in order of text.
+  std::vector<std::string> functions(const Domain& noun) const;
+
+  bool is_room_type(const std::string& category) const;
+  bool is_colour(const std::string& word) const;
+  /// Whether some category is called exactly this.
+  bool is_name(const std::string& text) const;
+
+  /// What a noun at some place of a text may stand for.
+  struct Reading {
+    std::size_t length = 0;     // tokens; 0 when there is no noun
+    std::vector<Domain> nouns;  // more than one: the name is ambiguous
+    bool singular = false, plural = false, mass = false;
+  };
+  /// The longest noun that starts here: "slice of coffee cake" before "slice". Display names win over synonyms.
+  /// A category that is itself called "slice of bread" keeps that name; what slicing makes is then "freshly cut".
+  Reading noun_at(const std::vector<Token>& tokens, std::size_t at) const;
+  Reading function_at(const std::vector<Token>& tokens, std::size_t at) const;
+
+ private:
+  struct Entry {
+    std::vector<std::string> words;
+    Domain noun;
+    bool singular = false, plural = false, mass = false;
+    int rank = 0;  // display names before synonyms
+  };
+  using Index = std::map<std::string, std::vector<Entry>, std::less<>>;  // by first word, longest first
+  void add(Index& index, const std::string& text, const Domain& noun, bool singular, bool plural, bool mass, int rank);
+  Reading longest(const Index& index, const std::vector<Token>& tokens, std::size_t at) const;
+
+  std::map<std::string, Name, std::less<>> names_;
+  std::map<std::string, std::vector<Name>, std::less<>> synonyms_;
+  std::map<std::string, Domain, std::less<>> functions_;  // by text
+  std::vector<std::string> room_types_, colours_;         // sorted
+  Index nouns_, phrases_;
+};
+
+}  // namespace unietp

@@ -1,0 +1,430 @@
+#include "annotator/parse.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "annotator/compose.h"
+#include "annotator/reading.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+using P = Predicate;
+using Kind = Requirement::Kind;
+
+struct Verb {
+  std::string_view words, after;  // "cut … into slices"
+  Predicate predicate;
+};
+
+/// Verbs that make a state true. Where one starts another, the longer comes first.
+constexpr Verb kVerbs[] = {{"open up", "", P::Open},
+                           {"open", "", P::Open},
+                           {"close", "", P::Closed},
+                           {"shut", "", P::Closed},
+                           {"turn on", "", P::PowerOn},
+                           {"switch on", "", P::PowerOn},
+                           {"turn off", "", P::PowerOff},
+                           {"switch off", "", P::PowerOff},
+                           {"wash", "", P::Clean},
+                           {"clean", "", P::Clean},
+                           {"heat up", "", P::Hot},
+                           {"heat", "up?", P::Hot},
+                           {"cool down", "", P::Cool},
+                           {"cool", "down?", P::Cool},
+                           {"chill", "", P::Cool},
+                           {"cook", "", P::Cooked},
+                           {"burn", "", P::Burnt},
+                           {"freeze", "", P::Frozen},
+                           {"thaw", "", P::Thawed},
+                           {"defrost", "", P::Thawed},
+                           {"slice up", "", P::Sliced},
+                           {"slice", "", P::Sliced},
+                           {"cut", "into slices", P::Sliced},
+                           {"empty", "", P::Empty},
+                           {"pour out", "", P::Empty},
+                           {"soak", "", P::Soaked},
+                           {"dry", "", P::Dry},
+                           {"use up", "", P::UsedUp},
+                           {"break", "", P::Broken},
+                           {"fold up", "", P::Folded},
+                           {"fold", "", P::Folded},
+                           {"unfold", "", P::Unfolded},
+                           {"plug in", "", P::PluggedIn},
+                           {"plug", "in", P::PluggedIn},
+                           {"unplug", "", P::Unplugged},
+                           {"pick up", "", P::Held},
+                           {"pick", "up", P::Held},
+                           {"end up holding", "", P::Held},
+                           {"hold", "", P::Held},
+                           {"sit down on", "", P::SatOn},
+                           {"sit on", "", P::SatOn},
+                           {"lie down on", "", P::LainOn},
+                           {"lie on", "", P::LainOn},
+                           {"make", "dirty", P::Dirty}};
+
+constexpr std::array<std::string_view, 13> kRequests{
+    "could you please", "could you", "can you",       "would you", "i need you to", "i want you to", "i'd like you to",
+    "your task is to",  "please",    "also , please", "also ,",    "also",          "go ahead and"};
+
+constexpr std::array<std::string_view, 6> kAssurances{"make sure that", "make sure", "see to it that",
+                                                      "ensure that",    "ensure",    "check that"};
+
+constexpr std::array<std::string_view, 4> kClosings{"in the end ,", "at the end ,", "when you are done ,",
+                                                    "by the end ,"};
+
+class TextReader {
+ public:
+  TextReader(const std::vector<Token>& tokens, const NounTable& lexicon) : words_(tokens, lexicon), lexicon_(lexicon) {}
+
+  Result<Message> read() {
+    while (!words_.done() && !words_.failed()) sentence();
+    if (words_.failed()) return words_.error();
+    return message_;
+  }
+
+ private:
+  bool sentence_ends() const {
+    const std::string& next = words_.peek();
+    return next == "." || next == "?" || next == "!" || next.empty();
+  }
+
+  void end_sentence() {
+    words_.accept(", please");
+    if (words_.accept_one({".", "?", "!"}) < 0) words_.fail("expected the end of the sentence");
+  }
+
+  void say(Kind kind, std::vector<Clause> clauses) { message_.push_back({kind, std::move(clauses)}); }
+
+  void sentence() {
+    for (bool more = true; more;) {
+      more = false;
+      for (const std::string_view request : kRequests) more |= words_.accept(request);
+    }
+    if (words_.accept("choose")) {
+      Clause chosen;
+      chosen.subjects.push_back(words_.phrase());
+      say(Kind::Choose, {chosen});
+      return end_sentence();
+    }
+    for (const std::string_view closing : kClosings)
+      if (words_.accept(closing)) {
+        say(Kind::Final, {statements()});
+        return end_sentence();
+      }
+    if (words_.accept("at some point ,")) {
+      say(Kind::Sometime, {command()});
+      return end_sentence();
+    }
+    if (words_.accept("first")) {
+      words_.accept(",");
+      in_order();
+      return end_sentence();
+    }
+    commands();
+    end_sentence();
+  }
+
+  /// "… then …": what follows "first".
+  void in_order() {
+    Clause before = command();
+    then();
+    Clause after = command();
+    const bool kept = words_.accept_one({", and leave both that way", ", with both still so at the end",
+                                         ", and keep both that way"}) >= 0;
+    say(kept ? Kind::ThenKept : Kind::Then, {std::move(before), std::move(after)});
+  }
+
+  void then() {
+    if (words_.accept_one({", then", "and then", ", and then", ", and after that", "and after that"}) < 0)
+      words_.fail("expected 'then'");
+  }
+
+  bool then_comes() const { return words_.comes(", then") || words_.comes("and then") || words_.comes(", and then"); }
+
+  void commands() {
+    do {
+      if (assured()) continue;
+      if (words_.accept("keep")) {
+        keep();
+        continue;
+      }
+      Clause clause = command();
+      if (then_comes()) {
+        then();
+        Clause undone = command();
+        words_.expect("again");
+        say(Kind::Again, {std::move(clause), std::move(undone)});
+        return;
+      }
+      say(Kind::Final, {std::move(clause)});
+    } while (!words_.failed() && goes_on());
+  }
+
+  bool goes_on() {
+    if (words_.comes(", please")) return false;
+    const bool comma = words_.accept(",");
+    return words_.accept("and") || comma;
+  }
+
+  bool assured() {
+    for (const std::string_view assurance : kAssurances) {
+      if (!words_.accept(assurance)) continue;
+      if (words_.accept("at some point")) {
+        say(Kind::Sometime, {statements()});
+        return true;
+      }
+      Clause clause = statements();
+      if (words_.accept_one({"the whole time", "at all times"}) >= 0) {
+        say(Kind::Always, {std::move(clause)});
+      } else if (words_.accept("until")) {
+        say(Kind::Until, {std::move(clause), statements()});
+      } else if (words_.accept("before")) {
+        say(Kind::Before, {std::move(clause), statements()});
+      } else {
+        say(Kind::Final, {std::move(clause)});
+      }
+      return true;
+    }
+    return false;
+  }
+
+  void keep() {
+    Clause clause;
+    clause.subjects = words_.phrases(clause.any_subject);
+    words_.complements(clause);
+    if (words_.accept("until")) {
+      say(Kind::Until, {std::move(clause), statements()});
+    } else if (words_.accept_one({"the whole time", "at all times"}) >= 0) {
+      say(Kind::Always, {std::move(clause)});
+    } else {
+      words_.fail("expected 'until' or 'the whole time'");
+    }
+  }
+
+  /// Statements joined by "and", or alternatives after "either".
+  Clause statements() {
+    if (!words_.accept("either")) return statement_list();
+    Clause either;
+    either.kind = Clause::Kind::Or;
+    either.parts.push_back(statement_list());
+    while (!words_.failed() && words_.accept_one({", or", "or"}) >= 0) either.parts.push_back(statement_list());
+    if (either.parts.size() < 2) words_.fail("expected 'or' after 'either'");
+    return either;
+  }
+
+  Clause statement_list() {
+    Clause list;
+    list.kind = Clause::Kind::And;
+    list.parts.push_back(statement());
+    while (!words_.failed()) {
+      const std::size_t here = words_.position();
+      const bool comma = words_.accept(",");
+      if ((!words_.accept("and") && !comma) || (!words_.phrase_comes() && !words_.comes("there"))) {
+        words_.go_back(here);
+        break;
+      }
+      list.parts.push_back(statement());
+    }
+    if (list.parts.size() > 1) return list;
+    Clause only = std::move(list.parts[0]);
+    return only;
+  }
+
+  void be() {
+    if (words_.accept_one({"is", "are", "should be", "must be", "has to be", "have to be"}) < 0)
+      words_.fail("expected 'is' or 'are'");
+  }
+
+  Clause statement() {
+    Clause clause;
+    if (words_.accept("there")) {
+      be();
+      return comparison();
+    }
+    clause.subjects = words_.phrases(clause.any_subject);
+    be();
+    words_.complements(clause);
+    return clause;
+  }
+
+  Clause comparison() {
+    Clause clause;
+    clause.kind = Clause::Kind::Compare;
+    std::string_view link = "as";
+    if (words_.accept("more")) {
+      clause.comparison = Comparison::Greater;
+      link = "than";
+    } else if (words_.accept("at least as many")) {
+      clause.comparison = Comparison::AtLeast;
+    } else {
+      words_.expect("as many");
+    }
+    clause.subjects.push_back(words_.bare_noun());
+    clause.complements.push_back(words_.complement());
+    words_.expect(link);
+    clause.subjects.push_back(words_.complement_comes() ? clause.subjects[0] : words_.bare_noun());
+    clause.complements.push_back(words_.complement());
+    return clause;
+  }
+
+  /// One imperative, or several after "either".
+  Clause command() {
+    if (words_.comes("either")) {
+      words_.accept("either");
+      Clause either;
+      either.kind = Clause::Kind::Or;
+      either.parts.push_back(command_list());
+      while (!words_.failed() && words_.accept_one({", or", "or"}) >= 0) either.parts.push_back(command_list());
+      if (either.parts.size() < 2) words_.fail("expected 'or' after 'either'");
+      return either;
+    }
+    for (const std::string_view assurance : kAssurances)
+      if (words_.accept(assurance)) return statements();
+    if (words_.accept("go to")) return reached();
+    if (words_.accept("do not hold")) {
+      Clause clause;
+      clause.subjects.push_back(words_.phrase());
+      if (clause.subjects[0].determiner != Determiner::Any) words_.fail("expected 'any …' before this");
+      clause.subjects[0].determiner = Determiner::No;
+      clause.complements.push_back({P::Held, false, "", {}});
+      return clause;
+    }
+    if (words_.accept_one({"put", "place", "set"}) >= 0) return moved();
+    if (words_.accept_one({"remove", "take", "bring"}) >= 0) return taken();
+    if (words_.accept("fill")) return with_symbol(P::Filled);
+    if (words_.accept("cover")) return with_symbol(P::Covered);
+    if (words_.accept("spread")) return symbol_first(P::Covered, "over", false);
+    if (words_.accept("wipe the")) return symbol_first(P::Covered, "off", true);
+    if (words_.accept("attach")) {
+      Clause clause;
+      clause.subjects = words_.phrases(clause.any_subject);
+      words_.expect("to");
+      clause.complements.push_back({P::Attached, false, "", {words_.phrase()}});
+      return clause;
+    }
+    return changed();
+  }
+
+  Clause command_list() {
+    Clause list;
+    list.kind = Clause::Kind::And;
+    list.parts.push_back(command());
+    while (!words_.failed() && words_.accept("and")) list.parts.push_back(command());
+    if (list.parts.size() > 1) return list;
+    Clause only = std::move(list.parts[0]);
+    return only;
+  }
+
+  Clause reached() {
+    Clause clause;
+    NounPhrase you;
+    you.determiner = Determiner::Agent;
+    clause.subjects.push_back(you);
+    clause.complements.push_back({P::InRoom, false, "", {words_.phrase()}});
+    return clause;
+  }
+
+  Clause moved() {
+    Clause clause;
+    clause.subjects = words_.phrases(clause.any_subject);
+    if (!words_.comes("either") && !words_.complement_comes()) words_.fail("expected a place, such as 'on a table'");
+    words_.complements(clause);
+    for (const Complement& complement : clause.complements)
+      if (complement.object.empty() || complement.negated) words_.fail("expected a place before this");
+    return clause;
+  }
+
+  /// "take every mug off the table" leaves none; "take a mug to the kitchen" brings one.
+  Clause taken() {
+    Clause clause;
+    clause.subjects = words_.phrases(clause.any_subject);
+    const int room = words_.accept_one({"to", "into"});
+    if (room >= 0) {
+      clause.complements.push_back({P::InRoom, false, "", {words_.phrase()}});
+      if (!is_room(clause.complements[0].object[0].noun)) words_.fail("expected a room before this");
+      return clause;
+    }
+    const bool inside = words_.accept("out of");
+    if (!inside && words_.accept_one({"off", "from"}) < 0) words_.fail("expected 'to', 'off' or 'out of'");
+    clause.removal = true;
+    for (NounPhrase& subject : clause.subjects) {
+      if (subject.determiner != Determiner::Every) words_.fail("expected 'every …' before this");
+      subject.determiner = Determiner::No;
+    }
+    clause.complements.push_back({inside ? P::Inside : P::On, false, "", {words_.phrase()}});
+    if (clause.complements[0].object[0].determiner == Determiner::New)
+      words_.fail("expected 'one …' or 'any …' before this");
+    return clause;
+  }
+
+  bool is_room(const Domain& noun) const {
+    return noun.kind == Domain::Kind::Room ||
+           (!noun.members.empty() && lexicon_.is_room_type(noun.members[0].category));
+  }
+
+  Clause with_symbol(Predicate predicate) {
+    Clause clause;
+    clause.subjects = words_.phrases(clause.any_subject);
+    words_.expect("with");
+    clause.complements.push_back({predicate, false, words_.symbol(), {}});
+    return clause;
+  }
+
+  Clause symbol_first(Predicate predicate, std::string_view link, bool negated) {
+    Clause clause;
+    clause.complements.push_back({predicate, negated, words_.symbol(), {}});
+    words_.expect(link);
+    clause.subjects = words_.phrases(clause.any_subject);
+    return clause;
+  }
+
+  Clause changed() {
+    Clause clause;
+    for (const bool on : {true, false}) {  // "turn the lamp on"
+      const std::size_t here = words_.position();
+      if (words_.accept_one({"turn", "switch"}) < 0) break;
+      if (words_.phrase_comes()) {
+        clause.subjects = words_.phrases(clause.any_subject);
+        const int which = words_.accept_one({"on", "off"});
+        if (which < 0) words_.fail("expected 'on' or 'off'");
+        clause.complements.push_back({which == 0 ? P::PowerOn : P::PowerOff, false, "", {}});
+        return clause;
+      }
+      words_.go_back(here);
+      if (!on) break;
+    }
+    for (const Verb& verb : kVerbs) {
+      if (!words_.accept(verb.words)) continue;
+      clause.subjects = words_.phrases(clause.any_subject);
+      const bool optional = verb.after.ends_with('?');
+      const std::string_view after = optional ? verb.after.substr(0, verb.after.size() - 1) : verb.after;
+      if (!after.empty() && !words_.accept(after) && !optional) words_.fail("expected '" + std::string(after) + "'");
+      for (const NounPhrase& subject : clause.subjects)
+        if (subject.determiner == Determiner::No || subject.determiner == Determiner::AtMost)
+          words_.fail("expected something to act on before this");
+      clause.complements.push_back({verb.predicate, false, "", {}});
+      return clause;
+    }
+    words_.fail("expected what to do, such as 'put' or 'open'");
+    return clause;
+  }
+
+  PhraseReader words_;
+  const NounTable& lexicon_;
+  Message message_;
+};
+
+}  // namespace
+
+Result<Formula> parse_with(std::string_view text, const NounTable& lexicon) {
+  const std::vector<Token> tokens = tokens_of(text);
+  const auto message = TextReader(tokens, lexicon).read();
+  if (!message) return message.error();
+  return compose(*message);
+}
+
+}  // namespace unietp

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <set>
+#include <utility>
+
+#include "annotator/clause.h"
+#include "core/result.h"
+#include "core/rng.h"
+
+namespace unietp {
+
+/// What is to be said, in which order, before any word is chosen. Every noun phrase of a variable that is the same
+/// throughout the text is `New` and carries the variable: the wording decides between "a mug", "that mug" and "it".
+struct Plan {
+  Message message;
+  std::set<std::pair<std::string, std::string>> distinct;  // variables said to be different objects, both ways
+};
+
+/// Deterministic in rng, which chooses among equal orders and groupings.
+/// Errors: Unsatisfiable, naming the part of the goal that no clause can say.
+Result<Plan> plan_message(const Formula& goal, Rng rng);
+
+}  // namespace unietp

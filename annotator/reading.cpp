@@ -1,0 +1,357 @@
+#include "annotator/reading.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+using P = Predicate;
+
+struct StateWords {
+  std::string_view words;
+  Predicate predicate;
+};
+
+/// Longer ones first where one starts another.
+constexpr StateWords kStates[] = {{"open", P::Open},
+                                  {"closed", P::Closed},
+                                  {"shut", P::Closed},
+                                  {"switched on", P::PowerOn},
+                                  {"turned on", P::PowerOn},
+                                  {"switched off", P::PowerOff},
+                                  {"turned off", P::PowerOff},
+                                  {"clean", P::Clean},
+                                  {"washed", P::Clean},
+                                  {"dirty", P::Dirty},
+                                  {"hot", P::Hot},
+                                  {"heated", P::Hot},
+                                  {"cold", P::Cool},
+                                  {"cool", P::Cool},
+                                  {"chilled", P::Cool},
+                                  {"at room temperature", P::RoomTemperature},
+                                  {"cooked", P::Cooked},
+                                  {"raw", P::Raw},
+                                  {"burnt", P::Burnt},
+                                  {"unburnt", P::Unburnt},
+                                  {"frozen", P::Frozen},
+                                  {"thawed", P::Thawed},
+                                  {"sliced", P::Sliced},
+                                  {"whole", P::Whole},
+                                  {"empty", P::Empty},
+                                  {"soaked", P::Soaked},
+                                  {"dry", P::Dry},
+                                  {"used up", P::UsedUp},
+                                  {"unused", P::Unused},
+                                  {"broken", P::Broken},
+                                  {"intact", P::Intact},
+                                  {"folded", P::Folded},
+                                  {"unfolded", P::Unfolded},
+                                  {"plugged in", P::PluggedIn},
+                                  {"unplugged", P::Unplugged},
+                                  {"in your hand", P::Held},
+                                  {"in your hands", P::Held},
+                                  {"held", P::Held},
+                                  {"sat on", P::SatOn},
+                                  {"lain on", P::LainOn}};
+
+constexpr StateWords kPrepositions[] = {{"on the floor of", P::OnFloor},
+                                        {"on top of", P::On},
+                                        {"onto", P::On},
+                                        {"on", P::On},
+                                        {"inside of", P::Inside},
+                                        {"inside", P::Inside},
+                                        {"into", P::Inside},
+                                        {"in", P::Inside},
+                                        {"next to", P::NextTo},
+                                        {"beside", P::NextTo},
+                                        {"underneath", P::Under},
+                                        {"under", P::Under},
+                                        {"cut from", P::SliceOf},
+                                        {"attached to", P::Attached},
+                                        {"nearest to", P::Nearest},
+                                        {"closest to", P::Nearest}};
+
+constexpr StateWords kSymbols[] = {{"filled with", P::Filled}, {"covered with", P::Covered}, {"covered in", P::Covered},
+                                   {"made of", P::Material},   {"of the colour", P::Colour}, {"of the size", P::Size}};
+
+constexpr std::array<std::string_view, 13> kNumbers{"zero",  "one",   "two",  "three", "four",   "five",  "six",
+                                                    "seven", "eight", "nine", "ten",   "eleven", "twelve"};
+
+std::optional<int> number_in(const std::string& word) {
+  const auto found = std::find(kNumbers.begin(), kNumbers.end(), word);
+  if (found != kNumbers.end()) return static_cast<int>(found - kNumbers.begin());
+  if (word.empty() || word.size() > 4 ||
+      !std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; }))
+    return std::nullopt;
+  return std::stoi(word);
+}
+
+}  // namespace
+
+void PhraseReader::fail(const std::string& expected) {
+  if (error_) return;
+  std::string found = "the end of the text";
+  if (!done()) found = std::string("'").append(tokens_[at_].text).append("'");
+  error_ = Error{Error::Kind::Parse, "instruction", {1, column()}, expected + ", but " + found + " comes"};
+}
+
+const std::string& PhraseReader::peek(std::size_t ahead) const {
+  static const std::string none;
+  return at_ + ahead < tokens_.size() ? tokens_[at_ + ahead].text : none;
+}
+
+bool PhraseReader::comes(std::string_view words) const {
+  std::size_t ahead = 0;
+  for (const std::string& word : split(words, ' '))
+    if (peek(ahead++) != word) return false;
+  return true;
+}
+
+bool PhraseReader::accept(std::string_view words) {
+  if (failed() || !comes(words)) return false;
+  at_ += static_cast<std::size_t>(std::count(words.begin(), words.end(), ' ')) + 1;
+  return true;
+}
+
+int PhraseReader::accept_one(std::initializer_list<std::string_view> choices) {
+  int index = 0;
+  for (const std::string_view choice : choices) {
+    if (accept(choice)) return index;
+    ++index;
+  }
+  return -1;
+}
+
+void PhraseReader::expect(std::string_view words) {
+  if (!accept(words)) fail("expected '" + std::string(words) + "'");
+}
+
+bool PhraseReader::phrase_comes() const {
+  for (const char* start : {"a", "an", "one", "the", "that", "some", "any", "every", "each", "all", "no", "exactly",
+                            "precisely", "another", "it", "you"})
+    if (peek() == start) return true;
+  for (const char* start : {"at least", "at most"})
+    if (comes(start)) return number_in(peek(2)).has_value();
+  return comes("no fewer than") || comes("no more than") || lexicon_.function_at(tokens_, at_).length > 0;
+}
+
+NounPhrase PhraseReader::phrase() {
+  NounPhrase read;
+  read.column = column();
+  if (failed()) return read;
+  if (accept("you")) {
+    read.determiner = Determiner::Agent;
+    return read;
+  }
+  if (const auto function = lexicon_.function_at(tokens_, at_); function.length > 0) {
+    at_ += function.length;
+    read.noun = function.nouns.front();
+    return read;
+  }
+  if (accept("it")) {
+    read.determiner = Determiner::It;
+    return read;
+  }
+  const auto as = [&](Determiner determiner, bool plural = false) {
+    read.determiner = determiner;
+    return noun_after(read, plural);
+  };
+  for (int i = 0; i < 3; ++i) {
+    if (!comes(std::array{"the first", "the second", "the third"}[i])) continue;
+    const std::size_t start = at_;
+    at_ += 2;
+    if (lexicon_.noun_at(tokens_, at_).length > 0) {
+      read.number = i + 1;
+      return as(Determiner::Ordinal);
+    }
+    at_ = start;
+  }
+  if (accept_one({"one and the same", "a single", "one single", "one"}) >= 0) return as(Determiner::Single);
+  if (accept_one({"that", "the same"}) >= 0) return as(Determiner::Known);
+  if (accept_one({"another", "a different"}) >= 0) return as(Determiner::Another);
+  if (accept("the")) return as(Determiner::The);
+  if (accept_one({"an", "a"}) >= 0) return as(Determiner::New);
+  if (accept("any")) return as(Determiner::Any);
+  if (accept("some")) {  // "some bread" is a mass, "some mug or other" any
+    read = as(Determiner::New);
+    if (accept("or other")) read.determiner = Determiner::Any;
+    return read;
+  }
+  if (accept_one({"every", "each"}) >= 0) return as(Determiner::Every);
+  if (accept_one({"all of the", "all the", "all"}) >= 0) return as(Determiner::Every, true);
+  static constexpr std::pair<Determiner, std::string_view> kCounts[] = {
+      {Determiner::Exactly, "exactly"},       {Determiner::Exactly, "precisely"}, {Determiner::AtLeast, "at least"},
+      {Determiner::AtLeast, "no fewer than"}, {Determiner::AtMost, "at most"},    {Determiner::AtMost, "no more than"}};
+  for (const auto& [determiner, words] : kCounts) {
+    if (!accept(words)) continue;
+    const auto number = number_in(peek());
+    if (!number) {
+      fail("expected a number");
+      return read;
+    }
+    ++at_;
+    read.number = *number;
+    return as(determiner, *number != 1);
+  }
+  if (accept("no")) {
+    const auto noun = lexicon_.noun_at(tokens_, at_);
+    return as(Determiner::No, noun.plural && !noun.singular);
+  }
+  fail("expected an object, such as 'a mug' or 'every plate'");
+  return read;
+}
+
+NounPhrase PhraseReader::bare_noun() {
+  NounPhrase read;
+  read.column = column();
+  return noun_after(read, true);
+}
+
+NounPhrase PhraseReader::noun_after(NounPhrase read, bool plural) {
+  std::optional<Complement> front;
+  auto noun = lexicon_.noun_at(tokens_, at_);
+  if (noun.length == 0) {
+    front = adjective();
+    if (front) {
+      ++at_;
+      read.modifiers.push_back(*front);
+      noun = lexicon_.noun_at(tokens_, at_);
+    }
+  }
+  if (noun.length == 0) {
+    fail("expected the name of an object of this simulator");
+    return read;
+  }
+  if (noun.nouns.size() > 1) fail("expected a name of one category, this names several");
+  if (plural ? !(noun.plural || noun.mass) : !(noun.singular || noun.mass))
+    fail(plural ? "expected a plural" : "expected a singular");
+  read.noun = noun.nouns.front();
+  at_ += noun.length;
+  while (comes("or")) {  // "one mug or cup"
+    const auto next = lexicon_.noun_at(tokens_, at_ + 1);
+    if (next.length == 0 || next.nouns.size() > 1 || read.noun.kind != Domain::Kind::Categories) break;
+    at_ += 1 + next.length;
+    for (const Domain::Member& member : next.nouns.front().members) read.noun.members.push_back(member);
+  }
+  std::sort(read.noun.members.begin(), read.noun.members.end(),
+            [](const auto& a, const auto& b) { return std::tie(a.category, a.slice) < std::tie(b.category, b.slice); });
+  if (accept_one({"that is", "that are", "which is", "which are"}) >= 0) {
+    accept_one({"now", "currently"});
+    do {
+      read.modifiers.push_back(complement());
+      if (failed()) return read;
+      const std::size_t here = at_;
+      if (!accept("and")) break;
+      if (complement_comes()) continue;
+      at_ = here;
+      break;
+    } while (true);
+  }
+  return read;
+}
+
+std::optional<Complement> PhraseReader::adjective() const {
+  for (const StateWords& state : kStates)
+    if (peek() == state.words) return Complement{state.predicate, false, "", {}};
+  if (lexicon_.is_colour(peek())) return Complement{P::Colour, false, peek(), {}};
+  if (peek() == "large" || peek() == "small") return Complement{P::Size, false, peek(), {}};
+  return std::nullopt;
+}
+
+std::vector<NounPhrase> PhraseReader::phrases(bool& any) {
+  std::vector<NounPhrase> read{phrase()};
+  any = false;
+  while (!failed()) {
+    const std::size_t here = at_;
+    const bool comma = accept(",");
+    const bool either = accept("or");
+    if (!either && !accept("and") && !comma) break;
+    if (!phrase_comes()) {
+      at_ = here;
+      break;
+    }
+    any |= either;
+    read.push_back(phrase());
+  }
+  return read;
+}
+
+bool PhraseReader::complement_comes() const {
+  if (peek() == "not") return true;
+  for (const StateWords& words : kStates)
+    if (comes(words.words)) return true;
+  for (const StateWords& words : kPrepositions)
+    if (comes(words.words)) return true;
+  return std::any_of(std::begin(kSymbols), std::end(kSymbols),
+                     [&](const StateWords& words) { return comes(words.words); });
+}
+
+std::optional<Predicate> PhraseReader::preposition() {
+  for (const StateWords& words : kPrepositions)
+    if (accept(words.words)) return words.predicate;
+  return std::nullopt;
+}
+
+Complement PhraseReader::relation(Predicate predicate) {
+  Complement read;
+  read.predicate = predicate;
+  read.object.push_back(phrase());
+  const Domain& noun = read.object[0].noun;
+  const bool room =
+      noun.kind == Domain::Kind::Room || (!noun.members.empty() && lexicon_.is_room_type(noun.members[0].category));
+  if (room && predicate == P::Inside) read.predicate = P::InRoom;
+  return read;
+}
+
+Complement PhraseReader::complement() {
+  if (accept("not")) {
+    Complement read = complement();
+    read.negated = !read.negated;
+    return read;
+  }
+  for (const StateWords& words : kStates)
+    if (accept(words.words)) return {words.predicate, false, "", {}};
+  for (const StateWords& words : kSymbols)
+    if (accept(words.words)) return {words.predicate, false, symbol(), {}};
+  if (const auto predicate = preposition()) return relation(*predicate);
+  fail("expected a state or a place, such as 'clean' or 'on a table'");
+  return {};
+}
+
+void PhraseReader::complements(Clause& into) {
+  const bool either = accept("either");
+  into.complements.push_back(complement());
+  while (!failed()) {
+    const std::size_t here = at_;
+    const bool comma = accept(",");
+    const bool alternative = accept("or");
+    if ((!alternative && !accept("and") && !comma) || !complement_comes()) {
+      at_ = here;
+      break;
+    }
+    into.any_complement |= alternative;
+    into.complements.push_back(complement());
+  }
+  if (either && !into.any_complement) fail("expected 'or' after 'either'");
+}
+
+std::string PhraseReader::symbol() {
+  std::vector<std::string> words;
+  while (!done() && !failed()) {
+    bool stop = false;
+    for (const char* end : {",", ".", "?", "!", ";", "and", "or", "before", "until", "then", "on", "in", "over", "off",
+                            "at", "again", "the", "is"})
+      stop |= peek() == end;
+    if (stop) break;
+    words.push_back(peek());
+    ++at_;
+  }
+  if (words.empty()) fail("expected a substance");
+  return join(words, "_");
+}
+
+}  // namespace unietp

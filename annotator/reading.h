@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "annotator/clause.h"
+#include "annotator/noun_table.h"
+#include "core/result.h"
+
+namespace unietp {
+
+/// Reads noun phrases and what is said of them, left to right, at a cursor over the words of a text. It knows English
+/// from its own tables, not from the writer's. The first word that does not fit is kept as the error.
+class PhraseReader {
+ public:
+  PhraseReader(const std::vector<Token>& tokens, const NounTable& lexicon) : tokens_(tokens), lexicon_(lexicon) {}
+
+  bool failed() const { return error_.has_value(); }
+  const Error& error() const { return *error_; }
+  void fail(const std::string& expected);
+
+  bool done() const { return at_ >= tokens_.size(); }
+  const std::string& peek(std::size_t ahead = 0) const;
+  int column() const { return done() ? end_column() : tokens_[at_].column; }
+  /// Takes the words when they all come next.
+  bool accept(std::string_view words);
+  bool comes(std::string_view words) const;
+  /// Takes one of these, and says which; -1 when none comes.
+  int accept_one(std::initializer_list<std::string_view> choices);
+  void expect(std::string_view words);
+  std::size_t position() const { return at_; }
+  void go_back(std::size_t position) { at_ = position; }
+
+  bool phrase_comes() const;
+  NounPhrase phrase();
+  /// A bare plural noun.
+  NounPhrase bare_noun();
+  /// "a mug, every bowl and that fork"; `any` becomes true for "or".
+  std::vector<NounPhrase> phrases(bool& any);
+  bool complement_comes() const;
+  Complement complement();
+  /// "clean and on that table", "either in a box or on a table"
+  void complements(Clause& into);
+  /// Words up to a place where a clause can go on, joined by "_": "tomato_sauce".
+  std::string symbol();
+
+ private:
+  int end_column() const {
+    return tokens_.empty() ? 1 : tokens_.back().column + static_cast<int>(tokens_.back().text.size());
+  }
+  NounPhrase noun_after(NounPhrase phrase, bool plural);
+  void description(NounPhrase& phrase, bool pronoun);
+  std::optional<Complement> adjective() const;
+  std::optional<Predicate> preposition();
+  Complement relation(Predicate predicate);
+
+  const std::vector<Token>& tokens_;
+  const NounTable& lexicon_;
+  std::size_t at_ = 0;
+  std::optional<Error> error_;
+};
+
+}  // namespace unietp
