@@ -27,6 +27,7 @@ struct Node {
   Comparison comparison = Comparison::Equal;
   std::uint8_t arity = 0;
   int number = 0;
+  double cost = 1;             // about how many atoms a reading takes
   std::array<int, 2> slots{};  // of the terms
   std::string_view symbol;
   int slot = 0;                          // of the bound variable
@@ -132,7 +133,9 @@ class Reading {
         }
         return false;
       case Op::Before: {
-        const std::size_t f = first(node.children[0], i), g = first(node.children[1], i);
+        const std::size_t f = first(node.children[0], i);
+        if (f > last_) return false;
+        const std::size_t g = first(node.children[1], i);
         return f < g && g <= last_;
       }
     }
@@ -224,6 +227,20 @@ class Reading {
     node.children = {children, formula.children.size()};
     for (std::size_t i = 0; i < formula.children.size(); ++i) fill(children[i], formula.children[i]);
     if (!formula.variable.empty()) pop();
+    set_cost(node);
+    if (node.op == Op::And || node.op == Op::Or) {  // cheap parts first: they often decide
+      std::stable_sort(children, children + formula.children.size(),
+                       [](const Node& a, const Node& b) { return a.cost < b.cost; });
+    }
+  }
+
+  void set_cost(Node& node) const {
+    double factor = 1;
+    if (is_temporal(node.op) && node.op != Op::AtEnd) factor = static_cast<double>(last_ + 1);
+    if (!node.members.empty()) factor = static_cast<double>(node.members.size());
+    double below = 0;
+    for (const Node& child : node.children) below += child.cost;
+    node.cost = 1 + factor * below;
   }
 
   /// A `:where` about its own variable only is read once here; one that names outer variables, for each member later.
