@@ -179,10 +179,13 @@ bool within(const Bounds& inner, const Bounds& room) {
   return inner.low.z() > -1e-9 && inner.high.z() < room.high.z();
 }
 
-bool opens_freely(const Workspace& workspace, const Node& node, const Shape& shape) {
+/// A door at a few of its positions. What the piece stands on is just under the door and does not count.
+bool opens_freely(const Workspace& workspace, const Node& node, const Shape& shape, std::optional<std::size_t> host) {
   if (shape.joints.empty()) return true;
+  std::vector<BodyId> ignore;
+  if (host) ignore.push_back(static_cast<BodyId>(*host));
   for (int k = 1; k <= 4; ++k) {
-    if (workspace.checker().hit_by_joints(shape, node.pose, k / 4.0, kGap_m / 2)) return false;
+    if (workspace.checker().hit_by_joints(shape, node.pose, k / 4.0, kGap_m / 2, ignore)) return false;
   }
   return true;
 }
@@ -206,7 +209,7 @@ bool fits(const Workspace& workspace, const std::vector<KeepOut>& keep_outs, con
   }
   const bool touches = candidate.host.has_value();
   return !workspace.checker().hit(shape, node.pose, 0, touches ? PlacementChecker::kGap_m : kGap_m) &&
-         opens_freely(workspace, node, shape);
+         opens_freely(workspace, node, shape, candidate.host);
 }
 
 }  // namespace

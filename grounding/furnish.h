@@ -11,7 +11,7 @@
 namespace unietp {
 
 struct FurnishOptions {
-  int draws = 40;                 // poses tried for one piece
+  int draws = 250;                // poses tried for one piece
   double clearance_m = 0.7;       // kept free in front of what stands at a wall
   double clearance_open_m = 0.9;  // of what opens
 };

@@ -13,7 +13,7 @@ namespace unietp {
 namespace {
 
 constexpr int kPlans = 60;            // floor plans tried
-constexpr int kFurnishings = 24;      // furnishings tried
+constexpr int kFurnishings = 80;      // furnishings tried
 constexpr double kSizeSpread = 0.08;  // of furniture
 
 /// The obligatory types once, then more of those that homes have several of.

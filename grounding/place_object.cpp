@@ -125,6 +125,10 @@ std::optional<Pose> try_pose(Workspace& workspace, const Node& node, const Trial
     return std::nullopt;
   }
   const Bounds bounds = bounds_of(trial.shape(), pose, node.opening);
+  if (options.within && !overlap(*options.within, bounds)) {
+    obstacle = "lies outside of where it is wanted";
+    return std::nullopt;
+  }
   const std::size_t host = receptacle.value_or(workspace.scene().nodes.size() + 1);
   if (options.keep_sweeps_clear && blocks_a_door(workspace, bounds, host)) {
     obstacle = "stands in the way of a door";
@@ -167,7 +171,11 @@ FoundPlace find_place(Workspace& workspace, const Node& node, std::size_t index,
   const Trial trial(workspace, node, index);
   for (int draw = 0; draw < options.draws; ++draw) {
     const Surface& surface = surfaces[rng.weighted(areas)];
-    const auto footprint = draw_footprint(node.size, surface.half, rng);
+    auto footprint = draw_footprint(node.size, surface.half, rng);
+    if (options.aligned) {
+      const Vec2 straight = turned(node.size, 0);
+      footprint = (surface.half - straight).minCoeff() < 0 ? std::nullopt : std::optional(Footprint{straight, 0});
+    }
     if (!footprint) {
       found.obstacle = "is too wide for a surface of " + host.id;
       continue;

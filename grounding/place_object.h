@@ -9,8 +9,10 @@
 namespace unietp {
 
 struct PlacementOptions {
-  int draws = 40;                 // poses tried
-  bool keep_sweeps_clear = true;  // not in the way of a door or drawer
+  int draws = 40;                               // poses tried
+  bool keep_sweeps_clear = true;                // not in the way of a door or drawer
+  bool aligned = false;                         // same front as the receptacle
+  std::optional<Bounds> within = std::nullopt;  // the box's bounds must meet this region of W
 };
 
 /// What a search for a place gave: a pose at rest, or what the last draw failed on, for people.

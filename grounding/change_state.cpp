@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <array>
+
+#include "grounding/make_node.h"
+#include "grounding/scene_editor.h"
+#include "simulation/relations.h"
+#include "simulation/shape.h"
+
+namespace unietp {
+namespace {
+
+const StateGroup* group_with(Predicate predicate) {
+  for (const StateGroup& group : state_groups()) {
+    if (std::find(group.predicates.begin(), group.predicates.end(), predicate) != group.predicates.end()) return &group;
+  }
+  return nullptr;
+}
+
+/// A value of the list that is (or is not) the given one; "" when there is none.
+std::string choose(const std::vector<std::string>& values, const std::string& symbol, bool same) {
+  for (const std::string& value : values) {
+    if ((value == symbol || (same && symbol == "any")) == same) return value;
+  }
+  return "";
+}
+
+}  // namespace
+
+bool SceneEditor::set_state(const std::string& id, Predicate predicate, const std::string& symbol, bool truth) {
+  const auto index = index_of(id);
+  if (!index) return fail(GroundingReason::CannotEnforce, id + " is not an object");
+  Node node = workspace_.scene().nodes[*index];
+  const Knowledge& knowledge = workspace_.knowledge();
+  const Category* category = knowledge.find(node.category);
+  const std::string said =
+      std::string(truth ? "" : "not ") + std::string(info(predicate).name) + (symbol.empty() ? "" : " " + symbol);
+  const auto impossible = [&] { return fail(GroundingReason::StateNotPossible, node.category + " cannot be " + said); };
+  if (predicate == Predicate::Colour || predicate == Predicate::Material) {
+    std::string& field = predicate == Predicate::Colour ? node.colour : node.material;
+    const auto& values = predicate == Predicate::Colour ? category->colours : category->materials;
+    const std::string value = choose(values, symbol, truth);
+    if (value.empty() && truth) return impossible();
+    field = value;
+  } else if (predicate == Predicate::Covered) {
+    if (!knowledge.has(node.category, "coverable")) return impossible();
+    if (truth) {
+      node.states.set({Predicate::Covered, symbol == "any" ? "dust" : symbol});
+    } else {
+      node.states.clear(Predicate::Covered);
+    }
+  } else {
+    const StateGroup* group = group_with(predicate);
+    if (group == nullptr) {
+      return fail(GroundingReason::CannotEnforce, "no edit of a scene makes a thing " + said);
+    }
+    if (!knowledge.has(node.category, group->affordance)) return impossible();
+    Predicate value = predicate;
+    if (!truth) value = group->predicates[predicate == group->predicates.front() ? 1 : 0];
+    std::string filling;
+    if (value == Predicate::Filled) {
+      Rng rng = next_rng();
+      filling = truth && symbol != "any" ? symbol : draw_filling(node.category, knowledge, rng);
+      if (filling.empty() || filling == symbol) filling = truth && symbol != "any" ? symbol : "water";
+    }
+    node.states.set({value, filling});
+    if (group->affordance == "openable") {
+      const Node original = workspace_.scene().nodes[*index];
+      workspace_.replace(*index, std::move(node));
+      stale_ = true;
+      if (!open_or_close(id, value == Predicate::Open ? 1 : 0)) {
+        workspace_.replace(*index_of(id), original);
+        return false;
+      }
+      edits_.push_back("made " + id + " " + said);
+      return true;
+    }
+  }
+  workspace_.replace(*index, std::move(node));
+  edits_.push_back("made " + id + " " + said);
+  stale_ = true;
+  return true;
+}
+
+bool SceneEditor::open_or_close(const std::string& id, double opening) {
+  refresh();
+  const Node before = workspace_.scene().nodes[*index_of(id)];
+  const Shape shape = shape_of(before);
+  // What lies in a drawer rides along.
+  std::vector<std::string> riders;
+  for (const Cavity& cavity : shape.cavities) {
+    if (cavity.joint < 0) continue;
+    const Pose from = before.pose * joint_motion(shape, cavity.joint, before.opening);
+    const Pose to = before.pose * joint_motion(shape, cavity.joint, opening);
+    for (const std::string& rider : carried_by(workspace_.scene(), id)) {
+      const Node& node = workspace_.scene().nodes[*index_of(rider)];
+      const Vec3 local = inverse(from) * node.pose.position - cavity.centre;
+      if ((local.cwiseAbs() - cavity.half).maxCoeff() > 0) continue;
+      move_to(rider, to * (inverse(from) * node.pose));
+      riders.push_back(rider);
+    }
+  }
+  Node after = before;
+  after.opening = opening;
+  workspace_.replace(*index_of(id), after);
+  stale_ = true;
+  // What stands where the door comes to be goes elsewhere.
+  for (int round = 0; round < 4; ++round) {
+    std::vector<BodyId> ignore{static_cast<BodyId>(*index_of(id))};
+    for (const std::string& rider : riders) ignore.push_back(static_cast<BodyId>(*index_of(rider)));
+    const auto hit = workspace_.checker().hit_by_joints(shape, after.pose, opening, PlacementChecker::kGap_m, ignore);
+    if (!hit) return true;
+    const std::string obstacle = workspace_.name_of(*hit);
+    const bool movable = *hit < workspace_.scene().nodes.size() && workspace_.scene().nodes[*hit].movable;
+    if (movable && relocate(obstacle, [&](const Node& host) { return host.id != id; })) continue;
+    if (before.movable && relocate(id, [&](const Node&) { return true; })) continue;
+    return fail(GroundingReason::NoFreePlace, "the door of " + before.category + " hits " + obstacle);
+  }
+  return fail(GroundingReason::NoFreePlace, "the door of " + before.category + " has no room");
+}
+
+}  // namespace unietp

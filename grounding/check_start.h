@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "generator/specification.h"
+#include "grounding/reasons.h"
+#include "scene/scene.h"
+#include "simulation/profile.h"
+
+namespace unietp {
+
+/// Checks a start from physics alone, sharing nothing with the code that made it: relations are read from a fresh
+/// world. All start constraints hold; the goal is false and so is each part that the agent has to bring about; no
+/// forall or count is about nothing; a referring constraint picks out something (and, where it is there to tell things
+/// apart, excludes something of the same category); what the goal and its constraints name can be reached; what was
+/// touched stays where it is (5 mm). The first failure, or nullopt when the start is sound. `start.edges` must be those
+/// read.
+std::optional<GroundingFailure> check_start(const Specification& specification, const Scene& start,
+                                            const std::set<std::string>& touched, const Profile& profile);
+
+}  // namespace unietp

@@ -1,0 +1,313 @@
+#include "grounding/enforce.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "logic/evaluate.h"
+#include "scene/trace.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+constexpr int kDeepest = 12;
+constexpr int kMostAdded = 40;
+constexpr int kAny = std::numeric_limits<int>::max();
+
+/// How many may satisfy a count for it to be true (or false).
+std::pair<int, int> range_of(Comparison comparison, int n, bool truth) {
+  switch (comparison) {
+    case Comparison::AtLeast:
+      return truth ? std::pair(n, kAny) : std::pair(0, n - 1);
+    case Comparison::Greater:
+      return truth ? std::pair(n + 1, kAny) : std::pair(0, n);
+    case Comparison::AtMost:
+      return truth ? std::pair(0, n) : std::pair(n + 1, kAny);
+    case Comparison::Less:
+      return truth ? std::pair(0, n - 1) : std::pair(n, kAny);
+    case Comparison::Equal:
+      break;
+  }
+  return truth ? std::pair(n, n) : std::pair(n + 1, kAny);
+}
+
+bool is_empty(const Formula& body) { return body.op == Op::And && body.children.empty(); }
+
+}  // namespace
+
+Enforcer::Enforcer(SceneEditor& editor, bool with_nearest, Rng rng)
+    : editor_(editor), with_nearest_(with_nearest), rng_(rng) {}
+
+const Trace& Enforcer::now() {
+  const bool changed = editor_.refresh();
+  if (changed || !fresh_) {
+    trace_ = to_logic(editor_.workspace().scene(), {}, with_nearest_);
+    fresh_ = true;
+  }
+  return trace_;
+}
+
+bool Enforcer::holds(const Formula& formula) { return holds(formula, {}); }
+
+bool Enforcer::holds(const Formula& formula, const Names& names) {
+  const Trace& trace = now();
+  Assignment assignment;
+  for (const auto& [variable, id] : names) {
+    for (std::size_t i = 0; i < trace.entities.size(); ++i) {
+      if (trace.entities[i].id == id) assignment.emplace_back(variable, static_cast<EntityIndex>(i));
+    }
+  }
+  // A variable whose object has been taken out since makes whatever is said of it false.
+  return assignment.size() == names.size() && holds_in(formula, trace, 0, assignment);
+}
+
+std::vector<std::string> Enforcer::members(const Formula& quantifier, const Names& names) {
+  const Trace& trace = now();
+  Assignment assignment;
+  for (const auto& [variable, id] : names) {
+    for (std::size_t i = 0; i < trace.entities.size(); ++i) {
+      if (trace.entities[i].id == id) assignment.emplace_back(variable, static_cast<EntityIndex>(i));
+    }
+  }
+  std::vector<std::string> ids;
+  for (const EntityIndex entity : members_of(quantifier.domain, quantifier.variable, trace, assignment)) {
+    ids.push_back(trace.entities[entity].id);
+  }
+  return ids;
+}
+
+std::vector<std::string> Enforcer::satisfying(const Formula& quantifier, const Names& names, bool truth) {
+  std::vector<std::string> ids;
+  for (const std::string& id : members(quantifier, names)) {
+    Names inner = names;
+    inner.emplace_back(quantifier.variable, id);
+    if (holds(quantifier.children.front(), inner) == truth) ids.push_back(id);
+  }
+  return ids;
+}
+
+bool Enforcer::make_true(const Formula& formula) {
+  if (!make(formula, {}, true, 0)) return false;
+  const bool witnesses = formula.op == Op::Exists || formula.op == Op::Count;
+  if (!witnesses) return true;
+  const int wanted = formula.op == Op::Exists ? 1 : range_of(formula.comparison, formula.number, true).first;
+  auto serving = satisfying(formula, {}, true);
+  // Those that already serve another constraint come last.
+  std::stable_partition(serving.begin(), serving.end(),
+                        [&](const std::string& id) { return !editor_.reserved().contains(id); });
+  for (int i = 0; i < wanted && i < static_cast<int>(serving.size()); ++i) {
+    editor_.reserved().insert(serving[static_cast<std::size_t>(i)]);
+  }
+  return true;
+}
+
+bool Enforcer::make_false(const Formula& formula) { return make(formula, {}, false, 0); }
+
+bool Enforcer::make(const Formula& formula, const Names& names, bool truth, int depth) {
+  if (holds(formula, names) == truth) return true;
+  if (depth > kDeepest) return editor_.fail(GroundingReason::CannotEnforce, to_text(formula) + " is nested too deep");
+  bool made = false;
+  switch (formula.op) {
+    case Op::Atom:
+      made = make_atom(formula, names, truth);
+      break;
+    case Op::Not:
+      made = make(formula.children.front(), names, !truth, depth + 1);
+      break;
+    case Op::And:
+      made = truth ? make_all(formula.children, names, true, depth) : make_any(formula.children, names, false, depth);
+      break;
+    case Op::Or:
+      made = truth ? make_any(formula.children, names, true, depth) : make_all(formula.children, names, false, depth);
+      break;
+    case Op::Imply:
+      made = truth ? make(formula.children[1], names, true, depth + 1)
+                   : make(formula.children[0], names, true, depth + 1) &&
+                         make(formula.children[1], names, false, depth + 1);
+      break;
+    case Op::Forall:
+      made = truth ? make_for_all(formula, names, true, depth) : make_for_some(formula, names, false, depth);
+      break;
+    case Op::Exists:
+      made = truth ? make_for_some(formula, names, true, depth) : make_for_all(formula, names, false, depth);
+      break;
+    case Op::Count: {
+      const auto [low, high] = range_of(formula.comparison, formula.number, truth);
+      made = make_number(formula, names, low, high, depth);
+      break;
+    }
+    case Op::AtEnd:
+    case Op::Sometime:
+      made = make(formula.children.front(), names, truth, depth + 1);
+      break;
+    default:
+      return editor_.fail(GroundingReason::CannotEnforce,
+                          "no edit of a scene makes " + to_text(formula) + (truth ? " true" : " false"));
+  }
+  if (!made) return false;
+  if (holds(formula, names) == truth) return true;
+  return editor_.fail(GroundingReason::StartNotMet, to_text(formula) + " is still " + (truth ? "false" : "true"));
+}
+
+bool Enforcer::make_all(const std::vector<Formula>& parts, const Names& names, bool truth, int depth) {
+  return std::all_of(parts.begin(), parts.end(),
+                     [&](const Formula& part) { return make(part, names, truth, depth + 1); });
+}
+
+bool Enforcer::make_any(const std::vector<Formula>& parts, const Names& names, bool truth, int depth) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const Formula& part) { return make(part, names, truth, depth + 1); });
+}
+
+bool Enforcer::make_for_all(const Formula& formula, const Names& names, bool truth, int depth) {
+  for (const std::string& id : satisfying(formula, names, !truth)) {
+    Names inner = names;
+    inner.emplace_back(formula.variable, id);
+    if (make(formula.children.front(), inner, truth, depth + 1)) continue;
+    // What cannot be changed may still be taken away, as long as others are left.
+    if (members(formula, names).size() < 2 || !editor_.remove(id)) return false;
+  }
+  return true;
+}
+
+bool Enforcer::has_member_to_change(const Formula& formula, const Names& names, bool truth, int depth) {
+  auto candidates = satisfying(formula, names, !truth);
+  std::erase_if(candidates, [&](const std::string& id) { return editor_.reserved().contains(id); });
+  rng_.shuffle(candidates);
+  constexpr std::size_t kMostTried = 4;
+  for (std::size_t i = 0; i < std::min(candidates.size(), kMostTried); ++i) {
+    Names inner = names;
+    inner.emplace_back(formula.variable, candidates[i]);
+    if (make(formula.children.front(), inner, truth, depth + 1)) return true;
+  }
+  return false;
+}
+
+bool Enforcer::make_for_some(const Formula& formula, const Names& names, bool truth, int depth) {
+  return has_member_to_change(formula, names, truth, depth) || add_member(formula, names, truth, depth);
+}
+
+bool Enforcer::make_number(const Formula& formula, const Names& names, int at_least, int at_most, int depth) {
+  const Formula& body = formula.children.front();
+  while (static_cast<int>(satisfying(formula, names, true).size()) < at_least) {
+    if (!make_for_some(formula, names, true, depth)) return false;
+  }
+  for (;;) {
+    auto extra = satisfying(formula, names, true);
+    if (static_cast<int>(extra.size()) <= at_most) return true;
+    std::stable_partition(extra.begin(), extra.end(),
+                          [&](const std::string& id) { return editor_.reserved().contains(id); });
+    const std::size_t before = extra.size();
+    bool fewer = false;
+    while (!extra.empty() && !fewer) {
+      const std::string id = extra.back();
+      extra.pop_back();
+      Names inner = names;
+      inner.emplace_back(formula.variable, id);
+      fewer = (!is_empty(body) && make(body, inner, false, depth + 1)) || editor_.remove(id);
+      fewer = fewer && satisfying(formula, names, true).size() < before;
+    }
+    if (!fewer) return false;
+  }
+}
+
+bool Enforcer::add_member(const Formula& formula, const Names& names, bool truth, int depth) {
+  std::vector<std::string> categories;
+  for (const auto& member : formula.domain.members) {
+    if (!member.slice) categories.push_back(member.category);
+  }
+  if (formula.domain.kind != Domain::Kind::Categories || categories.empty()) {
+    return editor_.fail(GroundingReason::CannotEnforce,
+                        "nothing can be added to the domain " + to_text(formula.domain));
+  }
+  const std::string& category = rng_.pick(categories);
+  const auto accept = [&](const std::string& id) {
+    Names inner = names;
+    inner.emplace_back(formula.variable, id);
+    return make(formula.children.front(), inner, truth, depth + 1);
+  };
+  const Category* known = editor_.workspace().knowledge().find(category);
+  if (known == nullptr) {
+    const bool room =
+        std::all_of(category.begin(), category.end(), [](char c) { return c == '_' || (c >= 'a' && c <= 'z'); });
+    return editor_.fail(room ? GroundingReason::LacksRoom : GroundingReason::UnknownCategory,
+                        "the home has no " + category);
+  }
+  if (++added_ > kMostAdded) {
+    return editor_.fail(GroundingReason::StartNotMet,
+                        "more than " + std::to_string(kMostAdded) + " objects would be added");
+  }
+  if (known->movable) {
+    const auto id = editor_.add_object(category);
+    if (!id) return false;
+    if (accept(*id)) return true;
+    const GroundingFailure why = editor_.failure();
+    editor_.remove(*id);
+    return editor_.fail(why.reason, why.detail);
+  }
+  std::vector<std::size_t> rooms(editor_.workspace().scene().rooms.size());
+  for (std::size_t i = 0; i < rooms.size(); ++i) rooms[i] = i;
+  rng_.shuffle(rooms);
+  const auto rank = [&](std::size_t room) {
+    const auto& type = editor_.workspace().scene().rooms[room].type;
+    return std::find(known->rooms.begin(), known->rooms.end(), type) - known->rooms.begin();
+  };
+  std::stable_sort(rooms.begin(), rooms.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  for (const std::size_t room : rooms) {
+    const auto id = editor_.add_furniture(category, room);
+    if (!id) continue;
+    if (accept(*id)) return true;
+    editor_.remove(*id);
+  }
+  return editor_.fail(GroundingReason::LacksFurniture, "the home lacks a " + category + " and has no place for one");
+}
+
+std::string Enforcer::id_of(const Term& term, const Names& names) const {
+  if (term.kind == Term::Kind::Agent) return "agent";
+  const auto bound =
+      std::find_if(names.rbegin(), names.rend(), [&](const auto& one) { return one.first == term.name; });
+  return bound == names.rend() ? "" : bound->second;
+}
+
+bool Enforcer::make_atom(const Formula& formula, const Names& names, bool truth) {
+  using enum Predicate;
+  const std::string subject = id_of(formula.terms.front(), names);
+  const Predicate predicate = formula.predicate;
+  const bool relation = formula.terms.size() == 2 && formula.terms[1].kind != Term::Kind::Symbol;
+  if (!relation) {
+    const std::string symbol = formula.terms.size() == 2 ? formula.terms[1].name : "";
+    return editor_.set_state(subject, predicate, symbol, truth);
+  }
+  const std::string other = id_of(formula.terms[1], names);
+  if (subject == "agent" && predicate == InRoom) return editor_.move_agent(other, truth);
+  const Scene& scene = editor_.workspace().scene();
+  const Node* host = find_node(scene, other);
+  const Room* room = find_room(scene, other);
+  if (truth) {
+    if ((predicate == On || predicate == Inside || predicate == NextTo || predicate == Under) && host != nullptr) {
+      return editor_.put(subject, predicate, other);
+    }
+    if (predicate == OnFloor && room != nullptr) return editor_.put_on_floor(subject, other);
+    if (predicate == InRoom && room != nullptr) {
+      const auto polygon = room->polygon;
+      return editor_.relocate(subject,
+                              [&](const Node& there) { return contains(polygon, there.pose.position.head<2>()); });
+    }
+  } else if (predicate == On || predicate == Inside) {
+    const std::string category = host == nullptr ? "" : host->category;
+    return editor_.relocate(subject, [&](const Node& there) { return there.category != category; });
+  } else if (predicate == InRoom && room != nullptr) {
+    const std::string type = room->type;
+    return editor_.relocate(subject, [&](const Node& there) {
+      const Room* around = room_at(editor_.workspace().scene(), there.pose.position.head<2>());
+      return around != nullptr && around->type != type;
+    });
+  } else if (predicate == OnFloor || predicate == NextTo || predicate == Under) {
+    return editor_.relocate(subject, [&](const Node& there) { return there.id != other; });
+  }
+  return editor_.fail(GroundingReason::CannotEnforce,
+                      "no edit of a scene makes " + to_text(formula) + (truth ? " true" : " false"));
+}
+
+}  // namespace unietp

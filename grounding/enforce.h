@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "grounding/scene_editor.h"
+#include "logic/formula.h"
+#include "logic/trace.h"
+
+namespace unietp {
+
+/// Makes state formulas true of a scene, one after the other, by edits: what already holds is left alone; otherwise the
+/// formula is taken apart (a count lacks objects: change some or add one; has too many: change or remove one; a
+/// relation is missing: move the object there) down to single edits. Objects that serve one constraint as its witnesses
+/// are reserved, so that the next does not undo them but takes or adds others.
+class Enforcer {
+ public:
+  Enforcer(SceneEditor& editor, bool with_nearest, Rng rng);
+
+  /// Tries to make a closed state formula true; false when it is not afterwards (SceneEditor::failure says why).
+  bool make_true(const Formula& formula);
+  bool make_false(const Formula& formula);
+  bool holds(const Formula& formula);
+  /// The present state as a trace of length one.
+  const Trace& now();
+
+ private:
+  using Names = std::vector<std::pair<std::string, std::string>>;  // variable, id
+
+  bool make(const Formula& formula, const Names& names, bool truth, int depth);
+  bool make_all(const std::vector<Formula>& parts, const Names& names, bool truth, int depth);
+  bool make_any(const std::vector<Formula>& parts, const Names& names, bool truth, int depth);
+  bool make_for_all(const Formula& formula, const Names& names, bool truth, int depth);
+  bool make_for_some(const Formula& formula, const Names& names, bool truth, int depth);
+  bool make_number(const Formula& formula, const Names& names, int at_least, int at_most, int depth);
+  bool make_atom(const Formula& formula, const Names& names, bool truth);
+  bool add_member(const Formula& formula, const Names& names, bool truth, int depth);
+  bool has_member_to_change(const Formula& formula, const Names& names, bool truth, int depth);
+
+  bool holds(const Formula& formula, const Names& names);
+  std::vector<std::string> members(const Formula& quantifier, const Names& names);
+  std::vector<std::string> satisfying(const Formula& quantifier, const Names& names, bool truth);
+  std::string id_of(const Term& term, const Names& names) const;
+
+  SceneEditor& editor_;
+  bool with_nearest_;
+  Rng rng_;
+  Trace trace_;
+  bool fresh_ = false;
+  int added_ = 0;
+};
+
+}  // namespace unietp

@@ -1,0 +1,67 @@
+#include "grounding/goal_places.h"
+
+#include <algorithm>
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+using Scope = std::vector<std::pair<std::string, const Domain*>>;
+
+bool binds(Op op) { return op == Op::Forall || op == Op::Exists || op == Op::Count || op == Op::Number; }
+
+std::vector<std::string> categories_bound_to(const Term& term, const Scope& scope) {
+  std::vector<std::string> categories;
+  if (term.kind != Term::Kind::Variable) return categories;
+  const auto bound =
+      std::find_if(scope.rbegin(), scope.rend(), [&](const auto& one) { return one.first == term.name; });
+  if (bound == scope.rend()) return categories;
+  for (const Domain::Member& member : bound->second->members) categories.push_back(member.category);
+  return categories;
+}
+
+bool is_place(Predicate predicate) {
+  using enum Predicate;
+  return predicate == On || predicate == Inside || predicate == Under || predicate == NextTo || predicate == OnFloor ||
+         predicate == InRoom;
+}
+
+void collect(const Formula& formula, Scope& scope, GoalPlaces& places) {
+  if (formula.op == Op::Atom && formula.terms.size() == 2 && is_place(formula.predicate)) {
+    for (const std::string& object : categories_bound_to(formula.terms[0], scope)) {
+      for (const std::string& place : categories_bound_to(formula.terms[1], scope)) places[object].insert(place);
+    }
+  }
+  if (binds(formula.op)) scope.emplace_back(formula.variable, &formula.domain);
+  for (const Formula& child : formula.children) collect(child, scope, places);
+  if (binds(formula.op)) scope.pop_back();
+}
+
+void collect(const Formula& formula, std::vector<QuantifiedDomain>& domains) {
+  if (binds(formula.op)) domains.push_back({formula.op, formula.variable, formula.domain});
+  for (const Formula& child : formula.children) collect(child, domains);
+}
+
+}  // namespace
+
+GoalPlaces goal_places(const Formula& goal) {
+  GoalPlaces places;
+  Scope scope;
+  collect(goal, scope, places);
+  return places;
+}
+
+bool speaks_of(const Formula& formula, Predicate predicate) {
+  if (formula.op == Op::Atom && formula.predicate == predicate) return true;
+  const auto one = [&](const Formula& child) { return speaks_of(child, predicate); };
+  return std::any_of(formula.children.begin(), formula.children.end(), one) ||
+         std::any_of(formula.domain.where.begin(), formula.domain.where.end(), one);
+}
+
+std::vector<QuantifiedDomain> quantified_domains(const Formula& formula) {
+  std::vector<QuantifiedDomain> domains;
+  collect(formula, domains);
+  return domains;
+}
+
+}  // namespace unietp

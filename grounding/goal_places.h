@@ -1,0 +1,27 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "logic/formula.h"
+
+namespace unietp {
+
+/// For each category that a goal speaks of: the categories of receptacles and the room types that the goal relates it
+/// to. What is added or moved for a start keeps away from those, so that it does not do the task's work.
+using GoalPlaces = std::map<std::string, std::set<std::string>>;
+GoalPlaces goal_places(const Formula& goal);
+
+/// True when the formula or one of its domains uses the predicate.
+bool speaks_of(const Formula& formula, Predicate predicate);
+
+/// Every domain of a quantifier in the formula with its variable, outside of `:where`, outermost first.
+struct QuantifiedDomain {
+  Formula::Op op;  // Forall, Exists, Count or Number
+  std::string variable;
+  Domain domain;
+};
+std::vector<QuantifiedDomain> quantified_domains(const Formula& formula);
+
+}  // namespace unietp

@@ -1,0 +1,107 @@
+#include "grounding/ground.h"
+
+#include "generator/goal_parts.h"
+#include "grounding/check_start.h"
+#include "grounding/enforce.h"
+#include "grounding/reachability.h"
+#include "grounding/scene_editor.h"
+#include "logic/evaluate.h"
+#include "simulation/navigation.h"
+
+namespace unietp {
+namespace {
+
+std::string said_of(const Specification& specification) {
+  std::string text = specification.template_name + " on " + std::string(name_of(specification.simulator)) + " with";
+  for (const auto& [placeholder, category] : specification.binding) text += " " + placeholder + "=" + category;
+  return text;
+}
+
+Rejection rejected(const Specification& specification, const Scene& scene, const GroundingFailure& failure) {
+  return {"grounding", name_of(failure.reason), said_of(specification) + " in " + scene.id + ": " + failure.detail};
+}
+
+/// Constraints that the goal's referring domains add to the start: something to pick out, something to tell it from.
+std::vector<Formula> referring_constraints(const Specification& specification) {
+  std::vector<Formula> constraints;
+  const bool tells_apart = specification.split == Split::InstanceGrounding || !specification.refinement.empty();
+  for (const QuantifiedDomain& one : quantified_domains(specification.goal)) {
+    if (one.domain.where.empty()) continue;
+    const Formula& where = one.domain.where.front();
+    if (free_variables(where) != std::vector<std::string>{one.variable}) continue;
+    Domain all = one.domain;
+    all.where.clear();
+    constraints.push_back(exists(one.variable, all, where));
+    if (tells_apart) constraints.push_back(exists(one.variable, all, negation(where)));
+  }
+  return constraints;
+}
+
+bool within_rounds(Enforcer& enforcer, SceneEditor& editor, const std::vector<Formula>& constraints,
+                   const std::vector<Formula>& parts, int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    editor.reserved().clear();
+    bool made = true;
+    for (const Formula& constraint : constraints) made = enforcer.make_true(constraint) && made;
+    bool all = true;
+    for (const Formula& constraint : constraints) {
+      if (enforcer.holds(constraint)) continue;
+      all = false;
+      if (made) editor.fail(GroundingReason::StartNotMet, to_text(constraint) + " does not hold");
+    }
+    // A part of the goal may hold by chance in this scene. Undo it; the next round repairs what that breaks.
+    for (const Formula& part : parts) {
+      if (!holds(part, enforcer.now())) continue;
+      all = false;
+      if (!enforcer.make_false(part)) {
+        editor.fail(GroundingReason::PartHolds,
+                    to_text(part) + " holds and cannot be undone: " + editor.failure().detail);
+      }
+    }
+    if (all) return true;
+  }
+  return false;
+}
+
+/// A door that was opened may stand where the agent stood.
+void keep_standing(Workspace& workspace, const Profile& profile) {
+  const NavigationGrid grid(workspace.scene(), profile);
+  const Vec2 at = workspace.scene().agent.position;
+  if (grid.free(grid.cell_at(at))) return;
+  if (const auto cell = grid.nearest_free(at)) workspace.agent().position = grid.centre(*cell);
+}
+
+}  // namespace
+
+std::variant<Episode, Rejection> ground(const Specification& specification, const Scene& scene,
+                                        const Knowledge& knowledge, const Profile& profile,
+                                        const GroundingOptions& options, Rng rng) {
+  Workspace workspace(scene, knowledge);
+  SceneEditor editor(workspace, goal_places(specification.goal), profile, options.draws_per_object,
+                     rng.fork("edits", 0));
+  std::vector<Formula> constraints = specification.init;
+  const auto referring = referring_constraints(specification);
+  constraints.insert(constraints.end(), referring.begin(), referring.end());
+  bool nearest = speaks_of(specification.goal, Predicate::Nearest);
+  for (const Formula& constraint : constraints) nearest = nearest || speaks_of(constraint, Predicate::Nearest);
+  Enforcer enforcer(editor, nearest, rng.fork("choices", 0));
+  if (!within_rounds(enforcer, editor, constraints, goal_parts(specification.goal), options.rounds)) {
+    return rejected(specification, scene, editor.failure());
+  }
+  keep_standing(workspace, profile);
+  workspace.read_edges();
+  if (const auto room = unreached_room(workspace.scene(), profile)) {
+    return rejected(specification, scene, {GroundingReason::NotReachable, *room + " cannot be walked to any more"});
+  }
+  if (const auto problem = check_start(specification, workspace.scene(), editor.touched(), profile)) {
+    return rejected(specification, scene, *problem);
+  }
+  Episode episode;
+  episode.specification = specification;
+  episode.layout = scene.id;
+  episode.edits = editor.edits();
+  episode.start = std::move(workspace).take();
+  return episode;
+}
+
+}  // namespace unietp

@@ -1,0 +1,318 @@
+#include "grounding/scene_editor.h"
+
+#include <algorithm>
+
+#include "grounding/floor_plan.h"
+#include "grounding/furnish.h"
+#include "grounding/make_node.h"
+#include "grounding/place_object.h"
+#include "grounding/small_objects.h"
+#include "simulation/navigation.h"
+#include "simulation/relations.h"
+
+namespace unietp {
+namespace {
+
+constexpr double kMovableSpread = 0.04;
+constexpr double kFurnitureSpread = 0.08;
+constexpr double kClosedPenalty = 0.5;  // rather not behind a door
+constexpr int kHostsTried = 8;
+constexpr double kWallMargin_m = 0.15;
+
+Where usual_where(const Node& node) {
+  Where where;
+  const bool hangs = node.archetype == Archetype::Panel ||
+                     (node.archetype == Archetype::Fixture && node.size.z() < 1.0) ||
+                     (node.archetype == Archetype::Shelf && node.size.z() < 0.5);
+  where.kind = hangs ? Where::Kind::WallHung : Where::Kind::Wall;
+  return where;
+}
+
+}  // namespace
+
+SceneEditor::SceneEditor(Workspace& workspace, GoalPlaces avoid, const Profile& profile, int draws, Rng rng)
+    : workspace_(workspace), avoid_(std::move(avoid)), profile_(profile), draws_(draws), rng_(rng) {}
+
+bool SceneEditor::refresh() {
+  if (!stale_) return false;
+  workspace_.read_edges();
+  stale_ = false;
+  return true;
+}
+
+bool SceneEditor::fail(GroundingReason reason, std::string detail) {
+  failure_ = {reason, std::move(detail)};
+  return false;
+}
+
+std::optional<std::size_t> SceneEditor::index_of(const std::string& id) const {
+  const auto& nodes = workspace_.scene().nodes;
+  const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const Node& node) { return node.id == id; });
+  if (found == nodes.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - nodes.begin());
+}
+
+Rng SceneEditor::next_rng() { return rng_.fork("edit", edit_number_++); }
+
+bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Node&)>& accept, std::string& where) {
+  const Scene& scene = workspace_.scene();
+  const auto avoided = avoid_.find(node.category);
+  const auto is_avoided = [&](const Node& host) {
+    if (avoided == avoid_.end()) return false;
+    if (avoided->second.contains(host.category)) return true;
+    const Room* room = room_at(scene, host.pose.position.head<2>());
+    return room != nullptr && avoided->second.contains(room->type);
+  };
+  std::vector<Host> hosts = hosts_for(workspace_, node);
+  std::erase_if(hosts, [&](const Host& host) { return !accept(scene.nodes[host.node]); });
+  if (hosts.empty()) {
+    return fail(GroundingReason::NoFreePlace, "the home has no receptacle that the knowledge allows for " +
+                                                  node.category + " other than where it must not be");
+  }
+  Rng rng = next_rng();
+  const std::size_t index = index_of(node.id).value_or(scene.nodes.size());
+  std::string obstacle;
+  for (const bool with_avoided : {false, true}) {
+    std::vector<Host> left = hosts;
+    std::erase_if(left, [&](const Host& host) { return is_avoided(scene.nodes[host.node]) != with_avoided; });
+    for (int tried = 0; tried < kHostsTried && !left.empty(); ++tried) {
+      std::vector<double> weights;
+      for (const Host& host : left) {
+        const Node& there = scene.nodes[host.node];
+        const bool shut = host.relation == Predicate::Inside && there.openable && there.opening < 0.5;
+        weights.push_back(host.weight * (shut ? kClosedPenalty : 1) * (there.movable ? 0.3 : 1));
+      }
+      const std::size_t at = rng.weighted(weights);
+      const Host host = left[at];
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
+      const auto place =
+          find_place(workspace_, node, index, host.relation, host.node, {.draws = std::max(4, draws_ / 4)}, next_rng());
+      if (!place.pose) {
+        obstacle = node.category + " " + place.obstacle;
+        continue;
+      }
+      where = std::string(host.relation == Predicate::On ? "on " : "inside ") + scene.nodes[host.node].id;
+      node.pose = *place.pose;
+      touched_.insert(node.id);
+      if (index < scene.nodes.size()) {
+        workspace_.replace(index, std::move(node));
+      } else {
+        workspace_.add(std::move(node));
+      }
+      stale_ = true;
+      return true;
+    }
+  }
+  return fail(GroundingReason::NoFreePlace, obstacle);
+}
+
+std::optional<std::string> SceneEditor::add_object(const std::string& category) {
+  const Category* known = workspace_.knowledge().find(category);
+  if (known == nullptr) {
+    fail(GroundingReason::UnknownCategory, "the knowledge base has no category " + category);
+    return std::nullopt;
+  }
+  Rng rng = next_rng();
+  Node node = make_node(workspace_.scene(), workspace_.knowledge(), *known, kMovableSpread, rng);
+  const std::string id = node.id;
+  std::string where;
+  if (!settle_somewhere(
+          std::move(node), [](const Node&) { return true; }, where))
+    return std::nullopt;
+  edits_.push_back("added " + category + " " + id + " " + where);
+  return id;
+}
+
+std::optional<std::string> SceneEditor::add_furniture(const std::string& category, std::size_t room) {
+  const Category* known = workspace_.knowledge().find(category);
+  if (known == nullptr) {
+    fail(GroundingReason::UnknownCategory, "the knowledge base has no category " + category);
+    return std::nullopt;
+  }
+  Rng rng = next_rng();
+  Node node = make_node(workspace_.scene(), workspace_.knowledge(), *known, kFurnitureSpread, rng);
+  const std::string id = node.id, room_id = workspace_.scene().rooms[room].id;
+  // Small appliances stand on what the knowledge allows; the rest goes to a wall.
+  for (const Host& host : hosts_for(workspace_, node)) {
+    const Node& there = workspace_.scene().nodes[host.node];
+    if (host.relation != Predicate::On || there.movable) continue;
+    if (!contains(workspace_.scene().rooms[room].polygon, there.pose.position.head<2>())) continue;
+    const auto place = find_place(workspace_, node, workspace_.scene().nodes.size(), Predicate::On, host.node,
+                                  {.draws = draws_, .aligned = true}, next_rng());
+    if (!place.pose) continue;
+    node.pose = *place.pose;
+    edits_.push_back("added " + category + " " + id + " on " + there.id);
+    touched_.insert(id);
+    workspace_.add(std::move(node));
+    stale_ = true;
+    return id;
+  }
+  FurnishOptions options;
+  options.draws = 2 * draws_;
+  auto keep_outs = keep_outs_of(workspace_, options);
+  if (!place_furniture(workspace_, keep_outs, room, node, usual_where(node), options, next_rng())) {
+    fail(GroundingReason::LacksFurniture, "the home lacks " + category + " and " + room_id + " has no place for it");
+    return std::nullopt;
+  }
+  edits_.push_back("added " + category + " " + id + " in " + room_id);
+  stale_ = true;
+  return id;
+}
+
+bool SceneEditor::clear_off(const std::string& id) {
+  refresh();
+  for (const std::string& carried : carried_by(workspace_.scene(), id)) {
+    if (!index_of(carried)) continue;
+    const bool moved = relocate(carried, [&](const Node& host) { return host.id != id; });
+    if (!moved && (reserved_.contains(carried) || !remove(carried))) return false;
+    refresh();
+  }
+  return true;
+}
+
+bool SceneEditor::remove(const std::string& id) {
+  if (reserved_.contains(id)) return fail(GroundingReason::CannotEnforce, id + " is needed and cannot be removed");
+  if (!clear_off(id)) return false;
+  const auto index = index_of(id);
+  if (!index) return fail(GroundingReason::CannotEnforce, id + " is not in the scene");
+  workspace_.remove(*index);
+  touched_.erase(id);
+  edits_.push_back("removed " + id);
+  stale_ = true;
+  return true;
+}
+
+bool SceneEditor::relocate(const std::string& id, const std::function<bool(const Node&)>& accept) {
+  const auto index = index_of(id);
+  if (!index || !workspace_.scene().nodes[*index].movable) {
+    return fail(GroundingReason::CannotEnforce, id + " cannot be moved");
+  }
+  if (!clear_off(id)) return false;
+  std::string where;
+  if (!settle_somewhere(workspace_.scene().nodes[*index_of(id)], accept, where)) return false;
+  edits_.push_back("moved " + id + " " + where);
+  return true;
+}
+
+bool SceneEditor::move_to(const std::string& id, const Pose& pose) {
+  const std::size_t index = *index_of(id);
+  Node node = workspace_.scene().nodes[index];
+  node.pose = pose;
+  workspace_.replace(index, std::move(node));
+  touched_.insert(id);
+  stale_ = true;
+  return true;
+}
+
+bool SceneEditor::put(const std::string& id, Predicate relation, const std::string& receptacle) {
+  const auto index = index_of(id);
+  if (!index || !workspace_.scene().nodes[*index].movable) {
+    return fail(GroundingReason::CannotEnforce, id + " cannot be moved");
+  }
+  if (!index_of(receptacle) || receptacle == id) {
+    return fail(GroundingReason::CannotEnforce, "nothing can be put " + std::string(info(relation).name) + " itself");
+  }
+  if (!clear_off(id)) return false;
+  if (relation == Predicate::NextTo) return place_near(id, receptacle);
+  if (relation == Predicate::Under) return place_under(id, receptacle);
+  std::string obstacle;
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const Node node = workspace_.scene().nodes[*index_of(id)];
+    const auto place =
+        find_place(workspace_, node, *index_of(id), relation, *index_of(receptacle), {.draws = draws_}, next_rng());
+    if (place.pose) {
+      move_to(id, *place.pose);
+      edits_.push_back("put " + id + " " + std::string(info(relation).name) + " " + receptacle);
+      return true;
+    }
+    obstacle = place.obstacle;
+    // Make room: something there that nobody needs goes elsewhere.
+    refresh();
+    bool made_room = false;
+    for (const std::string& there : carried_by(workspace_.scene(), receptacle)) {
+      if (there == id || reserved_.contains(there)) continue;
+      made_room = relocate(there, [&](const Node& host) { return host.id != receptacle; });
+      if (made_room) break;
+    }
+    if (!made_room) break;
+  }
+  const std::string category = workspace_.scene().nodes[*index_of(id)].category;
+  return fail(GroundingReason::NoFreePlace,
+              category + " finds no place " + std::string(info(relation).name) + " " + receptacle + ": it " + obstacle);
+}
+
+bool SceneEditor::place_near(const std::string& id, const std::string& other) {
+  refresh();
+  const Node object = workspace_.scene().nodes[*index_of(id)];
+  const Node beside = workspace_.scene().nodes[*index_of(other)];
+  Bounds area = bounds_of(beside.pose, beside.size);
+  area.low.head<2>().array() -= 0.35 + object.size.head<2>().maxCoeff();
+  area.high.head<2>().array() += 0.35 + object.size.head<2>().maxCoeff();
+  for (const Edge& edge : workspace_.scene().edges) {
+    if (edge.from != other || (edge.relation != Predicate::On && edge.relation != Predicate::Inside)) continue;
+    const auto host = index_of(edge.to);
+    if (!host) continue;
+    const auto place = find_place(workspace_, object, *index_of(id), edge.relation, *host,
+                                  {.draws = 4 * draws_, .within = area}, next_rng());
+    if (!place.pose) continue;
+    edits_.push_back("put " + id + " next to " + other);
+    return move_to(id, *place.pose);
+  }
+  if (bounds_of(beside.pose, beside.size).low.z() < kTouch_m) {
+    const auto place = find_place_on_floor(workspace_, object, *index_of(id), area, {.draws = 2 * draws_}, next_rng());
+    if (place.pose) {
+      edits_.push_back("put " + id + " on the floor next to " + other);
+      return move_to(id, *place.pose);
+    }
+  }
+  return fail(GroundingReason::NoFreePlace, object.category + " finds no place next to " + other);
+}
+
+bool SceneEditor::place_under(const std::string& id, const std::string& other) {
+  const Node object = workspace_.scene().nodes[*index_of(id)];
+  const Node above = workspace_.scene().nodes[*index_of(other)];
+  const auto place = find_place_on_floor(workspace_, object, *index_of(id), bounds_of(above.pose, above.size),
+                                         {.draws = 2 * draws_}, next_rng());
+  if (!place.pose)
+    return fail(GroundingReason::NoFreePlace, object.category + " under " + other + " " + place.obstacle);
+  edits_.push_back("put " + id + " under " + other);
+  return move_to(id, *place.pose);
+}
+
+bool SceneEditor::put_on_floor(const std::string& id, const std::string& room) {
+  const Room* where = find_room(workspace_.scene(), room);
+  const auto index = index_of(id);
+  if (where == nullptr || !index || !workspace_.scene().nodes[*index].movable) {
+    return fail(GroundingReason::CannotEnforce, id + " cannot be put on the floor of " + room);
+  }
+  if (!clear_off(id)) return false;
+  Bounds area = room_bounds(*where, workspace_.scene().wall_height);
+  area.low.head<2>().array() += kWallMargin_m;
+  area.high.head<2>().array() -= kWallMargin_m;
+  const Node object = workspace_.scene().nodes[*index_of(id)];
+  const auto place = find_place_on_floor(workspace_, object, *index_of(id), area, {.draws = 2 * draws_}, next_rng());
+  if (!place.pose) {
+    return fail(GroundingReason::NoFreePlace, object.category + " on the floor of " + room + " " + place.obstacle);
+  }
+  edits_.push_back("put " + id + " on the floor of " + room);
+  return move_to(id, *place.pose);
+}
+
+bool SceneEditor::move_agent(const std::string& room, bool into) {
+  const Scene& scene = workspace_.scene();
+  const NavigationGrid grid(scene, profile_);
+  for (const Room& candidate : scene.rooms) {
+    if ((candidate.id == room) != into) continue;
+    const Bounds bounds = room_bounds(candidate, 0);
+    const auto cell = grid.nearest_free(((bounds.low + bounds.high) / 2).head<2>());
+    if (!cell || !contains(candidate.polygon, grid.centre(*cell))) continue;
+    workspace_.agent().position = grid.centre(*cell);
+    edits_.push_back("the agent starts in " + candidate.id);
+    stale_ = true;
+    return true;
+  }
+  return fail(GroundingReason::CannotEnforce,
+              "the agent cannot start " + std::string(into ? "in " : "outside ") + room);
+}
+
+}  // namespace unietp

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/rng.h"
+#include "grounding/goal_places.h"
+#include "grounding/ground.h"
+#include "grounding/reasons.h"
+#include "grounding/workspace.h"
+
+namespace unietp {
+
+/// Single edits of a scene that keep it physical: each moves, adds, removes or changes one object and settles only
+/// that. Every edit says in words what it did (`edits`) and, when it fails, why (`failure`). Objects are named by id,
+/// since positions shift when one is taken out. Deterministic: draws come from a stream forked per edit.
+class SceneEditor {
+ public:
+  SceneEditor(Workspace& workspace, GoalPlaces avoid, const Profile& profile, int draws, Rng rng);
+
+  /// A new object of the category where the knowledge puts it, away from the goal's places. Its id, or nullopt.
+  std::optional<std::string> add_object(const std::string& category);
+  /// A new piece of furniture in the given room.
+  std::optional<std::string> add_furniture(const std::string& category, std::size_t room);
+  /// Takes an object out; what rests on or in it is moved first.
+  bool remove(const std::string& id);
+
+  bool put(const std::string& id, Predicate relation, const std::string& receptacle);  // on, inside, next_to, under
+  bool put_on_floor(const std::string& id, const std::string& room);
+  /// Elsewhere: on or in a receptacle that `accept` likes; away from the goal's places where there is a choice.
+  bool relocate(const std::string& id, const std::function<bool(const Node& receptacle)>& accept);
+
+  /// Sets a state of an exclusive group, `covered`, colour or material; doors and lids move with `open` and `closed`.
+  bool set_state(const std::string& id, Predicate predicate, const std::string& symbol, bool truth);
+  bool move_agent(const std::string& room, bool into);
+
+  /// Objects that other edits must not use up or throw away.
+  std::set<std::string>& reserved() { return reserved_; }
+  const std::set<std::string>& touched() const { return touched_; }
+  const std::vector<std::string>& edits() const { return edits_; }
+  const GroundingFailure& failure() const { return failure_; }
+  Workspace& workspace() { return workspace_; }
+  /// Reads the edges anew when something changed since the last time; true when it did.
+  bool refresh();
+
+  /// Notes why something failed and gives false.
+  bool fail(GroundingReason reason, std::string detail);
+
+ private:
+  std::optional<std::size_t> index_of(const std::string& id) const;
+  Rng next_rng();
+  bool clear_off(const std::string& id);
+  bool move_to(const std::string& id, const Pose& pose);
+  bool open_or_close(const std::string& id, double opening);
+  bool place_near(const std::string& id, const std::string& other);
+  bool place_under(const std::string& id, const std::string& other);
+  bool settle_somewhere(Node node, const std::function<bool(const Node&)>& accept, std::string& where);
+
+  Workspace& workspace_;
+  GoalPlaces avoid_;
+  const Profile& profile_;
+  int draws_;
+  Rng rng_;
+  std::uint64_t edit_number_ = 0;
+  bool stale_ = true;
+  std::set<std::string> reserved_, touched_;
+  std::vector<std::string> edits_;
+  GroundingFailure failure_;
+};
+
+}  // namespace unietp

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace unietp {
+
+/// A top-down drawing of a scene as a stand-alone SVG: rooms in the colour of their type with their names, walls with
+/// gaps at the openings, furniture as rectangles with a mark at the front, movable objects as dots, the agent as a
+/// triangle, and a walked path with its stops numbered. North (+y) is up; 80 pixels a metre. Deterministic.
+std::string scene_svg(const Scene& scene, const std::vector<Vec2>& path = {});
+
+}  // namespace unietp
