@@ -58,7 +58,7 @@ class Mutator {
 
   /// Only some orders need matter (two mugs before a plate: the mugs may swap), but not none.
   void swap_neighbours(const std::vector<Action>& actions, std::vector<std::string>& surviving) const {
-    if (!mentions(goal_, {Formula::Op::Before, Formula::Op::Until})) return;
+    if (!has_operator(goal_, {Formula::Op::Before, Formula::Op::Until})) return;
     const std::vector<Block> blocks = blocks_of(actions);
     std::vector<std::string> swapped;
     for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
@@ -123,7 +123,7 @@ std::vector<std::string> needless_steps(const Formula& goal, const Scene& start,
   std::vector<std::string> surviving;
   mutator.drop_each(actions, surviving);
   mutator.swap_neighbours(actions, surviving);
-  mutator.use_distractors(goal, to_logic(start, {}, mentions(goal, Predicate::Nearest)), actions, surviving);
+  mutator.use_distractors(goal, to_logic(start, {}, speaks_of(goal, Predicate::Nearest)), actions, surviving);
   return surviving;
 }
 

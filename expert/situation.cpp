@@ -50,17 +50,17 @@ void imagine_slices(Situation& situation) {
 
 }  // namespace
 
-bool mentions(const Formula& formula, Predicate predicate) {
+bool speaks_of(const Formula& formula, Predicate predicate) {
   if (formula.op == Formula::Op::Atom && formula.predicate == predicate) return true;
-  const auto in = [predicate](const Formula& part) { return mentions(part, predicate); };
+  const auto in = [predicate](const Formula& part) { return speaks_of(part, predicate); };
   return std::any_of(formula.domain.where.begin(), formula.domain.where.end(), in) ||
          std::any_of(formula.children.begin(), formula.children.end(), in);
 }
 
-bool mentions(const Formula& formula, std::initializer_list<Formula::Op> operators) {
+bool has_operator(const Formula& formula, std::initializer_list<Formula::Op> operators) {
   return std::find(operators.begin(), operators.end(), formula.op) != operators.end() ||
          std::any_of(formula.children.begin(), formula.children.end(),
-                     [operators](const Formula& part) { return mentions(part, operators); });
+                     [operators](const Formula& part) { return has_operator(part, operators); });
 }
 
 Situation look_around(const World& world, const Scene& start, const Formula& goal, const Knowledge& knowledge,
@@ -69,7 +69,7 @@ Situation look_around(const World& world, const Scene& start, const Formula& goa
   situation.start = &start;
   situation.knowledge = &knowledge;
   situation.profile = &profile;
-  situation.trace = to_logic(start, {}, mentions(goal, Predicate::Nearest));
+  situation.trace = to_logic(start, {}, speaks_of(goal, Predicate::Nearest));
   situation.first_imagined = static_cast<EntityIndex>(situation.trace.entities.size());
   for (const Entity& entity : situation.trace.entities) {
     const Node* node = find_node(start, entity.id);

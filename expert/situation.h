@@ -45,8 +45,8 @@ Situation look_around(const World& world, const Scene& start, const Formula& goa
                       const Profile& profile);
 
 /// True when the formula, or the condition of one of its domains, reads the predicate.
-bool mentions(const Formula& formula, Predicate predicate);
+bool speaks_of(const Formula& formula, Predicate predicate);
 /// True when the formula has one of the operators, at any depth.
-bool mentions(const Formula& formula, std::initializer_list<Formula::Op> operators);
+bool has_operator(const Formula& formula, std::initializer_list<Formula::Op> operators);
 
 }  // namespace unietp
