@@ -213,8 +213,8 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   const PhysicsWorld world = physics_of(start);
   Scene read = start;
   read.edges = read_relations(start, world);
-  bool nearest = speaks_of(specification.goal, Predicate::Nearest);
-  for (const Formula& constraint : specification.init) nearest = nearest || speaks_of(constraint, Predicate::Nearest);
+  bool nearest = mentions(specification.goal, Predicate::Nearest);
+  for (const Formula& constraint : specification.init) nearest = nearest || mentions(constraint, Predicate::Nearest);
   const Trace trace = to_logic(read, {}, nearest);
   if (auto problem = check_formulas(specification, trace)) return problem;
   if (auto problem = check_referring(specification, trace)) return problem;

@@ -51,9 +51,9 @@ GoalPlaces goal_places(const Formula& goal) {
   return places;
 }
 
-bool speaks_of(const Formula& formula, Predicate predicate) {
+bool mentions(const Formula& formula, Predicate predicate) {
   if (formula.op == Op::Atom && formula.predicate == predicate) return true;
-  const auto one = [&](const Formula& child) { return speaks_of(child, predicate); };
+  const auto one = [&](const Formula& child) { return mentions(child, predicate); };
   return std::any_of(formula.children.begin(), formula.children.end(), one) ||
          std::any_of(formula.domain.where.begin(), formula.domain.where.end(), one);
 }

@@ -14,7 +14,7 @@ using GoalPlaces = std::map<std::string, std::set<std::string>>;
 GoalPlaces goal_places(const Formula& goal);
 
 /// True when the formula or one of its domains uses the predicate.
-bool speaks_of(const Formula& formula, Predicate predicate);
+bool mentions(const Formula& formula, Predicate predicate);
 
 /// Every domain of a quantifier in the formula with its variable, outside of `:where`, outermost first.
 struct QuantifiedDomain {

@@ -82,8 +82,8 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
   std::vector<Formula> constraints = specification.init;
   const auto referring = referring_constraints(specification);
   constraints.insert(constraints.end(), referring.begin(), referring.end());
-  bool nearest = speaks_of(specification.goal, Predicate::Nearest);
-  for (const Formula& constraint : constraints) nearest = nearest || speaks_of(constraint, Predicate::Nearest);
+  bool nearest = mentions(specification.goal, Predicate::Nearest);
+  for (const Formula& constraint : constraints) nearest = nearest || mentions(constraint, Predicate::Nearest);
   Enforcer enforcer(editor, nearest, rng.fork("choices", 0));
   if (!within_rounds(enforcer, editor, constraints, goal_parts(specification.goal), options.rounds)) {
     return rejected(specification, scene, editor.failure());
