@@ -44,6 +44,17 @@ void collect_free(const Formula& formula, std::vector<std::string>& bound, std::
 
 }  // namespace
 
+// By hand: clang 14 crashes on the defaulted comparison of a type that holds itself.
+bool Domain::operator==(const Domain& other) const {
+  return kind == other.kind && members == other.members && where == other.where;
+}
+
+bool Formula::operator==(const Formula& other) const {
+  return op == other.op && predicate == other.predicate && terms == other.terms && variable == other.variable &&
+         comparison == other.comparison && number == other.number && domain == other.domain &&
+         children == other.children;
+}
+
 bool is_temporal(Formula::Op op) {
   using enum Formula::Op;
   return op == AtEnd || op == Sometime || op == Always || op == Until || op == Before;

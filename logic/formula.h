@@ -65,10 +65,8 @@ struct Formula {
   Comparison comparison = Comparison::Equal;
   int number = 0;
   std::vector<Formula> children;
-  bool operator==(const Formula&) const = default;
+  bool operator==(const Formula&) const;
 };
-
-inline bool Domain::operator==(const Domain&) const = default;
 
 bool is_temporal(Formula::Op op);
 
