@@ -92,7 +92,7 @@ Exit tell(const RunReport& report, const Options& options, spdlog::logger& log) 
   return report.unfilled.empty() ? Exit::Ok : Exit::Wrong;
 }
 
-Exit generate(Options& options, const Program& program) {
+Exit generate(Options& options, const CommandLine& program) {
   spdlog::logger log("unietp", std::make_shared<spdlog::sinks::stderr_sink_mt>());
   log.set_pattern("%l: %v");
   if (!options.simulators.empty()) {
@@ -123,7 +123,7 @@ Exit generate(Options& options, const Program& program) {
 
 }  // namespace
 
-void add_generate_command(CLI::App& app, Program& program) {
+void add_generate_command(CLI::App& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   options->run.threads = program.processors;
   auto* command = app.add_subcommand("generate", kHelp);

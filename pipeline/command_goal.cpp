@@ -38,7 +38,7 @@ std::vector<Error> unknown_in(const Formula& goal, const Knowledge& knowledge) {
   return errors;
 }
 
-Exit parse(const Options& options, const Program& program) {
+Exit parse(const Options& options, const CommandLine& program) {
   const auto goal = parse_formula("goal", options.text, FormulaUse::Goal);
   if (!goal) return refuse(goal.error());
   if (!options.simulators.empty()) {
@@ -79,7 +79,7 @@ Exit list_actions(const Options& options) {
 
 }  // namespace
 
-void add_goal_command(CLI::App& app, Program& program) {
+void add_goal_command(CLI::App& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = app.add_subcommand(
       "goal",
@@ -92,7 +92,7 @@ void add_goal_command(CLI::App& app, Program& program) {
   command->callback([options, &program] { program.exit = parse(*options, program); });
 }
 
-void add_actions_command(CLI::App& app, Program& program) {
+void add_actions_command(CLI::App& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = app.add_subcommand("actions", "List the actions, the modes that offer them, and what they do");
   command->add_option("--simulators", options->simulators, "Only those that one of these offers");

@@ -31,14 +31,14 @@ std::string told(const Source& source) {
 
 void line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
-Exit build(const Program& program) {
+Exit build(const CommandLine& program) {
   const auto compiled = compiled_knowledge(program.folders);
   if (!compiled.errors.empty()) return refuse(compiled.errors);
   line(compiled.database.string());
   return Exit::Ok;
 }
 
-Exit stats(const Program& program) {
+Exit stats(const CommandLine& program) {
   const auto reading = load_backends(program.folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   std::printf("%-12s %10s %11s %10s %7s %7s\n", "simulator", "categories", "affordances", "placements", "effects",
@@ -81,7 +81,7 @@ void show_category(const Knowledge& knowledge, const Category& category) {
   }
 }
 
-Exit show(const Options& options, const Program& program) {
+Exit show(const Options& options, const CommandLine& program) {
   const auto simulators = parse_simulators("simulator", options.simulator);
   if (!simulators) return refuse(simulators.error());
   const auto reading = load_backends(program.folders);
@@ -112,7 +112,7 @@ Exit show(const Options& options, const Program& program) {
   return Exit::Ok;
 }
 
-Exit import(const Options& options, const Program& program) {
+Exit import(const Options& options, const CommandLine& program) {
   const auto done = import_all(options.upstream, program.folders.tables());
   if (!done) return refuse(done.error());
   return stats(program);
@@ -120,7 +120,7 @@ Exit import(const Options& options, const Program& program) {
 
 }  // namespace
 
-void add_knowledge_command(CLI::App& app, Program& program) {
+void add_knowledge_command(CLI::App& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callbacks below outlive this function
   auto* command = app.add_subcommand("knowledge", kHelp);
   command->require_subcommand(1);

@@ -71,7 +71,7 @@ Exit render(const Options& options) {
 
 }  // namespace
 
-void add_render_command(CLI::App& app, Program& program) {
+void add_render_command(CLI::App& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = app.add_subcommand("render", kHelp);
   command->add_option("input", options->input, "A data set, or a scene file (.json or .json.gz)")->required();

@@ -29,7 +29,7 @@ std::string simulators_of(const Template& source) {
   return join(names, ",");
 }
 
-Exit list(const Options& options, const Program& program) {
+Exit list(const Options& options, const CommandLine& program) {
   const auto library = load_templates(program.folders.library());
   auto json = nlohmann::ordered_json::array();
   for (const auto& source : library.templates) {
@@ -55,7 +55,7 @@ TemplateReading read_one(const std::filesystem::path& path) {
   return parse_template(path.string(), *text);
 }
 
-Exit lint(const Options& options, const Program& program) {
+Exit lint(const Options& options, const CommandLine& program) {
   const auto known = load_backends(program.folders);
   std::vector<Error> errors = known.errors;
   std::size_t sound = 0;
@@ -75,7 +75,7 @@ Exit lint(const Options& options, const Program& program) {
 
 }  // namespace
 
-void add_template_command(CLI::App& app, Program& program) {
+void add_template_command(CLI::App& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callbacks below outlive this function
   auto* command = app.add_subcommand("template", kHelp);
   command->require_subcommand(1);

@@ -44,7 +44,7 @@ void print_json(const ValidationReport& report) {
   std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
-Exit validate(const Options& options, const Program& program) {
+Exit validate(const Options& options, const CommandLine& program) {
   if (std::error_code code; !std::filesystem::is_directory(options.folder, code))
     return refuse({Error::Kind::Usage, options.folder.string(), {}, "is no folder; a finished data set is expected"});
   const auto reading = load_backends(program.folders);
@@ -67,7 +67,7 @@ Exit validate(const Options& options, const Program& program) {
 
 }  // namespace
 
-void add_validate_command(CLI::App& app, Program& program) {
+void add_validate_command(CLI::App& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   options->validation.threads = program.processors;
   auto* command = app.add_subcommand("validate", kHelp);

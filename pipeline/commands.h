@@ -16,7 +16,7 @@ namespace unietp {
 enum class Exit : int { Ok = 0, Wrong = 1, BadInput = 2, Interrupted = 130 };
 
 /// What a command needs to know of the world; only `main` looks it up.
-struct Program {
+struct CommandLine {
   DataFolders folders;
   const std::atomic<bool>* interrupted = nullptr;
   bool terminal = false;  // stderr is one: a progress line may be drawn
@@ -25,13 +25,13 @@ struct Program {
 };
 
 // Each adds a command whose parsing runs it and sets `program.exit`. `program` outlives the parse.
-void add_generate_command(CLI::App& app, Program& program);
-void add_validate_command(CLI::App& app, Program& program);
-void add_render_command(CLI::App& app, Program& program);
-void add_knowledge_command(CLI::App& app, Program& program);
-void add_template_command(CLI::App& app, Program& program);
-void add_goal_command(CLI::App& app, Program& program);
-void add_actions_command(CLI::App& app, Program& program);
+void add_generate_command(CLI::App& app, CommandLine& program);
+void add_validate_command(CLI::App& app, CommandLine& program);
+void add_render_command(CLI::App& app, CommandLine& program);
+void add_knowledge_command(CLI::App& app, CommandLine& program);
+void add_template_command(CLI::App& app, CommandLine& program);
+void add_goal_command(CLI::App& app, CommandLine& program);
+void add_actions_command(CLI::App& app, CommandLine& program);
 
 /// Writes each error on a line of its own to stderr; Exit::BadInput.
 Exit refuse(const std::vector<Error>& errors);

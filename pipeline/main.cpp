@@ -46,7 +46,7 @@ constexpr const char* kAbout =
 }  // namespace
 
 int main(int argc, char** argv) {
-  unietp::Program program;
+  unietp::CommandLine program;
   program.folders = {UNIETP_DATA_DIR, cache_folder()};
   program.interrupted = &interrupted;
   program.terminal = ::isatty(STDERR_FILENO) != 0;

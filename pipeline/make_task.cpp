@@ -35,7 +35,7 @@ class StageTimer {
   Clock::time_point start_;
 };
 
-std::string task_id(const Slot& slot) {
+std::string task_id(const TaskSlot& slot) {
   auto digits = std::to_string(slot.index + 1);
   digits.insert(0, digits.size() < 5 ? 5 - digits.size() : 0, '0');
   return std::string(name_of(slot.simulator)) + "-" + digits;
@@ -88,7 +88,8 @@ std::string_view name_of(Stage stage) {
 }
 
 std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configuration, const Resources& resources,
-                                                LayoutPool& layouts, const Slot& slot, int attempt, StageCosts* costs) {
+                                                LayoutPool& layouts, const TaskSlot& slot, int attempt,
+                                                StageCosts* costs) {
   const Template& source = resources.templates[slot.template_for(attempt)];
   const Backend& backend = resources.backend(slot.simulator);
   const auto rejected = [&](Rejection why) {

@@ -46,6 +46,7 @@ struct StageCosts {
 /// The whole path of one candidate: template → binding → specification → refinement → episode → demonstration →
 /// must-fail mutations → instruction. Deterministic in (configuration, resources, slot, attempt); `costs` may be null.
 std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configuration, const Resources& resources,
-                                                LayoutPool& layouts, const Slot& slot, int attempt, StageCosts* costs);
+                                                LayoutPool& layouts, const TaskSlot& slot, int attempt,
+                                                StageCosts* costs);
 
 }  // namespace unietp

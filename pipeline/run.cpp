@@ -24,7 +24,7 @@ using Outlines = std::vector<std::vector<CandidateRecord>>;  // by attempt, in s
 class Run {
  public:
   Run(const RunConfiguration& configuration, const Resources& resources, const RunOptions& options, Ledger& ledger,
-      std::vector<Slot> slots)
+      std::vector<TaskSlot> slots)
       : configuration_(configuration),
         resources_(resources),
         options_(options),
@@ -51,7 +51,7 @@ class Run {
   const Resources& resources_;
   const RunOptions& options_;
   Ledger& ledger_;
-  std::vector<Slot> slots_;
+  std::vector<TaskSlot> slots_;
   LayoutPool layouts_;
   Selection selection_;
   std::vector<std::vector<std::pair<int, std::string>>> duplicates_;  // by slot: attempt, line of rejections.jsonl

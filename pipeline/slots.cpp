@@ -69,7 +69,7 @@ int layouts_per_simulator(const RunConfiguration& configuration) {
   return std::max(1, (configuration.count + simulators * kTasksPerLayout - 1) / (simulators * kTasksPerLayout));
 }
 
-Result<std::vector<Slot>> plan_slots(const RunConfiguration& configuration, const Resources& resources) {
+Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources) {
   std::vector<std::string> known;
   for (const auto& source : resources.templates) known.push_back(source.name);
   for (const auto& name : configuration.templates) {
@@ -83,13 +83,13 @@ Result<std::vector<Slot>> plan_slots(const RunConfiguration& configuration, cons
     groups.push_back(std::move(*found));
   }
 
-  std::vector<Slot> slots;
+  std::vector<TaskSlot> slots;
   for (int i = 0; i < configuration.count; ++i) {
     const auto share = static_cast<std::size_t>(i) % groups.size();
     const int number = i / static_cast<int>(groups.size());
     const auto& own = groups[share];
     const Group& group = own[static_cast<std::size_t>(number) % own.size()];
-    Slot slot{i, configuration.simulators[share], group.split, number, group.templates};
+    TaskSlot slot{i, configuration.simulators[share], group.split, number, group.templates};
     const auto turn = static_cast<std::size_t>(number) / own.size() % slot.templates.size();
     std::rotate(slot.templates.begin(), slot.templates.begin() + static_cast<std::ptrdiff_t>(turn),
                 slot.templates.end());

@@ -9,7 +9,7 @@
 namespace unietp {
 
 /// A place in the data set that one task will fill: what kind it is to be, and which templates may fill it.
-struct Slot {
+struct TaskSlot {
   int index = 0;  // in the data set
   Simulator simulator = Simulator::Ai2thor;
   Split split = Split::Atomic;
@@ -28,6 +28,6 @@ int layouts_per_simulator(const RunConfiguration& configuration);
 
 /// Equal shares for simulators, then for splits, then round robin over templates in an order drawn from the seed.
 /// Deterministic. Errors: Usage when a template is unknown or no template fits a simulator and a split asked for.
-Result<std::vector<Slot>> plan_slots(const RunConfiguration& configuration, const Resources& resources);
+Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources);
 
 }  // namespace unietp
