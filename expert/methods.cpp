@@ -25,6 +25,11 @@ bool depends_on_standing(Failure failure) {
   }
 }
 
+/// The backend does not run the action at all, so no other tool helps.
+bool not_run_here(const std::optional<Attempt::Trouble>& trouble) {
+  return !trouble || trouble->failure == Failure::NotReady || trouble->failure == Failure::NotOffered;
+}
+
 }  // namespace
 
 const Node* Methods::find(const std::string& id) const { return find_node(attempt_.scene(), id); }
@@ -101,7 +106,7 @@ bool Methods::with_held_tool(const Literal& literal, ActionType action, std::str
   for (const std::string& tool : nearest_of(rules, id)) {
     if (!hold(tool)) continue;
     if (do_at(action, id)) return true;
-    if (attempt_.exhausted()) return false;
+    if (attempt_.exhausted() || not_run_here(attempt_.trouble())) return false;
     // Not where it lies now: bring it into the open and come back with the tool.
     if (find(id) != nullptr && find(id)->movable && hold(id) && put_aside(id) && hold(tool) && do_at(action, id)) {
       return true;
@@ -120,7 +125,7 @@ bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::
   for (const std::string& tool : nearest_of(rules, id)) {
     if (do_at(action, tool)) return true;
     const auto& trouble = attempt_.trouble();
-    if (!trouble || attempt_.exhausted()) return false;
+    if (attempt_.exhausted() || not_run_here(trouble)) return false;
     if (trouble->failure == Failure::MustBeClosed && is(tool, Predicate::Open)) {
       if (device(ActionType::Close, tool) && do_at(action, tool)) return true;
     } else if (is(tool, Predicate::Closed)) {

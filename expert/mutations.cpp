@@ -48,11 +48,16 @@ class Mutator {
   }
 
   void drop_each(const std::vector<Action>& actions, std::vector<std::string>& surviving) const {
+    World here = world_;
+    std::vector<Delta> so_far;
     for (std::size_t i = 0; i < actions.size(); ++i) {
-      if (actions[i].type == ActionType::Stop) continue;
-      std::vector<Action> mutant = actions;
-      mutant.erase(mutant.begin() + static_cast<std::ptrdiff_t>(i));
-      if (survives(mutant)) surviving.push_back("without step " + std::to_string(i + 1) + ": " + to_text(actions[i]));
+      World without = here;
+      std::vector<Delta> changes = so_far;
+      perform(without, {actions.begin() + static_cast<std::ptrdiff_t>(i) + 1, actions.end()}, changes);
+      if (actions[i].type != ActionType::Stop && goal_holds(goal_, start_, changes)) {
+        surviving.push_back("without step " + std::to_string(i + 1) + ": " + to_text(actions[i]));
+      }
+      perform(here, {actions[i]}, so_far);
     }
   }
 
