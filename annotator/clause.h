@@ -34,6 +34,7 @@ struct NounPhrase {
   Determiner determiner = Determiner::New;
   int number = 0;
   Domain noun;                        // without `where`
+  bool by_function = false;           // "something to drink from"; named again as "that object"
   std::vector<Complement> modifiers;  // all true in the start state ("that is dirty")
   std::string variable;               // the writer's: which variable of the goal; "" when read
   int column = 0;                     // the reader's: where it stood

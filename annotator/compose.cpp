@@ -26,9 +26,8 @@ struct Box {
 struct Referent {
   std::string variable;
   Domain noun;
+  bool vague = false;  // "that object" may mean it
 };
-
-bool vague(const Domain& noun) { return noun.kind == Domain::Kind::Object || noun.members.size() > 1; }
 
 Formula all_of(std::vector<Formula> parts) { return conjunction(std::move(parts)); }
 
@@ -123,8 +122,7 @@ class Composer {
   std::vector<const Referent*> named(const Domain& noun) const {
     std::vector<const Referent*> found;
     for (const Referent& referent : referents_)
-      if (referent.noun == noun || (noun.kind == Domain::Kind::Object && vague(referent.noun)))
-        found.push_back(&referent);
+      if (referent.noun == noun || (noun.kind == Domain::Kind::Object && referent.vague)) found.push_back(&referent);
     return found;
   }
 
@@ -231,7 +229,7 @@ class Composer {
     const std::string name = fresh();
     Slot slot{variable(name), false, restricted(phrase, name), &phrase};
     box.variables.emplace_back(name, slot.domain);
-    referents_.push_back({name, phrase.noun});
+    referents_.push_back({name, phrase.noun, phrase.by_function || phrase.noun.kind == Domain::Kind::Object});
     return slot;
   }
 

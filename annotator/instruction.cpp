@@ -9,11 +9,13 @@
 #include "annotator/plan.h"
 #include "annotator/realise.h"
 #include "core/text.h"
+#include "generator/consistency.h"
 
 namespace unietp {
 namespace {
 
-constexpr int kDraws = 120;  // forms tried before the grammar gives up on a style
+constexpr int kDraws = 120;      // forms tried before the grammar gives up on a style
+constexpr int kPlainDraws = 30;  // of these without an opening "Choose a …"
 
 /// The text behind a context sentence of the alias table.
 std::string_view without_context(std::string_view text, const Knowledge& knowledge) {
@@ -32,16 +34,62 @@ bool leaks_id(const Token& token) {
                      [](unsigned char c) { return std::isdigit(c); });
 }
 
-bool says(const std::vector<Token>& text, const std::string& name) {
-  const std::vector<Token> words = tokens_of(name);
-  const auto same = [](const Token& a, const Token& b) { return a.text == b.text; };
-  return std::search(text.begin(), text.end(), words.begin(), words.end(), same) != text.end();
+/// The categories of a domain that the goal or start ranges over become another domain.
+Formula with_domain(Formula formula, const Domain& from, const Domain& to) {
+  if (formula.domain.kind == from.kind && formula.domain.members == from.members) formula.domain.members = to.members;
+  for (Formula& where : formula.domain.where) where = with_domain(where, from, to);
+  for (Formula& child : formula.children) child = with_domain(child, from, to);
+  return formula;
+}
+
+void collect_domains(const Formula& formula, std::vector<Domain>& into) {
+  Domain bare = formula.domain;
+  bare.where.clear();
+  if (bare.kind == Domain::Kind::Categories && !bare.members.empty() && !bare.members[0].slice &&
+      std::find(into.begin(), into.end(), bare) == into.end())
+    into.push_back(bare);
+  for (const Formula& child : formula.children) collect_domains(child, into);
+}
+
+bool holds_member(const Domain& domain, const Domain::Member& member) {
+  return std::find(domain.members.begin(), domain.members.end(), member) != domain.members.end();
+}
+
+/// "something to drink from" means, in this task, the categories that could ever satisfy the goal: when the goal ranges
+/// over these alone, that is what the phrase says.
+void narrow_functions(const Specification& specification, const Knowledge& knowledge, NounTable& nouns) {
+  if (specification.style != "function") return;
+  std::vector<Domain> domains;
+  collect_domains(specification.goal, domains);
+  const auto phrases = nouns.function_phrases();
+  for (const auto& [phrase, served] : phrases) {
+    for (const Domain& domain : domains) {
+      bool means = std::all_of(domain.members.begin(), domain.members.end(),
+                               [&](const auto& member) { return holds_member(served, member); });
+      for (const Domain::Member& member : served.members) {
+        if (!means || holds_member(domain, member)) continue;
+        Specification other = specification;
+        const Domain alone = of_category(member.category);
+        other.goal = with_domain(other.goal, domain, alone);
+        for (Formula& start : other.init) start = with_domain(start, domain, alone);
+        means = contradiction(other, knowledge).has_value();
+      }
+      if (!means) continue;
+      nouns.narrow(phrase, domain);
+      break;
+    }
+  }
 }
 
 /// Whether the style's own promise is kept.
 std::string style_fault(const std::string& text, const Specification& specification, const NounTable& lexicon) {
-  if (specification.style != "alias") return "";
   const std::vector<Token> tokens = tokens_of(text);
+  if (specification.style == "function") {
+    for (const auto& [phrase, served] : lexicon.function_phrases())
+      if (says(tokens, phrase)) return "";
+    return "the function style names no object by what it is for";
+  }
+  if (specification.style != "alias") return "";
   for (const std::string& category : categories_of(specification.goal)) {
     const auto* name = lexicon.display(category);
     if (name == nullptr || lexicon.synonyms(category).empty()) continue;
@@ -84,7 +132,8 @@ bool has_material(const Specification& specification, const NounTable& lexicon) 
 }  // namespace
 
 Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge, Rng rng) {
-  const NounTable lexicon(knowledge);
+  NounTable lexicon(knowledge);
+  narrow_functions(specification, knowledge, lexicon);
   std::string last = "no form was drawn";
   std::vector<std::string> styles{specification.style};
   if (specification.style != "direct") styles.push_back("direct");
@@ -94,7 +143,7 @@ Result<Instruction> write_instruction(const Specification& specification, const 
     if (!has_material(asked, lexicon)) continue;
     for (int draw = 0; draw < kDraws; ++draw) {
       Rng own = rng.fork(style, static_cast<std::uint64_t>(draw));
-      const auto plan = plan_message(asked.goal, own.fork("plan", 0));
+      const auto plan = plan_message(asked.goal, draw >= kPlainDraws, own.fork("plan", 0));
       if (!plan) return plan.error();
       const auto text = realise(*plan, lexicon, style, own.fork("words", 0));
       if (!text) continue;
@@ -127,7 +176,9 @@ Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowle
 
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge) {
-  return faults(text, specification, knowledge, NounTable(knowledge));
+  NounTable nouns(knowledge);
+  narrow_functions(specification, knowledge, nouns);
+  return faults(text, specification, knowledge, nouns);
 }
 
 }  // namespace unietp

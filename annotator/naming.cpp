@@ -152,7 +152,7 @@ std::optional<Naming::Noun> Naming::noun(const Domain& domain) {
   if (domain.kind == Domain::Kind::Object) return Noun{"object", "objects"};
   if (domain.kind == Domain::Kind::Room) return Noun{"room", "rooms"};
   if (domain.kind == Domain::Kind::Agent) return std::nullopt;
-  if (domain.members.size() > 1) {
+  if (domain.members.size() > 1 || style_ == "function") {
     const auto phrases = lexicon_.functions(domain);
     if (!phrases.empty() && style_ != "alias") {
       const std::string text = rng_.pick(phrases);
@@ -240,7 +240,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun) {
   const bool vague = noun.function;
   for (const Named& other : named_) {
     const bool same = other.noun == said.noun;
-    const bool rival = vague && (other.noun.members.size() > 1 || other.noun.kind == Domain::Kind::Object);
+    const bool rival = vague && other.vague;
     if (other.variable == said.variable) position = alike.size();
     if (same || rival) alike.push_back(alike.size());
   }
@@ -268,7 +268,8 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   const std::string tail = after.empty() ? "" : " that is " + after;
   const bool another = distinct > 0;
   // Inside a description the object is any of its kind and stays unnamed.
-  if (!said.variable.empty()) named_.push_back({said.variable, said.noun});
+  if (!said.variable.empty())
+    named_.push_back({said.variable, said.noun, noun.function || said.noun.kind == Domain::Kind::Object});
   if (noun.function) return another || place.beside_every ? std::nullopt : std::optional(Words{noun.singular});
   if (another) {
     const std::string word = before + (noun.countable ? noun.singular : "piece of " + noun.singular);

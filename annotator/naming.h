@@ -49,6 +49,7 @@ class Naming {
   struct Named {
     std::string variable;
     Domain noun;
+    bool vague = false;  // "that object" may mean it
   };
   std::optional<Noun> noun(const Domain& domain);
   std::optional<std::string> name_of(const Domain::Member& member, bool plural, bool& countable);

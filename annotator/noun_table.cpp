@@ -54,6 +54,12 @@ std::vector<Token> tokens_of(std::string_view text) {
   return tokens;
 }
 
+bool says(const std::vector<Token>& text, std::string_view name) {
+  const std::vector<Token> words = tokens_of(name);
+  const auto same = [](const Token& a, const Token& b) { return a.text == b.text; };
+  return std::search(text.begin(), text.end(), words.begin(), words.end(), same) != text.end();
+}
+
 std::string with_article(const std::string& noun) {
   const std::string word = lower(noun);
   const auto starts = [&](std::string_view head) { return word.starts_with(head); };
@@ -132,7 +138,16 @@ const NounTable::Name* NounTable::display(const std::string& category) const {
 
 std::vector<NounTable::Name> NounTable::synonyms(const std::string& category) const {
   const auto found = synonyms_.find(category);
-  return found == synonyms_.end() ? std::vector<Name>{} : found->second;
+  if (found == synonyms_.end()) return {};
+  const std::string& own = names_.find(category)->second.singular;
+  std::vector<Name> usable;
+  for (const Name& name : found->second) {
+    const std::vector<Token> tokens = tokens_of(name.singular);
+    const Reading reading = longest(nouns_, tokens, 0);
+    const bool clear = reading.nouns.size() == 1 && reading.nouns.front() == of_category(category);
+    if (clear && reading.length == tokens.size() && !says(tokens, own)) usable.push_back(name);
+  }
+  return usable;
 }
 
 std::vector<std::string> NounTable::functions(const Domain& noun) const {
@@ -144,6 +159,14 @@ std::vector<std::string> NounTable::functions(const Domain& noun) const {
   for (const auto& [text, meant] : functions_)
     if (meant == wanted) texts.push_back(text);
   return texts;
+}
+
+void NounTable::narrow(const std::string& phrase, const Domain& noun) {
+  functions_[phrase] = noun;
+  for (auto& [word, entries] : phrases_)
+    for (Entry& entry : entries)
+      if (entry.words.size() == tokens_of(phrase).size() && says(tokens_of(phrase), join(entry.words, " ")))
+        entry.noun = noun;
 }
 
 bool NounTable::is_room_type(const std::string& category) const {

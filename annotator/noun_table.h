@@ -16,6 +16,8 @@ struct Token {
   int column = 0;  // 1-based, bytes
 };
 std::vector<Token> tokens_of(std::string_view text);
+/// Whether the words of `name` come in the text one after another.
+bool says(const std::vector<Token>& text, std::string_view name);
 
 /// "a mug", "an apple", "an hour glass", "a utensil": by how the word starts when spoken.
 std::string with_article(const std::string& noun);
@@ -31,10 +33,14 @@ class NounTable {
   };
   /// A category's or room type's display name; nullptr when the knowledge base does not know it.
   const Name* display(const std::string& category) const;
-  /// Other names, in table order.
+  /// Other names that mean this category and no other and do not contain its display name, in table order.
   std::vector<Name> synonyms(const std::string& category) const;
   /// Function phrases that mean exactly these categories ("something to drink from"), in order of text.
   std::vector<std::string> functions(const Domain& noun) const;
+
+  /// Every function phrase with what it means; `narrow` makes one mean less, where a goal rules the rest out.
+  const std::map<std::string, Domain, std::less<>>& function_phrases() const { return functions_; }
+  void narrow(const std::string& phrase, const Domain& noun);
 
   bool is_room_type(const std::string& category) const;
   bool is_colour(const std::string& word) const;

@@ -342,6 +342,11 @@ class TextReader {
   Clause taken() {
     Clause clause;
     clause.subjects = words_.phrases(clause.any_subject);
+    if (words_.accept_one({"and put it", "and place it"}) >= 0) {
+      if (clause.subjects.size() > 1) words_.fail("expected one object before 'and put it'");
+      words_.complements(clause);
+      return clause;
+    }
     const int room = words_.accept_one({"to", "into"});
     if (room >= 0) {
       clause.complements.push_back({P::InRoom, false, "", {words_.phrase()}});

@@ -14,7 +14,7 @@ using Scope = std::map<std::string, Domain>;
 
 class Planner {
  public:
-  explicit Planner(Rng rng) : rng_(rng) {}
+  Planner(bool choosing, Rng rng) : choosing_(choosing), rng_(rng) {}
 
   Result<Plan> plan(const Formula& goal) {
     Formula body = expanded(goal);
@@ -45,7 +45,7 @@ class Planner {
     plan_.message = std::move(early);
     for (Clause& said : clauses) plan_.message.push_back({Requirement::Kind::Final, {std::move(said)}});
     for (Requirement& requirement : late) plan_.message.push_back(std::move(requirement));
-    if (rng_.chance(0.15)) choose_first();
+    if (choosing_ && rng_.chance(0.5)) choose_first();
     return plan_;
   }
 
@@ -369,14 +369,14 @@ class Planner {
   /// "Choose one kitchen.": names an object that later clauses speak of.
   void choose_first() {
     std::vector<std::string> variables;
-    for (const auto& [name, domain] : scope_)
-      if (domain.where.empty()) variables.push_back(name);
+    for (const auto& [name, domain] : scope_) variables.push_back(name);
     if (variables.empty()) return;
     Clause said;
     said.subjects.push_back(reference(rng_.pick(variables), Formula{}));
     plan_.message.insert(plan_.message.begin(), {Requirement::Kind::Choose, {said}});
   }
 
+  bool choosing_;
   Rng rng_;
   Scope scope_;
   Plan plan_;
@@ -385,6 +385,6 @@ class Planner {
 
 }  // namespace
 
-Result<Plan> plan_message(const Formula& goal, Rng rng) { return Planner(rng).plan(goal); }
+Result<Plan> plan_message(const Formula& goal, bool choosing, Rng rng) { return Planner(choosing, rng).plan(goal); }
 
 }  // namespace unietp

@@ -16,8 +16,9 @@ struct Plan {
   std::set<std::pair<std::string, std::string>> distinct;  // variables said to be different objects, both ways
 };
 
-/// Deterministic in rng, which chooses among equal orders and groupings.
+/// Deterministic in rng, which chooses among equal orders and groupings. `choosing`: may open with "Choose a kitchen.",
+/// which clears up the scope of what follows.
 /// Errors: Unsatisfiable, naming the part of the goal that no clause can say.
-Result<Plan> plan_message(const Formula& goal, Rng rng);
+Result<Plan> plan_message(const Formula& goal, bool choosing, Rng rng);
 
 }  // namespace unietp

@@ -150,6 +150,7 @@ NounPhrase PhraseReader::phrase() {
   if (const auto function = lexicon_.function_at(tokens_, at_); function.length > 0) {
     at_ += function.length;
     read.noun = function.nouns.front();
+    read.by_function = true;
     return read;
   }
   if (accept("it")) {

@@ -1,5 +1,6 @@
 #include "annotator/realise.h"
 
+#include <algorithm>
 #include <cctype>
 #include <initializer_list>
 
@@ -203,7 +204,7 @@ class Realiser {
       case Kind::Final:
         break;
       case Kind::Choose: {
-        const auto named = naming_.phrase(clauses[0].subjects[0], {.beside_every = true});
+        const auto named = naming_.phrase(clauses[0].subjects[0], {});
         if (!named) return std::nullopt;
         return sentence("choose " + named->text, '.');
       }
@@ -415,10 +416,30 @@ class Realiser {
     return pick({"put ", "place "}) + moved->text + " either " + listed(places, "or");
   }
 
+  /// "put the mug that is on a desk in a box" could be read as a desk in a box: "take … and put it in a box" cannot.
+  Text taken_first(const Clause& clause) {
+    const auto subject = naming_.phrase(clause.subjects[0], {});
+    if (!subject || subject->plural) return std::nullopt;
+    const Text where = naming_.complement(clause.complements[0], place_of(clause));
+    return where ? Text("take " + subject->text + pick({" and put it ", " and place it "}) + *where) : std::nullopt;
+  }
+
+  bool described_by_place(const Clause& clause) const {
+    const NounPhrase& subject = clause.subjects[0];
+    if (clause.subjects.size() != 1 || subject.modifiers.empty() || naming_.was_named(subject.variable)) return false;
+    if (subject.determiner != Determiner::New) return false;
+    return !subject.modifiers.back().object.empty() && !clause.complements[0].object.empty();
+  }
+
   Text filled(const std::string& pattern, const Clause& clause) {
+    if (described_by_place(clause) && !pattern.starts_with("attach")) return taken_first(clause);
     const auto subjects = subjects_of(clause);
     if (!subjects) return std::nullopt;
-    std::string text = replace_all(pattern, "{m}", replace_all(clause.complements[0].symbol, "_", " "));
+    const bool particle = pattern.ends_with("{s} up") || pattern.ends_with("{s} down") || pattern.ends_with("{s} on") ||
+                          pattern.ends_with("{s} off") || pattern.ends_with("{s} in");
+    const bool apart = particle && std::count(subjects->text.begin(), subjects->text.end(), ' ') > 2;
+    std::string text = apart ? verbs(clause.complements[0]).front() : pattern;  // no long object before "up"
+    text = replace_all(text, "{m}", replace_all(clause.complements[0].symbol, "_", " "));
     if (!clause.complements[0].object.empty()) {
       const auto object = naming_.phrase(clause.complements[0].object[0], place_of(clause));
       if (!object) return std::nullopt;

@@ -1,0 +1,54 @@
+#include "annotator/llm_writer.h"
+
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+constexpr int kSamples = 3;  // wordings of the grammar that the prompt shows
+
+/// The reader only knows controlled English, so the prompt teaches it by examples of this very goal.
+std::string request_for(const Specification& specification, const std::vector<Instruction>& samples) {
+  std::string text = "Goal formula: " + to_text(specification.goal) + "\nStyle: " + specification.style +
+                     "\nWordings of this goal that are right:\n";
+  for (const Instruction& sample : samples) text += "- " + sample.text + "\n";
+  return text + "Write one more, in your own words but in the same plain constructions.";
+}
+
+constexpr const char* kRules =
+    "You word tasks for a household robot. Say every object, number, quantifier, order and description of the goal, "
+    "and "
+    "nothing else. Call objects what the examples call them; never use an id such as mug_3. Say 'a' for some object, "
+    "'that' for one named before, 'every' for all, 'exactly', 'at least' or 'at most' before numbers. Answer with "
+    "JSON: "
+    "{\"instruction\": \"...\"}.";
+
+}  // namespace
+
+Result<Instruction> write_instruction_with_llm(const Specification& specification, const Knowledge& knowledge,
+                                               const LlmWriterOptions& options, Rng rng) {
+  std::vector<Instruction> samples;
+  for (int i = 0; i < kSamples; ++i) {
+    auto sample = write_instruction(specification, knowledge, rng.fork("sample", static_cast<std::uint64_t>(i)));
+    if (!sample) return sample;  // a goal the reader could never check
+    samples.push_back(std::move(*sample));
+  }
+  LlmRequest request{kRules, request_for(specification, samples), "instruction"};
+  for (int round = 0; round <= options.rewrites; ++round) {
+    const auto answer = ask_llm(options.endpoint, request, rng.fork("ask", static_cast<std::uint64_t>(round)));
+    if (!answer && answer.error().kind == Error::Kind::Io) break;
+    std::vector<std::string> wrong;
+    if (answer) {
+      wrong = check_instruction(answer->text, specification, knowledge);
+      if (wrong.empty())
+        return Instruction{
+            answer->text, "llm:" + options.endpoint.model, specification.style, {"parses-back", "no-ids"}};
+    } else {
+      wrong.push_back(format(answer.error()));
+    }
+    request.user = request_for(specification, samples) + "\nYour last answer was refused: " + join(wrong, "; ");
+  }
+  return samples.front();
+}
+
+}  // namespace unietp
