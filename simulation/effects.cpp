@@ -77,7 +77,9 @@ void run_processes(WorldState& state, std::size_t tool, bool tap_runs) {
       const Effect* effect = state.knowledge->effect(machine.category, rule.effect, target.category);
       if (effect == nullptr || !offered(*state.profile, rule.effect) || needs(*effect, "held")) continue;
       if (!needs_met(state, *effect, machine, target, tap_runs)) continue;
-      for (const Predicate predicate : rule.sets) target.states.set({predicate, effect->gives});
+      for (const Predicate predicate : rule.sets) {
+        target.states.set({predicate, predicate == Predicate::Filled ? effect->gives : ""});
+      }
     }
   }
 }
