@@ -14,7 +14,7 @@ namespace unietp {
 const std::filesystem::path& small_data_set();
 /// The options that make it, but for the threads.
 std::vector<std::string> small_options(const std::string& out);
-inline constexpr int kSmallCount = 20;
+inline constexpr int kSmallCount = 40;
 
 /// What `unietp validate --json` says.
 struct Verdict {

@@ -95,7 +95,7 @@ TEST(DataSet, KilledAgainAndAgainAndResumedGivesTheSameBytes) {
   auto options = small_options(folder.at("killed"));
   options.insert(options.end(), {"--threads", "2", "--resume"});
   int kills = 0;
-  for (const int milliseconds : {0, 150, 400, 900, 1500}) {
+  for (const int milliseconds : {0, 60, 150, 300, 600}) {
     RunningProgram program(options);
     wait_for_work(program, folder.at("killed.partial"), milliseconds);
     if (!program.running()) break;

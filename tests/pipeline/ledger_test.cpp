@@ -1,0 +1,84 @@
+#include "pipeline/ledger.h"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+
+namespace unietp {
+namespace {
+
+using testing::HasSubstr;
+
+class LedgerFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = std::filesystem::path(testing::TempDir()) /
+            (std::string("ledger_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".sqlite");
+    TearDown();
+  }
+  void TearDown() override {
+    for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(path_.string() + end);
+  }
+  std::filesystem::path path_;
+};
+
+CandidateRecord full_record() {
+  CandidateRecord record;
+  record.slot = 3;
+  record.attempt = 1;
+  record.accepted = true;
+  record.template_name = "open-one";
+  record.task = "{\"id\":\"x\"}";
+  record.demonstration = "{}";
+  record.scene = gzip(std::string("a\0b\xff", 4));  // bytes of all kinds
+  record.start_key = "start";
+  record.text_key = "text";
+  return record;
+}
+
+TEST_F(LedgerFile, GivesBackWhatItWasGivenAfterReopening) {
+  {
+    auto ledger = Ledger::open(path_, "run 1");
+    ASSERT_TRUE(ledger) << format(ledger.error());
+    ASSERT_TRUE(ledger->add(full_record()));
+  }
+  auto ledger = Ledger::open(path_, "run 1");
+  ASSERT_TRUE(ledger) << format(ledger.error());
+  const auto record = ledger->read(3, 1);
+  ASSERT_TRUE(record);
+  EXPECT_EQ(*record, full_record());
+  const auto outlines = ledger->outlines();
+  ASSERT_TRUE(outlines);
+  ASSERT_EQ(outlines->size(), 1U);
+  EXPECT_EQ(outlines->front().text_key, "text");
+  EXPECT_EQ(outlines->front().task, "");
+}
+
+TEST_F(LedgerFile, RefusesAnotherRunAndNamesBoth) {
+  ASSERT_TRUE(Ledger::open(path_, "seed 1"));
+  const auto other = Ledger::open(path_, "seed 2");
+  ASSERT_FALSE(other);
+  EXPECT_THAT(other.error().message, HasSubstr("seed 1"));
+  EXPECT_THAT(other.error().message, HasSubstr("seed 2"));
+}
+
+TEST_F(LedgerFile, RefusesACandidateTwiceAndOneThatIsNotThere) {
+  auto ledger = Ledger::open(path_, "run");
+  ASSERT_TRUE(ledger);
+  ASSERT_TRUE(ledger->add(full_record()));
+  EXPECT_FALSE(ledger->add(full_record()));
+  EXPECT_FALSE(ledger->read(0, 0));
+}
+
+TEST_F(LedgerFile, SaysWhenTheFileIsNoLedger) {
+  ASSERT_TRUE(write_file(path_, std::string(5000, 'x')));
+  const auto ledger = Ledger::open(path_, "run");
+  ASSERT_FALSE(ledger);
+  EXPECT_EQ(ledger.error().kind, Error::Kind::Io);
+}
+
+}  // namespace
+}  // namespace unietp

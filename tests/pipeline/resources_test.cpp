@@ -1,0 +1,65 @@
+#include "pipeline/resources.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/layout_pool.h"
+#include "pipeline/manifest.h"
+
+namespace unietp {
+namespace {
+
+DataFolders own_folders() {
+  return {UNIETP_SOURCE_DIR, std::filesystem::path(testing::TempDir()) / "unietp-resources-cache"};
+}
+
+TEST(Resources, TheCommittedDataLoadsWithoutAnError) {
+  const auto reading = load_resources(own_folders());
+  for (const auto& error : reading.errors) ADD_FAILURE() << format(error);
+  EXPECT_EQ(reading.resources.backends.size(), 4U);
+  EXPECT_EQ(reading.resources.recipes.size(), 4U);
+  EXPECT_GE(reading.resources.templates.size(), 24U);
+  EXPECT_EQ(reading.resources.digest.size(), 64U);
+}
+
+TEST(Resources, EverySourceOfAFactHasALicence) {
+  const auto reading = load_resources(own_folders());
+  ASSERT_TRUE(reading.errors.empty());
+  const auto sources = sources_of(RunConfiguration{}, reading.resources, own_folders().licences());
+  ASSERT_TRUE(sources) << format(sources.error());
+  EXPECT_GT(sources->size(), 5U);
+  for (const auto& source : *sources) EXPECT_FALSE(source.licence.empty()) << source.source;
+}
+
+TEST(LayoutPool, GivesEqualHomesWhoeverAsksFirst) {
+  const auto reading = load_resources(own_folders());
+  ASSERT_TRUE(reading.errors.empty());
+  RunConfiguration configuration;
+  configuration.rooms = 5;
+  configuration.objects = 10;
+  LayoutPool forwards(configuration, reading.resources), backwards(configuration, reading.resources);
+  const auto& first = forwards.layout(Simulator::Ai2thor, 0);
+  (void)backwards.layout(Simulator::Ai2thor, 1);
+  const auto& again = backwards.layout(Simulator::Ai2thor, 0);
+  ASSERT_TRUE(first && again);
+  EXPECT_EQ(first->scene, again->scene);
+  EXPECT_EQ(first->offered, again->offered);
+  EXPECT_NE(first->scene, forwards.layout(Simulator::Ai2thor, 1)->scene);
+}
+
+TEST(UnknownCategories, ANameThatIsNoPlaceholderMustBeKnownToASimulator) {
+  const auto reading = load_backends(own_folders());
+  ASSERT_TRUE(reading.errors.empty());
+  Template source;
+  source.name = "own";
+  source.simulators = {Simulator::Ai2thor};
+  source.parameters = {{"A", {"pickupable"}, {}}};
+  source.goal = at_end(exists("a", of_category("A"), exists("m", of_category("Mug"), atom(Predicate::On, {"a", "m"}))));
+  EXPECT_TRUE(unknown_categories(source, reading.backends).empty());
+  source.goal = at_end(exists("a", of_category("Mugg"), atom(Predicate::Open, {"a"})));
+  const auto errors = unknown_categories(source, reading.backends);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors[0].message.find("did you mean \"Mug\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,103 @@
+#include "pipeline/slots.h"
+
+#include <map>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace unietp {
+namespace {
+
+using testing::HasSubstr;
+
+Template small(const std::string& name, Split split, std::vector<Simulator> simulators) {
+  Template source;
+  source.name = name;
+  source.split = split;
+  source.simulators = std::move(simulators);
+  return source;
+}
+
+Resources three_templates() {
+  const std::vector<Simulator> all(kSimulators.begin(), kSimulators.end());
+  Resources resources;
+  resources.templates = {small("a", Split::Atomic, all), small("b", Split::Atomic, all),
+                         small("c", Split::Logical, {Simulator::Ai2thor})};
+  return resources;
+}
+
+TEST(PlanSlots, SharesSimulatorsAndSplitsEquallyForAnySeed) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    RunConfiguration configuration;
+    configuration.seed = seed;
+    configuration.count = 48;
+    const auto slots = plan_slots(configuration, three_templates());
+    ASSERT_TRUE(slots) << format(slots.error());
+    std::map<Simulator, int> by_simulator;
+    std::map<std::pair<Simulator, Split>, int> by_kind;
+    for (const auto& slot : *slots) {
+      ++by_simulator[slot.simulator];
+      ++by_kind[{slot.simulator, slot.split}];
+      for (const auto index : slot.templates) EXPECT_LT(index, 3U);
+    }
+    for (const auto& [simulator, count] : by_simulator) EXPECT_EQ(count, 12);
+    // AI2-THOR has atomic, logical and the two refined splits; the others lack a logical template.
+    EXPECT_EQ((by_kind[{Simulator::Ai2thor, Split::Logical}]), 3);
+    EXPECT_EQ((by_kind[{Simulator::Habitat, Split::Logical}]), 0);
+    EXPECT_EQ((by_kind[{Simulator::Habitat, Split::Atomic}]), 4);
+  }
+}
+
+TEST(PlanSlots, GoesRoundTheTemplatesAndFallsBackToTheOthers) {
+  RunConfiguration configuration;
+  configuration.count = 4;
+  configuration.simulators = {Simulator::Habitat};
+  configuration.splits = {Split::Atomic};
+  const auto slots = plan_slots(configuration, three_templates());
+  ASSERT_TRUE(slots);
+  EXPECT_NE((*slots)[0].template_for(0), (*slots)[1].template_for(0));
+  EXPECT_EQ((*slots)[0].template_for(0), (*slots)[2].template_for(0));
+  const auto& slot = slots->front();
+  EXPECT_EQ(slot.template_for(0), slot.template_for(TaskSlot::kAttemptsPerTemplate - 1));
+  EXPECT_NE(slot.template_for(0), slot.template_for(TaskSlot::kAttemptsPerTemplate));
+}
+
+TEST(PlanSlots, EqualSeedsPlanEqually) {
+  RunConfiguration configuration;
+  const auto first = plan_slots(configuration, three_templates());
+  const auto second = plan_slots(configuration, three_templates());
+  ASSERT_TRUE(first && second);
+  for (std::size_t i = 0; i < first->size(); ++i) EXPECT_EQ((*first)[i].templates, (*second)[i].templates);
+}
+
+TEST(PlanSlots, RefusesAnUnknownTemplateAndASplitThatNoneMakes) {
+  RunConfiguration configuration;
+  configuration.templates = {"d"};
+  const auto unknown = plan_slots(configuration, three_templates());
+  ASSERT_FALSE(unknown);
+  EXPECT_THAT(unknown.error().message, HasSubstr("a, b, c"));
+  configuration.templates = {"c"};
+  const auto nowhere = plan_slots(configuration, three_templates());
+  ASSERT_FALSE(nowhere);
+  EXPECT_THAT(nowhere.error().message, HasSubstr("virtualhome"));
+  configuration.templates = {};
+  configuration.splits = {Split::Compositional};
+  const auto none = plan_slots(configuration, three_templates());
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().message, HasSubstr("compositional"));
+}
+
+TEST(LayoutsPerSimulator, OneForEveryFiveTasks) {
+  RunConfiguration configuration;
+  configuration.count = 40;
+  EXPECT_EQ(layouts_per_simulator(configuration), 2);
+  configuration.count = 41;
+  EXPECT_EQ(layouts_per_simulator(configuration), 3);
+  configuration.count = 1;
+  EXPECT_EQ(layouts_per_simulator(configuration), 1);
+}
+
+}  // namespace
+}  // namespace unietp
