@@ -100,6 +100,7 @@ class TextReader {
   void say(Kind kind, std::vector<Clause> clauses) { message_.push_back({kind, std::move(clauses)}); }
 
   void sentence() {
+    moving_ = false;
     for (bool more = true; more;) {
       more = false;
       for (const std::string_view request : kRequests) more |= words_.accept(request);
@@ -293,7 +294,9 @@ class TextReader {
       clause.complements.push_back({P::Held, false, "", {}});
       return clause;
     }
-    if (words_.accept_one({"put", "place", "set"}) >= 0) return moved();
+    const bool repeated = moving_ && words_.phrase_comes();  // "put a mug on a table and a bowl in a box"
+    moving_ = repeated || words_.accept_one({"put", "place", "set"}) >= 0;
+    if (moving_) return moved();
     if (words_.accept_one({"remove", "take", "bring"}) >= 0) return taken();
     if (words_.accept("fill")) return with_symbol(P::Filled);
     if (words_.accept("cover")) return with_symbol(P::Covered);
@@ -421,6 +424,7 @@ class TextReader {
   PhraseReader words_;
   const NounTable& lexicon_;
   Message message_;
+  bool moving_ = false;  // the last command was to put something somewhere
 };
 
 }  // namespace

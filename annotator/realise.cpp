@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "annotator/naming.h"
+#include "annotator/verbs.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -12,87 +13,6 @@ namespace {
 
 using Text = std::optional<std::string>;
 using Kind = Requirement::Kind;
-
-/// Ways to ask for a state or relation: {s} the subject, {o} the object, {m} the symbol.
-std::vector<const char*> verbs(const Complement& said) {
-  using P = Predicate;
-  if (said.negated) {
-    if (said.predicate == P::Covered) return {"wipe the {m} off {s}"};
-    return {};
-  }
-  switch (said.predicate) {
-    case P::Open:
-      return {"open {s}", "open up {s}"};
-    case P::Closed:
-      return {"close {s}", "shut {s}"};
-    case P::PowerOn:
-      return {"turn on {s}", "switch on {s}", "turn {s} on", "switch {s} on"};
-    case P::PowerOff:
-      return {"turn off {s}", "switch off {s}", "turn {s} off", "switch {s} off"};
-    case P::Clean:
-      return {"clean {s}", "wash {s}"};
-    case P::Dirty:
-      return {"make {s} dirty"};
-    case P::Hot:
-      return {"heat {s}", "heat up {s}", "heat {s} up"};
-    case P::Cool:
-      return {"cool {s}", "chill {s}", "cool {s} down", "cool down {s}"};
-    case P::Cooked:
-      return {"cook {s}"};
-    case P::Burnt:
-      return {"burn {s}"};
-    case P::Frozen:
-      return {"freeze {s}"};
-    case P::Thawed:
-      return {"thaw {s}", "defrost {s}"};
-    case P::Sliced:
-      return {"slice {s}", "cut {s} into slices", "slice up {s}"};
-    case P::Empty:
-      return {"empty {s}", "pour out {s}"};
-    case P::Soaked:
-      return {"soak {s}"};
-    case P::Dry:
-      return {"dry {s}"};
-    case P::UsedUp:
-      return {"use up {s}"};
-    case P::Broken:
-      return {"break {s}"};
-    case P::Folded:
-      return {"fold {s}", "fold up {s}"};
-    case P::Unfolded:
-      return {"unfold {s}"};
-    case P::PluggedIn:
-      return {"plug in {s}", "plug {s} in"};
-    case P::Unplugged:
-      return {"unplug {s}"};
-    case P::Held:
-      return {"pick up {s}", "pick {s} up", "end up holding {s}"};
-    case P::SatOn:
-      return {"sit on {s}", "sit down on {s}"};
-    case P::LainOn:
-      return {"lie on {s}", "lie down on {s}"};
-    case P::Filled:
-      return {"fill {s} with {m}"};
-    case P::Covered:
-      return {"cover {s} with {m}", "spread {m} over {s}"};
-    case P::On:
-      return {"put {s} on {o}", "place {s} on {o}", "set {s} on {o}", "put {s} onto {o}", "place {s} on top of {o}"};
-    case P::Inside:
-      return {"put {s} in {o}", "put {s} into {o}", "place {s} inside {o}", "put {s} inside {o}", "place {s} in {o}"};
-    case P::NextTo:
-      return {"put {s} next to {o}", "place {s} beside {o}", "set {s} next to {o}"};
-    case P::Under:
-      return {"put {s} under {o}", "place {s} underneath {o}"};
-    case P::OnFloor:
-      return {"put {s} on the floor of {o}", "place {s} on the floor of {o}"};
-    case P::InRoom:
-      return {"bring {s} into {o}", "take {s} to {o}"};
-    case P::Attached:
-      return {"attach {s} to {o}"};
-    default:
-      return {};
-  }
-}
 
 /// "a, b and c"
 std::string listed(const std::vector<std::string>& parts, const char* word) {
@@ -398,7 +318,8 @@ class Realiser {
       const auto from = naming_.phrase(said.object[0], {.beside_every = true});
       if (!taken || !from) return std::nullopt;
       if (said.predicate == Predicate::Inside) return "take " + taken->text + " out of " + from->text;
-      return pick({"remove ", "take "}) + taken->text + " off " + from->text;
+      const bool remove = rng_.chance(0.6);
+      return (remove ? "remove " : "take ") + taken->text + (remove ? " from " : " off ") + from->text;
     }
     if (!clause.any_complement || clause.subjects.size() != 1 || subject.determiner == Determiner::No)
       return std::nullopt;
@@ -431,14 +352,25 @@ class Realiser {
     return !subject.modifiers.back().object.empty() && !clause.complements[0].object.empty();
   }
 
+  /// "turn it off" rather than "turn off it"; no long object before "up".
+  static std::string smooth(const std::string& pattern, const std::string& subject, const Complement& said) {
+    const auto parted = [](const std::string& words) {
+      return words.find(' ') + 1 == words.find("{s}") && !words.ends_with("{s}") && words.find("{o}") == words.npos;
+    };
+    const bool is_long = std::count(subject.begin(), subject.end(), ' ') > 2;
+    for (const std::string words : verbs(said)) {
+      const bool direct = words.find(' ') + 1 == words.find("{s}");
+      if (subject == "it" && direct && pattern.find(' ') + 1 != pattern.find("{s}")) return words;
+      if (is_long && parted(pattern) && !parted(words)) return words;
+    }
+    return pattern;
+  }
+
   Text filled(const std::string& pattern, const Clause& clause) {
     if (described_by_place(clause) && !pattern.starts_with("attach")) return taken_first(clause);
     const auto subjects = subjects_of(clause);
     if (!subjects) return std::nullopt;
-    const bool particle = pattern.ends_with("{s} up") || pattern.ends_with("{s} down") || pattern.ends_with("{s} on") ||
-                          pattern.ends_with("{s} off") || pattern.ends_with("{s} in");
-    const bool apart = particle && std::count(subjects->text.begin(), subjects->text.end(), ' ') > 2;
-    std::string text = apart ? verbs(clause.complements[0]).front() : pattern;  // no long object before "up"
+    std::string text = smooth(pattern, subjects->text, clause.complements[0]);
     text = replace_all(text, "{m}", replace_all(clause.complements[0].symbol, "_", " "));
     if (!clause.complements[0].object.empty()) {
       const auto object = naming_.phrase(clause.complements[0].object[0], place_of(clause));

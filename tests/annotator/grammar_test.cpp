@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "annotator/meaning.h"
+#include "annotator/noun_table.h"
+#include "small_knowledge.h"
+
+namespace unietp {
+namespace {
+
+using testing_support::asking;
+using testing_support::small_knowledge;
+
+constexpr const char* kMugOnTable = "(exists (?a - Mug) (exists (?b - Table) (at-end (on ?a ?b))))";
+
+void expect_reads(const char* text, const char* goal) {
+  SCOPED_TRACE(text);
+  const auto read = parse_instruction(text, small_knowledge());
+  ASSERT_TRUE(read) << format(read.error());
+  const auto wanted = parse_formula("test", goal, FormulaUse::Goal);
+  ASSERT_TRUE(wanted) << format(wanted.error());
+  EXPECT_TRUE(same_meaning(*read, *wanted)) << to_text(*read);
+}
+
+TEST(ReadInstruction, GivesTheGoalThatAPersonWouldUnderstand) {
+  expect_reads("Put a mug on the table.", kMugOnTable);
+  expect_reads("Could you put one mug onto a table?", kMugOnTable);
+  expect_reads("In the end, the mug should be on a table.", kMugOnTable);
+  expect_reads("Put every mug on one table.", "(exists (?b - Table) (forall (?a - Mug) (at-end (on ?a ?b))))");
+  expect_reads("Put every mug on any table.", "(forall (?a - Mug) (exists (?b - Table) (at-end (on ?a ?b))))");
+  expect_reads("Put exactly two mugs in a fridge.",
+               "(exists (?b - Fridge) (at-end (count = 2 (?a - Mug) (inside ?a ?b))))");
+  expect_reads("Put a mug on a table and another mug on a coffee table.",
+               "(exists (?a - Mug) (exists (?b - Mug) (exists (?t - Table) (exists (?c - CoffeeTable) (at-end "
+               "(and (not (= ?a ?b)) (on ?a ?t) (on ?b ?c)))))))");
+}
+
+TEST(ReadInstruction, KeepsTimeApartFromTheEnd) {
+  expect_reads("Open a fridge and then close it again.",
+               "(exists (?a - Fridge) (and (sometime (open ?a)) (at-end (closed ?a))))");
+  expect_reads("First wash a mug, then heat it.",
+               "(exists (?a - Mug) (and (before (clean ?a) (hot ?a)) (at-end (hot ?a))))");
+  expect_reads("Keep a fridge closed until a mug is on a table.",
+               "(exists (?a - Fridge) (exists (?m - Mug) (exists (?t - Table) (until (closed ?a) (on ?m ?t)))))");
+  expect_reads("Keep every fridge closed the whole time.", "(forall (?a - Fridge) (always (closed ?a)))");
+}
+
+TEST(ReadInstruction, ReadsDescriptionsInTheStart) {
+  expect_reads("Wash the mug that is on a table.",
+               "(exists (?a - (Mug :where (exists (?b - Table) (on ?a ?b)))) (at-end (clean ?a)))");
+  expect_reads("Open the red fridge.", "(exists (?a - (Fridge :where (colour ?a red))) (at-end (open ?a)))");
+  expect_reads("Put a slice of apple in the fridge.",
+               "(exists (?s - Apple/slice) (exists (?b - Fridge) (at-end (inside ?s ?b))))");
+}
+
+TEST(ReadInstruction, NamesTheFirstWordItDoesNotUnderstand) {
+  const auto unknown = parse_instruction("Put a unicorn on the table.", small_knowledge());
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().pos.column, 7);
+  EXPECT_NE(unknown.error().message.find("'unicorn'"), std::string::npos) << unknown.error().message;
+}
+
+TEST(ReadInstruction, RefusesWhatHasTwoReadings) {
+  for (const char* text : {"Put a mug in a fridge and close it.", "Put every mug on a table.",
+                           "Wash a mug and a mug and heat that mug.", "Put another mug on a table."}) {
+    EXPECT_FALSE(parse_instruction(text, small_knowledge())) << text;
+  }
+}
+
+TEST(WriteInstruction, HasAtLeastTenTextsForASimpleGoal) {
+  std::set<std::string> texts;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const auto written = write_instruction(asking(kMugOnTable), small_knowledge(), Rng(seed));
+    ASSERT_TRUE(written) << format(written.error());
+    texts.insert(written->text);
+  }
+  EXPECT_GE(texts.size(), 10u);
+}
+
+TEST(WriteInstruction, SaysTheSameForTheSameSeed) {
+  EXPECT_EQ(write_instruction(asking(kMugOnTable), small_knowledge(), Rng(7))->text,
+            write_instruction(asking(kMugOnTable), small_knowledge(), Rng(7))->text);
+}
+
+TEST(WriteInstruction, KeepsThePromiseOfItsStyle) {
+  const std::string either = "(exists (?a - (either Bowl Mug)) (exists (?b - Table) (at-end (on ?a ?b))))";
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto alias = write_instruction(asking(kMugOnTable, "alias"), small_knowledge(), Rng(seed));
+    ASSERT_TRUE(alias);
+    EXPECT_NE(alias->text.find("beaker"), std::string::npos) << alias->text;
+    EXPECT_EQ(alias->text.find("mug"), std::string::npos) << alias->text;
+    const auto function = write_instruction(asking(either, "function"), small_knowledge(), Rng(seed));
+    ASSERT_TRUE(function);
+    EXPECT_NE(function->text.find("something to drink from"), std::string::npos) << function->text;
+    const auto context = write_instruction(asking(kMugOnTable, "context"), small_knowledge(), Rng(seed));
+    ASSERT_TRUE(context);
+    EXPECT_TRUE(context->text.starts_with("I am thirsty. ")) << context->text;
+  }
+}
+
+TEST(WriteInstruction, NamesThePartItHasNoWordsFor) {
+  const auto nested = asking("(exists (?a - Lamp) (always (before (open ?a) (closed ?a))))");
+  const auto written = write_instruction(nested, small_knowledge(), Rng(1));
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().message.find("before"), std::string::npos);
+}
+
+TEST(CheckInstruction, RefusesIdsOfTheScene) {
+  EXPECT_FALSE(check_instruction("Put mug_3 on the table.", asking(kMugOnTable), small_knowledge()).empty());
+}
+
+TEST(Articles, FollowTheSoundOfTheWord) {
+  EXPECT_EQ(with_article("apple"), "an apple");
+  EXPECT_EQ(with_article("utensil"), "a utensil");
+  EXPECT_EQ(with_article("umbrella"), "an umbrella");
+  EXPECT_EQ(with_article("hourglass"), "an hourglass");
+  EXPECT_EQ(with_article("mug"), "a mug");
+}
+
+TEST(Articles, SuitMassAndPluralNouns) {
+  const auto bread = asking("(exists (?a - Bread) (exists (?b - Knife) (at-end (on ?a ?b))))");
+  const auto knives = asking("(exists (?b - Table) (at-end (count = 2 (?a - Knife) (on ?a ?b))))");
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto mass = write_instruction(bread, small_knowledge(), Rng(seed));
+    ASSERT_TRUE(mass);
+    EXPECT_EQ(mass->text.find("a bread"), std::string::npos) << mass->text;
+    const auto many = write_instruction(knives, small_knowledge(), Rng(seed));
+    ASSERT_TRUE(many);
+    EXPECT_NE(many->text.find("two knives"), std::string::npos) << many->text;
+  }
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "annotator/instruction.h"
+#include "annotator/meaning.h"
+#include "templates/template.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+std::filesystem::path database() {
+  const auto path = std::filesystem::path(::testing::TempDir()) / "annotator_tests.sqlite";
+  static const bool built = compile_knowledge(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/akb", path).empty();
+  EXPECT_TRUE(built);
+  return path;
+}
+
+/// Goals one small step away from the given one.
+std::vector<Formula> mutations(const Formula& goal) {
+  std::vector<Formula> found;
+  const auto add = [&](auto change) {
+    Formula other = goal;
+    if (change(other)) found.push_back(other);
+  };
+  if (goal.op == Op::Atom && (goal.predicate == Predicate::On || goal.predicate == Predicate::Inside))
+    add([](Formula& f) {
+      f.predicate = f.predicate == Predicate::On ? Predicate::Inside : Predicate::On;
+      return true;
+    });
+  if (goal.op == Op::Count) add([](Formula& f) { return ++f.number, true; });
+  if (goal.op == Op::And && goal.children.size() > 1) add([](Formula& f) { return f.children.pop_back(), true; });
+  if (goal.op == Op::Before || goal.op == Op::Until)
+    add([](Formula& f) { return std::swap(f.children[0], f.children[1]), true; });
+  if (goal.op == Op::Forall || goal.op == Op::Exists) {
+    add([](Formula& f) { return f.op = f.op == Op::Forall ? Op::Exists : Op::Forall, true; });
+    add([](Formula& f) { return f.domain.members.empty() ? false : (f.domain.members[0].category += "X", true); });
+  }
+  for (std::size_t i = 0; i < goal.children.size(); ++i)
+    for (Formula& inner : mutations(goal.children[i])) add([&](Formula& f) { return f.children[i] = inner, true; });
+  return found;
+}
+
+TEST(WriteInstruction, EveryTemplateOfTheLibraryReadsBackAndItsNeighboursDoNot) {
+  const auto library = load_templates(std::filesystem::path(UNIETP_SOURCE_DIR) / "templates/library");
+  ASSERT_TRUE(library.errors.empty());
+  std::size_t written = 0, refused = 0;
+  for (const Simulator simulator : kSimulators) {
+    const auto knowledge = load_knowledge(database(), simulator);
+    ASSERT_TRUE(knowledge) << format(knowledge.error());
+    for (const Template& source : library.templates) {
+      SCOPED_TRACE(source.name);
+      for (std::uint64_t seed = 0; seed < 3; ++seed) {
+        const auto binding = sample_binding(source, *knowledge, {}, Rng(seed));
+        const auto specification = binding ? instantiate(source, *knowledge, *binding)
+                                           : Result<Specification>(Error{Error::Kind::Unsatisfiable, "", {}, "none"});
+        if (!specification) continue;
+        for (std::uint64_t draw = 0; draw < 20; ++draw) {
+          const auto text = write_instruction(*specification, *knowledge, Rng(draw));
+          ASSERT_TRUE(text) << format(text.error());
+          ++written;
+          if (draw > 0) continue;
+          for (const Formula& wrong : mutations(specification->goal)) {
+            Specification other = *specification;
+            other.goal = wrong;
+            EXPECT_FALSE(check_instruction(text->text, other, *knowledge).empty()) << text->text << to_text(wrong);
+            ++refused;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(written, 1000u);
+  EXPECT_GT(refused, 500u);
+}
+
+TEST(WriteInstruction, RefinedGoalsReadBack) {
+  const auto library = load_templates(std::filesystem::path(UNIETP_SOURCE_DIR) / "templates/library");
+  std::size_t written = 0;
+  for (const Simulator simulator : kSimulators) {
+    const auto knowledge = load_knowledge(database(), simulator);
+    ASSERT_TRUE(knowledge);
+    for (const Template& source : library.templates) {
+      const auto binding = sample_binding(source, *knowledge, {}, Rng(5));
+      if (!binding) continue;
+      const auto plain = instantiate(source, *knowledge, *binding);
+      if (!plain) continue;
+      for (const auto& refined :
+           {refine_referring(*plain, *knowledge, Rng(1)), refine_linguistic(*plain, *knowledge, Rng(1))}) {
+        if (!refined) continue;
+        const auto text = write_instruction(*refined, *knowledge, Rng(2));
+        ASSERT_TRUE(text) << format(text.error());
+        EXPECT_TRUE(check_instruction(text->text, *refined, *knowledge).empty()) << text->text;
+        ++written;
+      }
+    }
+  }
+  EXPECT_GT(written, 50u);
+}
+
+}  // namespace
+}  // namespace unietp

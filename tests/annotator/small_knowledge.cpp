@@ -1,0 +1,38 @@
+#include "small_knowledge.h"
+
+namespace unietp::testing_support {
+
+Knowledge small_knowledge() {
+  const auto category = [](const char* name, const char* display, const char* plural, bool countable = true) {
+    Category c;
+    c.name = name;
+    c.display = display;
+    c.plural = plural;
+    c.countable = countable;
+    c.rooms = {"kitchen", "living_room"};
+    c.colours = {"red"};
+    return c;
+  };
+  std::vector<Category> categories{
+      category("Apple", "apple", "apples"),       category("Bowl", "bowl", "bowls"),
+      category("Bread", "bread", "bread", false), category("CoffeeTable", "coffee table", "coffee tables"),
+      category("Fridge", "fridge", "fridges"),    category("Knife", "knife", "knives"),
+      category("Lamp", "lamp", "lamps"),          category("Mug", "mug", "mugs"),
+      category("Table", "table", "tables"),       category("Utensil", "utensil", "utensils")};
+  const Source source{"curated", 1};
+  std::vector<Alias> aliases{{"Bowl", "something to drink from", "function", source},
+                             {"Mug", "I am thirsty.", "context", source},
+                             {"Mug", "something to drink from", "function", source},
+                             {"Mug", "beaker", "synonym", source}};
+  return Knowledge(Simulator::Ai2thor, categories, {}, {}, {}, aliases);
+}
+
+Specification asking(const std::string& goal, const std::string& style) {
+  Specification specification;
+  auto formula = parse_formula("test", goal, FormulaUse::Goal);
+  if (formula) specification.goal = *formula;
+  specification.style = style;
+  return specification;
+}
+
+}  // namespace unietp::testing_support
