@@ -1,6 +1,6 @@
 // The whole path of a task on one core, and what share of it each stage takes: the baseline that later work is
 // compared with (docs/evidence.md).
-#include <cstdio>
+#include <chrono>
 #include <filesystem>
 #include <variant>
 
@@ -35,7 +35,10 @@ void fill_slots(benchmark::State& state) {
     for (const auto& slot : *slots) {
       for (int attempt = 0; attempt < configuration.attempts; ++attempt) {
         const auto candidate = make_task(configuration, reading.resources, layouts, slot, attempt, &costs);
+        const auto start = std::chrono::steady_clock::now();
         const auto record = record_of(candidate);
+        costs.seconds[static_cast<std::size_t>(Stage::Writer)] +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         ++candidates;
         bytes += static_cast<double>(record.task.size() + record.demonstration.size() + record.scene.size());
         if (!record.accepted) continue;
