@@ -95,7 +95,8 @@ void TableBuilder::drop_unfit() {
     p.capacity = known ? capacity_of(object->second, p.relation, receptacle->second) : 0;
     const bool shut = known && p.relation == "inside" && receptacle->second.archetype == Archetype::Drawers &&
                       !has(p.receptacle, "openable");
-    if (shut) p.capacity = 0;
+    const bool built_in = known && p.relation == "inside" && !object->second.movable;  // a faucet in its sink
+    if (shut || built_in) p.capacity = 0;
   }
   std::erase_if(placements_, [](const auto& entry) { return entry.second.capacity == 0; });
   std::erase_if(effects_, [&](const auto& entry) {

@@ -1,0 +1,103 @@
+#include "akb/importers.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "core/text.h"
+#include "tests/akb/small_tables.h"
+
+namespace unietp {
+namespace {
+
+std::filesystem::path upstream() { return UNIETP_UPSTREAM_DIR; }
+
+class Importers : public testing::TestWithParam<Simulator> {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(upstream() / "ai2thor")) {
+      GTEST_SKIP() << "no simulator metadata at " << upstream() << ": the committed tables stand alone";
+    }
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Each, Importers, testing::ValuesIn(kSimulators),
+                         [](const auto& simulator) { return std::string(name_of(simulator.param)); });
+
+TEST_P(Importers, GiveTheCommittedTablesByteForByte) {
+  const auto tables = import_simulator(GetParam(), upstream(), test::committed_tables() / "curated");
+  ASSERT_TRUE(tables) << format(tables.error());
+  for (const auto& table : table_names()) {
+    const auto committed = read_file(test::committed_tables() / std::string(name_of(GetParam())) / (table + ".csv"));
+    ASSERT_TRUE(committed);
+    EXPECT_EQ(table_csv(*tables, table), *committed) << table;
+  }
+}
+
+TEST_P(Importers, NameTheFileThatIsMissing) {
+  const test::TemporaryFolder folder;
+  const auto tables = import_simulator(GetParam(), folder.path(), test::committed_tables() / "curated");
+  ASSERT_FALSE(tables);
+  EXPECT_EQ(tables.error().kind, Error::Kind::Io);
+}
+
+TEST_P(Importers, ReportMetadataOfAnotherForm) {
+  const test::TemporaryFolder folder;
+  std::filesystem::copy(upstream(), folder.path() / "u", std::filesystem::copy_options::recursive);
+  const char* files[] = {"ai2thor/object_types.json", "virtualhome/PrefabClass.json", "habitat/ovmm_categories.json",
+                         "behavior/object_inventory.json.gz"};
+  const auto path = folder.path() / "u" / files[static_cast<std::size_t>(GetParam())];
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  const std::string other = "{\"Apple\": 3}";
+  ASSERT_TRUE(write_file(path, path.extension() == ".gz" ? gzip(other) : other));
+  const auto tables = import_simulator(GetParam(), folder.path() / "u", test::committed_tables() / "curated");
+  ASSERT_FALSE(tables);
+  EXPECT_EQ(tables.error().kind, Error::Kind::Schema);
+}
+
+/// A copy of our curated tables with one file changed.
+void curate(const std::filesystem::path& folder, const std::string& file, const std::string& text) {
+  std::filesystem::copy(test::committed_tables() / "curated", folder, std::filesystem::copy_options::recursive);
+  ASSERT_TRUE(write_file(folder / file, text));
+}
+
+TEST(Curated, ARowOverridesWhatWasImported) {
+  if (!std::filesystem::exists(upstream() / "habitat")) GTEST_SKIP() << "no simulator metadata at " << upstream();
+  const test::TemporaryFolder folder;
+  curate(folder.path() / "c", "habitat/relation.csv",
+         "object,relation,receptacle,likelihood,capacity,source,confidence\n"
+         "hammer,inside,fridge,500,1,curated,0.5\n");
+  const auto tables = import_habitat(upstream(), folder.path() / "c");
+  ASSERT_TRUE(tables) << format(tables.error());
+  const auto at = std::find_if(tables->placements.begin(), tables->placements.end(),
+                               [](const Placement& p) { return p.object == "hammer" && p.receptacle == "fridge"; });
+  ASSERT_NE(at, tables->placements.end());
+  EXPECT_GT(at->likelihood, 0.8);
+  EXPECT_EQ(at->source, (Source{"curated", 0.5}));
+}
+
+TEST(Curated, ARemovedFactIsGoneAndAnUnknownOneIsAnError) {
+  if (!std::filesystem::exists(upstream() / "habitat")) GTEST_SKIP() << "no simulator metadata at " << upstream();
+  const test::TemporaryFolder folder;
+  curate(folder.path() / "c", "habitat/removed.csv", "table,subject,verb,object\nrelation,apple,inside,fridge\n");
+  const auto tables = import_habitat(upstream(), folder.path() / "c");
+  ASSERT_TRUE(tables) << format(tables.error());
+  EXPECT_TRUE(std::none_of(tables->placements.begin(), tables->placements.end(),
+                           [](const Placement& p) { return p.object == "apple" && p.receptacle == "fridge"; }));
+  ASSERT_TRUE(write_file(folder.path() / "c" / "habitat" / "removed.csv",
+                         "table,subject,verb,object\nrelation,apple,inside,moon\n"));
+  const auto bad = import_habitat(upstream(), folder.path() / "c");
+  ASSERT_FALSE(bad);
+  EXPECT_EQ(replace_all(format(bad.error()), (folder.path() / "c").string() + "/", ""),
+            "habitat/removed.csv:2:10: schema error: nothing to remove; expected a fact of the affordance or relation "
+            "table");
+}
+
+TEST(ImportAll, WritesNothingWhenOneImportFails) {
+  const test::TemporaryFolder folder;
+  EXPECT_FALSE(import_all(folder.path() / "none", folder.path() / "tables"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "tables"));
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,119 @@
+#include "akb/knowledge.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "core/rng.h"
+#include "tests/akb/small_tables.h"
+
+namespace unietp {
+namespace {
+
+Knowledge knowledge_of(Simulator simulator) {
+  auto t = test::committed(simulator);
+  return {simulator, t.categories, t.affordances, t.placements, t.effects, t.aliases};
+}
+
+/// Rows that a linear scan finds, in table order: the oracle of the indices.
+template <class Row, class Test>
+std::vector<const Row*> scan(const std::vector<Row>& rows, const Test& test) {
+  std::vector<const Row*> found;
+  for (const auto& row : rows) {
+    if (test(row)) found.push_back(&row);
+  }
+  return found;
+}
+
+class EachSimulator : public testing::TestWithParam<Simulator> {};
+INSTANTIATE_TEST_SUITE_P(Knowledge, EachSimulator, testing::ValuesIn(kSimulators),
+                         [](const auto& simulator) { return std::string(name_of(simulator.param)); });
+
+TEST_P(EachSimulator, EveryQueryFindsWhatALinearScanFinds) {
+  const Knowledge k = knowledge_of(GetParam());
+  for (const auto& c : k.categories()) {
+    const std::string& name = c.name;
+    EXPECT_EQ(k.find(name), &c);
+    for (const auto& affordance : affordance_names()) {
+      const auto facts = scan(
+          k.affordances(), [&](const AffordanceFact& f) { return f.category == name && f.affordance == affordance; });
+      EXPECT_EQ(k.has(name, affordance), !facts.empty());
+    }
+    for (const char* relation : {"on", "inside", "next_to"}) {
+      EXPECT_EQ(k.placements_of(name, relation),
+                scan(k.placements(), [&](const Placement& p) { return p.object == name && p.relation == relation; }));
+      EXPECT_EQ(k.placements_at(name, relation), scan(k.placements(), [&](const Placement& p) {
+                  return p.receptacle == name && p.relation == relation;
+                }));
+    }
+    for (const char* effect : {"heats", "washes", "slices", "fills"}) {
+      EXPECT_EQ(k.effects_of(name, effect),
+                scan(k.effects(), [&](const Effect& e) { return e.tool == name && e.effect == effect; }));
+      EXPECT_EQ(k.effects_on(name, effect),
+                scan(k.effects(), [&](const Effect& e) { return e.target == name && e.effect == effect; }));
+    }
+    for (const char* kind : {"synonym", "function", "context"}) {
+      EXPECT_EQ(k.aliases_of(name, kind),
+                scan(k.aliases(), [&](const Alias& a) { return a.category == name && a.kind == kind; }));
+    }
+  }
+  for (const auto& p : k.placements()) EXPECT_EQ(k.placement(p.object, p.relation, p.receptacle), &p);
+  for (const auto& e : k.effects()) {
+    const auto* found = k.effect(e.tool, e.effect, e.target);
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found->target, e.target);
+  }
+  for (const auto& affordance : affordance_names()) {
+    std::vector<std::string> expected;
+    for (const auto& f : k.affordances()) {
+      if (f.affordance == affordance) expected.push_back(f.category);
+    }
+    EXPECT_EQ(k.with_affordance(affordance), expected);
+  }
+}
+
+TEST(Knowledge, ACopyAndAMoveAnswerLikeTheOriginal) {
+  Knowledge original = knowledge_of(Simulator::Ai2thor);
+  const Knowledge copy = original;
+  const auto expected = original.with_affordance("openable");
+  const Knowledge moved = std::move(original);
+  EXPECT_EQ(copy.with_affordance("openable"), expected);
+  EXPECT_EQ(moved.with_affordance("openable"), expected);
+  EXPECT_EQ(copy.find("Mug"), &*std::find_if(copy.categories().begin(), copy.categories().end(),
+                                             [](const Category& c) { return c.name == "Mug"; }));
+}
+
+TEST(Knowledge, WhatIsUnknownIsNotFound) {
+  const Knowledge k = knowledge_of(Simulator::Habitat);
+  EXPECT_EQ(k.find("unicorn"), nullptr);
+  EXPECT_EQ(k.find(""), nullptr);
+  EXPECT_FALSE(k.has("cup", "sliceable"));
+  EXPECT_FALSE(k.has("cup", "flyable"));
+  EXPECT_EQ(k.placement("couch", "inside", "cup"), nullptr);
+  EXPECT_TRUE(k.placements_of("unicorn", "on").empty());
+  EXPECT_TRUE(k.effects_of("zzz", "heats").empty());
+  EXPECT_TRUE(k.aliases_of("cup", "nickname").empty());
+  EXPECT_TRUE(k.affordances_of("unicorn").empty());
+}
+
+TEST(Knowledge, OrderOfTheInputDoesNotMatterForAnySeed) {
+  const auto tables = test::committed(Simulator::Virtualhome);
+  const Knowledge sorted = knowledge_of(Simulator::Virtualhome);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    auto shuffled = tables;
+    rng.shuffle(shuffled.categories);
+    rng.shuffle(shuffled.placements);
+    rng.shuffle(shuffled.affordances);
+    const Knowledge k(Simulator::Virtualhome, shuffled.categories, shuffled.affordances, shuffled.placements,
+                      shuffled.effects, shuffled.aliases);
+    EXPECT_EQ(k.with_affordance("pickupable"), sorted.with_affordance("pickupable"));
+    const auto here = k.placements_of("mug", "on"), there = sorted.placements_of("mug", "on");
+    ASSERT_EQ(here.size(), there.size());
+    for (std::size_t i = 0; i < here.size(); ++i) EXPECT_EQ(here[i]->receptacle, there[i]->receptacle);
+  }
+}
+
+}  // namespace
+}  // namespace unietp

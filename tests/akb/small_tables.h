@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "akb/tables.h"
+
+namespace unietp::test {
+
+/// A folder of its own that is removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The texts of five small sound tables (a mug, a plate, a fridge, an apple, half of one, a knife), by table name.
+std::map<std::string, std::string> small_tables();
+/// Writes them for all four simulators.
+void write_small_tables(const std::filesystem::path& tables, const std::map<std::string, std::string>& texts);
+
+std::filesystem::path committed_tables();  // data/akb
+Tables committed(Simulator simulator);     // fails the test when they do not read
+const Category& category(const Tables& tables, const std::string& name);
+
+}  // namespace unietp::test
