@@ -103,17 +103,22 @@ bool SceneEditor::open_or_close(const std::string& id, double opening) {
   after.opening = opening;
   workspace_.replace(*index_of(id), after);
   stale_ = true;
-  // What stands where the door comes to be goes elsewhere.
-  for (int round = 0; round < 4; ++round) {
+  // What stands where the door comes to be goes elsewhere; so does a small thing whose lid has no room.
+  for (int round = 0; round < 5; ++round) {
+    const Node& now = workspace_.scene().nodes[*index_of(id)];
     std::vector<BodyId> ignore{static_cast<BodyId>(*index_of(id))};
     for (const std::string& rider : riders) ignore.push_back(static_cast<BodyId>(*index_of(rider)));
-    const auto hit = workspace_.checker().hit_by_joints(shape, after.pose, opening, PlacementChecker::kGap_m, ignore);
+    const auto hit = workspace_.checker().hit_by_joints(shape, now.pose, opening, PlacementChecker::kGap_m, ignore);
     if (!hit) return true;
     const std::string obstacle = workspace_.name_of(*hit);
     const bool movable = *hit < workspace_.scene().nodes.size() && workspace_.scene().nodes[*hit].movable;
-    if (movable && relocate(obstacle, [&](const Node& host) { return host.id != id; })) continue;
-    if (before.movable && relocate(id, [&](const Node&) { return true; })) continue;
-    return fail(GroundingReason::NoFreePlace, "the door of " + before.category + " hits " + obstacle);
+    bool made_room = false;
+    if (before.movable) {
+      made_room = relocate(id, [&](const Node& host) { return host.id != obstacle; });
+    } else if (movable) {
+      made_room = relocate(obstacle, [&](const Node& host) { return host.id != id; });
+    }
+    if (!made_room) return fail(GroundingReason::NoFreePlace, "the door of " + before.category + " hits " + obstacle);
   }
   return fail(GroundingReason::NoFreePlace, "the door of " + before.category + " has no room");
 }

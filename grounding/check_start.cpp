@@ -17,7 +17,7 @@ using Op = Formula::Op;
 
 constexpr double kCalm_m = 0.005;
 
-GroundingFailure failure(GroundingReason reason, std::string detail) { return {reason, std::move(detail)}; }
+GroundingFailure failure(GroundingReason reason, std::string detail) { return {reason, std::move(detail), {}}; }
 
 bool makes_slices(const Domain& domain) {
   return std::any_of(domain.members.begin(), domain.members.end(), [](const auto& member) { return member.slice; });
@@ -165,9 +165,11 @@ std::optional<GroundingFailure> check_reach(const Specification& specification, 
       }
     }
     if (reached >= wanted) return std::nullopt;
-    return failure(GroundingReason::NotReachable, "of " + to_text(one.domain) + " " + std::to_string(reached) +
-                                                      " can be reached, " + std::to_string(wanted) + " are needed; " +
-                                                      missed + " cannot");
+    auto problem = failure(GroundingReason::NotReachable, "of " + to_text(one.domain) + " " + std::to_string(reached) +
+                                                              " can be reached, " + std::to_string(wanted) +
+                                                              " are needed; " + missed + " cannot");
+    problem.subject = missed;
+    return problem;
   };
   for (const QuantifiedDomain& one : quantified_domains(specification.goal)) {
     if (makes_slices(one.domain)) continue;

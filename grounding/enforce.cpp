@@ -173,7 +173,8 @@ bool Enforcer::make_for_all(const Formula& formula, const Names& names, bool tru
 
 bool Enforcer::has_member_to_change(const Formula& formula, const Names& names, bool truth, int depth) {
   auto candidates = satisfying(formula, names, !truth);
-  std::erase_if(candidates, [&](const std::string& id) { return editor_.reserved().contains(id); });
+  // Only what a constraint itself speaks of is left alone; a table may hold what several constraints put on it.
+  if (depth == 0) std::erase_if(candidates, [&](const std::string& id) { return editor_.reserved().contains(id); });
   rng_.shuffle(candidates);
   constexpr std::size_t kMostTried = 4;
   for (std::size_t i = 0; i < std::min(candidates.size(), kMostTried); ++i) {

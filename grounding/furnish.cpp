@@ -19,6 +19,7 @@ constexpr double kDoorwayDepth_m = 0.8;
 constexpr double kAisle_m = 0.75;  // around what stands free
 constexpr double kRestGap_m = 0.002;
 constexpr double kWallMargin_m = 0.02;
+constexpr double kLidLean = 0.36;  // how far an open lid stands out behind, as a share of its length
 
 struct Candidate {
   Pose pose;
@@ -45,7 +46,9 @@ Pose at_wall(const Bounds& room, std::uint64_t side, double share, const Node& n
   const Vec2 normal = inward_normal(side);
   const int across = normal.x() != 0 ? 0 : 1, along = 1 - across;
   Vec3 position;
-  const double depth = kFromWall_m + node.size.y() / 2;
+  const bool leans_back =
+      node.openable && (node.archetype == Archetype::Lidded || node.archetype == Archetype::Folding);
+  const double depth = kFromWall_m + node.size.y() / 2 + (leans_back ? kLidLean * node.size.y() : 0);
   position[across] = normal[across] > 0 ? room.low[across] + depth : room.high[across] - depth;
   const double low = room.low[along] + kFromWall_m + node.size.x() / 2;
   const double high = room.high[along] - kFromWall_m - node.size.x() / 2;

@@ -11,6 +11,8 @@
 namespace unietp {
 namespace {
 
+constexpr int kRepairs = 4;
+
 std::string said_of(const Specification& specification) {
   std::string text = specification.template_name + " on " + std::string(name_of(specification.simulator)) + " with";
   for (const auto& [placeholder, category] : specification.binding) text += " " + placeholder + "=" + category;
@@ -41,23 +43,25 @@ bool within_rounds(Enforcer& enforcer, SceneEditor& editor, const std::vector<Fo
                    const std::vector<Formula>& parts, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     editor.reserved().clear();
-    bool made = true;
-    for (const Formula& constraint : constraints) made = enforcer.make_true(constraint) && made;
+    std::optional<GroundingFailure> first;
+    for (const Formula& constraint : constraints) {
+      if (!enforcer.make_true(constraint) && !first) first = editor.failure();
+    }
     bool all = true;
     for (const Formula& constraint : constraints) {
       if (enforcer.holds(constraint)) continue;
       all = false;
-      if (made) editor.fail(GroundingReason::StartNotMet, to_text(constraint) + " does not hold");
+      if (!first) first = {GroundingReason::StartNotMet, to_text(constraint) + " does not hold", {}};
     }
     // A part of the goal may hold by chance in this scene. Undo it; the next round repairs what that breaks.
     for (const Formula& part : parts) {
-      if (!holds(part, enforcer.now())) continue;
+      if (first || !holds(part, enforcer.now())) continue;
       all = false;
-      if (!enforcer.make_false(part)) {
-        editor.fail(GroundingReason::PartHolds,
-                    to_text(part) + " holds and cannot be undone: " + editor.failure().detail);
-      }
+      if (enforcer.make_false(part)) continue;
+      first = {
+          GroundingReason::PartHolds, to_text(part) + " holds and cannot be undone: " + editor.failure().detail, {}};
     }
+    if (first) editor.fail(first->reason, first->detail);
     if (all) return true;
   }
   return false;
@@ -85,16 +89,26 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
   bool nearest = mentions(specification.goal, Predicate::Nearest);
   for (const Formula& constraint : constraints) nearest = nearest || mentions(constraint, Predicate::Nearest);
   Enforcer enforcer(editor, nearest, rng.fork("choices", 0));
-  if (!within_rounds(enforcer, editor, constraints, goal_parts(specification.goal), options.rounds)) {
-    return rejected(specification, scene, editor.failure());
+  const auto parts = goal_parts(specification.goal);
+  std::optional<GroundingFailure> problem;
+  for (int attempt = 0; attempt < kRepairs; ++attempt) {
+    if (!within_rounds(enforcer, editor, constraints, parts, options.rounds)) {
+      return rejected(specification, scene, editor.failure());
+    }
+    keep_standing(workspace, profile);
+    workspace.read_edges();
+    problem = check_start(specification, workspace.scene(), editor.touched(), profile);
+    if (!problem) break;
+    // What stands out of reach or unsteadily gets another place, then all is checked again.
+    const bool misplaced =
+        problem->reason == GroundingReason::NotReachable || problem->reason == GroundingReason::NotCalm;
+    editor.reserved().clear();
+    if (!misplaced || !editor.relocate(problem->subject, [](const Node&) { return true; })) break;
   }
-  keep_standing(workspace, profile);
-  workspace.read_edges();
+  if (problem) return rejected(specification, scene, *problem);
   if (const auto room = unreached_room(workspace.scene(), profile)) {
-    return rejected(specification, scene, {GroundingReason::NotReachable, *room + " cannot be walked to any more"});
-  }
-  if (const auto problem = check_start(specification, workspace.scene(), editor.touched(), profile)) {
-    return rejected(specification, scene, *problem);
+    return rejected(specification, scene,
+                    {GroundingReason::NotReachable, *room + " cannot be walked to any more", *room});
   }
   Episode episode;
   episode.specification = specification;

@@ -99,7 +99,7 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
       obstacle = *room + " cannot be walked to";
       continue;
     }
-    if (const auto piece = unreached_furniture(furnished, profile)) {
+    if (const auto piece = unreached_furniture(furnished, workspace.physics(), profile)) {
       obstacle = *piece + " is out of reach";
       continue;
     }

@@ -40,22 +40,11 @@ std::optional<std::string> unreached_room(const Scene& scene, const Profile& pro
   return std::nullopt;
 }
 
-std::optional<std::string> unreached_furniture(const Scene& scene, const Profile& profile) {
+std::optional<std::string> unreached_furniture(const Scene& scene, const PhysicsWorld& world, const Profile& profile) {
   const NavigationGrid grid(scene, profile);
   const auto walk = grid.distances(grid.cell_at(scene.agent.position));
-  for (const Node& node : scene.nodes) {
-    if (node.movable) continue;
-    const double span = node.size.norm() / 2 + profile.reach_m;
-    const auto from = grid.cell_at(node.pose.position.head<2>() - Vec2::Constant(span));
-    const auto to = grid.cell_at(node.pose.position.head<2>() + Vec2::Constant(span));
-    bool reached = false;
-    for (int y = from.y; y <= to.y && !reached; ++y) {
-      for (int x = from.x; x <= to.x && !reached; ++x) {
-        reached = grid.free({x, y}) && walk[row_major(grid, {x, y})] >= 0 &&
-                  reach_distance(node, grid.centre({x, y}), profile) < profile.reach_m - 0.05;
-      }
-    }
-    if (!reached) return node.id;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (!scene.nodes[i].movable && !standing_place(scene, world, grid, walk, profile, i)) return scene.nodes[i].id;
   }
   return std::nullopt;
 }

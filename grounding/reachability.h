@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scene/scene.h"
+#include "simulation/physics.h"
 #include "simulation/profile.h"
 
 namespace unietp {
@@ -16,7 +17,7 @@ bool stand_in_first_room(Scene& scene, const Profile& profile);
 /// count as not reached.
 std::optional<std::string> unreached_room(const Scene& scene, const Profile& profile);
 
-/// Id of the first piece of furniture that the agent cannot come within reach of, or nullopt.
-std::optional<std::string> unreached_furniture(const Scene& scene, const Profile& profile);
+/// Id of the first piece of furniture without a place to stand from which it is in reach and sight, or nullopt.
+std::optional<std::string> unreached_furniture(const Scene& scene, const PhysicsWorld& world, const Profile& profile);
 
 }  // namespace unietp

@@ -27,6 +27,7 @@ std::string name_of(GroundingReason reason);
 struct GroundingFailure {
   GroundingReason reason = GroundingReason::CannotEnforce;
   std::string detail;
+  std::string subject;  // id of the object that it is about, when there is one
 };
 
 }  // namespace unietp

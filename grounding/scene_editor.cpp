@@ -6,6 +6,7 @@
 #include "grounding/furnish.h"
 #include "grounding/make_node.h"
 #include "grounding/place_object.h"
+#include "grounding/reachability.h"
 #include "grounding/small_objects.h"
 #include "simulation/navigation.h"
 #include "simulation/relations.h"
@@ -19,13 +20,16 @@ constexpr double kClosedPenalty = 0.5;  // rather not behind a door
 constexpr int kHostsTried = 8;
 constexpr double kWallMargin_m = 0.15;
 
-Where usual_where(const Node& node) {
-  Where where;
+/// Kinds of place for a piece that no recipe speaks of, the most usual first.
+std::vector<Where> usual_places(const Node& node) {
   const bool hangs = node.archetype == Archetype::Panel ||
                      (node.archetype == Archetype::Fixture && node.size.z() < 1.0) ||
                      (node.archetype == Archetype::Shelf && node.size.z() < 0.5);
-  where.kind = hangs ? Where::Kind::WallHung : Where::Kind::Wall;
-  return where;
+  std::vector<Where> places;
+  for (const auto kind : {Where::Kind::Wall, Where::Kind::Corner, Where::Kind::Centre})
+    places.push_back({.kind = kind, .host = {}, .height_m = {}});
+  if (hangs) places = {{.kind = Where::Kind::WallHung, .host = {}, .height_m = {}}};
+  return places;
 }
 
 }  // namespace
@@ -41,7 +45,7 @@ bool SceneEditor::refresh() {
 }
 
 bool SceneEditor::fail(GroundingReason reason, std::string detail) {
-  failure_ = {reason, std::move(detail)};
+  failure_ = {reason, std::move(detail), {}};
   return false;
 }
 
@@ -150,13 +154,19 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
   FurnishOptions options;
   options.draws = 2 * draws_;
   auto keep_outs = keep_outs_of(workspace_, options);
-  if (!place_furniture(workspace_, keep_outs, room, node, usual_where(node), options, next_rng())) {
-    fail(GroundingReason::LacksFurniture, "the home lacks " + category + " and " + room_id + " has no place for it");
-    return std::nullopt;
-  }
-  edits_.push_back("added " + category + " " + id + " in " + room_id);
+  const auto places = usual_places(node);
+  const bool placed = std::any_of(places.begin(), places.end(), [&](const Where& where) {
+    return place_furniture(workspace_, keep_outs, room, node, where, options, next_rng());
+  });
   stale_ = true;
-  return id;
+  if (placed && unreached_room(workspace_.scene(), profile_)) {
+    workspace_.remove(*index_of(id));
+  } else if (placed) {
+    edits_.push_back("added " + category + " " + id + " in " + room_id);
+    return id;
+  }
+  fail(GroundingReason::LacksFurniture, "the home lacks " + category + " and " + room_id + " has no place for it");
+  return std::nullopt;
 }
 
 bool SceneEditor::clear_off(const std::string& id) {

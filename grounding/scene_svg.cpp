@@ -66,6 +66,7 @@ class Drawing {
                      [](const Node* a, const Node* b) { return a->pose.position.z() < b->pose.position.z(); });
     for (const Node* node : furniture) piece(*node);
     walls();
+    names();
     for (const Node* node : movable) dot(*node);
     if (!path.empty()) walk(path);
     agent();
@@ -105,6 +106,8 @@ class Drawing {
       const Look& look = look_of(room.type);
       polygon(room.polygon, "fill=\"" + std::string(look.fill) + "\"");
     }
+  }
+  void names() {
     for (const Room& room : scene_.rooms) {
       Vec2 low = room.polygon.front(), high = low;
       for (const Vec2& corner : room.polygon) {
@@ -136,6 +139,7 @@ class Drawing {
     const Bounds bounds = bounds_of(node.pose, node.size);
     const double width_px = (bounds.high.x() - bounds.low.x()) * kPixelsPerMetre;
     const double size = std::clamp(1.7 * width_px / static_cast<double>(node.id.size()), 6.0, 10.0);
+    if (width_px < 5.0 * static_cast<double>(node.id.size()) * 0.6) return;
     text(node.pose.position.head<2>(), size, "#5d5a55", "400", node.id);
   }
   void dot(const Node& node) {
