@@ -11,28 +11,21 @@ using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
 Json sound_task() {
-  return Json::parse(R"({"format":"unietp-task/1","id":"ai2thor-00001","template":"open-one","split":"atomic",
+  return Json::parse(R"text({"format":"unietp-task/1","id":"ai2thor-00001","template":"open-one","split":"atomic",
     "simulator":"ai2thor","scene":"ai2thor-00001","layout":"ai2thor-home-0001","bindings":{"A":"Fridge"},
-    "refinement":"","goal":{"text":"(at-end (exists (?a - Fridge) (open ?a)))","tree":{
-  "op" : "at-end", "parts" : [ {
-    "op" : "exists",
-    "variable" : "a",
-    "domain" : {"categories" : [ {"category" : "Fridge"} ]},
-    "body" : {"op" : "atom", "predicate" : "open", "terms" : [ {"variable" : "a"} ]}
-  } ]}},
+    "refinement":"","goal":{"text":"(at-end (exists (?a - Fridge) (open ?a)))","tree":{"op":"at-end","parts":[
+      {"op":"exists","variable":"a","domain":{"categories":[{"category":"Fridge"}]},"body":
+        {"op":"atom","predicate":"open","terms":[{"variable":"a"}]}}]}},
     "start":{"constraints":[],"edits":[]},
     "instruction":{"text":"Open a fridge.","writer":"grammar","style":"direct","checks":["parses-back"]},
-    "expert":{"M1":{"steps":3,"failures":0}},"seed":{
-  "run" : 1, "slot" : 0, "attempt" : 0
-}
-})");
+    "expert":{"M1":{"steps":3,"failures":0}},"seed":{"run":1,"slot":0,"attempt":0}})text");
 }
 
 Json sound_demonstration() {
-  return Json::parse(R"({"format":"unietp-demonstration/1","task":"ai2thor-00001","mode":"M1","steps":[
+  return Json::parse(R"text({"format":"unietp-demonstration/1","task":"ai2thor-00001","mode":"M1","steps":[
     {"action":"go_to","args":["fridge_1"],"success":true,"failure":"none","feedback":"",
      "visible":[{"id":"fridge_1","box":[0,1,2,3]}],"changes":{"removed":["mug_1"]}},
-    {"action":"stop","args":[],"success":true,"failure":"none","feedback":"","visible":[],"changes":{}}]})");
+    {"action":"stop","args":[],"success":true,"failure":"none","feedback":"","visible":[],"changes":{}}]})text");
 }
 
 TEST(ReadTask, TakesASoundLine) {
