@@ -165,14 +165,17 @@ void add_effects(TableBuilder& builder, const Json& types, const Json& alfred) {
   }
   add("Toaster", "cooks", "BreadSliced", "", 0, {"power_on", "inside"}, {kAlfred, 1});
   add("StoveBurner", "cooks", "BreadSliced", "", 0, {"power_on", "on"}, {"curated", 0.9});
-  add("CoffeeMachine", "fills", "Mug", "coffee", 0, {"power_on", "on"}, {kAlfred, 0.9});
+  add("CoffeeMachine", "fills", "Mug", "coffee", 0, {"power_on", "on"}, {"curated", 0.9});
   add("WineBottle", "fills", "Cup", "wine", 0, {"held"}, {"curated", 0.9});
-  const std::map<std::string, std::pair<std::string, int>> slices{
-      {"Apple", {"AppleSliced", 5}},     {"Bread", {"BreadSliced", 6}},   {"Egg", {"EggCracked", 1}},
-      {"Lettuce", {"LettuceSliced", 5}}, {"Potato", {"PotatoSliced", 6}}, {"Tomato", {"TomatoSliced", 6}}};
+  // What can be sliced and what comes of it is metadata; how many pieces is ours. An egg is cracked, not sliced.
+  const std::map<std::string, std::pair<std::string, int>> slices{{"Apple", {"AppleSliced", 5}},
+                                                                  {"Bread", {"BreadSliced", 6}},
+                                                                  {"Lettuce", {"LettuceSliced", 5}},
+                                                                  {"Potato", {"PotatoSliced", 6}},
+                                                                  {"Tomato", {"TomatoSliced", 6}}};
   for (const auto& [type, pieces] : slices) {
     for (const char* knife : {"Knife", "ButterKnife"}) {
-      add(knife, "slices", type, pieces.first, pieces.second, {"held"}, {kAlfred, 0.9});
+      add(knife, "slices", type, pieces.first, pieces.second, {"held"}, {"curated", 0.9});
     }
   }
   for (const auto& [type, row] : types.items()) {

@@ -285,7 +285,8 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   if (place.inside_description && rng_.chance(0.7)) return Words{with_article(before + noun.singular) + tail};
   if (!said.modifiers.empty() && rng_.chance(0.8)) return Words{"the " + before + noun.singular + tail};
   const bool room = !said.noun.members.empty() && lexicon_.is_room_type(said.noun.members[0].category);
-  if (alike == 0 && rng_.chance(room ? 0.7 : 0.2)) return Words{"the " + before + noun.singular + tail};
+  // "The mug" would promise that there is one only; of rooms there mostly is.
+  if (room && alike == 0 && rng_.chance(0.7)) return Words{"the " + before + noun.singular + tail};
   if (rng_.chance(0.25)) return Words{"one " + before + noun.singular + tail};
   return Words{with_article(before + noun.singular) + tail};
 }
