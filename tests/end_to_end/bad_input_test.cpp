@@ -65,7 +65,7 @@ class BadTemplate : public OwnData {
 
 TEST_F(BadTemplate, AMissingBracketIsPlaced) {
   expect_refused(generate_with("(on ?a ?b)))))\n  (instruction", "(on ?a ?b))))\n  (instruction"),
-                 "put-one.template:[0-9]+:[0-9]+: ", "expected");
+                 "put-one.template:[0-9]+:[0-9]+: ", "missing ')'");
 }
 TEST_F(BadTemplate, AnUnknownPredicateIsPlacedWithTheNearestOne) {
   const auto ended = generate_with("(goal (at-end (exists (?a - A) (exists (?b - B) (on ?a ?b)))))",

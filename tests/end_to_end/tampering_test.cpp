@@ -158,7 +158,7 @@ TEST(Tampering, AnObjectMovedInTheSceneIsFoundByPhysics) {
   auto scene = Json::parse(copy.read_scene(task));
   for (auto& node : scene["nodes"]) {
     if (!node["movable"].get<bool>()) continue;
-    auto& height = node["pose"]["position"][2];
+    auto& height = node["position"][2];
     height = height.get<double>() + 0.4;
     break;
   }

@@ -95,4 +95,23 @@ std::vector<std::string> include_problems(const RoomGraph& graph, const std::str
   return problems;
 }
 
+std::vector<std::string> types_defined(std::string_view text) {
+  std::vector<std::string> types;
+  bool own = false;
+  for (const auto& line : split(text, '\n')) {
+    if (line.starts_with("namespace")) own = line == "namespace unietp {";
+    if (line == "}  // namespace") own = true;  // back from the unnamed one
+    if (!own || line.ends_with(";")) continue;
+    for (const std::string_view keyword : {"struct ", "class ", "enum class "}) {
+      if (!line.starts_with(keyword)) continue;
+      auto rest = std::string_view(line).substr(keyword.size());
+      if (rest.starts_with("[[")) rest.remove_prefix(std::min(rest.size(), rest.find("]]") + 3));
+      const auto name = rest.substr(0, rest.find_first_of(" {:<"));
+      const auto after = rest.substr(name.size());
+      if (!name.empty() && !after.starts_with("::")) types.emplace_back(name);
+    }
+  }
+  return types;
+}
+
 }  // namespace unietp

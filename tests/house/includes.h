@@ -22,4 +22,8 @@ std::vector<std::string> graph_problems(const RoomGraph& graph);
 /// is not declared (directly or through others), a third-party header in a header.
 std::vector<std::string> include_problems(const RoomGraph& graph, const std::string& path, std::string_view text);
 
+/// Types that a file defines in the project's own namespace. Two of one name in different rooms would be merged by the
+/// linker without a word, and the program would crash in one of them.
+std::vector<std::string> types_defined(std::string_view text);
+
 }  // namespace unietp

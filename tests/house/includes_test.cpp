@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -55,6 +56,22 @@ TEST(House, EveryIncludeFollowsADeclaredArrow) {
   EXPECT_GT(includes, 500);  // it did read the house
 }
 
+TEST(House, NoTwoRoomsDefineATypeOfOneName) {
+  std::map<std::string, std::string> room_of_type;
+  for (const auto& room : declared().rooms) {
+    for (const auto& path : sources_of(room)) {
+      const auto text = read_file(kSource / path);
+      ASSERT_TRUE(text) << path;
+      for (const auto& type : types_defined(*text)) {
+        const auto [place, is_new] = room_of_type.emplace(type, room);
+        EXPECT_TRUE(is_new || place->second == room)
+            << path << " defines " << type << ", as " << place->second << " does";
+      }
+    }
+  }
+  EXPECT_GT(room_of_type.size(), 100U);  // it did read the house
+}
+
 /// A newcomer's map is the README's table: it must say what the build says.
 TEST(House, TheReadmeTableNamesTheDeclaredArrows) {
   const auto readme = read_file(kSource / "README.md");
@@ -99,6 +116,14 @@ TEST(IncludeProblems, AThirdPartysHeaderInAHeaderIsRefused) {
   EXPECT_THAT(include_problems(kSmall, "akb/a.h", "#include <Eigen/Core>\n"), ElementsAre(HasSubstr("third party")));
   EXPECT_THAT(include_problems(kSmall, "scene/a.h", "#include <nlohmann/json.hpp>\n"),
               ElementsAre(HasSubstr("third party")));
+}
+
+TEST(TypesDefined, AreThoseOfTheProjectsNamespaceOnly) {
+  EXPECT_THAT(types_defined("namespace unietp {\nnamespace {\nstruct Hidden {\n};\n}  // namespace\nstruct Seen {\n"
+                            "enum class Kind : int {\nclass [[nodiscard]] Result {\nstruct Later;\n"
+                            "struct Seen::Impl {\n}  // namespace unietp\n"),
+              ElementsAre("Seen", "Kind", "Result"));
+  EXPECT_THAT(types_defined("namespace unietp::monitoring {\nstruct Node {\n"), IsEmpty());
 }
 
 TEST(GraphProblems, ArrowsUpwardsAndToNowhereAreFound) {
