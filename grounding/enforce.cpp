@@ -186,7 +186,13 @@ bool Enforcer::has_member_to_change(const Formula& formula, const Names& names, 
 }
 
 bool Enforcer::make_for_some(const Formula& formula, const Names& names, bool truth, int depth) {
-  return has_member_to_change(formula, names, truth, depth) || add_member(formula, names, truth, depth);
+  if (has_member_to_change(formula, names, truth, depth)) return true;
+  const bool had_some = !members(formula, names).empty();
+  const GroundingFailure why = editor_.failure();
+  if (add_member(formula, names, truth, depth)) return true;
+  // Why those that are there would not do says more than that no other could be had.
+  if (had_some && !why.detail.empty()) editor_.fail(why.reason, why.detail);
+  return false;
 }
 
 bool Enforcer::make_number(const Formula& formula, const Names& names, int at_least, int at_most, int depth) {

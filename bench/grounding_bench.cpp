@@ -1,0 +1,81 @@
+#include <benchmark/benchmark.h>
+
+#include <unistd.h>
+
+#include "grounding/collision.h"
+#include "grounding/ground.h"
+#include "grounding/layout.h"
+
+namespace unietp {
+namespace {
+
+struct Surroundings {
+  Knowledge knowledge;
+  LayoutRecipe recipe;
+  Profile profile;
+};
+
+Surroundings load(Simulator simulator) {
+  const std::filesystem::path root = UNIETP_SOURCE_DIR;
+  const auto file = std::filesystem::temp_directory_path() / ("unietp_bench_" + std::to_string(::getpid()) + ".sqlite");
+  compile_knowledge(root / "data/akb", file);
+  auto knowledge = load_knowledge(file, simulator);
+  std::filesystem::remove(file);
+  auto recipe = load_recipe(root / "data/layouts", *knowledge);
+  return {std::move(*knowledge), std::move(*recipe), *load_profile(root / "data/simulators", simulator)};
+}
+
+/// A home of 7 rooms with the given number of movable objects; time for one.
+void BM_GenerateLayout(benchmark::State& state) {
+  const Surroundings style = load(Simulator::Behavior);
+  LayoutOptions options;
+  options.rooms = 7;
+  options.movable_objects = static_cast<int>(state.range(0));
+  std::uint64_t seed = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        generate_layout(style.recipe, style.knowledge, style.profile, options, "home", Rng(seed++ % 16)));
+  }
+}
+BENCHMARK(BM_GenerateLayout)->Arg(60)->Arg(140)->Unit(benchmark::kMillisecond);
+
+/// One specification that adds, moves and changes things.
+void BM_Ground(benchmark::State& state) {
+  const Surroundings style = load(Simulator::Ai2thor);
+  const auto home = generate_layout(style.recipe, style.knowledge, style.profile, {}, "home", Rng(2));
+  Specification spec;
+  spec.goal =
+      *parse_formula("bench", "(exists (?a - Mug) (exists (?b - DiningTable) (at-end (on ?a ?b))))", FormulaUse::Goal);
+  for (const char* init : {"(count >= 3 (?a - Mug) (dirty ?a))", "(count >= 1 (?a - Mug) (clean ?a))",
+                           "(forall (?a - Mug) (not (exists (?b - DiningTable) (on ?a ?b))))"}) {
+    spec.init.push_back(*parse_formula("bench", init, FormulaUse::State));
+  }
+  std::uint64_t seed = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(ground(spec, *home, style.knowledge, style.profile, {}, Rng(seed++ % 16)));
+  }
+}
+BENCHMARK(BM_Ground)->Unit(benchmark::kMillisecond);
+
+/// One placement attempt against a furnished home, by FCL.
+void BM_PlacementCheck(benchmark::State& state) {
+  const Surroundings style = load(Simulator::Ai2thor);
+  const auto home = generate_layout(style.recipe, style.knowledge, style.profile, {}, "home", Rng(2));
+  PlacementChecker checker;
+  for (std::size_t i = 0; i < home->nodes.size(); ++i) {
+    const Node& node = home->nodes[i];
+    checker.set(static_cast<BodyId>(i), shape_of(node), node.pose, node.opening);
+  }
+  const Shape probe = make_shape(Archetype::Box, {0.1, 0.1, 0.1}, false);
+  Rng rng(1);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        checker.hit(probe, upright({rng.uniform(0, 9), rng.uniform(0, 9), rng.uniform(0, 1.5)}, rng.unit()), 0));
+  }
+}
+BENCHMARK(BM_PlacementCheck);
+
+}  // namespace
+}  // namespace unietp
+
+BENCHMARK_MAIN();
