@@ -7,11 +7,16 @@ namespace {
 
 std::string_view name_of(Error::Kind kind) {
   switch (kind) {
-    case Error::Kind::Parse: return "parse error";
-    case Error::Kind::Schema: return "schema error";
-    case Error::Kind::Unsatisfiable: return "unsatisfiable";
-    case Error::Kind::Io: return "file error";
-    case Error::Kind::Usage: return "usage error";
+    case Error::Kind::Parse:
+      return "parse error";
+    case Error::Kind::Schema:
+      return "schema error";
+    case Error::Kind::Unsatisfiable:
+      return "unsatisfiable";
+    case Error::Kind::Io:
+      return "file error";
+    case Error::Kind::Usage:
+      return "usage error";
   }
   return "error";
 }

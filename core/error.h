@@ -15,7 +15,7 @@ struct SourcePos {
 struct Error {
   enum class Kind { Parse, Schema, Unsatisfiable, Io, Usage };
   Kind kind = Kind::Parse;
-  std::string where;    // file name; for data a JSON pointer or table.column; may be empty
+  std::string where;  // file name; for data a JSON pointer or table.column; may be empty
   SourcePos pos;
   std::string message;  // lower case, no full stop, says what is accepted
   bool operator==(const Error&) const = default;

@@ -90,8 +90,8 @@ Result<std::string> gunzip(std::string_view where, std::string_view bytes, std::
   }
   inflateEnd(&stream);
   if (text.size() > max_bytes) {
-    return Error{Error::Kind::Parse, std::string(where), {},
-                 "unpacks to more than " + std::to_string(max_bytes) + " bytes"};
+    return Error{
+        Error::Kind::Parse, std::string(where), {}, "unpacks to more than " + std::to_string(max_bytes) + " bytes"};
   }
   if (status != Z_STREAM_END) return Error{Error::Kind::Parse, std::string(where), {}, "not a whole gzip file"};
   return text;

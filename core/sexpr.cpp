@@ -86,8 +86,10 @@ class Reader {
       if (c == '\\' && !done()) {
         const SourcePos escape = last_;
         c = take();
-        if (c == 'n') c = '\n';
-        else if (c != '"' && c != '\\') return error_at(escape, R"(unknown escape; a string knows \", \\ and \n)");
+        if (c == 'n')
+          c = '\n';
+        else if (c != '"' && c != '\\')
+          return error_at(escape, R"(unknown escape; a string knows \", \\ and \n)");
       }
       string.text += c;
     }
