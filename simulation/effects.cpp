@@ -125,7 +125,7 @@ Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect_
   const bool switches = needs(*effect, "power_on") && trial.node(tool).states.has(Predicate::PowerOff);
   Steps steps("use " + tool_id);
   if (inside && was_closed) steps.run([&] { return swing(trial, tool, true); });
-  steps.run([&] { return place(trial, tool, inside); });
+  steps.run([&] { return place(trial, tool, inside, true); });
   if (needs(*effect, "closed") && trial.node(tool).openable) steps.run([&] { return swing(trial, tool, false); });
   if (switches) steps.run([&] { return switch_power(trial, tool, true); });
   if (needs(*effect, "under_tap")) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kLetGo_m = 0.002;     // an object is let go this far above the surface
 constexpr double kSpotPitch_m = 0.05;  // spots are tried on a grid this fine
+constexpr double kEasyHeight_m = 1.0;  // shelves near this height are tried first
 constexpr int kMostSettles = 6;        // free spots on which it is tried to rest before giving up
 constexpr double kTouching_m = 0.003;  // bodies nearer than this may be leaning on one another
 constexpr double kKnocked_m = 0.05;    // neighbours that move farther than this have been knocked over
@@ -67,12 +68,12 @@ std::vector<Quat> orientations(double clearance, const Vec3& size, bool alone) {
 }
 
 struct Spot {
-  Pose pose;        // of the object, W
-  double distance;  // from the agent, metres
+  Pose pose;      // of the object, W
+  double effort;  // metres from the agent's hand
 };
 
 struct Spots {
-  std::vector<Spot> spots;  // in reach, nearest first
+  std::vector<Spot> spots;  // in reach, easiest first
   bool any_surface = false, any_fit = false;
 };
 
@@ -100,13 +101,15 @@ Spots spots_on(const WorldState& state, std::size_t target, const Vec3& size, bo
           const Pose pose = frame * Pose{local, orientation};
           const double high = std::max(0.0, pose.position.z() - state.profile->body_height_m);
           const double distance = std::hypot((pose.position.head<2>() - agent).norm(), high);
-          if (distance <= state.profile->reach_m) result.spots.push_back({pose, distance});
+          if (distance > state.profile->reach_m) continue;
+          const double effort = std::hypot(distance, pose.position.z() - kEasyHeight_m);
+          result.spots.push_back({pose, effort});
         }
       }
     }
   }
   std::stable_sort(result.spots.begin(), result.spots.end(),
-                   [](const Spot& a, const Spot& b) { return a.distance < b.distance; });
+                   [](const Spot& a, const Spot& b) { return a.effort < b.effort; });
   return result;
 }
 
@@ -153,7 +156,7 @@ Outcome pick_up(WorldState& state, std::size_t i) {
   return succeeded();
 }
 
-Outcome place(WorldState& state, std::size_t target, bool inside) {
+Outcome place(WorldState& state, std::size_t target, bool inside, bool within_grasp) {
   const std::string target_id = state.node(target).id;
   if (state.scene.agent.held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
   const std::string id = state.scene.agent.held.front();
@@ -200,6 +203,7 @@ Outcome place(WorldState& state, std::size_t target, bool inside) {
     if (stands_low(let_go) || stands_low(touched[1])) trial.forget_grid();
     trial.refresh(touched, changed);
     if (!has_edge(trial.scene, inside ? Predicate::Inside : Predicate::On, id, target_id)) continue;
+    if (within_grasp && out_of_hands_way(trial, i)) continue;
     state = std::move(trial);
     run_processes(state, target);
     return succeeded();

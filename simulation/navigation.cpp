@@ -243,10 +243,12 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
                                    std::size_t node, std::span<const BodyId> ignore) {
   constexpr double kReachReserve_m = 0.02;
   constexpr double kFrontWeight_m = 0.5;  // standing behind costs as much as standing this much farther away, twice
+  constexpr double kAsideWeight = 2;
   constexpr int kMostChecked = 80;
   const Node& target = scene.nodes[node];
   const std::vector<Footprint> way = door_way(target, profile);
   const Vec3 front = target.pose.rotation * -Vec3::UnitY();
+  const Pose to_target = inverse(target.pose);
   struct Candidate {
     double cost;
     NavigationGrid::Cell cell;
@@ -265,6 +267,11 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
       double cost = distance;
       if (!target.movable && (at - middle).norm() > 1e-9) {
         cost += kFrontWeight_m * (1 - (at - middle).normalized().dot(front.head<2>()));
+      }
+      if (target.openable && !target.movable) {  // where one can look into it once it is open: squarely before it
+        const Vec3 local = to_target * Vec3(at.x(), at.y(), target.pose.position.z());
+        const double aside = std::max(0.0, std::abs(local.x()) - target.size.x() / 2);
+        cost += kAsideWeight * aside + (local.y() > -target.size.y() / 2 ? kAsideWeight : 0);
       }
       candidates.push_back({cost, cell});
     }

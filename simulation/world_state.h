@@ -61,7 +61,8 @@ void look_at(WorldState& state, const Vec3& point);
 Outcome go_to(WorldState& state, const std::string& id);
 Outcome turn_to(WorldState& state, std::size_t node);
 Outcome pick_up(WorldState& state, std::size_t node);
-Outcome place(WorldState& state, std::size_t target, bool inside);
+/// `within_grasp`: only where the hand can take it back from where the agent stands.
+Outcome place(WorldState& state, std::size_t target, bool inside, bool within_grasp = false);
 Outcome swing(WorldState& state, std::size_t node, bool open);
 Outcome switch_power(WorldState& state, std::size_t node, bool on);
 Outcome slice(WorldState& state, std::size_t node);

@@ -125,6 +125,16 @@ TEST_F(InTheKitchen, ACompositeActionDoesWhatItStandsFor) {
   EXPECT_TRUE(is(world, "microwave_1", Predicate::Closed));
 }
 
+TEST_F(InTheKitchen, WhatIsCooledIsPutWhereTheHandCanTakeItBack) {
+  World world = start();
+  expect(world, ActionType::GoTo, "mug_1");
+  expect(world, ActionType::PickUp, "mug_1");
+  expect(world, ActionType::GoTo, "fridge_1");
+  expect(world, ActionType::CoolWith, "fridge_1");
+  EXPECT_TRUE(is(world, "mug_1", Predicate::Cool));
+  EXPECT_EQ(world.scene().agent.held, std::vector<std::string>{"mug_1"});
+}
+
 TEST_F(InTheKitchen, AMicrowaveRunsOnlyShutAndDoesNotOpenWhileItRuns) {
   World world = start();
   expect(world, ActionType::GoTo, "microwave_1");
