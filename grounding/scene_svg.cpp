@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kPixelsPerMetre = 80;
 constexpr double kMargin_m = 0.5;
+constexpr double kSameStop_m = 0.25;   // nearer stops are drawn as one
 constexpr double kLabelFrom_m = 0.35;  // shorter pieces get no label
 
 struct Look {
@@ -52,7 +53,7 @@ class Drawing {
     high_ += Vec2::Constant(kMargin_m);
   }
 
-  std::string finish(const std::vector<Vec2>& path) {
+  std::string finish(const std::vector<std::vector<Vec2>>& legs) {
     const Vec2 size = (high_ - low_) * kPixelsPerMetre;
     svg_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + px(size.x()) + "\" height=\"" + px(size.y()) +
            "\" viewBox=\"0 0 " + px(size.x()) + " " + px(size.y()) +
@@ -68,7 +69,7 @@ class Drawing {
     walls();
     names();
     for (const Node* node : movable) dot(*node);
-    if (!path.empty()) walk(path);
+    if (!legs.empty()) walk(legs);
     agent();
     return svg_ + "</svg>\n";
   }
@@ -157,17 +158,37 @@ class Drawing {
     polygon({corner(0, 0.26), corner(2.5, 0.22), corner(-2.5, 0.22)},
             "fill=\"#2f6fb2\" stroke=\"#173b61\" stroke-width=\"1.5\" stroke-linejoin=\"round\"");
   }
-  void walk(const std::vector<Vec2>& path) {
-    svg_ += "<polyline points=\"";
-    for (const Vec2& point : path) svg_ += xy(point) + " ";
-    svg_.back() = '"';
-    svg_ +=
-        " fill=\"none\" stroke=\"#2f6fb2\" stroke-width=\"2.5\" stroke-dasharray=\"7 4\" stroke-linejoin=\"round\"/>\n";
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      const Vec2 p = at(path[i]);
-      svg_ += "<circle cx=\"" + px(p.x()) + "\" cy=\"" + px(p.y()) +
-              "\" r=\"9\" fill=\"#ffffff\" stroke=\"#2f6fb2\" stroke-width=\"2\"/>\n";
-      text(path[i], 10, "#173b61", "700", std::to_string(i + 1));
+  void walk(const std::vector<std::vector<Vec2>>& legs) {
+    struct Stop {
+      Vec2 at;
+      std::string numbers;
+    };
+    std::vector<Stop> stops;
+    const auto stop_at = [&](const Vec2& point, std::size_t number) {
+      const auto known = std::find_if(stops.begin(), stops.end(),
+                                      [&](const Stop& stop) { return (stop.at - point).norm() < kSameStop_m; });
+      if (known == stops.end()) {
+        stops.push_back({point, std::to_string(number)});
+      } else {
+        known->numbers.append(",").append(std::to_string(number));
+      }
+    };
+    stop_at(legs.front().front(), 1);
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+      svg_ += "<polyline points=\"";
+      for (const Vec2& point : legs[i]) svg_ += xy(point) + " ";
+      svg_.back() = '"';
+      svg_ +=
+          " fill=\"none\" stroke=\"#2f6fb2\" stroke-width=\"2.5\" stroke-dasharray=\"7 4\" "
+          "stroke-linejoin=\"round\"/>\n";
+      stop_at(legs[i].back(), i + 2);
+    }
+    for (const Stop& stop : stops) {
+      const Vec2 p = at(stop.at);
+      const double half_width = 5.0 + 4.0 * static_cast<double>(stop.numbers.size());
+      svg_ += "<rect x=\"" + px(p.x() - half_width) + "\" y=\"" + px(p.y() - 9) + "\" width=\"" + px(2 * half_width) +
+              "\" height=\"18\" rx=\"9\" fill=\"#ffffff\" stroke=\"#2f6fb2\" stroke-width=\"2\"/>\n";
+      text(stop.at, 10, "#173b61", "700", stop.numbers);
     }
   }
 
@@ -178,6 +199,8 @@ class Drawing {
 
 }  // namespace
 
-std::string scene_svg(const Scene& scene, const std::vector<Vec2>& path) { return Drawing(scene).finish(path); }
+std::string scene_svg(const Scene& scene, const std::vector<std::vector<Vec2>>& legs) {
+  return Drawing(scene).finish(legs);
+}
 
 }  // namespace unietp

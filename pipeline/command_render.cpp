@@ -9,6 +9,7 @@
 #include "grounding/scene_svg.h"
 #include "pipeline/commands.h"
 #include "scene/scene_json.h"
+#include "simulation/navigation.h"
 
 namespace unietp {
 namespace {
@@ -25,28 +26,35 @@ struct Options {
   std::string task;
 };
 
-/// Where the agent stands after each step of a task's demonstration, the start first.
-Result<std::vector<Vec2>> way_of(const std::filesystem::path& file, const std::string& task, const Scene& start) {
+using Legs = std::vector<std::vector<Vec2>>;
+
+/// How the agent of a task's demonstration walks, one leg for each time that it changes its place.
+Result<Legs> way_of(const std::filesystem::path& file, const std::string& task, const Scene& start,
+                    const Profile& profile) {
   const auto text = read_file(file);
   if (!text) return text.error();
   for (const auto& line : split(*text, '\n')) {
     if (line.empty()) continue;
     const auto json = nlohmann::ordered_json::parse(line, nullptr, false);
     if (!json.is_object() || json.value("task", "") != task) continue;
-    std::vector<Vec2> way{start.agent.position};
+    Legs legs;
     Scene scene = start;
     for (const auto& step : json.value("steps", nlohmann::ordered_json::array())) {
       const auto changes = delta_from_json(file.string(), step.value("changes", nlohmann::ordered_json::object()));
       if (!changes) return changes.error();
+      const Scene before = scene;
       scene = apply(std::move(scene), *changes);
-      if (scene.agent.position != way.back()) way.push_back(scene.agent.position);
+      if (scene.agent.position == before.agent.position) continue;
+      auto leg = NavigationGrid(before, profile).walk(before.agent.position, scene.agent.position);
+      if (leg.empty()) leg = {before.agent.position, scene.agent.position};
+      legs.push_back(std::move(leg));
     }
-    return way;
+    return legs;
   }
   return Error{Error::Kind::Usage, file.string(), {}, "has no task \"" + task + "\"; tasks.jsonl lists the ids"};
 }
 
-Exit render(const Options& options) {
+Exit render(const Options& options, const DataFolders& folders) {
   std::error_code code;
   const bool dataset = std::filesystem::is_directory(options.input, code);
   if (dataset == options.task.empty())
@@ -59,9 +67,11 @@ Exit render(const Options& options) {
   if (!text) return refuse(text.error());
   const auto scene = scene_from_json(scene_file.string(), *text);
   if (!scene) return refuse(scene.error());
-  std::vector<Vec2> way;
+  Legs way;
   if (dataset) {
-    auto found = way_of(options.input / "demonstrations" / "M1.jsonl", options.task, *scene);
+    const auto profile = load_profile(folders.profiles(), scene->simulator);
+    if (!profile) return refuse(profile.error());
+    auto found = way_of(options.input / "demonstrations" / "M1.jsonl", options.task, *scene, *profile);
     if (!found) return refuse(found.error());
     way = std::move(*found);
   }
@@ -77,7 +87,7 @@ void add_render_command(CLI::App& app, CommandLine& program) {
   command->add_option("input", options->input, "A data set, or a scene file (.json or .json.gz)")->required();
   command->add_option("task", options->task, "A task of the data set");
   command->add_option("--out", options->out, "The SVG file to write")->required();
-  command->callback([options, &program] { program.exit = render(*options); });
+  command->callback([options, &program] { program.exit = render(*options, program.folders); });
 }
 
 }  // namespace unietp

@@ -73,6 +73,8 @@ std::variant<Instruction, Rejection> instruct(const Specification& specification
                                               const Rng& rng) {
   auto instruction = write_instruction(specification, knowledge, rng);
   if (!instruction) return Rejection{"annotator", "no-words", instruction.error().message};
+  if (instruction->style != specification.style)
+    return Rejection{"annotator", "no-words", "no words in the style " + specification.style};
   const auto problems = check_instruction(instruction->text, specification, knowledge);
   if (!problems.empty())
     return Rejection{"annotator", "check-failed", "\"" + instruction->text + "\": " + join(problems, "; ")};

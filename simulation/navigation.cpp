@@ -186,6 +186,26 @@ std::vector<NavigationGrid::Cell> NavigationGrid::path(Cell from, Cell to) const
   return cells;
 }
 
+std::vector<Vec2> NavigationGrid::walk(const Vec2& from, const Vec2& to) const {
+  const std::vector<Cell> cells = path(nearest_free(from).value_or(Cell{}), nearest_free(to).value_or(Cell{}));
+  if (cells.empty()) return {};
+  const auto straight = [&](const Vec2& a, const Vec2& b) {
+    const int samples = 1 + static_cast<int>(4 * (b - a).norm() / kCell_m);
+    for (int i = 0; i <= samples; ++i) {
+      if (!free(cell_at(a + (b - a) * i / samples))) return false;
+    }
+    return true;
+  };
+  std::vector<Vec2> points{from};
+  for (std::size_t at = 0; at + 1 < cells.size();) {
+    std::size_t next = cells.size() - 1;
+    while (next > at + 1 && !straight(centre(cells[at]), centre(cells[next]))) --next;
+    at = next;
+    points.push_back(at + 1 == cells.size() ? to : centre(cells[at]));
+  }
+  return points;
+}
+
 double reach_distance(const Node& node, const Vec2& at, const Profile& profile) {
   const Vec3 up = node.pose.rotation * Vec3::UnitZ();
   if (std::abs(up.z()) > 1 - 1e-9) {  // upright, as most things are: a rectangle and an interval of heights

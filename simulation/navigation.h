@@ -35,6 +35,9 @@ class NavigationGrid {
   std::optional<Cell> nearest_free(const Vec2& point) const;
   /// Cells of a shortest walk, both ends included; empty when there is none.
   std::vector<Cell> path(Cell from, Cell to) const;
+  /// A walk as a person would draw it: the shortest path pulled straight wherever a straight line stays on free cells.
+  /// Both points included; empty when there is no way.
+  std::vector<Vec2> walk(const Vec2& from, const Vec2& to) const;
 
  private:
   int width_ = 0, height_ = 0;

@@ -19,13 +19,14 @@ TEST(SceneSvg, DrawsEveryRoomThingAndStopOnce) {
   const auto home = home_of(*style, 3);
   ASSERT_TRUE(home);
   const std::string plain = scene_svg(*home);
-  const std::string walked = scene_svg(*home, {{1, 1}, {2, 1}, {2, 2}});
+  const std::string walked = scene_svg(*home, {{{1, 1}, {2, 1}}, {{2, 1}, {2, 2}, {1, 1}}});
   std::size_t movable = 0;
   for (const Node& node : home->nodes) movable += node.movable ? 1 : 0;
   EXPECT_EQ(count_of(plain, "<circle"), movable);
-  EXPECT_EQ(count_of(walked, "<circle"), movable + 3);
+  EXPECT_EQ(count_of(walked, ">1,3<"), 1u) << "the walk ends where it began";
+  EXPECT_EQ(count_of(walked, ">2<"), 1u);
   EXPECT_EQ(count_of(plain, "<polyline"), 0u);
-  EXPECT_EQ(count_of(walked, "<polyline"), 1u);
+  EXPECT_EQ(count_of(walked, "<polyline"), 2u);
   for (const Room& room : home->rooms) {
     std::string name = room.id;
     std::replace(name.begin(), name.end(), '_', ' ');

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+namespace unietp::fuzz {
+
+// What must hold for any bytes that a parser of outside text is given: it returns, an error says what is wrong, and
+// what it accepts is written and read back the same. Each aborts where that fails, and tells whether the text was
+// accepted. The fuzz targets run them on what libFuzzer finds, sample/ on seeds/ and changes of them.
+
+bool csv_body(std::string_view text);
+/// The five tables of one simulator, one after the other, with a line `====` between them.
+bool tables_body(std::string_view text);
+bool gzip_body(std::string_view text);
+
+bool scene_body(std::string_view text);
+bool delta_body(std::string_view text);
+bool action_body(std::string_view text);
+
+bool template_body(std::string_view text);
+bool instruction_body(std::string_view text);
+
+bool profile_body(std::string_view text);
+bool recipe_body(std::string_view text);
+
+bool task_body(std::string_view text);
+bool demonstration_body(std::string_view text);
+bool manifest_body(std::string_view text);
+
+}  // namespace unietp::fuzz

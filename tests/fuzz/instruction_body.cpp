@@ -1,0 +1,21 @@
+#include "../annotator/small_knowledge.h"
+#include "annotator/instruction.h"
+#include "bodies.h"
+#include "fuzz_bodies.h"
+#include "support.h"
+
+namespace unietp::fuzz {
+
+bool instruction_body(std::string_view text) {
+  static const Knowledge knowledge = testing_support::small_knowledge();
+  const auto goal = parse_instruction(text, knowledge);
+  if (!goal) {
+    check_error(goal.error());
+    require(goal.error().pos.column >= 1);
+    return false;
+  }
+  check_formula(*goal, FormulaUse::Goal);
+  return true;
+}
+
+}  // namespace unietp::fuzz
