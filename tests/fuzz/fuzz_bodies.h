@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
@@ -9,8 +10,10 @@
 namespace unietp::fuzz {
 
 /// What must hold for every input; aborts, so that the fuzzer keeps the input.
-inline void require(bool truth) {
-  if (!truth) std::abort();
+inline void require(bool truth, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+  if (truth) return;
+  std::fprintf(stderr, "%s:%d: this does not hold\n", file, line);
+  std::abort();
 }
 
 inline void check_positions(const Sexpr& expression) {

@@ -4,6 +4,7 @@
 #include "bodies.h"
 #include "fuzz_bodies.h"
 #include "grounding/layout.h"
+#include "grounding/where.h"
 #include "simulation/profile.h"
 #include "support.h"
 
@@ -37,6 +38,9 @@ bool recipe_body(std::string_view text) {
   for (const FurnitureRule& rule : recipe->furniture) {
     require(knowledge.find(rule.category) != nullptr);
     require(rule.at_least >= 0 && rule.at_most >= rule.at_least);
+    const auto where = parse_where(rule.where);
+    require(where.has_value());
+    require(!where->height_m || (*where->height_m >= 0 && *where->height_m <= 2.5));
   }
   return true;
 }
