@@ -65,7 +65,7 @@ void narrow_functions(const Specification& specification, const Knowledge& knowl
   for (const auto& [phrase, served] : phrases) {
     for (const Domain& domain : domains) {
       bool means = std::all_of(domain.members.begin(), domain.members.end(),
-                               [&](const auto& member) { return holds_member(served, member); });
+                               [&all = served](const auto& member) { return holds_member(all, member); });
       for (const Domain::Member& member : served.members) {
         if (!means || holds_member(domain, member)) continue;
         Specification other = specification;
