@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "simulation/walls.h"
 
@@ -41,11 +42,9 @@ bool lies_in(const Node& node, const Node& container, const Shape& shape) {
 /// Reads relations of single nodes; remembers shapes and bounds.
 class Reader {
  public:
-  Reader(const Scene& scene, const PhysicsWorld& world) : scene_(scene), world_(world) {
-    for (const Node& node : scene.nodes) shapes_.push_back(shape_of(node));
-  }
+  Reader(const Scene& scene, const PhysicsWorld& world) : scene_(scene), world_(world), shapes_(scene.nodes.size()) {}
 
-  void relations_from(std::size_t i, std::vector<Edge>& edges) const {
+  void relations_from(std::size_t i, std::vector<Edge>& edges) {
     const Node& node = scene_.nodes[i];
     const auto id = static_cast<BodyId>(i);
     const Room* room = room_at(scene_, node.pose.position.head<2>());
@@ -60,8 +59,8 @@ class Reader {
     }
     std::vector<std::string> around;
     for (const BodyId other : world_.near(bounds, 0)) {
-      if (other == id || other >= scene_.nodes.size() || shapes_[other].cavities.empty()) continue;
-      if (lies_in(node, scene_.nodes[other], shapes_[other])) {
+      if (other == id || other >= scene_.nodes.size()) continue;
+      if (lies_in(node, scene_.nodes[other], shape(other))) {
         around.push_back(scene_.nodes[other].id);
         edges.push_back({Predicate::Inside, node.id, scene_.nodes[other].id});
       }
@@ -93,6 +92,11 @@ class Reader {
   }
 
  private:
+  const Shape& shape(std::size_t i) {
+    if (!shapes_[i]) shapes_[i] = shape_of(scene_.nodes[i]);
+    return *shapes_[i];
+  }
+
   /// next_to: boxes apart by at most kNextTo_m sideways, at overlapping heights, of objects that neither hold nor carry
   /// one another (those overlap sideways).
   void beside(std::size_t i, const Bounds& bounds, std::vector<Edge>& edges) const {
@@ -110,7 +114,7 @@ class Reader {
 
   const Scene& scene_;
   const PhysicsWorld& world_;
-  std::vector<Shape> shapes_;
+  std::vector<std::optional<Shape>> shapes_;  // made when first asked for
 };
 
 void sort_unique(std::vector<Edge>& edges) {
@@ -142,7 +146,7 @@ PhysicsWorld physics_of(const Scene& scene) {
 
 std::vector<Edge> read_relations(const Scene& scene, const PhysicsWorld& world, std::span<const Edge> carried) {
   std::vector<Edge> edges(carried.begin(), carried.end());
-  const Reader reader(scene, world);
+  Reader reader(scene, world);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) reader.relations_from(i, edges);
   add_agent(scene, edges);
   sort_unique(edges);
@@ -176,7 +180,7 @@ std::vector<Edge> update_relations(const Scene& scene, const PhysicsWorld& world
   for (const Edge& edge : scene.edges) {
     if (!std::binary_search(ids.begin(), ids.end(), edge.from)) edges.push_back(edge);
   }
-  const Reader reader(scene, world);
+  Reader reader(scene, world);
   for (std::size_t i = 0; i < affected.size(); ++i) {
     if (affected[i]) reader.relations_from(i, edges);
   }
