@@ -83,7 +83,8 @@ std::vector<Entry> read_entries(const std::vector<std::string>& lines, const Dem
     }
   }
   for (const auto& [task, line] : demonstrations.line_of_task) {
-    const bool known = std::any_of(entries.begin(), entries.end(), [&id = task](const Entry& e) { return e.name == id; });
+    const bool known =
+        std::any_of(entries.begin(), entries.end(), [&id = task](const auto& e) { return e.name == id; });
     if (!known)
       problems.push_back(
           {task, {Error::Kind::Schema, at_line(kDemonstrations, line), {}, "is of no task in tasks.jsonl"}});
