@@ -15,6 +15,8 @@ Result<nlohmann::json> read_metadata_json(const std::filesystem::path& path) {
     const std::size_t offset = failure.byte == 0 ? 0 : failure.byte - 1;
     return Error{Error::Kind::Parse, path.string(), locate(*text, std::min(offset, text->size())),
                  "not JSON; expected the file as the simulator's project publishes it"};
+  } catch (const nlohmann::json::out_of_range&) {
+    return Error{Error::Kind::Parse, path.string(), {}, "a number is too large for a double"};
   }
 }
 

@@ -96,7 +96,8 @@ std::optional<Where> parse_where(std::string_view text) {
   double height = 0;
   const std::string& number = parts[used];
   const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), height);
-  if (failed != std::errc() || end != number.data() + number.size() || height < 0 || height > 2.5) return std::nullopt;
+  if (failed != std::errc() || end != number.data() + number.size()) return std::nullopt;
+  if (!(height >= 0 && height <= 2.5)) return std::nullopt;  // nan too
   where.height_m = height;
   return where;
 }

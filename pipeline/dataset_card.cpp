@@ -58,7 +58,8 @@ std::string dataset_card(const RunConfiguration& configuration, const DatasetCou
       "| `rejections.jsonl` | each candidate that was given up, with stage and reason |\n"
       "| `dataset.sqlite` | tasks, bindings, steps and rejections as tables |\n"
       "| `manifest.json` | version, configuration, counts and SHA-256 of each file |\n\n"
-      "Lengths are metres, masses kilograms, angles degrees; axes are right-handed with z up.\n\n";
+      "Lengths are metres, masses kilograms; rotations are unit quaternions [w, x, y, z], the angles of the agent "
+      "radians; axes are right-handed, z up.\n\n";
   text += "## What became of the candidates\n\n" + funnel_table(counts);
   text += "## Sources of the facts\n\n";
   std::set<std::string> origins;

@@ -5,11 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "scene/json_parse.h"
 
 namespace unietp {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
+constexpr double kMost = 100000;  // pixels, hands
 
 /// Reads fields one by one, remembers the first error and which fields it knows.
 class Fields {
@@ -24,8 +26,9 @@ class Fields {
   }
   void positive(const char* name, int& value) {
     if (const Json* field = find(name, &Json::is_number_integer, "a whole number")) {
-      value = field->get<int>();
-      if (value <= 0) fail(name, "must be greater than 0");
+      const auto whole = field->get<double>();  // no int wraps round
+      if (!(whole > 0 && whole <= kMost)) return fail(name, "must be greater than 0 and at most 100000");
+      value = static_cast<int>(whole);
     }
   }
   void flag(const char* name, bool& value) {
@@ -75,16 +78,12 @@ Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simu
   const auto path = folder / (std::string(name_of(simulator)) + ".json");
   const auto text = read_file(path);
   if (!text) return text.error();
-  Json json;
-  try {
-    json = Json::parse(*text);
-  } catch (const Json::parse_error& e) {
-    return Error{Error::Kind::Parse, path.string(), locate(*text, e.byte > 0 ? e.byte - 1 : 0), "expected valid JSON"};
-  }
-  if (!json.is_object()) return Error{Error::Kind::Schema, path.string(), {}, "expected a JSON object"};
+  const auto json = parse_json(path.string(), *text);
+  if (!json) return json.error();
+  if (!json->is_object()) return Error{Error::Kind::Schema, path.string(), {}, "expected a JSON object"};
   Profile p;
   p.simulator = simulator;
-  Fields fields(json, path.string());
+  Fields fields(*json, path.string());
   fields.text("format", "unietp-simulator/1");
   fields.text("simulator", name_of(simulator));
   fields.known("sources");

@@ -1,6 +1,7 @@
 #include "validator/manifest_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -57,7 +58,12 @@ Result<Manifest> read_manifest(std::string_view text) {
   if (const auto f = fields.required("knowledge_digest")) manifest.knowledge_digest = reader.text(*f);
   if (const auto f = fields.required("counts")) {
     JsonFields counts(reader, *f);
-    if (const auto tasks = counts.required("tasks")) manifest.tasks = static_cast<int>(reader.number(*tasks));
+    if (const auto tasks = counts.required("tasks")) {
+      const double count = reader.number(*tasks);
+      const bool whole = count >= 0 && count <= 1e9 && count == std::floor(count);
+      if (!whole) reader.fail(*tasks, "expected a whole number from 0 to 1e9");
+      if (whole) manifest.tasks = static_cast<int>(count);
+    }
   }
   if (const auto f = fields.required("files")) manifest.sha256_of = read_files(reader, *f);
   for (const auto* name : {"program", "seed", "configuration", "sources"}) (void)fields.required(name);

@@ -33,8 +33,9 @@ std::string text_or_empty(JsonReader& reader, const JsonAt& at) {
 int whole(JsonReader& reader, const JsonAt& at) {
   const double value = reader.number(at);
   if (reader.error()) return 0;
-  if (value < 0 || value > 1e15 || value != std::floor(value)) reader.fail(at, "expected a whole number from 0 up");
-  return value <= 1e9 ? static_cast<int>(value) : 0;
+  const bool fits = value >= 0 && value <= 1e9 && value == std::floor(value);
+  if (!fits) reader.fail(at, "expected a whole number from 0 to 1e9");
+  return fits ? static_cast<int>(value) : 0;
 }
 
 void read_format(JsonReader& reader, JsonFields& fields, std::string_view expected) {
@@ -106,7 +107,7 @@ std::vector<VisibleObject> read_visible(JsonReader& reader, const JsonAt& at) {
     if (const auto f = fields.required("box")) {
       if (reader.items(*f) != object.box.size()) reader.fail(*f, "expected [x0, y0, x1, y1]");
       for (std::size_t k = 0; k < object.box.size() && !reader.error(); ++k)
-        object.box[k] = static_cast<int>(reader.number(reader.item(*f, k)));
+        object.box[k] = whole(reader, reader.item(*f, k));
     }
     fields.finish();
     visible.push_back(std::move(object));

@@ -12,6 +12,8 @@ bool csv_body(std::string_view text);
 /// The five tables of one simulator, one after the other, with a line `====` between them.
 bool tables_body(std::string_view text);
 bool gzip_body(std::string_view text);
+/// A simulator's own JSON file.
+bool metadata_body(std::string_view text);
 
 bool scene_body(std::string_view text);
 bool delta_body(std::string_view text);

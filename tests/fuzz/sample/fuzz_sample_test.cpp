@@ -17,12 +17,19 @@ struct Parser {
   const char* name;  // of its folder of seeds
   bool (*body)(std::string_view);
 };
-constexpr Parser kParsers[] = {{"csv", fuzz::csv_body},           {"tables", fuzz::tables_body},
-                               {"gzip", fuzz::gzip_body},         {"scene", fuzz::scene_body},
-                               {"delta", fuzz::delta_body},       {"action", fuzz::action_body},
-                               {"template", fuzz::template_body}, {"instruction", fuzz::instruction_body},
-                               {"profile", fuzz::profile_body},   {"recipe", fuzz::recipe_body},
-                               {"task", fuzz::task_body},         {"demonstration", fuzz::demonstration_body},
+constexpr Parser kParsers[] = {{"csv", fuzz::csv_body},
+                               {"tables", fuzz::tables_body},
+                               {"gzip", fuzz::gzip_body},
+                               {"metadata", fuzz::metadata_body},
+                               {"scene", fuzz::scene_body},
+                               {"delta", fuzz::delta_body},
+                               {"action", fuzz::action_body},
+                               {"template", fuzz::template_body},
+                               {"instruction", fuzz::instruction_body},
+                               {"profile", fuzz::profile_body},
+                               {"recipe", fuzz::recipe_body},
+                               {"task", fuzz::task_body},
+                               {"demonstration", fuzz::demonstration_body},
                                {"manifest", fuzz::manifest_body}};
 
 std::vector<fs::path> seeds_of(const Parser& parser) {
