@@ -170,7 +170,9 @@ Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowle
   auto read = parse_with(rest, NounTable(knowledge));
   if (read) return read;
   Error error = read.error();
-  error.pos.column += static_cast<int>(rest.data() - text.data());
+  // Nothing left: trimmed away, it is no part of the text any more.
+  error.pos.column +=
+      static_cast<int>(rest.empty() ? text.size() : static_cast<std::size_t>(rest.data() - text.data()));
   return error;
 }
 

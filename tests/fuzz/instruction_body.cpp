@@ -11,6 +11,7 @@ bool instruction_body(std::string_view text) {
   const auto goal = parse_instruction(text, knowledge);
   if (!goal) {
     require(!goal.error().message.empty() && goal.error().pos.column >= 1);
+    require(goal.error().pos.column <= static_cast<int>(text.size()) + 1);
     return false;
   }
   check_formula(*goal, FormulaUse::Goal);
