@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <ostream>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -17,6 +18,7 @@ struct Parser {
   const char* name;  // of its folder of seeds
   bool (*body)(std::string_view);
 };
+void PrintTo(const Parser& parser, std::ostream* out) { *out << parser.name; }
 constexpr Parser kParsers[] = {{"csv", fuzz::csv_body},
                                {"tables", fuzz::tables_body},
                                {"gzip", fuzz::gzip_body},
