@@ -57,7 +57,8 @@ class KnowledgeInPhysics : public ::testing::TestWithParam<Simulator> {};
 
 TEST_P(KnowledgeInPhysics, WhatTheTablesPlaceABodyCanPlace) {
   const std::filesystem::path source = UNIETP_SOURCE_DIR;
-  const auto database = std::filesystem::path(::testing::TempDir()) / "placement_test.sqlite";
+  const auto database =
+      std::filesystem::path(::testing::TempDir()) / ("placement_" + std::string(name_of(GetParam())) + ".sqlite");
   const auto errors = compile_knowledge(source / "data/akb", database);
   ASSERT_TRUE(errors.empty()) << format(errors.front());
   const auto knowledge = load_knowledge(database, GetParam());
