@@ -114,6 +114,10 @@ void prove_entry(Entry& entry, std::size_t index, const fs::path& folder, const 
          at_line(kTasks, index),
          {},
          "unknown simulator \"" + task.simulator + "\"; accepted are ai2thor, virtualhome, habitat, behavior"});
+  if (task.scene.find('/') != std::string::npos) {  // would lead out of the data set
+    entry.errors.push_back({Error::Kind::Schema, at_line(kTasks, index), {}, "a scene's name has no '/'"});
+    return;
+  }
   const auto scene = read_scene(folder, scene_file(task.scene));
   if (!scene) entry.errors.push_back(scene.error());
   if (!simulator || !scene || !entry.line_of_demonstration) return;

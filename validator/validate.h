@@ -32,7 +32,7 @@ struct ValidationBackend {
 
 struct ValidationOptions {
   int threads = 1;
-  double rest_m = 0.01;  // a body that moves farther than this when physics runs on was not at rest
+  double rest_m = 0.005;  // a body that moves farther than this when physics runs on was not at rest
 };
 
 /// Proves a finished data set from its files: checksums; each task, scene and demonstration read strictly; the start

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include <unistd.h>
+
 #include "annotator/instruction.h"
 #include "annotator/meaning.h"
 #include "templates/template.h"
@@ -12,7 +14,8 @@ namespace {
 using Op = Formula::Op;
 
 std::filesystem::path database() {
-  const auto path = std::filesystem::path(::testing::TempDir()) / "annotator_tests.sqlite";
+  const auto path =
+      std::filesystem::path(::testing::TempDir()) / ("annotator_" + std::to_string(::getpid()) + ".sqlite");
   static const bool built = compile_knowledge(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/akb", path).empty();
   EXPECT_TRUE(built);
   return path;
