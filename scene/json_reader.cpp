@@ -97,7 +97,7 @@ Vec3 JsonReader::vec3(const JsonAt& at) {
 Quat JsonReader::rotation(const JsonAt& at) {
   double wxyz[4] = {1, 0, 0, 0};
   if (!numbers(at, 4, "[w, x, y, z]", wxyz)) return Quat::Identity();
-  const Quat value(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+  Quat value(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
   if (!(std::abs(value.norm() - 1) <= 1e-6)) {
     fail(at, "expected a quaternion of length 1, not " + number_text(value.norm()));
   }

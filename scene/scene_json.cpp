@@ -53,6 +53,7 @@ Simulator simulator_from_json(JsonReader& reader, const JsonAt& at) {
   const auto simulator = simulator_named(name);
   if (!simulator && !reader.error()) {
     std::vector<std::string> names;
+    names.reserve(kSimulators.size());
     for (const Simulator known : kSimulators) names.emplace_back(name_of(known));
     reader.unknown_name(at, "simulator", names);
   }

@@ -138,7 +138,7 @@ Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect_
   steps.run([&] { return closed() ? swing(trial, tool, true) : succeeded(); });
   steps.run([&] { return pick_up(trial, item); });
   if (was_closed) steps.run([&] { return swing(trial, tool, false); });
-  const Outcome outcome = steps.outcome();
+  Outcome outcome = steps.outcome();
   if (outcome.success) state = std::move(trial);
   return outcome;
 }

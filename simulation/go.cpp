@@ -15,7 +15,7 @@ std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
   double best_distance = std::numeric_limits<double>::infinity();
   for (int y = 0; y < grid.height(); ++y) {
     for (int x = 0; x < grid.width(); ++x) {
-      if (walk[static_cast<std::size_t>(y * grid.width() + x)] < 0) continue;
+      if (walk[grid.index({x, y})] < 0) continue;
       const Vec2 at = grid.centre({x, y});
       const double distance = (at - middle).squaredNorm();
       if (distance >= best_distance || !contains(room.polygon, at)) continue;

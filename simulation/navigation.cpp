@@ -94,7 +94,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile) {
     const Cell from = cell_at(room_low), to = cell_at(room_high);
     for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
       for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
-        if (contains(room.polygon, centre({x, y}))) blocked_[static_cast<std::size_t>(y * width_ + x)] = 0;
+        if (contains(room.polygon, centre({x, y}))) blocked_[index({x, y})] = 0;
       }
     }
   }
@@ -104,7 +104,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile) {
     const Cell from = cell_at(f.centre - Vec2::Constant(reach)), to = cell_at(f.centre + Vec2::Constant(reach));
     for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
       for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
-        if (distance_to(f, centre({x, y})) < radius) blocked_[static_cast<std::size_t>(y * width_ + x)] = 1;
+        if (distance_to(f, centre({x, y})) < radius) blocked_[index({x, y})] = 1;
       }
     }
   };
@@ -119,8 +119,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile) {
 }
 
 bool NavigationGrid::free(Cell cell) const {
-  return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_ &&
-         blocked_[static_cast<std::size_t>(cell.y * width_ + cell.x)] == 0;
+  return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_ && blocked_[index(cell)] == 0;
 }
 
 NavigationGrid::Cell NavigationGrid::cell_at(const Vec2& point) const {
@@ -136,14 +135,14 @@ std::vector<std::int32_t> NavigationGrid::distances(Cell from) const {
   std::vector<std::int32_t> steps(blocked_.size(), -1);
   if (!free(from)) return steps;
   std::vector<Cell> front{from};
-  steps[static_cast<std::size_t>(from.y * width_ + from.x)] = 0;
+  steps[index(from)] = 0;
   for (std::size_t at = 0; at < front.size(); ++at) {
     const Cell cell = front[at];
-    const std::int32_t next_steps = steps[static_cast<std::size_t>(cell.y * width_ + cell.x)] + 1;
+    const std::int32_t next_steps = steps[index(cell)] + 1;
     for (const auto& d : kNeighbours) {
       const Cell next{cell.x + d[0], cell.y + d[1]};
       if (!free(next)) continue;
-      std::int32_t& known = steps[static_cast<std::size_t>(next.y * width_ + next.x)];
+      std::int32_t& known = steps[index(next)];
       if (known >= 0) continue;
       known = next_steps;
       front.push_back(next);
@@ -171,7 +170,7 @@ std::optional<NavigationGrid::Cell> NavigationGrid::nearest_free(const Vec2& poi
 std::vector<NavigationGrid::Cell> NavigationGrid::path(Cell from, Cell to) const {
   const auto steps = distances(to);
   std::vector<Cell> cells;
-  const auto at = [&](Cell c) { return steps[static_cast<std::size_t>(c.y * width_ + c.x)]; };
+  const auto at = [&](Cell c) { return steps[index(c)]; };
   if (!free(from) || at(from) < 0) return cells;
   cells.push_back(from);
   while (at(cells.back()) > 0) {
@@ -280,7 +279,7 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
   for (int y = from.y; y <= to.y; ++y) {
     for (int x = from.x; x <= to.x; ++x) {
       const NavigationGrid::Cell cell{x, y};
-      if (!grid.free(cell) || walk_from_agent[static_cast<std::size_t>(y * grid.width() + x)] < 0) continue;
+      if (!grid.free(cell) || walk_from_agent[grid.index({x, y})] < 0) continue;
       const Vec2 at = grid.centre(cell);
       const double distance = reach_distance(target, at, profile);
       if (distance > profile.reach_m - kReachReserve_m) continue;

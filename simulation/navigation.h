@@ -29,7 +29,12 @@ class NavigationGrid {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// Steps (4-connected cells) from `from` to every cell; -1 where it cannot walk. Row-major, width() per row.
+  /// Position of a cell in `distances`: row-major, width() per row. The cell must lie in the grid.
+  std::size_t index(Cell cell) const {
+    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(cell.x);
+  }
+
+  /// Steps (4-connected cells) from `from` to every cell; -1 where it cannot walk. By `index`.
   std::vector<std::int32_t> distances(Cell from) const;
   /// The free cell nearest to a point, ties by row then column.
   std::optional<Cell> nearest_free(const Vec2& point) const;

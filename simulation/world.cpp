@@ -161,7 +161,7 @@ double World::walking_distance(std::string_view id) const {
   const auto to = grid.cell_at(bounds.high.head<2>() + Vec2::Constant(beside));
   for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
     for (int x = std::max(0, from.x); x <= std::min(grid.width() - 1, to.x); ++x) {
-      const std::int32_t steps = walk[static_cast<std::size_t>(y * grid.width() + x)];
+      const std::int32_t steps = walk[grid.index({x, y})];
       if (steps >= 0) best = std::min(best, steps * NavigationGrid::kCell_m);
     }
   }
