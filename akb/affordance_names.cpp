@@ -15,7 +15,7 @@ const std::vector<std::string>& affordance_names() {
 }
 
 const std::vector<std::string>& table_names() {
-  static const std::vector<std::string> names{"category", "affordance", "relation", "effect", "alias"};
+  static const std::vector<std::string> names{"category", "affordance", "relation", "effect", "alias", "asset"};
   return names;
 }
 
@@ -31,10 +31,12 @@ const std::vector<std::string>& columns_of(std::string_view table) {
   static const std::vector<std::string> effect{"tool",   "effect", "target", "gives",
                                                "amount", "needs",  "source", "confidence"};
   static const std::vector<std::string> alias{"category", "kind", "text", "source", "confidence"};
+  static const std::vector<std::string> asset{"asset", "category", "width", "depth", "height", "source", "confidence"};
   if (table == "category") return category;
   if (table == "affordance") return affordance;
   if (table == "relation") return relation;
-  return table == "effect" ? effect : alias;
+  if (table == "effect") return effect;
+  return table == "alias" ? alias : asset;
 }
 
 const std::vector<std::string>& relation_names() {

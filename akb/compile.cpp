@@ -30,6 +30,9 @@ CREATE TABLE effect(simulator TEXT NOT NULL, tool TEXT NOT NULL, effect TEXT NOT
   PRIMARY KEY(simulator, tool, effect, target, gives)) STRICT, WITHOUT ROWID;
 CREATE TABLE alias(simulator TEXT NOT NULL, category TEXT NOT NULL, kind TEXT NOT NULL, text TEXT NOT NULL,
   source TEXT NOT NULL, confidence REAL NOT NULL, PRIMARY KEY(simulator, category, kind, text)) STRICT, WITHOUT ROWID;
+CREATE TABLE asset(simulator TEXT NOT NULL, category TEXT NOT NULL, asset TEXT NOT NULL, width REAL NOT NULL,
+  depth REAL NOT NULL, height REAL NOT NULL, source TEXT NOT NULL, confidence REAL NOT NULL,
+  PRIMARY KEY(simulator, category, asset)) STRICT, WITHOUT ROWID;
 )";
 
 /// Binds a row's values in the order of the columns and inserts it.
@@ -70,6 +73,11 @@ void insert_tables(SqliteFile& file, Text simulator, const Tables& tables) {
   for (const auto& a : tables.aliases) {
     insert(alias, simulator, Text(a.category), Text(a.kind), Text(a.text), Text(a.source.source), a.source.confidence);
   }
+  auto asset = file.prepare("INSERT INTO asset VALUES(?,?,?,?,?,?,?,?)");
+  for (const auto& a : tables.assets) {
+    insert(asset, simulator, Text(a.category), Text(a.name), a.size.x(), a.size.y(), a.size.z(), Text(a.source.source),
+           a.source.confidence);
+  }
 }
 
 Error io_error(const std::filesystem::path& path, std::string message) {
@@ -85,7 +93,7 @@ std::vector<Error> write_database(const std::filesystem::path& path, const std::
     file.run("BEGIN");
     auto meta = file.prepare("INSERT INTO meta VALUES(?,?)");
     insert(meta, Text("digest"), Text(digest));
-    insert(meta, Text("format"), Text("unietp-knowledge/1"));
+    insert(meta, Text("format"), Text("unietp-knowledge/2"));
     for (std::size_t i = 0; i < all.size(); ++i) insert_tables(file, name_of(kSimulators[i]), all[i]);
     file.run("COMMIT");
   } catch (const std::exception& failure) {

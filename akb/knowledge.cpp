@@ -54,18 +54,21 @@ const Row* first(const std::vector<Row>& rows, const Key& key, const KeyOf& key_
 }  // namespace
 
 Knowledge::Knowledge(Simulator simulator, std::vector<Category> categories, std::vector<AffordanceFact> affordances,
-                     std::vector<Placement> placements, std::vector<Effect> effects, std::vector<Alias> aliases)
+                     std::vector<Placement> placements, std::vector<Effect> effects, std::vector<Alias> aliases,
+                     std::vector<Asset> assets)
     : simulator_(simulator) {
-  Tables tables{std::move(categories), std::move(affordances), std::move(placements), std::move(effects),
-                std::move(aliases)};
+  Tables tables{std::move(categories), std::move(affordances), std::move(placements),
+                std::move(effects),    std::move(aliases),     std::move(assets)};
   sort_tables(tables);
   categories_ = std::move(tables.categories);
   affordances_ = std::move(tables.affordances);
   placements_ = std::move(tables.placements);
   effects_ = std::move(tables.effects);
   aliases_ = std::move(tables.aliases);
+  assets_ = std::move(tables.assets);
   by_affordance_ = order_by(affordances_, [](const AffordanceFact& f) { return Key2{f.affordance, f.category}; });
   by_receptacle_ = order_by(placements_, [](const Placement& p) { return Key3{p.receptacle, p.relation, p.object}; });
+  by_asset_ = order_by(assets_, [](const Asset& a) { return std::string_view(a.name); });
   by_target_ = order_by(effects_, [](const Effect& e) { return Key3{e.target, e.effect, e.tool}; });
 }
 
@@ -116,6 +119,15 @@ std::vector<const Effect*> Knowledge::effects_on(std::string_view target, std::s
 
 std::vector<const Effect*> Knowledge::effects_of(std::string_view tool, std::string_view effect) const {
   return range(effects_, Key2{tool, effect}, [](const Effect& e) { return Key2{e.tool, e.effect}; });
+}
+
+std::vector<const Asset*> Knowledge::assets_of(std::string_view category) const {
+  return range(assets_, category, [](const Asset& a) { return std::string_view(a.category); });
+}
+
+const Asset* Knowledge::asset(std::string_view name) const {
+  const auto found = range(assets_, by_asset_, name, [](const Asset& a) { return std::string_view(a.name); });
+  return found.empty() ? nullptr : found.front();
 }
 
 std::vector<const Alias*> Knowledge::aliases_of(std::string_view category, std::string_view kind) const {

@@ -62,6 +62,15 @@ struct Alias {
   Source source;
 };
 
+/// One model that a simulator has of a category, with its real box. Scenes that use its size can be handed back to the
+/// simulator as they are.
+struct Asset {
+  std::string name;          // the simulator's own: "Mug_1", "PRE_PRO_Mug_01", "mug-abcdef"
+  std::string category;      // of this knowledge base
+  Vec3 size = Vec3::Zero();  // full extents, metres, laid as the category's: width x, depth y, height z
+  Source source;
+};
+
 struct AffordanceFact {
   std::string category, affordance;
   Source source;
@@ -78,7 +87,8 @@ const std::vector<std::string>& affordance_names();
 class Knowledge {
  public:
   Knowledge(Simulator simulator, std::vector<Category> categories, std::vector<AffordanceFact> affordances,
-            std::vector<Placement> placements, std::vector<Effect> effects, std::vector<Alias> aliases);
+            std::vector<Placement> placements, std::vector<Effect> effects, std::vector<Alias> aliases,
+            std::vector<Asset> assets = {});
 
   Simulator simulator() const { return simulator_; }
   const std::vector<Category>& categories() const { return categories_; }
@@ -98,6 +108,11 @@ class Knowledge {
   std::vector<const Effect*> effects_of(std::string_view tool, std::string_view effect) const;
 
   std::vector<const Alias*> aliases_of(std::string_view category, std::string_view kind) const;
+  /// Models of a category, by name; empty when none is known.
+  std::vector<const Asset*> assets_of(std::string_view category) const;
+  const Asset* asset(std::string_view name) const;
+  const std::vector<Asset>& assets() const { return assets_; }
+
   const std::vector<AffordanceFact>& affordances() const { return affordances_; }
   const std::vector<Alias>& aliases() const { return aliases_; }
 
@@ -108,16 +123,18 @@ class Knowledge {
   std::vector<Placement> placements_;
   std::vector<Effect> effects_;
   std::vector<Alias> aliases_;
+  std::vector<Asset> assets_;  // by category, name
   // Rows in another order than their table's own, so that every query is a binary search.
   std::vector<std::uint32_t> by_affordance_;  // affordance, category
   std::vector<std::uint32_t> by_receptacle_;  // receptacle, relation, object
   std::vector<std::uint32_t> by_target_;      // target, effect, tool
+  std::vector<std::uint32_t> by_asset_;       // name
 };
 
-/// Compiles `<tables>/<simulator>/{category,affordance,relation,effect,alias}.csv` of all four simulators into one
-/// SQLite file (written aside, then renamed) that carries the digest of its inputs.
-/// Errors: Schema with file, line and column: an unknown or missing column, a bad number, an unknown category,
-/// affordance, archetype or relation, a duplicate key, a missing or malformed source. All of them, not only the first.
+/// Compiles `<tables>/<simulator>/{category,affordance,relation,effect,alias,asset}.csv` of all four simulators into
+/// one SQLite file (written aside, then renamed) that carries the digest of its inputs. Errors: Schema with file, line
+/// and column: an unknown or missing column, a bad number, an unknown category, affordance, archetype or relation, a
+/// duplicate key, a missing or malformed source. All of them, not only the first.
 std::vector<Error> compile_knowledge(const std::filesystem::path& tables, const std::filesystem::path& database);
 
 /// SHA-256 over the names and bytes of all tables, in order.

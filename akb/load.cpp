@@ -104,8 +104,14 @@ Knowledge read_all(SqliteFile& file, Simulator simulator) {
     a.text = from.text();
     a.source = from.source();
   });
+  auto assets = rows_of<Asset>(file, "asset", simulator, [](Columns& from, Asset& a) {
+    a.category = from.text();
+    a.name = from.text();
+    for (int axis = 0; axis < 3; ++axis) a.size[axis] = from.number();
+    a.source = from.source();
+  });
   return {simulator,          std::move(categories), std::move(affordances), std::move(placements),
-          std::move(effects), std::move(aliases)};
+          std::move(effects), std::move(aliases),    std::move(assets)};
 }
 
 /// Value of a key of table meta. Throws what SQLite reports.
@@ -132,7 +138,7 @@ Result<Knowledge> load_knowledge(const std::filesystem::path& database, Simulato
   if (!std::filesystem::exists(database)) return missing(database);
   try {
     SqliteFile file(database, SqliteFile::Mode::Read);
-    if (const auto format = meta(file, "format"); format != "unietp-knowledge/1") {
+    if (const auto format = meta(file, "format"); format != "unietp-knowledge/2") {
       return schema_error(database, "format '" + format + "'");
     }
     return read_all(file, simulator);

@@ -127,6 +127,23 @@ std::vector<Alias> read_aliases(RowReader& row, const std::vector<std::string>& 
   return aliases;
 }
 
+std::vector<Asset> read_assets(RowReader& row, const std::vector<std::string>& names) {
+  std::vector<Asset> assets;
+  Keys keys;
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    Asset a;
+    a.name = row.required("asset");
+    a.category = row.one_of("category", names, "category");
+    a.size = {row.number("width", 0, kLargest_m, false), row.number("depth", 0, kLargest_m, false),
+              row.number("height", 0, kLargest_m, false)};
+    a.source = row.source("source", "confidence");
+    keys.check(row, "asset", {a.name});
+    if (row.sound()) assets.push_back(std::move(a));
+  }
+  return assets;
+}
+
 }  // namespace
 
 bool well_formed_source(std::string_view source) {
@@ -165,6 +182,7 @@ Tables read_tables(const std::filesystem::path& folder, std::vector<Error>& erro
   with_rows("relation", [&](RowReader& row) { tables.placements = read_placements(row, names); });
   with_rows("effect", [&](RowReader& row) { tables.effects = read_effects(row, names); });
   with_rows("alias", [&](RowReader& row) { tables.aliases = read_aliases(row, names); });
+  with_rows("asset", [&](RowReader& row) { tables.assets = read_assets(row, names); });
   return tables;
 }
 

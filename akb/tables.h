@@ -9,16 +9,17 @@
 
 namespace unietp {
 
-/// One simulator's tables as they stand in its five CSV files.
+/// One simulator's tables as they stand in its six CSV files.
 struct Tables {
   std::vector<Category> categories;
   std::vector<AffordanceFact> affordances;
   std::vector<Placement> placements;
   std::vector<Effect> effects;
   std::vector<Alias> aliases;
+  std::vector<Asset> assets;
 };
 
-/// The five table names in their order: category, affordance, relation, effect, alias.
+/// The six table names in their order: category, affordance, relation, effect, alias, asset.
 const std::vector<std::string>& table_names();
 /// The columns that a table must have, in any order.
 const std::vector<std::string>& columns_of(std::string_view table);
@@ -40,7 +41,7 @@ void sort_tables(Tables& tables);
 
 /// The text of one table (`table` as in table_names) with all columns and a header; equal tables give equal bytes.
 std::string table_csv(const Tables& tables, std::string_view table);
-/// Writes the five files of one simulator. Errors: Io.
+/// Writes the six files of one simulator. Errors: Io.
 Result<Done> write_tables(const std::filesystem::path& folder, const Tables& tables);
 
 }  // namespace unietp

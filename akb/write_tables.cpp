@@ -58,6 +58,15 @@ std::vector<std::string> fields(const Effect& e) {
 std::vector<std::string> fields(const Alias& a) {
   return {a.category, a.kind, a.text, a.source.source, number_text(a.source.confidence)};
 }
+std::vector<std::string> fields(const Asset& a) {
+  return {a.name,
+          a.category,
+          number_text(a.size.x()),
+          number_text(a.size.y()),
+          number_text(a.size.z()),
+          a.source.source,
+          number_text(a.source.confidence)};
+}
 
 template <class Row>
 std::string csv_of(std::string_view table, const std::vector<Row>& rows) {
@@ -79,6 +88,7 @@ void sort_tables(Tables& tables) {
   sort_by(tables.placements, [](const Placement& p) { return std::tie(p.object, p.relation, p.receptacle); });
   sort_by(tables.effects, [](const Effect& e) { return std::tie(e.tool, e.effect, e.target, e.gives); });
   sort_by(tables.aliases, [](const Alias& a) { return std::tie(a.category, a.kind, a.text); });
+  sort_by(tables.assets, [](const Asset& a) { return std::tie(a.category, a.name); });
 }
 
 std::string table_csv(const Tables& tables, std::string_view table) {
@@ -86,7 +96,8 @@ std::string table_csv(const Tables& tables, std::string_view table) {
   if (table == "affordance") return csv_of(table, tables.affordances);
   if (table == "relation") return csv_of(table, tables.placements);
   if (table == "effect") return csv_of(table, tables.effects);
-  return csv_of(table, tables.aliases);
+  if (table == "alias") return csv_of(table, tables.aliases);
+  return csv_of(table, tables.assets);
 }
 
 Result<Done> write_tables(const std::filesystem::path& folder, const Tables& tables) {

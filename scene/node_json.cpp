@@ -111,6 +111,7 @@ Json node_to_json(const Node& node) {
   fields.emplace_back("states", std::move(states));
   if (!node.colour.empty()) fields.emplace_back("colour", node.colour);
   if (!node.material.empty()) fields.emplace_back("material", node.material);
+  if (!node.asset.empty()) fields.emplace_back("asset", node.asset);
   if (!node.slice_of.empty()) fields.emplace_back("slice_of", node.slice_of);
   if (!node.whole_category.empty()) fields.emplace_back("whole_category", node.whole_category);
   return json;
@@ -143,6 +144,7 @@ Node node_from_json(JsonReader& reader, const JsonAt& at) {
   if (const auto f = fields.required("states")) node.states = states_from_json(reader, *f);
   if (const auto f = fields.optional("colour")) node.colour = reader.text(*f);
   if (const auto f = fields.optional("material")) node.material = reader.text(*f);
+  if (const auto f = fields.optional("asset")) node.asset = reader.text(*f);
   if (const auto f = fields.optional("slice_of")) node.slice_of = reader.text(*f);
   if (const auto f = fields.optional("whole_category")) node.whole_category = reader.text(*f);
   fields.finish();

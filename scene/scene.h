@@ -41,6 +41,7 @@ struct Node {
   double opening = 0;        // joint position, 0 closed … 1 fully open
   StateSet states;
   std::string colour, material;  // "" when not known
+  std::string asset;             // the simulator's model that this is, "" when it is none
   std::string slice_of;          // id of the whole this was cut from, else ""
   std::string whole_category;    // category of that whole, else ""
   bool operator==(const Node&) const = default;

@@ -50,7 +50,11 @@ std::map<std::string, std::string> small_tables() {
           {"alias",
            "category,kind,text,source,confidence\n"
            "mug,function,something to drink from,curated,1\n"
-           "mug,synonym,\"cup, with a handle\",curated,1\n"}};
+           "mug,synonym,\"cup, with a handle\",curated,1\n"},
+          {"asset",
+           "asset,category,width,depth,height,source,confidence\n"
+           "Mug_1,mug,0.11,0.09,0.1,metadata:assets.json,1\n"
+           "Mug_2,mug,0.12,0.1,0.11,metadata:assets.json,1\n"}};
 }
 
 void write_small_tables(const std::filesystem::path& tables, const std::map<std::string, std::string>& texts) {

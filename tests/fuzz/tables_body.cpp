@@ -34,7 +34,7 @@ bool tables_body(std::string_view text) {
   for (std::size_t i = 0; i < written.size(); ++i) require(table_csv(again, table_names()[i]) == written[i]);
 
   const Knowledge knowledge(Simulator::Ai2thor, tables.categories, tables.affordances, tables.placements,
-                            tables.effects, tables.aliases);
+                            tables.effects, tables.aliases, tables.assets);
   for (const Category& category : tables.categories) require(knowledge.find(category.name) != nullptr);
   for (const AffordanceFact& fact : tables.affordances) require(knowledge.has(fact.category, fact.affordance));
   for (const Placement& p : tables.placements)

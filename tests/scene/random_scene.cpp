@@ -76,6 +76,7 @@ Node random_node(std::string id, Rng& rng) {
   node.states = random_states(rng);
   if (rng.chance(0.3)) node.colour = "red";
   if (rng.chance(0.3)) node.material = "oak\twood";
+  if (rng.chance(0.2)) node.asset = "Bread_4";
   if (rng.chance(0.2)) node.slice_of = "bread_1", node.whole_category = "Bread";
   return node;
 }

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "core/result.h"
+#include "interchange/source_scene.h"
+
+namespace unietp {
+
+// Readers and writers of the simulators' own scene files. `where` names the text in errors. A file that holds several
+// homes (JSON lines; a `scenes` object; a JSON array) gives several.
+// Errors: Parse or Schema with the place in the text (line and column, or a JSON pointer) and what is accepted: text
+// that is no JSON, a field that is missing or of another type, numbers that are not finite.
+
+Result<std::vector<SourceScene>> read_ithor(const std::string& where, std::string_view text);
+Result<std::vector<SourceScene>> read_procthor(const std::string& where, std::string_view text,
+                                               const Knowledge& knowledge);
+Result<std::vector<SourceScene>> read_virtualhome(const std::string& where, std::string_view text,
+                                                  const Knowledge& knowledge);
+Result<std::vector<SourceScene>> read_habitat(const std::string& where, std::string_view text,
+                                              const Knowledge& knowledge);
+Result<std::vector<SourceScene>> read_behavior(const std::string& where, std::string_view text,
+                                               const Knowledge& knowledge);
+
+/// A file of a simulator that loads it, and what of the scene that format cannot say.
+struct ExportedScene {
+  std::string text;
+  std::vector<std::string> left_out;  // for people: "mug_3: no AI2-THOR asset fits its box"
+};
+Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge);
+Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge);
+Result<ExportedScene> write_habitat(const Scene& scene, const Knowledge& knowledge);
+
+/// The formats by name: ithor, procthor, virtualhome, replicacad, hssd, behavior.
+const std::vector<std::string>& scene_format_names();
+
+}  // namespace unietp
