@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include "core/text.h"
 #include "pipeline/commands.h"
+#include "pipeline/given_scenes.h"
 #include "pipeline/run.h"
 
 namespace unietp {
@@ -21,6 +23,8 @@ constexpr const char* kHelp =
     "      40 tasks, equally shared by the four simulators and the five splits\n"
     "  unietp generate --count 20 --simulators ai2thor,habitat --splits logical --out out/logic\n"
     "  unietp generate --count 8 --templates place-on,slice-one --out out/two\n"
+    "  unietp generate --count 20 --scenes out/homes --out out/imported\n"
+    "      in the homes of these scene files; `unietp scene import` makes them from the simulators' own files\n"
     "  unietp generate --count 40 --seed 1 --out out/first --resume\n"
     "      go on after an interruption; the result is the same to the byte\n"
     "\n"
@@ -32,6 +36,7 @@ struct Options {
   RunConfiguration configuration;
   RunOptions run;
   std::string simulators, splits, templates;
+  std::vector<std::filesystem::path> scenes;
   bool json = false;
 };
 
@@ -92,6 +97,15 @@ Exit tell(const RunReport& report, const Options& options, spdlog::logger& log) 
   return report.unfilled.empty() ? Exit::Ok : Exit::Wrong;
 }
 
+std::vector<Simulator> simulators_of(const std::vector<Scene>& scenes) {
+  std::vector<Simulator> found;
+  for (const auto simulator : kSimulators) {
+    const auto own = [&](const Scene& scene) { return scene.simulator == simulator; };
+    if (std::any_of(scenes.begin(), scenes.end(), own)) found.push_back(simulator);
+  }
+  return found;
+}
+
 Exit generate(Options& options, const CommandLine& program) {
   spdlog::logger log("unietp", std::make_shared<spdlog::sinks::stderr_sink_mt>());
   log.set_pattern("%l: %v");
@@ -108,8 +122,15 @@ Exit generate(Options& options, const CommandLine& program) {
   for (const auto& name : split(options.templates, ',')) {
     if (!trim(name).empty()) options.configuration.templates.emplace_back(trim(name));
   }
-  const auto reading = load_resources(program.folders);
+  auto reading = load_resources(program.folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
+  if (!options.scenes.empty()) {
+    auto given = read_given_scenes(options.scenes, reading.resources.backends);
+    if (!given.errors.empty()) return refuse(given.errors);
+    if (options.simulators.empty()) options.configuration.simulators = simulators_of(given.scenes);
+    options.configuration.scenes = std::move(given.names);
+    reading.resources.homes = std::move(given.scenes);
+  }
 
   ProgressLine line;
   options.run.licences = program.folders.licences();
@@ -139,6 +160,7 @@ void add_generate_command(CLI::App& app, CommandLine& program) {
   command->add_option("--rooms", configuration.rooms, "Rooms of a home")->check(CLI::Range(5, 20));
   command->add_option("--objects", configuration.objects, "Movable objects asked for in a home")
       ->check(CLI::Range(0, 1000));
+  command->add_option("--scenes", options->scenes, "Scene files, or folders of them, in place of drawn homes");
   command->add_option("--threads", options->run.threads, "Threads (default: one a processor); never changes the result")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->run.out, "Folder to make")->required();

@@ -42,9 +42,12 @@ nlohmann::ordered_json to_json(const RunConfiguration& configuration) {
   for (const auto simulator : configuration.simulators) simulators.push_back(name_of(simulator));
   auto splits = nlohmann::ordered_json::array();
   for (const auto split : configuration.splits) splits.push_back(name_of(split));
-  return {{"count", configuration.count},         {"simulators", std::move(simulators)}, {"splits", std::move(splits)},
-          {"templates", configuration.templates}, {"attempts", configuration.attempts},  {"rooms", configuration.rooms},
-          {"objects", configuration.objects}};
+  nlohmann::ordered_json json{{"count", configuration.count},       {"simulators", std::move(simulators)},
+                              {"splits", std::move(splits)},        {"templates", configuration.templates},
+                              {"attempts", configuration.attempts}, {"rooms", configuration.rooms},
+                              {"objects", configuration.objects}};
+  if (!configuration.scenes.empty()) json["scenes"] = configuration.scenes;
+  return json;
 }
 
 const std::vector<Split>& all_splits() {

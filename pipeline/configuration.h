@@ -24,6 +24,7 @@ struct RunConfiguration {
   int attempts = 40;                   // candidates tried for one task before it is given up
   int rooms = 6;                       // of a home
   int objects = 60;                    // movable ones asked for in a home
+  std::vector<std::string> scenes;     // given homes, "<id> <sha256>"; empty: homes are drawn
   bool operator==(const RunConfiguration&) const = default;
 };
 

@@ -39,15 +39,26 @@ Result<Layout> make_layout(const RunConfiguration& configuration, const Resource
 }  // namespace
 
 LayoutPool::LayoutPool(const RunConfiguration& configuration, const Resources& resources)
-    : configuration_(configuration), resources_(resources), per_simulator_(layouts_per_simulator(configuration)) {
-  for (int i = 0; i < per_simulator_ * static_cast<int>(kSimulators.size()); ++i)
-    entries_.push_back(std::make_unique<Entry>());
+    : configuration_(configuration), resources_(resources) {
+  for (const Scene& home : resources.homes) {
+    auto& own = entries_[static_cast<std::size_t>(home.simulator)];
+    own.push_back(std::make_unique<Entry>());
+    own.back()->given = &home;
+  }
+  if (!resources.homes.empty()) return;
+  for (auto& own : entries_) {
+    for (int i = 0; i < layouts_per_simulator(configuration); ++i) own.push_back(std::make_unique<Entry>());
+  }
 }
 
 const Result<Layout>& LayoutPool::layout(Simulator simulator, int index) {
-  Entry& entry = *entries_[static_cast<std::size_t>(static_cast<int>(simulator) * per_simulator_ + index)];
+  Entry& entry = *of(simulator)[static_cast<std::size_t>(index)];
   std::call_once(entry.once, [&] {
-    entry.layout = std::make_unique<Result<Layout>>(make_layout(configuration_, resources_, simulator, index));
+    const auto made = [&]() -> Result<Layout> {
+      if (entry.given == nullptr) return make_layout(configuration_, resources_, simulator, index);
+      return Layout{*entry.given, offered_categories(*entry.given, resources_.backend(simulator).knowledge)};
+    };
+    entry.layout = std::make_unique<Result<Layout>>(made());
   });
   return *entry.layout;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -17,25 +18,31 @@ struct Layout {
   std::vector<std::string> offered;  // categories that it has, or that can be put somewhere in it; and its room types
 };
 
-/// The homes of a run, each made when it is first asked for and then shared. Which thread makes it does not matter: a
-/// home depends on (seed, simulator, index) only. Safe to use from several threads.
+/// The homes of a run: the given ones of Resources::homes, or else each is drawn when it is first asked for and then
+/// shared. Which thread draws it does not matter: a home depends on (seed, simulator, index) only. Safe to use from
+/// several threads.
 class LayoutPool {
  public:
   LayoutPool(const RunConfiguration& configuration, const Resources& resources);
 
-  int size() const { return per_simulator_; }
-  /// `index` in [0, size()). Errors: those of generate_layout, after a few tries. The reference lives as the pool does.
+  /// How many homes a simulator has, > 0.
+  int size(Simulator simulator) const { return static_cast<int>(of(simulator).size()); }
+  /// `index` in [0, size(simulator)). Errors: those of generate_layout, after a few tries. The reference lives as the
+  /// pool does.
   const Result<Layout>& layout(Simulator simulator, int index);
 
  private:
   struct Entry {
     std::once_flag once;
+    const Scene* given = nullptr;  // of Resources::homes
     std::unique_ptr<Result<Layout>> layout;
   };
   const RunConfiguration& configuration_;
   const Resources& resources_;
-  int per_simulator_;
-  std::vector<std::unique_ptr<Entry>> entries_;
+  const std::vector<std::unique_ptr<Entry>>& of(Simulator simulator) const {
+    return entries_[static_cast<std::size_t>(simulator)];
+  }
+  std::array<std::vector<std::unique_ptr<Entry>>, kSimulators.size()> entries_;
 };
 
 /// Categories that a scene has, and movable ones whose usual receptacles it has; and the types of its rooms. Sorted.

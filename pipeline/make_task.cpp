@@ -102,7 +102,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   const Rng root(configuration.seed);
 
   StageTimer timer(costs, Stage::Layout);
-  const auto& layout = layouts.layout(slot.simulator, (slot.number + attempt) % layouts.size());
+  const auto& layout = layouts.layout(slot.simulator, (slot.number + attempt) % layouts.size(slot.simulator));
   if (!layout) return rejected({"grounding", "no-layout", layout.error().message});
 
   timer.enter(Stage::Generator);

@@ -50,6 +50,7 @@ struct Resources {
   std::vector<Backend> backends;      // in the order of kSimulators
   std::vector<LayoutRecipe> recipes;  // likewise
   std::vector<Template> templates;    // in order of file name
+  std::vector<Scene> homes;           // that a run is to use (given_scenes.h); empty: it draws its own
   std::string digest;                 // knowledge_digest of the folders
 
   const Backend& backend(Simulator simulator) const { return backends[static_cast<std::size_t>(simulator)]; }

@@ -78,6 +78,13 @@ Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, 
   }
   std::vector<std::vector<Group>> groups;
   for (const auto simulator : configuration.simulators) {
+    const auto own = [&](const Scene& home) { return home.simulator == simulator; };
+    if (!resources.homes.empty() && std::none_of(resources.homes.begin(), resources.homes.end(), own))
+      return Error{Error::Kind::Usage,
+                   "--scenes",
+                   {},
+                   "none of the scenes given is one of " + std::string(name_of(simulator)) +
+                       "; leave that simulator out of --simulators or give one"};
     auto found = groups_of(configuration, resources, simulator);
     if (!found) return found.error();
     groups.push_back(std::move(*found));

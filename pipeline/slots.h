@@ -27,7 +27,8 @@ struct TaskSlot {
 int layouts_per_simulator(const RunConfiguration& configuration);
 
 /// Equal shares for simulators, then for splits, then round robin over templates in an order drawn from the seed.
-/// Deterministic. Errors: Usage when a template is unknown or no template fits a simulator and a split asked for.
+/// Deterministic. Errors: Usage when a template is unknown, when no template fits a simulator
+/// and a split asked for, or when scenes are given and none is of a simulator asked for.
 Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources);
 
 }  // namespace unietp

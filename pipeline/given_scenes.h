@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "pipeline/resources.h"
+#include "scene/scene.h"
+
+namespace unietp {
+
+/// Homes that a run takes from files in place of drawing its own.
+struct GivenScenes {
+  std::vector<Scene> scenes;       // in order of id
+  std::vector<std::string> names;  // of the same scenes: "<id> <sha256 of its JSON>", as the manifest records them
+  std::vector<Error> errors;       // empty when sound; every problem of every file otherwise
+};
+
+/// Reads scene files (*.scene.json, *.scene.json.gz) and all of those in folders. Errors: Io, Parse and Schema of the
+/// files; Usage for a folder without any, for an id that two files share, and for a category that the simulator's
+/// knowledge base lacks.
+GivenScenes read_given_scenes(const std::vector<std::filesystem::path>& paths, const std::vector<Backend>& backends);
+
+}  // namespace unietp
