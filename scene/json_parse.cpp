@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxDepth = 64;
-constexpr std::size_t kMaxFields = 64;
+constexpr std::size_t kFewFields = 64;  // are searched one by one
 
 std::string printable(std::string_view text, std::size_t limit) {
   std::string plain(text.substr(0, limit));
@@ -39,7 +40,8 @@ std::string reason_of(std::string_view what) {
 /// copies the values of an object whenever its list of fields grows.
 class Builder {
  public:
-  Builder(std::string_view where, std::string_view text) : where_(where), text_(text) {}
+  Builder(std::string_view where, std::string_view text, std::size_t max_fields)
+      : where_(where), text_(text), max_fields_(max_fields) {}
 
   bool null() { return add(Json()); }
   bool boolean(bool value) { return add(Json(value)); }
@@ -55,10 +57,10 @@ class Builder {
 
   bool key(std::string& name) {
     const auto& fields = *stack_.back()->get_ptr<const Json::object_t*>();
-    if (fields.size() == kMaxFields) return fail("more than 64 fields in one object");
-    for (const auto& [other, value] : fields) {
-      if (other == name) return fail("the field " + in_quotes(name) + " stands twice in one object");
+    if (fields.size() == max_fields_) {
+      return fail("more than " + std::to_string(max_fields_) + " fields in one object");
     }
+    if (has_field(fields, name)) return fail("the field " + in_quotes(name) + " stands twice in one object");
     key_ = std::move(name);
     return true;
   }
@@ -75,6 +77,19 @@ class Builder {
   }
 
  private:
+  /// Linear while the object is small; then by a set of its names, kept while the object is open.
+  bool has_field(const Json::object_t& fields, const std::string& name) {
+    if (fields.size() < kFewFields) {
+      return std::any_of(fields.begin(), fields.end(), [&](const auto& field) { return field.first == name; });
+    }
+    names_.resize(stack_.size());
+    auto& names = names_.back();
+    if (names.empty()) {
+      for (const auto& [other, value] : fields) names.insert(other);
+    }
+    return !names.insert(name).second;
+  }
+
   bool add(Json value) {
     put(std::move(value));
     return true;
@@ -87,6 +102,7 @@ class Builder {
   }
 
   bool close() {
+    if (names_.size() == stack_.size()) names_.pop_back();
     stack_.pop_back();
     return true;
   }
@@ -123,8 +139,10 @@ class Builder {
   }
 
   std::string_view where_, text_;
+  std::size_t max_fields_;
   Json root_;
   std::vector<Json*> stack_;  // the open arrays and objects; only the innermost one grows, so the others stay in place
+  std::vector<std::unordered_set<std::string>> names_;  // of the open objects with many fields, by depth
   std::string key_;
   std::optional<Error> error_;
 };
@@ -133,8 +151,8 @@ class Builder {
 
 std::string in_quotes(std::string_view text) { return std::string("\"").append(printable(text, 60)).append("\""); }
 
-Result<Json> parse_json(std::string_view where, std::string_view text) {
-  Builder builder(where, text);
+Result<Json> parse_json(std::string_view where, std::string_view text, std::size_t max_fields) {
+  Builder builder(where, text, max_fields);
   const bool complete = Json::sax_parse(text.data(), text.data() + text.size(), &builder);
   return builder.result(complete);
 }

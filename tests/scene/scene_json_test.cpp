@@ -175,6 +175,21 @@ TEST(SceneJson, RefusesDeepAndWideInputWithoutSpendingMuchOnIt) {
   EXPECT_THAT(read.error().message, StartsWith("more than 64 fields"));
 }
 
+TEST(ParseJson, ReadsWideObjectsWhereTheCallerAllowsAndStillFindsARepeatedField) {
+  constexpr std::size_t kWide = 200000;
+  std::string wide = "{\"a\":{";
+  for (std::size_t i = 0; i < kWide; ++i) wide += "\"k" + std::to_string(i) + "\":{\"k0\":[{\"k0\":1}]},";
+  const auto read = parse_json("x", wide + "\"last\":2},\"k0\":3}", kWide + 1);
+  ASSERT_TRUE(read) << format(read.error());
+  EXPECT_EQ((*read)["a"].size(), kWide + 1);
+  const auto repeated = parse_json("x", wide + "\"k77\":2}}", kWide + 1);
+  ASSERT_FALSE(repeated);
+  EXPECT_EQ(format(repeated.error()), "x#/a: schema error: the field \"k77\" stands twice in one object");
+  const auto wider = parse_json("x", wide + "\"last\":2}}", kWide);
+  ASSERT_FALSE(wider);
+  EXPECT_THAT(wider.error().message, StartsWith("more than 200000 fields"));
+}
+
 TEST(SceneJson, NeitherThrowsNorCrashesOnDamagedTextForAnySeed) {
   Rng scenes(7);
   const std::string sound = scene_to_json(random_scene(scenes));
