@@ -2,10 +2,10 @@
 #include <system_error>
 
 #include "akb/knowledge.h"
-#include "akb/sqlite_file.h"
 #include "akb/tables.h"
 #include "core/digest.h"
 #include "core/files.h"
+#include "core/sqlite_file.h"
 #include "core/text.h"
 
 namespace unietp {

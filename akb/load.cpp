@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "akb/knowledge.h"
-#include "akb/sqlite_file.h"
+#include "core/sqlite_file.h"
 #include "core/text.h"
 
 namespace unietp {

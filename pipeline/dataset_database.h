@@ -4,8 +4,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "akb/sqlite_file.h"
 #include "core/result.h"
+#include "core/sqlite_file.h"
 
 namespace unietp {
 

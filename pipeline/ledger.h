@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "akb/sqlite_file.h"
 #include "core/result.h"
+#include "core/sqlite_file.h"
 #include "pipeline/candidate.h"
 
 namespace unietp {

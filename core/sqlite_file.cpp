@@ -1,4 +1,4 @@
-#include "akb/sqlite_file.h"
+#include "core/sqlite_file.h"
 
 #include <sqlite3.h>
 

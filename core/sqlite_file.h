@@ -13,8 +13,8 @@ struct sqlite3_stmt;
 
 namespace unietp {
 
-/// One prepared statement. A misuse (unknown table of our own schema) throws std::runtime_error, caught in compile.cpp
-/// and load.cpp; nothing else sees SQLite.
+/// One prepared statement. A failure (a file that is no database, a table that it lacks) throws std::runtime_error,
+/// caught in the file of each room that uses it; only core's .cpp file sees SQLite.
 class Statement {
  public:
   Statement(sqlite3* database, std::string_view sql);
