@@ -104,7 +104,9 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
       continue;
     }
     workspace.agent() = furnished.agent;
-    scatter_objects(workspace, options.movable_objects, options.attempts_per_object, draw.fork("objects", 0));
+    const auto furniture = static_cast<int>(workspace.scene().nodes.size());
+    const int movable = options.objects > 0 ? std::max(0, options.objects - furniture) : options.movable_objects;
+    scatter_objects(workspace, movable, options.attempts_per_object, draw.fork("objects", 0));
     workspace.read_edges();
     return std::move(workspace).take();
   }

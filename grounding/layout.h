@@ -27,8 +27,9 @@ struct LayoutRecipe {
 Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge);
 
 struct LayoutOptions {
-  int rooms = 6;             // >= 5
+  int rooms = 6;             // >= 4
   int movable_objects = 60;  // asked for; fewer when they find no place
+  int objects = 0;           // when above 0: furniture and movable objects together, instead of movable_objects
   int attempts_per_object = 40;
 };
 
