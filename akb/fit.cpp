@@ -14,6 +14,7 @@ constexpr double kShelfSetBack_m = 0.03;
 constexpr double kBoard_m = 0.02;
 constexpr double kHighestTop_m = 1.25;  // a higher top is out of reach
 constexpr double kMargin_m = 0.005;
+constexpr double kApart_m = 0.02;  // between things on one surface
 
 double wall(const Vec3& size, double most) { return std::clamp(0.07 * size.minCoeff(), 0.003, most); }
 
@@ -76,11 +77,20 @@ std::optional<Room3> top(const Category& c) {
   }
 }
 
+/// The floor between a table's legs.
+std::optional<Room3> below(const Category& c) {
+  const Vec3& s = c.size;
+  if (c.archetype != Archetype::Table) return std::nullopt;
+  const double board = std::min(0.04, 0.2 * s.z()), leg = std::min({0.06, 0.2 * s.x(), 0.2 * s.y()});
+  return Room3{s.x() - 2 * leg - 2 * kEdge_m, s.y() - 2 * leg - 2 * kEdge_m, s.z() - board, false, 1};
+}
+
 }  // namespace
 
 std::optional<Room3> room_of(const Category& receptacle, std::string_view relation) {
   if (relation == "inside") return hollow(receptacle);
   if (relation == "on") return top(receptacle);
+  if (relation == "under") return below(receptacle);
   return std::nullopt;
 }
 
@@ -96,11 +106,22 @@ bool fits(const Category& object, std::string_view relation, const Category& rec
   return room && fits(object.size, *room);
 }
 
+bool fit_side_by_side(const Category& a, const Category& b, const Category& support) {
+  const auto room = room_of(support, "on");
+  if (!room || std::max(a.size.z(), b.size.z()) + kMargin_m > room->clearance) return false;
+  const auto as = std::minmax(a.size.x(), a.size.y()), bs = std::minmax(b.size.x(), b.size.y());
+  const auto [narrow, wide] = std::minmax(room->width, room->depth);
+  // In a row along the wide side: each with its short side along it when its long side still fits across.
+  const auto along = [&](double small, double large) { return large + kMargin_m <= narrow ? small : large; };
+  const double a_along = along(as.first, as.second), b_along = along(bs.first, bs.second);
+  return as.first + kMargin_m <= narrow && bs.first + kMargin_m <= narrow && a_along + b_along + kApart_m <= wide;
+}
+
 int capacity_of(const Category& object, std::string_view relation, const Category& receptacle) {
   const auto room = room_of(receptacle, relation);
   if (!room || !fits(object.size, *room)) return 0;
   const auto count = [&](double w, double d) {
-    return static_cast<int>(room->width / (w + 0.02)) * static_cast<int>(room->depth / (d + 0.02));
+    return static_cast<int>(room->width / (w + kApart_m)) * static_cast<int>(room->depth / (d + kApart_m));
   };
   const int grid = std::max(count(object.size.x(), object.size.y()), count(object.size.y(), object.size.x()));
   return std::clamp(static_cast<int>(0.6 * grid * room->levels), 1, 12);

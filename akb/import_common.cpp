@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "akb/fit.h"
-#include "akb/placement_rules.h"
 #include "akb/row_reader.h"
 #include "core/files.h"
 #include "core/text.h"
@@ -16,6 +15,9 @@ namespace unietp {
 namespace {
 
 constexpr double kSizeFactor = 1.4, kMassFactor = 3;
+constexpr double kLargerModel = 1.15;   // a model that is larger might not go where the category does
+constexpr double kSmallerModel = 0.65;  // one that is smaller is another kind of thing
+constexpr double kSmallerHolder = 0.9;  // nor does a smaller one hold what the category holds
 
 /// To millimetres, so that files stay short.
 Vec3 millimetres(const Vec3& v) {
@@ -27,39 +29,24 @@ bool has_joint(Archetype archetype) {
          archetype == Archetype::Folding;
 }
 
-/// Kinds that a rule of placement_rules.csv names also stand for these: a chest's drawer for "drawer", a cabinet's top
-/// for "dresser", a stove's oven for "oven".
-bool stands_for(const PlacementRule& rule, const std::string& kind) {
-  if (rule.receptacle == kind) return true;
-  static const std::set<std::pair<std::string, std::string>> kInside{
-      {"drawer", "nightstand"}, {"drawer", "dresser"}, {"oven", "stove"}, {"kitchen_cabinet", "top_cabinet"}};
-  static const std::set<std::pair<std::string, std::string>> kOn{{"dresser", "cabinet"},
-                                                                 {"dresser", "drawer"},
-                                                                 {"counter", "kitchen_cabinet"},
-                                                                 {"counter", "dishwasher"},
-                                                                 {"bathroom_counter", "bathroom_cabinet"},
-                                                                 {"washer", "dryer"},
-                                                                 {"stool", "stool"}};
-  return (rule.relation == "inside" ? kInside : kOn).contains({rule.receptacle, kind});
-}
-
 std::array<int, 3> order_of(const Vec3& v) {
   std::array<int, 3> order{0, 1, 2};
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return v[a] < v[b]; });
   return order;
 }
 
-/// The extents laid along the axes so that the longest lies where the model's longest does; nothing when one is far
-/// off.
-std::optional<Vec3> laid_like(const Vec3& extents, const Vec3& model) {
+/// The extents laid along the axes so that the longest lies where the model's longest does.
+Vec3 laid_like(const Vec3& extents, const Vec3& model) {
   const auto from = order_of(extents), to = order_of(model);
   Vec3 laid = Vec3::Zero();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double ratio = extents[from[i]] / model[to[i]];
-    if (!(ratio <= kSizeFactor && ratio >= 1 / kSizeFactor)) return std::nullopt;
-    laid[to[i]] = extents[from[i]];
-  }
-  return millimetres(laid);
+  for (std::size_t i = 0; i < 3; ++i) laid[to[i]] = extents[from[i]];
+  return laid;
+}
+
+/// True when each extent is at least `low` and at most `high` times the model's.
+bool within(const Vec3& extents, const Vec3& model, double low, double high) {
+  const Vec3 ratio = extents.cwiseQuotient(model);
+  return ratio.minCoeff() >= low && ratio.maxCoeff() <= high;
 }
 
 }  // namespace
@@ -123,7 +110,7 @@ void TableBuilder::add(const RawCategory& raw) {
   const auto word = lexicon_.find(display);
   if (word == lexicon_.end()) {
     errors_.push_back({Error::Kind::Schema,
-                       (curated_ / "lexicon.csv").string(),
+                       (curated_ / "lexicon*.csv").string(),
                        {},
                        "no word '" + display + "' for category '" + raw.name + "'; expected a row for it"});
     return;
@@ -133,8 +120,9 @@ void TableBuilder::add(const RawCategory& raw) {
   c.movable = raw.movable;
   c.source = raw.source;
   if (raw.extents) {
-    if (const auto laid = laid_like(*raw.extents, c.size)) {
-      c.size = *laid;
+    const Vec3 laid = laid_like(*raw.extents, c.size);
+    if (within(laid, c.size, 1 / kSizeFactor, kSizeFactor)) {
+      c.size = millimetres(laid);
       c.size_source = {raw.extents_source, 0.9};
     }
   }
@@ -188,41 +176,17 @@ void TableBuilder::afford_by_archetype() {
   }
 }
 
-void TableBuilder::seen(const std::string& object, std::string_view relation, const std::string& receptacle,
-                        double weight, const std::string& source) {
-  auto& placement = placements_[{object, std::string(relation), receptacle}];
-  if (placement.object.empty()) placement = {object, std::string(relation), receptacle, 0, 1, {source, 0.9}};
-  placement.likelihood += weight;
-}
-
-void TableBuilder::place_by_kind(double scale) {
-  const auto rules = read_placement_rules(curated_ / "placement_rules.csv", errors_);
-  for (const auto& [object, c] : categories_) {
-    for (const auto& [receptacle, r] : categories_) {
-      if (object == receptacle) continue;
-      const auto& at = kinds_[receptacle];
-      for (const auto& rule : rules) {
-        if (rule.kind != kinds_[object]) continue;
-        if (!stands_for(rule, at)) continue;
-        if (rule.relation == "inside" && !has(receptacle, "container")) continue;
-        if (rule.relation == "on" && !has(receptacle, "receptacle")) continue;
-        const auto key = std::tuple(object, rule.relation, receptacle);
-        if (!placements_.contains(key)) {
-          placements_[key] = {object, rule.relation, receptacle, rule.weight * scale, 1, {"derived:kind", 0.7}};
-        }
-      }
-    }
-  }
-}
-
-std::set<std::tuple<std::string, std::string, std::string>> TableBuilder::sensible_placements() {
-  auto kept = std::move(placements_);
-  placements_.clear();
-  place_by_kind(1);
-  std::set<std::tuple<std::string, std::string, std::string>> found;
-  for (const auto& [key, p] : placements_) found.insert(key);
-  placements_ = std::move(kept);
-  return found;
+void TableBuilder::model(Asset asset) {
+  const auto found = categories_.find(asset.category);
+  if (found == categories_.end() || !(asset.size.minCoeff() > 0)) return;
+  const Category& c = found->second;
+  const bool holds = room_of(c, "on") || room_of(c, "inside");
+  const double low = holds ? kSmallerHolder : kSmallerModel;
+  const Vec3 as_it_is = asset.size;
+  if (!within(as_it_is, c.size, low, kLargerModel)) asset.size = laid_like(as_it_is, c.size);
+  if (!within(asset.size, c.size, low, kLargerModel)) return;
+  asset.size = millimetres(asset.size);
+  assets_.try_emplace(asset.name, std::move(asset));
 }
 
 void TableBuilder::effect(Effect effect) {

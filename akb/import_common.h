@@ -51,10 +51,15 @@ class TableBuilder {
   void seen(const std::string& object, std::string_view relation, const std::string& receptacle, double weight,
             const std::string& source);
   /// Placements of placement_rules.csv (rule `kind`) for every pair that metadata does not name; `scale` says how much
-  /// they weigh against metadata.
+  /// they weigh against metadata. All four relations; `next_to` is of things that can stand on one support.
   void place_by_kind(double scale);
   /// Object, relation and receptacle of every placement that place_by_kind would add.
   std::set<std::tuple<std::string, std::string, std::string>> sensible_placements();
+
+  /// A model of a category, its extents in any order of axes. Kept when its box, laid like the category's, is along
+  /// each axis at most 1.15 times the category's (so it goes where the category goes) and at least 0.65 times, 0.9
+  /// times where things are put on or in it (so it holds what the category holds). Call it after `add`.
+  void model(Asset asset);
 
   void effect(Effect effect);
   /// Adds the aliases, then lays curated tables over, drops what does not fit (rule `footprint` gives capacities) and
@@ -73,8 +78,11 @@ class TableBuilder {
   void overlay_curated();
   void drop_removed();
   void drop_unfit();
+  void drop_unfit_placements();
+  int room_beside(const Placement& p) const;
   void normalise();
   void add_aliases();
+  void add_aliases_of(const std::filesystem::path& path);
   void drop_ambiguous_aliases();
   std::filesystem::path folder() const;
 
@@ -90,6 +98,7 @@ class TableBuilder {
   std::map<std::tuple<std::string, std::string, std::string>, Placement> placements_;
   std::map<std::tuple<std::string, std::string, std::string, std::string>, Effect> effects_;
   std::map<std::tuple<std::string, std::string, std::string>, Alias> aliases_;
+  std::map<std::string, Asset> assets_;  // by name
 };
 
 /// "CoffeeMachine" -> "coffee machine", "coffee_table" -> "coffee table".

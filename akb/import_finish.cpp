@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cmath>
 
-#include "akb/fit.h"
 #include "akb/import_common.h"
 #include "akb/row_reader.h"
 #include "core/files.h"
@@ -88,46 +86,11 @@ void TableBuilder::drop_removed() {
   }
 }
 
-void TableBuilder::drop_unfit() {
-  for (auto& [key, p] : placements_) {
-    const auto object = categories_.find(p.object), receptacle = categories_.find(p.receptacle);
-    const bool known = object != categories_.end() && receptacle != categories_.end();
-    p.capacity = known ? capacity_of(object->second, p.relation, receptacle->second) : 0;
-    const bool shut = known && p.relation == "inside" && receptacle->second.archetype == Archetype::Drawers &&
-                      !has(p.receptacle, "openable");
-    const bool built_in = known && p.relation == "inside" && !object->second.movable;  // a faucet in its sink
-    if (shut || built_in) p.capacity = 0;
-  }
-  std::erase_if(placements_, [](const auto& entry) { return entry.second.capacity == 0; });
-  std::erase_if(effects_, [&](const auto& entry) {
-    const Effect& e = entry.second;
-    const bool inside = std::find(e.needs.begin(), e.needs.end(), "inside") != e.needs.end();
-    const bool on = std::find(e.needs.begin(), e.needs.end(), "on") != e.needs.end();
-    const auto &tool = categories_.at(e.tool), &target = categories_.at(e.target);
-    return (inside && !fits(target, "inside", tool)) || (on && !fits(target, "on", tool));
-  });
-  // A derived receptacle in or on which nothing of this simulator fits is none.
-  std::erase_if(affordances_, [&](const auto& entry) {
-    const auto& fact = entry.second;
-    const bool holds = fact.affordance == "container" || fact.affordance == "receptacle";
-    const char* relation = fact.affordance == "container" ? "inside" : "on";
-    return holds && fact.source.source == "derived:archetype" &&
-           std::none_of(placements_.begin(), placements_.end(), [&](const auto& placed) {
-             return placed.second.receptacle == fact.category && placed.second.relation == relation;
-           });
-  });
-}
-
-void TableBuilder::normalise() {
-  std::map<std::string, double> sum;
-  for (const auto& [key, p] : placements_) sum[p.object] += p.likelihood;
-  for (auto& [key, p] : placements_) {
-    p.likelihood = std::max(1e-4, std::round(p.likelihood / sum[p.object] * 1e4) / 1e4);
-  }
-}
-
 void TableBuilder::add_aliases() {
-  const auto path = curated_ / "aliases.csv";
+  for (const auto& path : parts_of(curated_, "aliases", errors_)) add_aliases_of(path);
+}
+
+void TableBuilder::add_aliases_of(const std::filesystem::path& path) {
   const auto text = read_file(path);
   if (!text) {
     errors_.push_back(text.error());
@@ -140,7 +103,7 @@ void TableBuilder::add_aliases() {
     const auto kind = row.one_of("kind", alias_kinds(), "kind of alias");
     const auto alias = row.required("text");
     if (!lexicon_.contains(display))
-      row.fail("display", "no word '" + display + "' in lexicon.csv; expected one of its rows");
+      row.fail("display", "no word '" + display + "' in lexicon*.csv; expected one of its rows");
     if (!row.sound()) continue;
     for (const auto& [name, c] : categories_) {
       if (c.display == display) aliases_.try_emplace({name, kind, alias}, Alias{name, alias, kind, {"curated", 0.9}});
@@ -180,6 +143,7 @@ Result<Tables> TableBuilder::finish() {
   for (auto& [key, row] : placements_) tables.placements.push_back(std::move(row));
   for (auto& [key, row] : effects_) tables.effects.push_back(std::move(row));
   for (auto& [key, row] : aliases_) tables.aliases.push_back(std::move(row));
+  for (auto& [name, row] : assets_) tables.assets.push_back(std::move(row));
   sort_tables(tables);
   return tables;
 }

@@ -40,7 +40,7 @@ struct Category {
 /// `mug on countertop: likely 0.4, at most 6`.
 struct Placement {
   std::string object, relation, receptacle;  // relation: on, inside, next_to, under
-  double likelihood = 0;                     // relative weight among the receptacles of this object
+  double likelihood = 0;                     // share among its places on and in things; among its next_to; its under
   int capacity = 1;                          // how many such objects fit
   Source source;
 };

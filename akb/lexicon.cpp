@@ -1,5 +1,7 @@
 #include "akb/lexicon.h"
 
+#include <algorithm>
+
 #include "akb/row_reader.h"
 #include "akb/tables.h"
 #include "core/files.h"
@@ -30,29 +32,12 @@ std::map<std::string, std::vector<std::string>> read_kinds(const std::filesystem
   return rooms;
 }
 
-}  // namespace
-
-std::string regular_plural(std::string_view display) {
-  if (const auto of = display.find(" of "); of != std::string_view::npos) {
-    return regular_plural(display.substr(0, of)) + std::string(display.substr(of));
-  }
-  const auto ends = [&](std::string_view suffix) { return display.ends_with(suffix); };
-  std::string word(display);
-  const bool consonant_y =
-      ends("y") && display.size() > 1 && !starts_with_vowel_letter(display.substr(display.size() - 2));
-  if (consonant_y) return word.substr(0, word.size() - 1) + "ies";
-  if (ends("s") || ends("x") || ends("ch") || ends("sh")) return word + "es";
-  return word + "s";
-}
-
-Lexicon read_lexicon(const std::filesystem::path& curated, std::vector<Error>& errors) {
-  Lexicon lexicon;
-  const auto kind_rooms = read_kinds(curated / "kinds.csv", errors);
-  const auto path = curated / "lexicon.csv";
+void read_words(const std::filesystem::path& path, const std::map<std::string, std::vector<std::string>>& kind_rooms,
+                Lexicon& lexicon, std::vector<Error>& errors) {
   const auto text = read_file(path);
   if (!text) {
     errors.push_back(text.error());
-    return lexicon;
+    return;
   }
   std::vector<std::string> archetypes;
   for (const auto archetype : all_archetypes()) archetypes.emplace_back(name_of(archetype));
@@ -81,6 +66,44 @@ Lexicon read_lexicon(const std::filesystem::path& curated, std::vector<Error>& e
       row.fail("display", "word '" + display + "' twice; expected each once");
     }
   }
+}
+
+}  // namespace
+
+std::string regular_plural(std::string_view display) {
+  if (const auto of = display.find(" of "); of != std::string_view::npos) {
+    return regular_plural(display.substr(0, of)) + std::string(display.substr(of));
+  }
+  const auto ends = [&](std::string_view suffix) { return display.ends_with(suffix); };
+  std::string word(display);
+  const bool consonant_y =
+      ends("y") && display.size() > 1 && !starts_with_vowel_letter(display.substr(display.size() - 2));
+  if (consonant_y) return word.substr(0, word.size() - 1) + "ies";
+  if (ends("s") || ends("x") || ends("ch") || ends("sh")) return word + "es";
+  return word + "s";
+}
+
+std::vector<std::filesystem::path> parts_of(const std::filesystem::path& folder, std::string_view stem,
+                                            std::vector<Error>& errors) {
+  std::vector<std::filesystem::path> parts;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+    const auto name = entry.path().filename().string();
+    if (name.starts_with(stem) && name.ends_with(".csv")) parts.push_back(entry.path());
+  }
+  std::sort(parts.begin(), parts.end());
+  if (parts.empty()) {
+    const auto wanted = std::string(stem) + "*.csv";
+    errors.push_back(
+        {Error::Kind::Io, (folder / wanted).string(), {}, "no such file; expected at least one " + wanted});
+  }
+  return parts;
+}
+
+Lexicon read_lexicon(const std::filesystem::path& curated, std::vector<Error>& errors) {
+  Lexicon lexicon;
+  const auto kind_rooms = read_kinds(curated / "kinds.csv", errors);
+  for (const auto& path : parts_of(curated, "lexicon", errors)) read_words(path, kind_rooms, lexicon, errors);
   return lexicon;
 }
 

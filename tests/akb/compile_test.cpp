@@ -15,7 +15,7 @@ std::string bytes_of(const std::filesystem::path& path) {
 
 /// The tables of a loaded knowledge base as CSV: equal text means every field is equal.
 std::string all_text(const Knowledge& k) {
-  const Tables tables{k.categories(), k.affordances(), k.placements(), k.effects(), k.aliases()};
+  const Tables tables{k.categories(), k.affordances(), k.placements(), k.effects(), k.aliases(), k.assets()};
   std::string text;
   for (const auto& table : table_names()) text += table_csv(tables, table);
   return text;

@@ -20,10 +20,10 @@ class CommittedTables : public testing::TestWithParam<Simulator> {
   void SetUp() override {
     tables = test::committed(GetParam());
     for (const auto& c : tables.categories) by_name[c.name] = &c;
+    for (const auto& f : tables.affordances) facts.emplace(f.category, f.affordance);
   }
   bool afforded(const std::string& name, const std::string& affordance) const {
-    return std::any_of(tables.affordances.begin(), tables.affordances.end(),
-                       [&](const AffordanceFact& f) { return f.category == name && f.affordance == affordance; });
+    return facts.contains({name, affordance});
   }
   /// Furniture that a layout places.
   bool furniture(const std::string& name) const {
@@ -32,6 +32,7 @@ class CommittedTables : public testing::TestWithParam<Simulator> {
 
   Tables tables;
   std::map<std::string, const Category*> by_name;
+  std::set<std::pair<std::string, std::string>> facts;  // category, affordance
 };
 INSTANTIATE_TEST_SUITE_P(Each, CommittedTables, testing::ValuesIn(kSimulators),
                          [](const auto& simulator) { return std::string(name_of(simulator.param)); });
@@ -91,6 +92,7 @@ TEST_P(CommittedTables, OnlyBodiesWithAJointAreOpenable) {
 
 TEST_P(CommittedTables, WhatGoesInsideIsSmallerThanWhatHoldsItAndFitsTheRoomThere) {
   for (const auto& p : tables.placements) {
+    if (p.relation == "next_to") continue;  // bodies_test looks for the support of both
     const Category &object = *by_name.at(p.object), &receptacle = *by_name.at(p.receptacle);
     const auto room = room_of(receptacle, p.relation);
     ASSERT_TRUE(room) << p.object << " " << p.relation << " " << p.receptacle;
@@ -142,8 +144,29 @@ TEST_P(CommittedTables, EveryOpenableFurnitureHoldsSomething) {
 
 TEST_P(CommittedTables, LikelihoodsOfAnObjectSumToOne) {
   std::map<std::string, double> sum;
-  for (const auto& p : tables.placements) sum[p.object] += p.likelihood;
+  for (const auto& p : tables.placements) {
+    const bool place = p.relation == "on" || p.relation == "inside";
+    sum[p.object + (place ? "" : " " + p.relation)] += p.likelihood;
+  }
   for (const auto& [object, total] : sum) EXPECT_NEAR(total, 1, 0.01) << object;
+}
+
+TEST_P(CommittedTables, SayWhatStandsBesideAndUnderWhat) {
+  std::map<std::string, int> count;
+  for (const auto& p : tables.placements) {
+    ++count[p.relation];
+    EXPECT_NE(p.object, p.receptacle);
+  }
+  EXPECT_GE(count["next_to"], 250);
+  EXPECT_GE(count["under"], 15);
+}
+
+TEST_P(CommittedTables, ModelsGoWhereTheirCategoryGoes) {
+  for (const auto& asset : tables.assets) {
+    const Vec3 ratio = asset.size.cwiseQuotient(by_name.at(asset.category)->size);
+    EXPECT_LE(ratio.maxCoeff(), 1.16) << asset.name;
+    EXPECT_GE(ratio.minCoeff(), 0.6) << asset.name;
+  }
 }
 
 TEST_P(CommittedTables, ToolsReachTheirTargetsAndSlicesAreSmaller) {

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "akb/fit.h"
+#include "akb/import_common.h"
+#include "akb/placement_rules.h"
+
+// Where things are kept: seen in metadata or by rule, and only where the bodies leave room.
+namespace unietp {
+namespace {
+
+constexpr int kMostBeside = 4;
+
+/// Kinds that a rule of placement_rules.csv names also stand for these: a chest's drawer for "drawer", a cabinet's top
+/// for "dresser", a stove's oven for "oven".
+bool stands_for(const PlacementRule& rule, const std::string& kind) {
+  if (rule.receptacle == kind) return true;
+  static const std::set<std::pair<std::string, std::string>> kInside{
+      {"drawer", "nightstand"}, {"drawer", "dresser"}, {"oven", "stove"}, {"kitchen_cabinet", "top_cabinet"}};
+  static const std::set<std::pair<std::string, std::string>> kOn{{"dresser", "cabinet"},
+                                                                 {"dresser", "drawer"},
+                                                                 {"counter", "kitchen_cabinet"},
+                                                                 {"counter", "dishwasher"},
+                                                                 {"bathroom_counter", "bathroom_cabinet"},
+                                                                 {"washer", "dryer"},
+                                                                 {"stool", "stool"}};
+  if (rule.relation == "inside") return kInside.contains({rule.receptacle, kind});
+  return rule.relation == "on" && kOn.contains({rule.receptacle, kind});
+}
+
+/// Places on and in things share a sum; being beside or under something says nothing against them.
+std::string share_of(const Placement& p) {
+  return p.object + (p.relation == "next_to" || p.relation == "under" ? "\x1f" + p.relation : "");
+}
+
+}  // namespace
+
+void TableBuilder::seen(const std::string& object, std::string_view relation, const std::string& receptacle,
+                        double weight, const std::string& source) {
+  auto& placement = placements_[{object, std::string(relation), receptacle}];
+  if (placement.object.empty()) placement = {object, std::string(relation), receptacle, 0, 1, {source, 0.9}};
+  placement.likelihood += weight;
+}
+
+void TableBuilder::place_by_kind(double scale) {
+  std::map<std::string, std::vector<PlacementRule>> rules;  // by kind of the object, in the file's order
+  for (auto& rule : read_placement_rules(curated_ / "placement_rules.csv", errors_)) {
+    rules[rule.kind].push_back(std::move(rule));
+  }
+  for (const auto& [object, c] : categories_) {
+    for (const auto& rule : rules[kinds_[object]]) {
+      for (const auto& [receptacle, r] : categories_) {
+        if (object == receptacle || !stands_for(rule, kinds_[receptacle])) continue;
+        if (rule.relation == "inside" && !has(receptacle, "container")) continue;
+        if (rule.relation == "on" && !has(receptacle, "receptacle")) continue;
+        placements_.try_emplace(
+            {object, rule.relation, receptacle},
+            Placement{object, rule.relation, receptacle, rule.weight * scale, 1, {"derived:kind", 0.7}});
+      }
+    }
+  }
+}
+
+std::set<std::tuple<std::string, std::string, std::string>> TableBuilder::sensible_placements() {
+  auto kept = std::move(placements_);
+  placements_.clear();
+  place_by_kind(1);
+  std::set<std::tuple<std::string, std::string, std::string>> found;
+  for (const auto& [key, p] : placements_) found.insert(key);
+  placements_ = std::move(kept);
+  return found;
+}
+
+/// How many of the object stand beside the other thing where both are put: on one support that has room for the two.
+int TableBuilder::room_beside(const Placement& p) const {
+  int most = 0;
+  const auto &object = categories_.at(p.object), &other = categories_.at(p.receptacle);
+  for (auto at = placements_.lower_bound({p.object, "on", ""});
+       at != placements_.end() && at->second.object == p.object && at->second.relation == "on"; ++at) {
+    const auto& support = at->second.receptacle;
+    if (support == p.receptacle || !placements_.contains({p.receptacle, "on", support})) continue;
+    if (!fit_side_by_side(object, other, categories_.at(support))) continue;
+    most = std::max(most, std::clamp(at->second.capacity - 1, 1, kMostBeside));
+  }
+  return most;
+}
+
+void TableBuilder::drop_unfit_placements() {
+  const auto drop = [&](bool beside, const auto& capacity) {
+    for (auto& [key, p] : placements_) {
+      if ((p.relation == "next_to") == beside) p.capacity = capacity(p);
+    }
+    std::erase_if(placements_, [](const auto& entry) { return entry.second.capacity == 0; });
+  };
+  drop(false, [&](const Placement& p) {
+    const auto object = categories_.find(p.object), receptacle = categories_.find(p.receptacle);
+    if (object == categories_.end() || receptacle == categories_.end()) return 0;
+    const bool shut =
+        p.relation == "inside" && receptacle->second.archetype == Archetype::Drawers && !has(p.receptacle, "openable");
+    const bool built_in = p.relation != "on" && !object->second.movable;  // a faucet in its sink
+    return shut || built_in ? 0 : capacity_of(object->second, p.relation, receptacle->second);
+  });
+  drop(true, [&](const Placement& p) {
+    const auto object = categories_.find(p.object);
+    const bool loose = object != categories_.end() && object->second.movable && categories_.contains(p.receptacle);
+    return loose ? room_beside(p) : 0;
+  });
+}
+
+void TableBuilder::drop_unfit() {
+  drop_unfit_placements();
+  std::erase_if(effects_, [&](const auto& entry) {
+    const Effect& e = entry.second;
+    const bool inside = std::find(e.needs.begin(), e.needs.end(), "inside") != e.needs.end();
+    const bool on = std::find(e.needs.begin(), e.needs.end(), "on") != e.needs.end();
+    const auto &tool = categories_.at(e.tool), &target = categories_.at(e.target);
+    return (inside && !fits(target, "inside", tool)) || (on && !fits(target, "on", tool));
+  });
+  std::set<std::pair<std::string, std::string>> used;  // relation, receptacle
+  for (const auto& [key, p] : placements_) used.emplace(p.relation, p.receptacle);
+  // A derived receptacle in or on which nothing of this simulator fits is none.
+  std::erase_if(affordances_, [&](const auto& entry) {
+    const auto& fact = entry.second;
+    const bool holds = fact.affordance == "container" || fact.affordance == "receptacle";
+    const char* relation = fact.affordance == "container" ? "inside" : "on";
+    return holds && fact.source.source == "derived:archetype" && !used.contains({relation, fact.category});
+  });
+}
+
+void TableBuilder::normalise() {
+  std::map<std::string, double> sum;
+  for (const auto& [key, p] : placements_) sum[share_of(p)] += p.likelihood;
+  for (auto& [key, p] : placements_) {
+    p.likelihood = std::max(1e-4, std::round(p.likelihood / sum[share_of(p)] * 1e4) / 1e4);
+  }
+}
+
+}  // namespace unietp

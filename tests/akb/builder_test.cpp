@@ -1,0 +1,100 @@
+// The steps that all importers share, on our own curated words alone.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "akb/import_common.h"
+#include "core/files.h"
+#include "core/text.h"
+#include "tests/akb/small_tables.h"
+
+namespace unietp {
+namespace {
+
+std::filesystem::path curated() { return test::committed_tables() / "curated"; }
+
+RawCategory raw(const std::string& name, bool movable) {
+  RawCategory category;
+  category.name = name;
+  category.movable = movable;
+  category.source = {"curated", 1};
+  return category;
+}
+
+const char* const kLexiconHeader =
+    "display,plural,synset,kind,archetype,width,depth,height,mass,rooms,colours,materials\n";
+
+TEST(Lexicon, IsSeveralFilesReadTogether) {
+  const test::TemporaryFolder folder;
+  std::filesystem::copy(curated(), folder.path() / "c");
+  ASSERT_TRUE(write_file(folder.path() / "c" / "lexicon_more.csv",
+                         std::string(kLexiconHeader) + "gizmo,,,gadget,box,0.1,0.1,0.1,0.3,,,\n"));
+  std::vector<Error> errors;
+  const auto lexicon = read_lexicon(folder.path() / "c", errors);
+  EXPECT_TRUE(errors.empty());
+  EXPECT_TRUE(lexicon.contains("gizmo"));
+  EXPECT_TRUE(lexicon.contains("apple"));
+}
+
+TEST(Lexicon, AWordInTwoFilesIsAnErrorThatNamesTheSecond) {
+  const test::TemporaryFolder folder;
+  std::filesystem::copy(curated(), folder.path() / "c");
+  ASSERT_TRUE(write_file(folder.path() / "c" / "lexicon_more.csv",
+                         std::string(kLexiconHeader) + "apple,,,fruit,sphere,0.1,0.1,0.1,0.3,,,\n"));
+  std::vector<Error> errors;
+  read_lexicon(folder.path() / "c", errors);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(replace_all(format(errors.front()), folder.path().string() + "/", ""),
+            "c/lexicon_more.csv:2:1: schema error: word 'apple' twice; expected each once");
+}
+
+TEST(Lexicon, AFolderWithoutOneIsAnError) {
+  const test::TemporaryFolder folder;
+  std::vector<Error> errors;
+  EXPECT_TRUE(parts_of(folder.path(), "lexicon", errors).empty());
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors.front().kind, Error::Kind::Io);
+}
+
+TEST(TableBuilder, KeepsModelsThatGoWhereTheCategoryGoes) {
+  TableBuilder builder(Simulator::Ai2thor, curated());
+  builder.add(raw("Apple", true));
+  builder.add(raw("DiningTable", false));
+  const Vec3 apple = builder.find("Apple")->size, table = builder.find("DiningTable")->size;
+  const Source source{"metadata:models.json", 1};
+  builder.model({"as_large", "Apple", apple * 1.1, source});
+  builder.model({"too_large", "Apple", apple * 1.3, source});
+  builder.model({"small", "Apple", apple * 0.7, source});
+  builder.model({"turned", "DiningTable", {table.z(), table.x(), table.y()}, source});
+  builder.model({"low", "DiningTable", table * 0.8, source});
+  builder.model({"of_nothing", "Unicorn", table, source});
+  const auto tables = builder.finish();
+  ASSERT_TRUE(tables) << format(tables.error());
+  std::vector<std::string> names;
+  for (const auto& asset : tables->assets) names.push_back(asset.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"as_large", "small", "turned"}));
+  EXPECT_NEAR((tables->assets.back().size - table).norm(), 0, 1e-9) << "laid as the category is";
+}
+
+TEST(TableBuilder, PutsThingsBesideWhatSharesASupportAndUnderTables) {
+  TableBuilder builder(Simulator::Ai2thor, curated());
+  for (const char* name : {"Fork", "Plate", "Boots"}) builder.add(raw(name, true));
+  for (const char* name : {"DiningTable", "Fridge", "Sink"}) builder.add(raw(name, false));
+  builder.afford_by_archetype();
+  builder.place_by_kind(1);
+  const auto tables = builder.finish();
+  ASSERT_TRUE(tables) << format(tables.error());
+  const auto placed = [&](const char* object, const char* relation, const char* receptacle) {
+    return std::any_of(tables->placements.begin(), tables->placements.end(), [&](const Placement& p) {
+      return p.object == object && p.relation == relation && p.receptacle == receptacle;
+    });
+  };
+  EXPECT_TRUE(placed("Fork", "next_to", "Plate"));
+  EXPECT_FALSE(placed("Fork", "next_to", "Fridge"));
+  EXPECT_FALSE(placed("Boots", "next_to", "Plate"));
+  EXPECT_TRUE(placed("Boots", "under", "DiningTable"));
+  EXPECT_FALSE(placed("Boots", "under", "Fridge"));
+}
+
+}  // namespace
+}  // namespace unietp
