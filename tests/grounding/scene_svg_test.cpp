@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "grounding/label_layout.h"
+#include "grounding/svg_canvas.h"
 #include "homes.h"
 
 namespace unietp {
@@ -20,13 +22,11 @@ TEST(SceneSvg, DrawsEveryRoomThingAndStopOnce) {
   ASSERT_TRUE(home);
   const std::string plain = scene_svg(*home);
   const std::string walked = scene_svg(*home, {{{1, 1}, {2, 1}}, {{2, 1}, {2, 2}, {1, 1}}});
-  std::size_t movable = 0;
-  for (const Node& node : home->nodes) movable += node.movable ? 1 : 0;
-  EXPECT_EQ(count_of(plain, "<circle"), movable);
+  EXPECT_EQ(count_of(plain, "<g><title>"), home->nodes.size() + 1) << "every thing and the agent";
   EXPECT_EQ(count_of(walked, ">1,3<"), 1u) << "the walk ends where it began";
   EXPECT_EQ(count_of(walked, ">2<"), 1u);
-  EXPECT_EQ(count_of(plain, "<polyline"), 0u);
-  EXPECT_EQ(count_of(walked, "<polyline"), 2u);
+  EXPECT_EQ(count_of(plain, "class=\"leg\""), 0u);
+  EXPECT_EQ(count_of(walked, "class=\"leg\""), 2u);
   for (const Room& room : home->rooms) {
     std::string name = room.id;
     std::replace(name.begin(), name.end(), '_', ' ');
@@ -34,6 +34,43 @@ TEST(SceneSvg, DrawsEveryRoomThingAndStopOnce) {
   }
   EXPECT_EQ(count_of(plain, "\"nan"), 0u);
   EXPECT_EQ(plain, scene_svg(*home)) << "equal scenes, equal bytes";
+}
+
+double attribute(const std::string& element, const std::string& name) {
+  const auto at = element.find(" " + name + "=\"");
+  return std::strtod(element.c_str() + at + name.size() + 3, nullptr);
+}
+
+TEST(SceneSvg, NoTwoLabelsOverlap) {
+  for (const auto simulator : kSimulators) {
+    const auto style = style_of(simulator);
+    ASSERT_TRUE(style);
+    const auto home = home_of(*style, 7);
+    ASSERT_TRUE(home);
+    const std::string svg = scene_svg(*home);
+    std::vector<LabelBox> boxes;
+    for (auto at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at + 1)) {
+      const std::string element = svg.substr(at, svg.find("</text>", at) - at);
+      const std::string words = element.substr(element.find('>') + 1);
+      boxes.push_back({{attribute(element, "x"), attribute(element, "y")},
+                       text_extent_px(words, attribute(element, "font-size") - 0.01)});
+    }
+    EXPECT_GT(boxes.size(), home->rooms.size() + 10);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(boxes[i], boxes[j])) << i << " and " << j;
+    }
+  }
+}
+
+TEST(PlaceLabels, TakesTheLeastCrowdedPlaceAndLeavesOutWhatHasNone) {
+  const Label first{"sofa", {10}, {{0, 0}, {100, 0}}, 0};
+  const Label second{"lamp", {10}, {{2, 0}, {200, 0}}, 0};
+  const Label third{"desk", {10}, {{3, 0}}, 0};
+  const auto placed = place_labels({first, second, third}, {{{100, 0}, {5, 5}}});
+  ASSERT_TRUE(placed[0] && placed[1]);
+  EXPECT_EQ(placed[0]->centre_px, Vec2(0, 0));
+  EXPECT_EQ(placed[1]->centre_px, Vec2(200, 0));
+  EXPECT_FALSE(placed[2]);
 }
 
 TEST(SceneSvg, EscapesWhatXmlWouldMisread) {
