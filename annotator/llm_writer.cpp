@@ -1,11 +1,13 @@
 #include "annotator/llm_writer.h"
 
 #include "core/text.h"
+#include "llm/one_field.h"
 
 namespace unietp {
 namespace {
 
 constexpr int kSamples = 3;  // wordings of the grammar that the prompt shows
+constexpr const char* kField = "instruction";
 
 /// The reader only knows controlled English, so the prompt teaches it by examples of this very goal.
 std::string request_for(const Specification& specification, const std::vector<Instruction>& samples) {
@@ -17,11 +19,10 @@ std::string request_for(const Specification& specification, const std::vector<In
 
 constexpr const char* kRules =
     "You word tasks for a household robot. Say every object, number, quantifier, order and description of the goal, "
-    "and "
-    "nothing else. Call objects what the examples call them; never use an id such as mug_3. Say 'a' for some object, "
+    "and nothing else. Call objects what the examples call them; never use an id such as mug_3. Say 'a' for some "
+    "object, "
     "'that' for one named before, 'every' for all, 'exactly', 'at least' or 'at most' before numbers. Answer with "
-    "JSON: "
-    "{\"instruction\": \"...\"}.";
+    "JSON: {\"instruction\": \"...\"}.";
 
 }  // namespace
 
@@ -33,20 +34,23 @@ Result<Instruction> write_instruction_with_llm(const Specification& specificatio
     if (!sample) return sample;  // a goal the reader could never check
     samples.push_back(std::move(*sample));
   }
-  LlmRequest request{kRules, request_for(specification, samples), "instruction"};
+  const auto prompt = request_for(specification, samples);
+  auto request = one_field_request(kRules, prompt, kField);
   for (int round = 0; round <= options.rewrites; ++round) {
-    const auto answer = ask_llm(options.endpoint, request, rng.fork("ask", static_cast<std::uint64_t>(round)));
-    if (!answer && answer.error().kind == Error::Kind::Io) break;
+    LlmOptions asking = options.ask;
+    asking.seed = rng.fork("ask", static_cast<std::uint64_t>(round)).next();
+    const auto answer = ask_all(options.endpoint, {request}, asking, options.cache).front();
+    if (!answer && answer.error().kind != Error::Kind::Schema) break;
+    const auto text = answer ? field_of(*answer, kField) : answer.error();
     std::vector<std::string> wrong;
-    if (answer) {
-      wrong = check_instruction(answer->text, specification, knowledge);
+    if (text) {
+      wrong = check_instruction(*text, specification, knowledge);
       if (wrong.empty())
-        return Instruction{
-            answer->text, "llm:" + options.endpoint.model, specification.style, {"parses-back", "no-ids"}};
+        return Instruction{*text, "llm:" + options.endpoint.model, specification.style, {"parses-back", "no-ids"}};
     } else {
-      wrong.push_back(format(answer.error()));
+      wrong.push_back(format(text.error()));
     }
-    request.user = request_for(specification, samples) + "\nYour last answer was refused: " + join(wrong, "; ");
+    request.user = prompt + "\nYour last answer was refused: " + join(wrong, "; ");
   }
   return samples.front();
 }

@@ -11,11 +11,17 @@ file(WRITE ${PROJECT_BINARY_DIR}/room_graph.txt "")
 
 function(add_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
+  foreach(below IN LISTS ROOM_DEPENDS)  # a room that UNIETP_ROOMS does not name is built all the same when one needs it
+    if(NOT TARGET unietp::${below})
+      add_subdirectory(${PROJECT_SOURCE_DIR}/${below} ${PROJECT_BINARY_DIR}/${below})
+    endif()
+  endforeach()
   add_library(unietp_${name} STATIC ${ROOM_SOURCES})
   add_library(unietp::${name} ALIAS unietp_${name})
   list(TRANSFORM ROOM_DEPENDS PREPEND unietp:: OUTPUT_VARIABLE rooms)
   target_link_libraries(unietp_${name} PUBLIC unietp_flags ${rooms} ${ROOM_PUBLIC_LIBS} PRIVATE ${ROOM_PRIVATE_LIBS})
   file(APPEND ${PROJECT_BINARY_DIR}/room_graph.txt "${name}: ${ROOM_DEPENDS}\n")
+  set_property(GLOBAL APPEND PROPERTY UNIETP_ROOMS_BUILT ${name})
 endfunction()
 
 # One test program a folder: add_room_tests(logic SOURCES a_test.cpp b_test.cpp LIBS extra).

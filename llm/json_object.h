@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace unietp {
+
+/// The JSON object in a model's text: the text itself, or the first object in it, behind thoughts (`</think>`), prose
+/// or a code fence. Its bytes are kept. Errors: Schema, when there is none or it is nested over 64 deep.
+Result<std::string> json_object_in(std::string_view text);
+
+/// True when brackets outside strings nest deeper than that; such texts are not given to a parser.
+bool nested_deeper(std::string_view json, int depth);
+
+}  // namespace unietp
