@@ -15,9 +15,10 @@ class Reader {
 
   bool done() const { return at_ >= text_.size(); }
 
-  /// One record, or nothing when it was malformed (reported, and skipped to the next line).
-  std::optional<CsvRow> record() {
+  /// One record of probably so many fields, or nothing when it was malformed (reported, and skipped to the next line).
+  std::optional<CsvRow> record(std::size_t fields) {
     CsvRow row;
+    row.reserve(fields);
     if (at_line_end()) {
       fail(pos(), "empty line; expected a row of fields");
       take_line_end();
@@ -43,6 +44,7 @@ class Reader {
  private:
   char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
   SourcePos pos() const { return {line_, column_}; }
+  static bool ends_plain_run(char c) { return c == ',' || c == '\n' || c == '\r' || c == '"'; }
   bool at_line_end() const { return !done() && (peek() == '\n' || (peek() == '\r' && peek(1) == '\n')); }
   void take() {
     if (text_[at_++] == '\n') {
@@ -63,20 +65,16 @@ class Reader {
   }
 
   std::optional<std::string> plain() {
-    std::string field;
-    while (!done() && peek() != ',' && !at_line_end()) {
-      if (peek() == '"') {
-        fail(pos(), "quote inside an unquoted field; expected the whole field in quotes and the quote doubled");
-        return std::nullopt;
-      }
-      if (peek() == '\r') {
-        fail(pos(), "carriage return without line feed; expected LF or CRLF");
-        return std::nullopt;
-      }
-      field += peek();
-      take();
-    }
-    return field;
+    std::size_t end = at_;
+    while (end < text_.size() && !ends_plain_run(text_[end])) ++end;
+    const std::string_view field = text_.substr(at_, end - at_);
+    at_ = end;
+    column_ += static_cast<int>(field.size());
+    if (done() || peek() == ',' || at_line_end()) return std::string(field);
+    fail(pos(), peek() == '"'
+                    ? "quote inside an unquoted field; expected the whole field in quotes and the quote doubled"
+                    : "carriage return without line feed; expected LF or CRLF");
+    return std::nullopt;
   }
 
   std::optional<std::string> quoted(SourcePos start) {
@@ -129,10 +127,10 @@ CsvFile read_csv(std::string_view where, std::string_view text) {
   Reader reader(where, text);
   if (reader.done()) {
     reader.fail({1, 1}, "no header; expected a line of column names");
-  } else if (auto header = reader.record(); header && sound_header(reader, *header)) {
+  } else if (auto header = reader.record(1); header && sound_header(reader, *header)) {
     file.header = std::move(*header);
     while (!reader.done()) {
-      auto row = reader.record();
+      auto row = reader.record(file.header.size());
       if (!row) continue;
       if (row->size() == file.header.size()) {
         file.rows.push_back(std::move(*row));

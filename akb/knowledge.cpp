@@ -1,54 +1,87 @@
 #include "akb/knowledge.h"
 
-#include <algorithm>
-#include <numeric>
-#include <tuple>
-
 #include "akb/tables.h"
 
 namespace unietp {
 namespace {
 
-using Key2 = std::tuple<std::string_view, std::string_view>;
-using Key3 = std::tuple<std::string_view, std::string_view, std::string_view>;
+template <class Row>
+std::vector<const Row*> pointers(const std::vector<Row>& rows, std::span<const std::uint32_t> numbers) {
+  std::vector<const Row*> found;
+  found.reserve(numbers.size());
+  for (const auto number : numbers) found.push_back(&rows[number]);
+  return found;
+}
+template <class Row>
+const Row* first(const std::vector<Row>& rows, std::span<const std::uint32_t> numbers) {
+  return numbers.empty() ? nullptr : &rows[numbers.front()];
+}
 
-Key2 by_category(const AffordanceFact& f) { return {f.category, f.affordance}; }
-Key3 by_object(const Placement& p) { return {p.object, p.relation, p.receptacle}; }
-Key3 by_tool(const Effect& e) { return {e.tool, e.effect, e.target}; }
-Key2 by_kind(const Alias& a) { return {a.category, a.kind}; }
+/// Gives names their numbers. A name that is not in the table is kept for a second round.
+class Numbering {
+ public:
+  explicit Numbering(std::vector<std::string> names) : table_(std::move(names)) {}
+  std::uint32_t operator()(const std::string& name) {
+    const auto number = table_.number(name);
+    if (number == NameTable::kNone) strangers_.push_back(name);
+    return number;
+  }
+  bool complete() const { return strangers_.empty(); }
+  void take_strangers() {
+    auto names = table_.names();
+    names.insert(names.end(), strangers_.begin(), strangers_.end());
+    *this = Numbering(std::move(names));
+  }
+  NameTable table() && { return std::move(table_); }
 
-/// Row numbers of a table in the order of another key.
+ private:
+  NameTable table_;
+  std::vector<std::string> strangers_;
+};
+
+/// The numbers of the names by which rows are found.
+struct Keys {
+  std::vector<RowKey> categories, affordances, placements, effects, aliases, assets;
+};
 template <class Row, class KeyOf>
-std::vector<std::uint32_t> order_by(const std::vector<Row>& rows, const KeyOf& key) {
-  std::vector<std::uint32_t> order(rows.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(rows[a]) < key(rows[b]); });
-  return order;
+std::vector<RowKey> keys_of(const std::vector<Row>& rows, const KeyOf& key_of) {
+  std::vector<RowKey> keys;
+  keys.reserve(rows.size());
+  for (const Row& row : rows) keys.push_back(key_of(row));
+  return keys;
+}
+Keys keys_of(const Tables& tables, Numbering& name, Numbering& word) {
+  Keys keys;
+  keys.categories = keys_of(tables.categories, [&](const Category& c) -> RowKey { return {name(c.name)}; });
+  keys.affordances = keys_of(tables.affordances, [&](const AffordanceFact& f) -> RowKey {
+    return {name(f.category), word(f.affordance)};
+  });
+  keys.placements = keys_of(tables.placements, [&](const Placement& p) -> RowKey {
+    return {name(p.object), word(p.relation), name(p.receptacle)};
+  });
+  keys.effects = keys_of(tables.effects, [&](const Effect& e) -> RowKey {
+    return {name(e.tool), word(e.effect), name(e.target)};
+  });
+  keys.aliases = keys_of(tables.aliases, [&](const Alias& a) -> RowKey { return {name(a.category), word(a.kind)}; });
+  keys.assets = keys_of(tables.assets, [&](const Asset& a) -> RowKey { return {name(a.category)}; });
+  return keys;
 }
 
-/// Rows of a sorted table whose key begins with `prefix`; `head` cuts a row's key to the prefix's length.
-template <class Row, class Prefix, class Head>
-std::vector<const Row*> range(const std::vector<Row>& rows, const Prefix& prefix, const Head& head) {
-  std::vector<const Row*> found;
-  auto at =
-      std::lower_bound(rows.begin(), rows.end(), prefix, [&](const Row& r, const Prefix& p) { return head(r) < p; });
-  for (; at != rows.end() && head(*at) == prefix; ++at) found.push_back(&*at);
-  return found;
+std::vector<RowKey> backwards(std::vector<RowKey> keys) {
+  for (auto& key : keys) std::swap(key.first, key.third);
+  return keys;
 }
-template <class Row, class Prefix, class Head>
-std::vector<const Row*> range(const std::vector<Row>& rows, const std::vector<std::uint32_t>& order,
-                              const Prefix& prefix, const Head& head) {
-  std::vector<const Row*> found;
-  auto at = std::lower_bound(order.begin(), order.end(), prefix,
-                             [&](std::uint32_t i, const Prefix& p) { return head(rows[i]) < p; });
-  for (; at != order.end() && head(rows[*at]) == prefix; ++at) found.push_back(&rows[*at]);
-  return found;
+
+std::vector<std::string> category_names(const Tables& tables) {
+  std::vector<std::string> names;
+  for (const auto& c : tables.categories) names.push_back(c.name);
+  return names;
 }
-template <class Row, class Key, class KeyOf>
-const Row* first(const std::vector<Row>& rows, const Key& key, const KeyOf& key_of) {
-  const auto at =
-      std::lower_bound(rows.begin(), rows.end(), key, [&](const Row& r, const Key& k) { return key_of(r) < k; });
-  return at != rows.end() && key_of(*at) == key ? &*at : nullptr;
+std::vector<std::string> all_words() {
+  std::vector<std::string> words;
+  for (const auto* some : {&affordance_names(), &relation_names(), &effect_names(), &alias_kinds()})
+    words.insert(words.end(), some->begin(), some->end());
+  return words;
 }
 
 }  // namespace
@@ -60,78 +93,91 @@ Knowledge::Knowledge(Simulator simulator, std::vector<Category> categories, std:
   Tables tables{std::move(categories), std::move(affordances), std::move(placements),
                 std::move(effects),    std::move(aliases),     std::move(assets)};
   sort_tables(tables);
+  Numbering names(category_names(tables)), words(all_words());
+  Keys keys = keys_of(tables, names, words);
+  if (!names.complete() || !words.complete()) {
+    names.take_strangers();
+    words.take_strangers();
+    keys = keys_of(tables, names, words);
+  }
+  names_ = std::move(names).table();
+  words_ = std::move(words).table();
+
+  category_of_ = RowIndex(keys.categories, names_.size());
+  by_category_ = RowIndex(keys.affordances, names_.size());
+  by_object_ = RowIndex(keys.placements, names_.size());
+  by_tool_ = RowIndex(keys.effects, names_.size());
+  by_alias_ = RowIndex(keys.aliases, names_.size());
+  assets_of_ = RowIndex(keys.assets, names_.size());
+  for (auto& key : keys.affordances) std::swap(key.first, key.second);
+  by_affordance_ = RowIndex(keys.affordances, words_.size());
+  by_receptacle_ = RowIndex(backwards(std::move(keys.placements)), names_.size());
+  by_target_ = RowIndex(backwards(std::move(keys.effects)), names_.size());
   categories_ = std::move(tables.categories);
   affordances_ = std::move(tables.affordances);
   placements_ = std::move(tables.placements);
   effects_ = std::move(tables.effects);
   aliases_ = std::move(tables.aliases);
   assets_ = std::move(tables.assets);
-  by_affordance_ = order_by(affordances_, [](const AffordanceFact& f) { return Key2{f.affordance, f.category}; });
-  by_receptacle_ = order_by(placements_, [](const Placement& p) { return Key3{p.receptacle, p.relation, p.object}; });
-  by_asset_ = order_by(assets_, [](const Asset& a) { return std::string_view(a.name); });
-  by_target_ = order_by(effects_, [](const Effect& e) { return Key3{e.target, e.effect, e.tool}; });
+  asset_named_ = NameSlots(assets_.size(), [&](std::uint32_t row) -> std::string_view { return assets_[row].name; });
 }
 
 const Category* Knowledge::find(std::string_view name) const {
-  return first(categories_, name, [](const Category& c) { return std::string_view(c.name); });
+  return first(categories_, category_of_.with(names_.number(name)));
 }
 
 bool Knowledge::has(std::string_view category, std::string_view affordance) const {
-  return first(affordances_, Key2{category, affordance}, by_category) != nullptr;
+  return !by_category_.with(names_.number(category), words_.number(affordance)).empty();
 }
 
 std::vector<std::string> Knowledge::with_affordance(std::string_view affordance) const {
   std::vector<std::string> names;
-  const auto head = [](const AffordanceFact& f) { return std::string_view(f.affordance); };
-  for (const auto* fact : range(affordances_, by_affordance_, affordance, head)) names.push_back(fact->category);
+  for (const auto row : by_affordance_.with(words_.number(affordance))) names.push_back(affordances_[row].category);
   return names;
 }
 
 std::vector<std::string> Knowledge::affordances_of(std::string_view category) const {
   std::vector<std::string> names;
-  const auto head = [](const AffordanceFact& f) { return std::string_view(f.category); };
-  for (const auto* fact : range(affordances_, category, head)) names.push_back(fact->affordance);
+  for (const auto row : by_category_.with(names_.number(category))) names.push_back(affordances_[row].affordance);
   return names;
 }
 
 const Placement* Knowledge::placement(std::string_view object, std::string_view relation,
                                       std::string_view receptacle) const {
-  return first(placements_, Key3{object, relation, receptacle}, by_object);
+  return first(placements_, by_object_.with(names_.number(object), words_.number(relation), names_.number(receptacle)));
 }
 
 std::vector<const Placement*> Knowledge::placements_of(std::string_view object, std::string_view relation) const {
-  return range(placements_, Key2{object, relation}, [](const Placement& p) { return Key2{p.object, p.relation}; });
+  return pointers(placements_, by_object_.with(names_.number(object), words_.number(relation)));
 }
 
 std::vector<const Placement*> Knowledge::placements_at(std::string_view receptacle, std::string_view relation) const {
-  return range(placements_, by_receptacle_, Key2{receptacle, relation}, [](const Placement& p) {
-    return Key2{p.receptacle, p.relation};
-  });
+  return pointers(placements_, by_receptacle_.with(names_.number(receptacle), words_.number(relation)));
 }
 
 const Effect* Knowledge::effect(std::string_view tool, std::string_view effect, std::string_view target) const {
-  return first(effects_, Key3{tool, effect, target}, by_tool);
+  return first(effects_, by_tool_.with(names_.number(tool), words_.number(effect), names_.number(target)));
 }
 
 std::vector<const Effect*> Knowledge::effects_on(std::string_view target, std::string_view effect) const {
-  return range(effects_, by_target_, Key2{target, effect}, [](const Effect& e) { return Key2{e.target, e.effect}; });
+  return pointers(effects_, by_target_.with(names_.number(target), words_.number(effect)));
 }
 
 std::vector<const Effect*> Knowledge::effects_of(std::string_view tool, std::string_view effect) const {
-  return range(effects_, Key2{tool, effect}, [](const Effect& e) { return Key2{e.tool, e.effect}; });
+  return pointers(effects_, by_tool_.with(names_.number(tool), words_.number(effect)));
 }
 
 std::vector<const Asset*> Knowledge::assets_of(std::string_view category) const {
-  return range(assets_, category, [](const Asset& a) { return std::string_view(a.category); });
+  return pointers(assets_, assets_of_.with(names_.number(category)));
 }
 
 const Asset* Knowledge::asset(std::string_view name) const {
-  const auto found = range(assets_, by_asset_, name, [](const Asset& a) { return std::string_view(a.name); });
-  return found.empty() ? nullptr : found.front();
+  const auto row = asset_named_.find(name, [&](std::uint32_t at) -> std::string_view { return assets_[at].name; });
+  return row == NameSlots::kNone ? nullptr : &assets_[row];
 }
 
 std::vector<const Alias*> Knowledge::aliases_of(std::string_view category, std::string_view kind) const {
-  return range(aliases_, Key2{category, kind}, by_kind);
+  return pointers(aliases_, by_alias_.with(names_.number(category), words_.number(kind)));
 }
 
 }  // namespace unietp

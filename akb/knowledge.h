@@ -1,11 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "akb/name_table.h"
+#include "akb/row_index.h"
 #include "core/result.h"
 #include "scene/archetype.h"
 #include "scene/geometry.h"
@@ -124,11 +125,16 @@ class Knowledge {
   std::vector<Effect> effects_;
   std::vector<Alias> aliases_;
   std::vector<Asset> assets_;  // by category, name
-  // Rows in another order than their table's own, so that every query is a binary search.
-  std::vector<std::uint32_t> by_affordance_;  // affordance, category
-  std::vector<std::uint32_t> by_receptacle_;  // receptacle, relation, object
-  std::vector<std::uint32_t> by_target_;      // target, effect, tool
-  std::vector<std::uint32_t> by_asset_;       // name
+
+  // Numbers instead of names, so that a query compares no texts but those that it was asked with.
+  NameTable names_;                       // of categories, and of what rows name without a category
+  NameTable words_;                       // affordances, relations, effects, kinds of alias
+  RowIndex category_of_;                  // name
+  RowIndex by_category_, by_affordance_;  // category, affordance; affordance, category
+  RowIndex by_object_, by_receptacle_;    // object, relation, receptacle; receptacle, relation, object
+  RowIndex by_tool_, by_target_;          // tool, effect, target; target, effect, tool
+  RowIndex by_alias_, assets_of_;         // category, kind; category
+  NameSlots asset_named_;
 };
 
 /// Compiles `<tables>/<simulator>/{category,affordance,relation,effect,alias,asset}.csv` of all four simulators into

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
 
-#include "akb/knowledge.h"
+#include "akb/database.h"
 #include "core/sqlite_file.h"
 #include "core/text.h"
 
@@ -12,37 +14,77 @@ std::vector<std::string> list(std::string_view text) {
   return text.empty() ? std::vector<std::string>{} : split(text, '|');
 }
 
-/// Reads the columns of a row one after the other, in the order of the SELECT.
+/// What rows of one simulator name by number.
+struct Numbered {
+  std::vector<std::string> texts;
+  std::vector<Source> evidence;
+
+  template <class Thing>
+  static const Thing& at(const std::vector<Thing>& things, std::int64_t number) {
+    if (number < 0 || static_cast<std::size_t>(number) >= things.size())
+      throw std::runtime_error("number " + std::to_string(number) + " stands for nothing");
+    return things[static_cast<std::size_t>(number)];
+  }
+};
+
+/// Reads the columns of a row one after the other, in the order of the table.
 class Columns {
  public:
-  explicit Columns(Statement& statement) : statement_(statement) {}
+  Columns(Statement& statement, const Numbered& numbered) : statement_(statement), numbered_(numbered) {}
   std::string text() { return std::string(statement_.text(at_++)); }
-  std::vector<std::string> items() { return list(statement_.text(at_++)); }
+  const std::string& name() { return Numbered::at(numbered_.texts, statement_.integer(at_++)); }
+  std::vector<std::string> items() { return list(name()); }
+  const Source& source() { return Numbered::at(numbered_.evidence, statement_.integer(at_++)); }
   double number() { return statement_.number(at_++); }
   int integer() { return static_cast<int>(statement_.integer(at_++)); }
-  Source source() {
-    Source source;
-    source.source = text();
-    source.confidence = number();
-    return source;
+  Vec3 size() {
+    const double width = number(), depth = number();
+    return {width, depth, number()};
   }
 
  private:
   Statement& statement_;
+  const Numbered& numbered_;
   int at_ = 1;  // column 0 is the simulator
 };
 
+/// How many rows the writer says that a table has, so that memory is asked for once.
+std::size_t rows_in(SqliteFile& file, const std::string& table, Simulator simulator) {
+  auto statement = file.prepare("SELECT rows FROM size WHERE simulator = ? AND name = ?");
+  statement.bind(1, static_cast<std::int64_t>(simulator));
+  statement.bind(2, table);
+  const std::int64_t rows = statement.step() ? statement.integer(0) : 0;
+  constexpr std::int64_t kMost = 1 << 20;  // a spoilt number must not ask for all memory
+  return static_cast<std::size_t>(std::clamp<std::int64_t>(rows, 0, kMost));
+}
+
 /// Every row of one simulator, in key order.
 template <class Row, class Read>
-std::vector<Row> rows_of(SqliteFile& file, const std::string& table, Simulator simulator, const Read& read) {
+std::vector<Row> rows_of(SqliteFile& file, const std::string& table, Simulator simulator, const Numbered& numbered,
+                         const Read& read) {
   auto statement = file.prepare("SELECT * FROM " + table + " WHERE simulator = ?");
-  statement.bind(1, name_of(simulator));
+  statement.bind(1, static_cast<std::int64_t>(simulator));
   std::vector<Row> rows;
+  rows.reserve(rows_in(file, table, simulator));
   while (statement.step()) {
-    Columns columns(statement);
+    Columns columns(statement, numbered);
     read(columns, rows.emplace_back());
   }
   return rows;
+}
+
+Numbered read_numbered(SqliteFile& file, Simulator simulator) {
+  Numbered numbered;
+  numbered.texts = rows_of<std::string>(file, "text", simulator, numbered, [](Columns& from, std::string& text) {
+    from.integer();  // its number is its place
+    text = from.text();
+  });
+  numbered.evidence = rows_of<Source>(file, "evidence", simulator, numbered, [](Columns& from, Source& source) {
+    from.integer();
+    source.source = from.name();
+    source.confidence = from.number();
+  });
+  return numbered;
 }
 
 Error schema_error(const std::filesystem::path& database, const std::string& reason) {
@@ -57,17 +99,18 @@ Error missing(const std::filesystem::path& database) {
 }
 
 Knowledge read_all(SqliteFile& file, Simulator simulator) {
-  auto categories = rows_of<Category>(file, "category", simulator, [](Columns& from, Category& c) {
-    c.name = from.text();
+  const Numbered numbered = read_numbered(file, simulator);
+  auto categories = rows_of<Category>(file, "category_row", simulator, numbered, [](Columns& from, Category& c) {
+    c.name = from.name();
     c.display = from.text();
     c.plural = from.text();
     c.synset = from.text();
     c.countable = from.integer() != 0;
     c.movable = from.integer() != 0;
-    const auto archetype = from.text();
+    const auto& archetype = from.name();
     if (!archetype_named(archetype)) throw std::runtime_error("unknown archetype '" + archetype + "'");
     c.archetype = *archetype_named(archetype);
-    for (int axis = 0; axis < 3; ++axis) c.size[axis] = from.number();
+    c.size = from.size();
     c.mass = from.number();
     c.rooms = from.items();
     c.colours = from.items();
@@ -76,38 +119,39 @@ Knowledge read_all(SqliteFile& file, Simulator simulator) {
     c.size_source = from.source();
     c.mass_source = from.source();
   });
-  auto affordances = rows_of<AffordanceFact>(file, "affordance", simulator, [](Columns& from, AffordanceFact& f) {
-    f.category = from.text();
-    f.affordance = from.text();
-    f.source = from.source();
-  });
-  auto placements = rows_of<Placement>(file, "relation", simulator, [](Columns& from, Placement& p) {
-    p.object = from.text();
-    p.relation = from.text();
-    p.receptacle = from.text();
+  auto affordances =
+      rows_of<AffordanceFact>(file, "affordance_row", simulator, numbered, [](Columns& from, AffordanceFact& f) {
+        f.category = from.name();
+        f.affordance = from.name();
+        f.source = from.source();
+      });
+  auto placements = rows_of<Placement>(file, "relation_row", simulator, numbered, [](Columns& from, Placement& p) {
+    p.object = from.name();
+    p.relation = from.name();
+    p.receptacle = from.name();
     p.likelihood = from.number();
     p.capacity = from.integer();
     p.source = from.source();
   });
-  auto effects = rows_of<Effect>(file, "effect", simulator, [](Columns& from, Effect& e) {
-    e.tool = from.text();
-    e.effect = from.text();
-    e.target = from.text();
-    e.gives = from.text();
+  auto effects = rows_of<Effect>(file, "effect_row", simulator, numbered, [](Columns& from, Effect& e) {
+    e.tool = from.name();
+    e.effect = from.name();
+    e.target = from.name();
+    e.gives = from.name();
     e.amount = from.integer();
     e.needs = from.items();
     e.source = from.source();
   });
-  auto aliases = rows_of<Alias>(file, "alias", simulator, [](Columns& from, Alias& a) {
-    a.category = from.text();
-    a.kind = from.text();
+  auto aliases = rows_of<Alias>(file, "alias_row", simulator, numbered, [](Columns& from, Alias& a) {
+    a.category = from.name();
+    a.kind = from.name();
     a.text = from.text();
     a.source = from.source();
   });
-  auto assets = rows_of<Asset>(file, "asset", simulator, [](Columns& from, Asset& a) {
-    a.category = from.text();
+  auto assets = rows_of<Asset>(file, "asset_row", simulator, numbered, [](Columns& from, Asset& a) {
+    a.category = from.name();
     a.name = from.text();
-    for (int axis = 0; axis < 3; ++axis) a.size[axis] = from.number();
+    a.size = from.size();
     a.source = from.source();
   });
   return {simulator,          std::move(categories), std::move(affordances), std::move(placements),
@@ -138,7 +182,7 @@ Result<Knowledge> load_knowledge(const std::filesystem::path& database, Simulato
   if (!std::filesystem::exists(database)) return missing(database);
   try {
     SqliteFile file(database, SqliteFile::Mode::Read);
-    if (const auto format = meta(file, "format"); format != "unietp-knowledge/2") {
+    if (const auto format = meta(file, "format"); format != kDatabaseFormat) {
       return schema_error(database, "format '" + format + "'");
     }
     return read_all(file, simulator);

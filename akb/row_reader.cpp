@@ -28,7 +28,7 @@ RowReader::RowReader(std::string where, std::string_view text, const std::vector
   errors_.insert(errors_.end(), file_.errors.begin(), file_.errors.end());
   for (std::size_t i = 0; i < file_.header.size(); ++i) {
     const auto& cell = file_.header[i];
-    column_.emplace(cell.text, i);
+    header_.push_back(cell.text);
     if (std::find(columns.begin(), columns.end(), cell.text) == columns.end()) {
       errors_.push_back(
           {Error::Kind::Schema, where_, cell.pos,
@@ -37,7 +37,7 @@ RowReader::RowReader(std::string where, std::string_view text, const std::vector
   }
   bool complete = true;
   for (const auto& column : columns) {
-    if (column_.contains(column)) continue;
+    if (std::find(header_.begin(), header_.end(), column) != header_.end()) continue;
     complete = false;
     if (!file_.header.empty()) {
       errors_.push_back(
@@ -52,7 +52,12 @@ void RowReader::at(const CsvRow& row) {
   sound_ = true;
 }
 
-const CsvCell& RowReader::cell(std::string_view column) const { return (*row_)[column_.find(column)->second]; }
+const CsvCell& RowReader::cell(std::string_view column) const {
+  std::size_t at = next_;
+  while (header_[at] != column) at = (at + 1) % header_.size();
+  next_ = (at + 1) % header_.size();
+  return (*row_)[at];
+}
 const std::string& RowReader::text(std::string_view column) const { return cell(column).text; }
 
 void RowReader::fail(std::string_view column, std::string message) {
@@ -113,6 +118,11 @@ std::string RowReader::one_of(std::string_view column, const std::vector<std::st
     fail(column, "unknown " + std::string(noun) + " '" + value + "'" + accepted(noun, names) + hint(value, names));
   }
   return value;
+}
+
+std::string RowReader::one_of(std::string_view column, const NameTable& names, std::string_view noun) {
+  const auto& value = text(column);
+  return names.contains(value) ? value : one_of(column, names.names(), noun);
 }
 
 std::vector<std::string> RowReader::all_of(std::string_view column, const std::vector<std::string>& names,

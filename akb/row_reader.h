@@ -1,12 +1,12 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "akb/csv.h"
 #include "akb/knowledge.h"
+#include "akb/name_table.h"
 
 namespace unietp {
 
@@ -29,6 +29,8 @@ class RowReader {
   int integer(std::string_view column, int low);           // >= low
   std::vector<std::string> list(std::string_view column);  // joined by |
   std::string one_of(std::string_view column, const std::vector<std::string>& names, std::string_view noun);
+  /// The same for many names: of the category table.
+  std::string one_of(std::string_view column, const NameTable& names, std::string_view noun);
   std::vector<std::string> all_of(std::string_view column, const std::vector<std::string>& names,
                                   std::string_view noun);
   Source source(std::string_view source_column, std::string_view confidence_column);
@@ -39,7 +41,8 @@ class RowReader {
 
   std::string where_;
   CsvFile file_;
-  std::map<std::string, std::size_t, std::less<>> column_;
+  std::vector<std::string> header_;
+  mutable std::size_t next_ = 0;  // the column after the one read last: mostly the one that is asked for
   std::vector<Error>& errors_;
   const CsvRow* row_ = nullptr;
   bool sound_ = true;

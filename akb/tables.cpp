@@ -1,6 +1,7 @@
 #include "akb/tables.h"
 
-#include <set>
+#include <initializer_list>
+#include <unordered_set>
 
 #include "akb/row_reader.h"
 #include "core/files.h"
@@ -20,14 +21,19 @@ std::vector<std::string> archetype_names() {
 /// Keys of the rows seen so far; a row whose key was seen is a fault of `column`.
 class Keys {
  public:
-  void check(RowReader& row, std::string_view column, const std::vector<std::string>& key) {
-    if (row.sound() && !seen_.insert(join(key, "\x1f")).second) {
-      row.fail(column, "row for '" + join(key, " ") + "' twice; expected one row a key");
+  void check(RowReader& row, std::string_view column, std::initializer_list<std::string_view> key) {
+    if (!row.sound()) return;
+    std::string joined;
+    for (const auto part : key) {
+      if (!joined.empty()) joined += '\x1f';
+      joined += part;
     }
+    if (!seen_.insert(joined).second)
+      row.fail(column, "row for '" + replace_all(joined, "\x1f", " ") + "' twice; expected one row a key");
   }
 
  private:
-  std::set<std::string> seen_;
+  std::unordered_set<std::string> seen_;
 };
 
 std::vector<Category> read_categories(RowReader& row) {
@@ -59,7 +65,7 @@ std::vector<Category> read_categories(RowReader& row) {
   return categories;
 }
 
-std::vector<AffordanceFact> read_affordances(RowReader& row, const std::vector<std::string>& names) {
+std::vector<AffordanceFact> read_affordances(RowReader& row, const NameTable& names) {
   std::vector<AffordanceFact> facts;
   Keys keys;
   for (const auto& cells : row.rows()) {
@@ -74,7 +80,7 @@ std::vector<AffordanceFact> read_affordances(RowReader& row, const std::vector<s
   return facts;
 }
 
-std::vector<Placement> read_placements(RowReader& row, const std::vector<std::string>& names) {
+std::vector<Placement> read_placements(RowReader& row, const NameTable& names) {
   std::vector<Placement> placements;
   Keys keys;
   for (const auto& cells : row.rows()) {
@@ -92,7 +98,7 @@ std::vector<Placement> read_placements(RowReader& row, const std::vector<std::st
   return placements;
 }
 
-std::vector<Effect> read_effects(RowReader& row, const std::vector<std::string>& names) {
+std::vector<Effect> read_effects(RowReader& row, const NameTable& names) {
   std::vector<Effect> effects;
   Keys keys;
   for (const auto& cells : row.rows()) {
@@ -111,7 +117,7 @@ std::vector<Effect> read_effects(RowReader& row, const std::vector<std::string>&
   return effects;
 }
 
-std::vector<Alias> read_aliases(RowReader& row, const std::vector<std::string>& names) {
+std::vector<Alias> read_aliases(RowReader& row, const NameTable& names) {
   std::vector<Alias> aliases;
   Keys keys;
   for (const auto& cells : row.rows()) {
@@ -127,7 +133,7 @@ std::vector<Alias> read_aliases(RowReader& row, const std::vector<std::string>& 
   return aliases;
 }
 
-std::vector<Asset> read_assets(RowReader& row, const std::vector<std::string>& names) {
+std::vector<Asset> read_assets(RowReader& row, const NameTable& names) {
   std::vector<Asset> assets;
   Keys keys;
   for (const auto& cells : row.rows()) {
@@ -159,7 +165,7 @@ bool well_formed_source(std::string_view source) {
 
 Tables read_tables(const std::filesystem::path& folder, std::vector<Error>& errors) {
   Tables tables;
-  std::vector<std::string> names;
+  NameTable names;
   const auto with_rows = [&](const std::string& table, const auto& read) {
     const auto path = folder / (table + ".csv");
     const auto text = read_file(path);
@@ -173,10 +179,12 @@ Tables read_tables(const std::filesystem::path& folder, std::vector<Error>& erro
   // A category whose own row is faulty is still a name that other tables may use: one fault, one message.
   with_rows("category", [&](RowReader& row) {
     tables.categories = read_categories(row);
+    std::vector<std::string> all;
     for (const auto& cells : row.rows()) {
       row.at(cells);
-      names.push_back(row.text("name"));
+      all.push_back(row.text("name"));
     }
+    names = NameTable(std::move(all));
   });
   with_rows("affordance", [&](RowReader& row) { tables.affordances = read_affordances(row, names); });
   with_rows("relation", [&](RowReader& row) { tables.placements = read_placements(row, names); });

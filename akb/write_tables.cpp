@@ -77,7 +77,8 @@ std::string csv_of(std::string_view table, const std::vector<Row>& rows) {
 
 template <class Row, class Key>
 void sort_by(std::vector<Row>& rows, const Key& key) {
-  std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) { return key(a) < key(b); });
+  const auto less = [&](const Row& a, const Row& b) { return key(a) < key(b); };
+  if (!std::is_sorted(rows.begin(), rows.end(), less)) std::stable_sort(rows.begin(), rows.end(), less);
 }
 
 }  // namespace

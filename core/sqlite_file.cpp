@@ -48,7 +48,9 @@ void SqliteFile::Close::operator()(sqlite3* database) const { sqlite3_close(data
 
 SqliteFile::SqliteFile(const std::filesystem::path& path, Mode mode) {
   sqlite3* database = nullptr;
-  const int flags = mode == Mode::Read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  // One thread uses a file at a time, so SQLite need not lock a mutex for every value that it gives.
+  const int flags =
+      SQLITE_OPEN_NOMUTEX | (mode == Mode::Read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   const int code = sqlite3_open_v2(path.c_str(), &database, flags, nullptr);
   database_.reset(database);
   if (code != SQLITE_OK) raise(database);

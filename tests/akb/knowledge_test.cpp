@@ -12,7 +12,7 @@ namespace {
 
 Knowledge knowledge_of(Simulator simulator) {
   auto t = test::committed(simulator);
-  return {simulator, t.categories, t.affordances, t.placements, t.effects, t.aliases};
+  return {simulator, t.categories, t.affordances, t.placements, t.effects, t.aliases, t.assets};
 }
 
 /// Rows that a linear scan finds, in table order: the oracle of the indices.
