@@ -23,6 +23,7 @@ constexpr std::array kWays{
     StateWay{Predicate::Empty, Way::ToolOnHeld, ActionType::PourTo, "drains"},
     StateWay{Predicate::Sliced, Way::HeldToolOn, ActionType::Slice, "slices"},
     StateWay{Predicate::Clean, Way::HeldToolOn, ActionType::Wipe, "wipes"},
+    StateWay{Predicate::Filled, Way::HeldToolOn, ActionType::PourTo, "fills"},
     StateWay{Predicate::Covered, Way::HeldToolOn, ActionType::SpreadTo, "dispenses"},
     StateWay{Predicate::Hot, Way::Appliance, ActionType::PlaceIn, "heats"},
     StateWay{Predicate::Cool, Way::Appliance, ActionType::PlaceIn, "cools"},

@@ -80,6 +80,7 @@ constexpr std::array<std::string_view, kFailureCount> kFailureNames{
     "not_openable",  "already_open",      "already_closed",   "not_switchable",
     "already_on",    "already_off",       "must_be_closed",   "not_holding",
     "hands_full",    "not_sliceable",     "no_knife",         "no_effect",
+    "vessel_empty",  "not_fillable",      "already_full",     "not_consumable",
     "not_ready",
 };
 

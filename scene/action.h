@@ -112,6 +112,10 @@ enum class Failure : std::uint8_t {
   NotSliceable,
   NoKnife,
   NoEffect,
+  VesselEmpty,
+  NotFillable,
+  AlreadyFull,
+  NotConsumable,
   NotReady,
 };
 std::string_view name_of(Failure failure);  // "too_far"

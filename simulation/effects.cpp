@@ -80,6 +80,7 @@ void run_processes(WorldState& state, std::size_t tool, bool tap_runs) {
       for (const Predicate predicate : rule.sets) {
         target.states.set({predicate, predicate == Predicate::Filled ? effect->gives : ""});
       }
+      if (rule.effect == "washes") target.states.clear(Predicate::Covered);
     }
   }
 }
@@ -113,7 +114,8 @@ Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect_
   const std::string id = state.scene.agent.held.front();
   const std::size_t item = *state.index_of(id);
   const Effect* effect = state.knowledge->effect(state.node(tool).category, effect_name, state.node(item).category);
-  if (effect == nullptr || !offered(*state.profile, effect_name)) {
+  // A bottle that pours has to be held itself: that is another action.
+  if (effect == nullptr || !offered(*state.profile, effect_name) || needs(*effect, "held")) {
     return failed(Failure::NoEffect, id + " cannot be treated so with " + tool_id + ".");
   }
   if (auto blocked = out_of_hands_way(state, tool)) return *blocked;

@@ -13,6 +13,7 @@ constexpr double kSpotPitch_m = 0.05;  // spots are tried on a grid this fine
 constexpr double kEasyHeight_m = 1.0;  // shelves near this height are tried first
 constexpr int kMostSettles = 6;        // free spots on which it is tried to rest before giving up
 constexpr double kTouching_m = 0.003;  // bodies nearer than this may be leaning on one another
+constexpr double kSunk_m = 0.003;      // resting contacts sink by up to this much
 constexpr double kKnocked_m = 0.05;    // neighbours that move farther than this have been knocked over
 
 Bounds group_bounds(const WorldState& state, const std::vector<std::size_t>& group) {
@@ -142,6 +143,7 @@ Outcome pick_up(WorldState& state, std::size_t i) {
   const auto left_behind = neighbours(state, before, group);
   for (const std::size_t member : group) state.physics.remove(static_cast<BodyId>(member));
   state.scene.agent.held.push_back(id);
+  state.hand = {};
   if (stands_low(before)) state.forget_grid();
   state.carry_along();
   std::vector<Bounds> touched{before};
@@ -211,6 +213,53 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
   if (settles > 0) return failed(Failure::DidNotRest, id + " did not come to rest there.");
   return failed(Failure::NoFreePlace,
                 "There is no free place in reach " + std::string(inside ? "inside " : "on ") + target_id + ".");
+}
+
+namespace {
+
+/// A body that came to rest while it was still in another: a fall may end so, a placing does not.
+bool any_sunk(const WorldState& state, const std::vector<std::size_t>& bodies) {
+  return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t i) {
+    const BodyId self[] = {static_cast<BodyId>(i)};
+    const Node& node = state.node(i);
+    return state.physics.overlap(shape_of(node), node.pose, node.opening, self, kSunk_m).has_value();
+  });
+}
+
+}  // namespace
+
+Outcome drop(WorldState& state) {
+  if (state.scene.agent.held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
+  const std::string id = state.scene.agent.held.front();
+  const std::vector<std::size_t> group = state.group_of(*state.index_of(id));
+  if (!free_at(state, group, Pose{Vec3::Zero(), Quat::Identity()}))
+    return failed(Failure::Blocked, "There is no room to let " + id + " fall here.");
+  WorldState trial = state;
+  for (const std::size_t member : group) {
+    const Node& node = trial.node(member);
+    trial.physics.set(static_cast<BodyId>(member), shape_of(node), node.pose, node.opening, node.mass);
+  }
+  const Bounds let_go = group_bounds(trial, group);
+  // Whatever lies below may be hit.
+  Bounds below = let_go;
+  below.low.z() = 0;
+  const auto hit = neighbours(trial, below, group);
+  std::vector<BodyId> loose(group.begin(), group.end());
+  loose.insert(loose.end(), hit.begin(), hit.end());
+  const Settled settled = trial.physics.settle(loose);
+  apply(trial, settled, {});
+  const std::vector<std::size_t> changed(loose.begin(), loose.end());
+  const bool in_a_room = std::all_of(changed.begin(), changed.end(), [&](std::size_t i) {
+    return room_at(trial.scene, trial.node(i).pose.position.head<2>()) != nullptr;
+  });
+  if (!settled.calm || !in_a_room || any_sunk(trial, changed))
+    return failed(Failure::DidNotRest, id + " would not come to rest here.");
+  std::erase(trial.scene.agent.held, id);
+  const Bounds touched[] = {below, group_bounds(trial, changed)};
+  trial.forget_grid();
+  trial.refresh(touched, changed);
+  state = std::move(trial);
+  return succeeded();
 }
 
 }  // namespace unietp

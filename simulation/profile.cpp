@@ -99,6 +99,8 @@ Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simu
   fields.positive("step_m", p.step_m);
   fields.positive("turn_deg", p.turn_deg);
   fields.positive("look_deg", p.look_deg);
+  fields.positive("most_up_deg", p.most_up_deg);
+  fields.positive("most_down_deg", p.most_down_deg);
   fields.positive("max_pick_mass_kg", p.max_pick_mass_kg);
   fields.flag("power_needs_closed", p.power_needs_closed);
   fields.flag("open_needs_power_off", p.open_needs_power_off);

@@ -20,6 +20,7 @@ struct Profile {
   double vertical_fov_deg = 90;
   double sight_m = 3.0;  // farther objects are not listed as visible
   double step_m = 0.25, turn_deg = 30, look_deg = 30;
+  double most_up_deg = 30, most_down_deg = 60;  // how far the camera tilts from the level
   double max_pick_mass_kg = 50;
   bool power_needs_closed = true;                           // an appliance with a door runs only when it is shut
   bool open_needs_power_off = true;                         // and does not open while it runs

@@ -20,6 +20,52 @@ Outcome wrong_arguments(const ActionInfo& action) {
   return failed(Failure::InvalidArgument, std::string(action.name) + " takes " + wants + ".");
 }
 
+/// Actions of the body and the hand, which name no object.
+Outcome perform_alone(WorldState& state, ActionType type) {
+  switch (type) {
+    case ActionType::MoveForward:
+      return take_step(state, 1, 0);
+    case ActionType::MoveBackward:
+      return take_step(state, -1, 0);
+    case ActionType::MoveLeft:
+      return take_step(state, 0, 1);
+    case ActionType::MoveRight:
+      return take_step(state, 0, -1);
+    case ActionType::TurnLeft:
+      return turn_body(state, 1);
+    case ActionType::TurnRight:
+      return turn_body(state, -1);
+    case ActionType::LookUp:
+      return tilt_camera(state, -1);
+    case ActionType::LookDown:
+      return tilt_camera(state, 1);
+    case ActionType::TurnBaseToLook:
+      return succeeded();  // this body's head does not turn on its own, so it looks where the base points already
+    case ActionType::ResetHead:
+      return reset_head(state);
+    case ActionType::MoveHandForward:
+      return move_hand(state, 1, 0);
+    case ActionType::MoveHandBackward:
+      return move_hand(state, -1, 0);
+    case ActionType::MoveHandLeft:
+      return move_hand(state, 0, 1);
+    case ActionType::MoveHandRight:
+      return move_hand(state, 0, -1);
+    case ActionType::RotateHand:
+      return rotate_hand(state);
+    case ActionType::Drop:
+      return drop(state);
+    default:
+      return failed(Failure::InvalidAction, std::string(info(type).name) + " needs an object.");
+  }
+}
+
+/// A freezer may be known to freeze a thing without being known to cool it.
+Outcome cool_with(WorldState& state, std::size_t tool) {
+  const Outcome cooled = treat_with(state, tool, "cools");
+  return cooled.failure == Failure::NoEffect ? treat_with(state, tool, "freezes") : cooled;
+}
+
 Outcome perform(WorldState& state, const Action& action) {
   const ActionInfo& about = info(action.type);
   if (!offers(about, state.scene.simulator)) {
@@ -32,9 +78,7 @@ Outcome perform(WorldState& state, const Action& action) {
     return succeeded();
   }
   if (action.type == ActionType::GoTo) return go_to(state, action.args.front());
-  if (about.argument == ActionArgument::None) {
-    return failed(Failure::NotReady, "The backend does not run " + std::string(about.name) + ".");
-  }
+  if (about.argument == ActionArgument::None) return perform_alone(state, action.type);
   const auto node = state.index_of(action.args.front());
   if (!node) return failed(Failure::InvalidArgument, "There is no object " + action.args.front() + ".");
   switch (action.type) {
@@ -56,14 +100,30 @@ Outcome perform(WorldState& state, const Action& action) {
       return switch_power(state, *node, false);
     case ActionType::Slice:
       return slice(state, *node);
+    case ActionType::PourTo:
+      return pour_to(state, *node);
+    case ActionType::UseUp:
+      return use_up(state, *node);
+    case ActionType::Wipe:
+      return wipe(state, *node);
+    case ActionType::SpreadTo:
+      return spread_to(state, *node);
+    case ActionType::SoakWith:
+      return treat_with(state, *node, "soaks");
     case ActionType::HeatWith:
       return treat_with(state, *node, "heats");
     case ActionType::CoolWith:
-      return treat_with(state, *node, "cools");
+      return cool_with(state, *node);
     case ActionType::WashWith:
       return treat_with(state, *node, "washes");
+    case ActionType::CookWith:
+      return treat_with(state, *node, "cooks");
+    case ActionType::BurnWith:
+      return treat_with(state, *node, "burns");
+    case ActionType::FillWith:
+      return treat_with(state, *node, "fills");
     default:
-      return failed(Failure::NotReady, "The backend does not run " + std::string(about.name) + ".");
+      return failed(Failure::InvalidAction, std::string(about.name) + " is no action on an object.");
   }
 }
 

@@ -8,7 +8,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kHandForward_m = 0.45, kHandHeight_m = 1.0;
+constexpr double kHandHeight_m = 1.0;
 
 }  // namespace
 
@@ -83,15 +83,16 @@ void WorldState::refresh(std::span<const Bounds> touched, std::span<const std::s
 
 void WorldState::carry_along() {
   const Vec2 ahead(std::cos(scene.agent.yaw), std::sin(scene.agent.yaw));
-  const Vec2 at = scene.agent.position + kHandForward_m * ahead;
+  const Vec2 left(-ahead.y(), ahead.x());
+  const Vec2 at = scene.agent.position + hand.ahead_m * ahead + hand.left_m * left;
   std::vector<std::size_t> moved;
   for (const std::string& id : scene.agent.held) {
     const auto i = index_of(id);
     if (!i) continue;
-    const Pose hand = upright(Vec3(at.x(), at.y(), kHandHeight_m), scene.agent.yaw);
-    const Pose motion = hand * inverse(node(*i).pose);
+    const Pose grip = upright(Vec3(at.x(), at.y(), kHandHeight_m), scene.agent.yaw + hand.turn);
+    const Pose motion = grip * inverse(node(*i).pose);
     for (const std::size_t member : group_of(*i)) {
-      node(member).pose = member == *i ? hand : motion * node(member).pose;
+      node(member).pose = member == *i ? grip : motion * node(member).pose;
       moved.push_back(member);
     }
   }

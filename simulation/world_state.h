@@ -16,6 +16,11 @@
 
 namespace unietp {
 
+/// Where the hand is, seen from the body: this far ahead and to the left, at the height of the hands, and turned.
+struct HandPose {
+  double ahead_m = 0.45, left_m = 0, turn = 0;  // radians, counter-clockwise from above
+};
+
 /// The inside of World, shared by the files that implement its actions and by nobody else.
 struct WorldState {
   Scene scene;
@@ -23,6 +28,7 @@ struct WorldState {
   const Profile* profile = nullptr;
   PhysicsWorld physics;  // node i is body i; what is in the hands is not in it
   bool stopped = false;
+  HandPose hand;  // back in front of the body whenever something is picked up
 
   /// Where the body can walk now, and the steps from the agent to every cell; made at the first question after a
   /// change.
@@ -66,7 +72,22 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
 Outcome swing(WorldState& state, std::size_t node, bool open);
 Outcome switch_power(WorldState& state, std::size_t node, bool on);
 Outcome slice(WorldState& state, std::size_t node);
-/// wash_with, heat_with, cool_with: the atomic steps they stand for, each with all its checks.
+/// The held thing falls from the hand and lies where it comes to rest.
+Outcome drop(WorldState& state);
+/// A step of the profile's length along the body's axes, turns and tilts of its angles; each argument is -1, 0 or 1.
+/// The body moves in a straight line over free floor.
+Outcome take_step(WorldState& state, double ahead, double left);
+Outcome turn_body(WorldState& state, double left);
+Outcome tilt_camera(WorldState& state, double down);
+Outcome reset_head(WorldState& state);
+/// Moves or turns the hand that holds something; what it holds must meet nothing.
+Outcome move_hand(WorldState& state, double ahead, double left);
+Outcome rotate_hand(WorldState& state);
+Outcome pour_to(WorldState& state, std::size_t target);
+Outcome use_up(WorldState& state, std::size_t node);
+Outcome wipe(WorldState& state, std::size_t node);
+Outcome spread_to(WorldState& state, std::size_t node);
+/// soak_with and the composite actions ..._with: the atomic steps they stand for, each with all its checks.
 Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect);
 
 /// What a tool does by itself to what lies in or on it, as things are now: effects whose needs are met. `tap_runs`:

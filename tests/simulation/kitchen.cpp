@@ -21,7 +21,7 @@ Category category(std::string name, bool movable, Archetype archetype, Vec3 size
 
 }  // namespace
 
-Knowledge kitchen_knowledge() {
+Knowledge kitchen_knowledge(Simulator simulator) {
   std::vector<Category> categories{
       category("Apple", true, Archetype::Sphere, {0.08, 0.08, 0.08}, 0.2),
       category("AppleSliced", true, Archetype::Box, {0.02, 0.08, 0.08}, 0.05),
@@ -29,12 +29,17 @@ Knowledge kitchen_knowledge() {
       category("DiningTable", false, Archetype::Table, {1.2, 0.8, 0.75}, 25),
       category("Dresser", false, Archetype::Drawers, {0.8, 0.45, 0.7}, 30),
       category("Fridge", false, Archetype::Cabinet, {0.7, 0.65, 1.7}, 80),
+      category("Ketchup", true, Archetype::Cylinder, {0.06, 0.06, 0.16}, 0.5),
       category("Knife", true, Archetype::Box, {0.22, 0.025, 0.02}, 0.1),
       category("Microwave", false, Archetype::Cabinet, {0.5, 0.36, 0.3}, 12),
       category("Mug", true, Archetype::Vessel, {0.09, 0.09, 0.1}, 0.3),
       category("Plate", true, Archetype::Plate, {0.24, 0.24, 0.02}, 0.4),
       category("Potato", true, Archetype::Box, {0.09, 0.06, 0.06}, 0.2),
       category("Sink", false, Archetype::Basin, {0.6, 0.5, 0.9}, 40),
+      category("SoapBar", true, Archetype::Box, {0.08, 0.05, 0.03}, 0.1),
+      category("Stove", false, Archetype::Block, {0.6, 0.6, 0.9}, 50),
+      category("Towel", true, Archetype::Box, {0.2, 0.15, 0.03}, 0.2),
+      category("WineBottle", true, Archetype::Cylinder, {0.08, 0.08, 0.3}, 1.2),
   };
   std::vector<AffordanceFact> affordances;
   const auto affords = [&](const std::string& name, std::initializer_list<const char*> what) {
@@ -48,19 +53,31 @@ Knowledge kitchen_knowledge() {
   affords("Fridge", {"container", "openable", "receptacle"});
   affords("Knife", {"pickupable"});
   affords("Microwave", {"container", "openable", "switchable"});
-  affords("Mug", {"container", "dirtyable", "heatable", "pickupable"});
+  affords("Ketchup", {"pickupable"});
+  affords("Mug", {"container", "dirtyable", "fillable", "heatable", "pickupable"});
   affords("Plate", {"dirtyable", "pickupable", "receptacle"});
-  affords("Potato", {"heatable", "pickupable"});
-  affords("Sink", {"container"});
+  affords("Potato", {"burnable", "cookable", "heatable", "pickupable"});
+  affords("Sink", {"container", "drain"});
+  affords("SoapBar", {"consumable", "pickupable"});
+  affords("Stove", {"receptacle", "switchable"});
+  affords("Towel", {"pickupable", "soakable"});
+  affords("WineBottle", {"fillable", "pickupable"});
   std::vector<Effect> effects{
       {"Fridge", "cools", "Mug", "", 0, {"closed", "inside"}, kCurated},
+      {"Ketchup", "dispenses", "Plate", "ketchup", 0, {"held"}, kCurated},
       {"Knife", "slices", "Apple", "AppleSliced", 4, {"held"}, kCurated},
       {"Microwave", "heats", "Mug", "", 0, {"closed", "inside", "power_on"}, kCurated},
       {"Microwave", "heats", "Potato", "", 0, {"closed", "inside", "power_on"}, kCurated},
       {"Sink", "washes", "Mug", "", 0, {"inside", "under_tap"}, kCurated},
+      {"Microwave", "cooks", "Potato", "", 0, {"closed", "inside", "power_on"}, kCurated},
       {"Sink", "washes", "Plate", "", 0, {"inside", "under_tap"}, kCurated},
+      {"Sink", "fills", "Mug", "water", 0, {"inside", "under_tap"}, kCurated},
+      {"Sink", "soaks", "Towel", "water", 0, {"inside", "under_tap"}, kCurated},
+      {"Stove", "burns", "Potato", "", 0, {"on", "power_on"}, kCurated},
+      {"Towel", "wipes", "Plate", "", 0, {"held"}, kCurated},
+      {"WineBottle", "fills", "Mug", "wine", 0, {"held"}, kCurated},
   };
-  return Knowledge(Simulator::Ai2thor, std::move(categories), std::move(affordances), {}, std::move(effects), {});
+  return Knowledge(simulator, std::move(categories), std::move(affordances), {}, std::move(effects), {});
 }
 
 Node& add(Scene& scene, const std::string& id, const Knowledge& knowledge, const std::string& name, double x, double y,
@@ -101,6 +118,19 @@ Scene kitchen() {
   add(scene, "plate_1", knowledge, "Plate", 2.3, 1.35, 0.751);
   add(scene, "potato_1", knowledge, "Potato", 2.75, 1.35, 0.751);
   scene.agent.position = {1.5, 2.3};
+  scene.edges = read_relations(scene);
+  return scene;
+}
+
+Scene full_kitchen(Simulator simulator) {
+  const Knowledge knowledge = kitchen_knowledge(simulator);
+  Scene scene = kitchen();
+  scene.simulator = simulator;
+  add(scene, "stove_1", knowledge, "Stove", 0.7, 3.6, 0);
+  add(scene, "towel_1", knowledge, "Towel", 1.95, 3.45, 0.902);
+  add(scene, "soapbar_1", knowledge, "SoapBar", 2.2, 3.45, 0.902);
+  add(scene, "ketchup_1", knowledge, "Ketchup", 2.2, 3.7, 0.902);
+  add(scene, "winebottle_1", knowledge, "WineBottle", 2.0, 3.75, 0.902).states.set({Predicate::Filled, "wine"});
   scene.edges = read_relations(scene);
   return scene;
 }

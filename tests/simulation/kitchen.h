@@ -9,9 +9,13 @@ namespace unietp::testing {
 
 /// A 5 x 4 m kitchen with a table, a counter, a fridge, a microwave on the counter, a sink, a chest of drawers, and on
 /// the table a mug, an apple, a knife and a plate: what the tests of physics and actions need, built by hand.
-Knowledge kitchen_knowledge();
+Knowledge kitchen_knowledge(Simulator simulator = Simulator::Ai2thor);
 Scene kitchen();
 Profile kitchen_profile();
+
+/// The same kitchen as another simulator has it, with a stove, and on the counter a towel, a bottle of ketchup, a
+/// bottle of wine and a bar of soap: what the actions on contents need.
+Scene full_kitchen(Simulator simulator);
 
 /// Adds a movable resting at (x, y) with its lowest side at z.
 Node& add(Scene& scene, const std::string& id, const Knowledge& knowledge, const std::string& category, double x,

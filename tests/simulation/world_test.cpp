@@ -72,7 +72,7 @@ TEST_F(InTheKitchen, WhatIsFarOrHiddenIsOutOfReach) {
   expect_failure(world, ActionType::PickUp, "nothing_7", Failure::InvalidArgument);
   expect_failure(world, ActionType::PickUp, "", Failure::InvalidArgument);
   expect_failure(world, ActionType::PlaceOn, "diningtable_1", Failure::NotHolding);
-  expect_failure(world, ActionType::UseUp, "mug_1", Failure::NotReady);
+  expect_failure(world, ActionType::UseUp, "mug_1", Failure::NotConsumable);
 }
 
 TEST_F(InTheKitchen, AHandHoldsOneThingAndOnlyWhatCanBeHeld) {

@@ -1,0 +1,110 @@
+#include <algorithm>
+
+#include "simulation/world_state.h"
+
+// What is poured, spread, wiped off and used up.
+namespace unietp {
+namespace {
+
+/// The node in the first hand, or nullopt.
+std::optional<std::size_t> in_hand(const WorldState& state) {
+  if (state.scene.agent.held.empty()) return std::nullopt;
+  return state.index_of(state.scene.agent.held.front());
+}
+
+std::optional<std::string> filling_of(const Node& node) {
+  for (const State& state : node.states.all()) {
+    if (state.predicate == Predicate::Filled) return state.symbol;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> coats_of(const Node& node) {
+  std::vector<std::string> coats;
+  for (const State& state : node.states.all()) {
+    if (state.predicate == Predicate::Covered) coats.push_back(state.symbol);
+  }
+  return coats;
+}
+
+/// Dust comes off with a dry cloth; everything else wants a wet one (BEHAVIOR's removers: dust dry, stains with water).
+bool is_dust(const std::string& coat) { return coat == "dust"; }
+
+}  // namespace
+
+Outcome pour_to(WorldState& state, std::size_t target) {
+  const auto hand = in_hand(state);
+  if (!hand) return failed(Failure::NotHolding, "Your hands are empty.");
+  const std::string vessel = state.node(*hand).id, into = state.node(target).id;
+  const auto substance = filling_of(state.node(*hand));
+  if (!substance) return failed(Failure::VesselEmpty, "There is nothing in " + vessel + " to pour.");
+  if (state.held(into)) return failed(Failure::InvalidArgument, into + " is in your hand.");
+  if (auto blocked = out_of_hands_way(state, target)) return *blocked;
+  const bool drains = state.knowledge->effect(state.node(target).category, "drains", state.node(*hand).category) ||
+                      state.knowledge->has(state.node(target).category, "drain");
+  if (!drains) {
+    if (!state.knowledge->has(state.node(target).category, "fillable"))
+      return failed(Failure::NotFillable, into + " cannot be filled.");
+    if (state.node(target).states.has(Predicate::Filled))
+      return failed(Failure::AlreadyFull, into + " is full already.");
+    state.node(target).states.set({Predicate::Filled, *substance});
+  }
+  state.node(*hand).states.set({Predicate::Empty, ""});
+  look_at(state, state.node(target).pose.position);
+  state.carry_along();
+  return succeeded();
+}
+
+Outcome use_up(WorldState& state, std::size_t i) {
+  const std::string id = state.node(i).id;
+  if (!state.knowledge->has(state.node(i).category, "consumable"))
+    return failed(Failure::NotConsumable, id + " cannot be used up.");
+  if (!state.held(id)) {
+    if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  }
+  if (state.node(i).states.has(Predicate::UsedUp)) return failed(Failure::NotConsumable, id + " is used up already.");
+  state.node(i).states.set({Predicate::UsedUp, ""});
+  if (!state.held(id)) {
+    look_at(state, state.node(i).pose.position);
+    state.carry_along();
+  }
+  return succeeded();
+}
+
+Outcome wipe(WorldState& state, std::size_t i) {
+  const std::string id = state.node(i).id;
+  const auto hand = in_hand(state);
+  if (!hand) return failed(Failure::NotHolding, "You need something to wipe with in your hand.");
+  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand; put it down first.");
+  const std::string cloth = state.node(*hand).id;
+  if (state.knowledge->effect(state.node(*hand).category, "wipes", state.node(i).category) == nullptr)
+    return failed(Failure::NoEffect, id + " cannot be wiped with " + cloth + ".");
+  if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  const auto coats = coats_of(state.node(i));
+  const bool stained = state.node(i).states.has(Predicate::Dirty) ||
+                       std::any_of(coats.begin(), coats.end(), [](const auto& coat) { return !is_dust(coat); });
+  if (stained && state.node(*hand).states.has(Predicate::Dry))
+    return failed(Failure::NotReady, cloth + " is dry; soak it first.");
+  state.node(i).states.clear(Predicate::Covered);
+  if (state.node(i).states.has(Predicate::Dirty)) state.node(i).states.set({Predicate::Clean, ""});
+  look_at(state, state.node(i).pose.position);
+  state.carry_along();
+  return succeeded();
+}
+
+Outcome spread_to(WorldState& state, std::size_t i) {
+  const std::string id = state.node(i).id;
+  const auto hand = in_hand(state);
+  if (!hand) return failed(Failure::NotHolding, "You need something to spread in your hand.");
+  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand; put it down first.");
+  const Effect* effect = state.knowledge->effect(state.node(*hand).category, "dispenses", state.node(i).category);
+  if (effect == nullptr)
+    return failed(Failure::NoEffect, "Nothing comes out of " + state.node(*hand).id + " that covers " + id + ".");
+  if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  state.node(i).states.set({Predicate::Covered, effect->gives});
+  look_at(state, state.node(i).pose.position);
+  state.carry_along();
+  return succeeded();
+}
+
+}  // namespace unietp
