@@ -15,6 +15,7 @@ constexpr double kBoard_m = 0.02;
 constexpr double kHighestTop_m = 1.25;  // a higher top is out of reach
 constexpr double kMargin_m = 0.005;
 constexpr double kApart_m = 0.02;  // between things on one surface
+constexpr double kLargerModel = 1.15, kSmallerModel = 0.65, kSmallerHolder = 0.9;
 
 double wall(const Vec3& size, double most) { return std::clamp(0.07 * size.minCoeff(), 0.003, most); }
 
@@ -115,6 +116,18 @@ bool fit_side_by_side(const Category& a, const Category& b, const Category& supp
   const auto along = [&](double small, double large) { return large + kMargin_m <= narrow ? small : large; };
   const double a_along = along(as.first, as.second), b_along = along(bs.first, bs.second);
   return as.first + kMargin_m <= narrow && bs.first + kMargin_m <= narrow && a_along + b_along + kApart_m <= wide;
+}
+
+bool usable(const Asset& asset, const Category& category) {
+  const bool holds = room_of(category, "on") || room_of(category, "inside");
+  const auto close = [&](const Vec3& size) {
+    const Vec3 ratio = size.cwiseQuotient(category.size);
+    return ratio.minCoeff() >= (holds ? kSmallerHolder : kSmallerModel) && ratio.maxCoeff() <= kLargerModel;
+  };
+  const bool no_front = category.movable || category.archetype == Archetype::Table ||
+                        category.archetype == Archetype::Plate || category.archetype == Archetype::Vessel ||
+                        category.archetype == Archetype::Fixture;
+  return close(asset.size) || (no_front && close({asset.size.y(), asset.size.x(), asset.size.z()}));
 }
 
 int capacity_of(const Category& object, std::string_view relation, const Category& receptacle) {

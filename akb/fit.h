@@ -27,6 +27,11 @@ bool fits(const Category& object, std::string_view relation, const Category& rec
 /// True when both stand next to one another on the top of `support`, 2 cm apart, each turned as it likes.
 bool fit_side_by_side(const Category& a, const Category& b, const Category& support);
 
+/// True when a scene may give a thing of the category this model's box: along each axis at most 1.15 times the
+/// category's, so it goes where the category goes, and at least 0.65 times, 0.9 times where things are put on or in it,
+/// so it holds what the category holds. What has no front (movables, tables, rugs, plants) may lie turned a quarter.
+bool usable(const Asset& asset, const Category& category);
+
 /// How many such objects fit side by side on all levels with 2 cm between them, at most 12 and six tenths of the full
 /// grid (rule `footprint`); 0 when none fits.
 int capacity_of(const Category& object, std::string_view relation, const Category& receptacle);

@@ -5,6 +5,7 @@
 #include "akb/import_common.h"
 #include "akb/importers.h"
 #include "akb/metadata_json.h"
+#include "akb/upstream_sizes.h"
 
 namespace unietp {
 namespace {
@@ -37,17 +38,6 @@ bool listed(const Json& type, const char* field, const char* word) {
   return names.contains(word);
 }
 
-/// Median box of a type's ProcTHOR assets, which stand in their own frame (x width, y up, z depth).
-std::optional<Vec3> asset_extents(const Json& assets, const std::string& type) {
-  if (!assets.contains(type)) return std::nullopt;
-  std::vector<Vec3> boxes;
-  for (const auto& asset : assets.at(type)) {
-    const auto& box = asset.at("boundingBox");
-    boxes.emplace_back(box.at("x").get<double>(), box.at("z").get<double>(), box.at("y").get<double>());
-  }
-  return median(boxes);
-}
-
 struct SceneFacts {
   std::map<std::string, std::vector<double>> masses;
   std::map<std::string, std::vector<Vec3>> extents;
@@ -76,13 +66,16 @@ SceneFacts facts_of(const Json& scenes) {
   return facts;
 }
 
-void add_categories(TableBuilder& builder, const Json& types, const Json& assets, const SceneFacts& facts) {
+void add_categories(TableBuilder& builder, const Json& types, const std::vector<Asset>& assets,
+                    const SceneFacts& facts) {
+  std::map<std::string, std::vector<Vec3>> boxes;
+  for (const auto& asset : assets) boxes[asset.category].push_back(asset.size);
   for (const auto& [type, row] : types.items()) {
     RawCategory raw;
     raw.name = type;
     raw.movable = listed(row, "actionable_properties", "pickupable");
     raw.source = {kTypes, 1};
-    raw.extents = asset_extents(assets, type);
+    if (const auto own = boxes.find(type); own != boxes.end()) raw.extents = middle_box(own->second);
     raw.extents_source = kAssets;
     if (const auto seen = facts.extents.find(type); !raw.extents && seen != facts.extents.end()) {
       raw.extents = median(seen->second);
@@ -94,6 +87,7 @@ void add_categories(TableBuilder& builder, const Json& types, const Json& assets
     }
     builder.add(raw);
   }
+  for (const auto& asset : assets) builder.model(asset);
 }
 
 void add_affordances(TableBuilder& builder, const Json& types, const Json& alfred) {
@@ -195,7 +189,7 @@ Result<Tables> import_ai2thor(const std::filesystem::path& upstream, const std::
   if (!types) return types.error();
   const auto scenes = read_metadata_json(folder / "ithor_scenes.json.gz");
   if (!scenes) return scenes.error();
-  const auto assets = read_metadata_json(folder / "procthor_asset_database.json.gz");
+  const auto assets = read_procthor_assets(upstream);
   if (!assets) return assets.error();
   const auto receptacles = read_metadata_json(folder / "procthor_receptacles.json");
   if (!receptacles) return receptacles.error();

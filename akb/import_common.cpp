@@ -15,9 +15,7 @@ namespace unietp {
 namespace {
 
 constexpr double kSizeFactor = 1.4, kMassFactor = 3;
-constexpr double kLargerModel = 1.15;   // a model that is larger might not go where the category does
-constexpr double kSmallerModel = 0.65;  // one that is smaller is another kind of thing
-constexpr double kSmallerHolder = 0.9;  // nor does a smaller one hold what the category holds
+constexpr double kThinnest_m = 0.001, kLongest_m = 20;  // of a model's box: a sheet of paper is flat upstream
 
 /// To millimetres, so that files stay short.
 Vec3 millimetres(const Vec3& v) {
@@ -76,6 +74,16 @@ Vec3 median(const std::vector<Vec3>& values) {
   return result;
 }
 
+Vec3 middle_box(const std::vector<Vec3>& boxes) {
+  const Vec3 centre = median(boxes);
+  const auto distance = [&](const Vec3& box) {
+    const Vec3 ratio = box.cwiseQuotient(centre);
+    return std::max(ratio.maxCoeff(), 1 / ratio.minCoeff());
+  };
+  return *std::min_element(boxes.begin(), boxes.end(),
+                           [&](const Vec3& a, const Vec3& b) { return distance(a) < distance(b); });
+}
+
 TableBuilder::TableBuilder(Simulator simulator, std::filesystem::path curated)
     : simulator_(simulator), curated_(std::move(curated)), lexicon_(read_lexicon(curated_, errors_)) {
   const auto path = folder() / "category.csv";
@@ -120,7 +128,8 @@ void TableBuilder::add(const RawCategory& raw) {
   c.movable = raw.movable;
   c.source = raw.source;
   if (raw.extents) {
-    const Vec3 laid = laid_like(*raw.extents, c.size);
+    const bool as_it_is = within(*raw.extents, c.size, 1 / kSizeFactor, kSizeFactor);
+    const Vec3 laid = as_it_is ? *raw.extents : laid_like(*raw.extents, c.size);
     if (within(laid, c.size, 1 / kSizeFactor, kSizeFactor)) {
       c.size = millimetres(laid);
       c.size_source = {raw.extents_source, 0.9};
@@ -177,15 +186,9 @@ void TableBuilder::afford_by_archetype() {
 }
 
 void TableBuilder::model(Asset asset) {
-  const auto found = categories_.find(asset.category);
-  if (found == categories_.end() || !(asset.size.minCoeff() > 0)) return;
-  const Category& c = found->second;
-  const bool holds = room_of(c, "on") || room_of(c, "inside");
-  const double low = holds ? kSmallerHolder : kSmallerModel;
-  const Vec3 as_it_is = asset.size;
-  if (!within(as_it_is, c.size, low, kLargerModel)) asset.size = laid_like(as_it_is, c.size);
-  if (!within(asset.size, c.size, low, kLargerModel)) return;
-  asset.size = millimetres(asset.size);
+  const bool box = asset.size.minCoeff() >= 0 && asset.size.maxCoeff() > 0 && asset.size.maxCoeff() <= kLongest_m;
+  if (!box || !categories_.contains(asset.category)) return;
+  asset.size = millimetres(asset.size).cwiseMax(kThinnest_m);
   assets_.try_emplace(asset.name, std::move(asset));
 }
 

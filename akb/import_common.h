@@ -19,7 +19,7 @@ struct RawCategory {
   std::string name;
   std::string display;  // empty: taken from the name
   bool movable = false;
-  std::optional<Vec3> extents;  // full extents in any order of axes, metres
+  std::optional<Vec3> extents;  // full extents, metres: width, depth, height where upstream is sure of them
   std::string extents_source;
   std::optional<double> mass;
   std::string mass_source;
@@ -37,8 +37,8 @@ class TableBuilder {
   std::string curated(const std::string& name, const std::string& column) const;
 
   /// Adds a category: metadata first, the word of the same display name for what it lacks, curated cells over both.
-  /// Extents are laid along the axes in the order of the word's own (rule `word-axes`), since upstream boxes are
-  /// rotated now and then; extents or a mass that are far from the word's (a factor of 1.7, 3) are not used.
+  /// Extents must be within a factor 1.4 of the word's along each axis, as they are or else laid along the axes in the
+  /// order of the word's own (rule `word-axes`), since upstream boxes are rotated now and then; a mass within 3.
   void add(const RawCategory& raw);
 
   void afford(const std::string& category, std::string_view affordance, const std::string& source, double confidence);
@@ -56,9 +56,9 @@ class TableBuilder {
   /// Object, relation and receptacle of every placement that place_by_kind would add.
   std::set<std::tuple<std::string, std::string, std::string>> sensible_placements();
 
-  /// A model of a category, its extents in any order of axes. Kept when its box, laid like the category's, is along
-  /// each axis at most 1.15 times the category's (so it goes where the category goes) and at least 0.65 times, 0.9
-  /// times where things are put on or in it (so it holds what the category holds). Call it after `add`.
+  /// A model of a category with its own box, width x, depth y and height z in the model's frame. Every model is kept,
+  /// for scenes that have it; `usable` of akb/fit.h says which ones serve in scenes of ours. Ignored when the category
+  /// is none or the box is empty or longer than 20 m. Call it after `add`.
   void model(Asset asset);
 
   void effect(Effect effect);
@@ -106,5 +106,7 @@ std::string words_of(std::string_view name);
 /// The middle of the values, or of each coordinate; the lower of the two middles for an even count.
 double median(std::vector<double> values);
 Vec3 median(const std::vector<Vec3>& values);
+/// The box that is nearest to the median of all along each axis: one that a model really has.
+Vec3 middle_box(const std::vector<Vec3>& boxes);
 
 }  // namespace unietp

@@ -12,12 +12,12 @@ namespace {
 
 constexpr int kMostBeside = 4;
 
-/// Kinds that a rule of placement_rules.csv names also stand for these: a chest's drawer for "drawer", a cabinet's top
-/// for "dresser", a stove's oven for "oven".
+/// Kinds that a rule of placement_rules.csv names also stand for these: a cabinet's top for "dresser", a stove's
+/// oven for "oven".
 bool stands_for(const PlacementRule& rule, const std::string& kind) {
   if (rule.receptacle == kind) return true;
-  static const std::set<std::pair<std::string, std::string>> kInside{
-      {"drawer", "nightstand"}, {"drawer", "dresser"}, {"oven", "stove"}, {"kitchen_cabinet", "top_cabinet"}};
+  static const std::set<std::pair<std::string, std::string>> kInside{{"oven", "stove"},
+                                                                     {"kitchen_cabinet", "top_cabinet"}};
   static const std::set<std::pair<std::string, std::string>> kOn{{"dresser", "cabinet"},
                                                                  {"dresser", "drawer"},
                                                                  {"counter", "kitchen_cabinet"},

@@ -9,9 +9,9 @@ namespace unietp {
 namespace {
 
 using Json = nlohmann::json;
-const std::string kProperties = "metadata:properties_data_unity.json", kPrefabs = "metadata:prefabs_dims.json.gz",
-                  kClasses = "metadata:PrefabClass.json", kPlacing = "metadata:object_script_placing.json.gz",
-                  kScenePlaces = "metadata:scenes";
+const std::string kProperties = "metadata:properties_data_unity.json", kScript = "metadata:properties_data.json",
+                  kPrefabs = "metadata:prefabs_dims.json.gz", kClasses = "metadata:PrefabClass.json",
+                  kPlacing = "metadata:object_script_placing.json.gz", kScenePlaces = "metadata:scenes";
 
 /// Prefab names of each class, under the class name without capitals.
 std::map<std::string, std::vector<std::string>> prefabs_of(const Json& classes) {
@@ -24,16 +24,35 @@ std::map<std::string, std::vector<std::string>> prefabs_of(const Json& classes) 
   return prefabs;
 }
 
-std::optional<Vec3> extents_of(const std::vector<std::string>& prefabs, const Json& dims) {
-  std::vector<Vec3> boxes;
+/// Boxes of the prefabs of a class. Upstream says nothing of fronts: most lie along x, so that z is the width.
+std::map<std::string, Vec3> boxes_of(const std::vector<std::string>& prefabs, const Json& dims) {
+  std::map<std::string, Vec3> boxes;
   for (const auto& prefab : prefabs) {
     if (!dims.contains(prefab)) continue;
     const auto& size = dims.at(prefab).at("size");
     const Vec3 box(size.at(2).get<double>(), size.at(0).get<double>(), size.at(1).get<double>());
-    if (box.minCoeff() > 0) boxes.push_back(box);
+    if (box.minCoeff() > 0) boxes.emplace(prefab, box);
   }
-  if (boxes.empty()) return std::nullopt;
-  return median(boxes);
+  return boxes;
+}
+
+/// The box with its long side across where the category's is.
+Vec3 laid_level(const Vec3& box, const Vec3& category) {
+  const bool same = (box.x() >= box.y()) == (category.x() >= category.y());
+  return same ? box : Vec3(box.y(), box.x(), box.z());
+}
+
+void add_category(TableBuilder& builder, RawCategory raw, const std::map<std::string, Vec3>& boxes) {
+  std::vector<Vec3> all;
+  for (const auto& [prefab, box] : boxes) all.push_back(box);
+  if (!all.empty()) raw.extents = middle_box(all);
+  raw.extents_source = kPrefabs;
+  builder.add(raw);
+  const auto* category = builder.find(raw.name);
+  if (category == nullptr) return;
+  for (const auto& [prefab, box] : boxes) {
+    builder.model({prefab, raw.name, laid_level(box, category->size), {kPrefabs, 0.9}});
+  }
 }
 
 /// "kitchen_counter" -> "kitchencounter"; empty when no class has that name.
@@ -57,6 +76,18 @@ std::string class_named(const TableBuilder& builder, const std::string& script_n
 }
 
 using Placements = std::set<std::tuple<std::string, std::string, std::string>>;
+
+/// What the script world adds: where one can lie down, and what has a plug.
+void add_script_affordances(TableBuilder& builder, const Json& properties) {
+  static const std::map<std::string, std::string> kNames{
+      {"SITTABLE", "sittable"}, {"LIEABLE", "lieable"}, {"HAS_PLUG", "pluggable"}};
+  for (const auto& [name, list] : properties.items()) {
+    for (const auto& property : list) {
+      const auto affordance = kNames.find(property.get<std::string>());
+      if (affordance != kNames.end()) builder.afford(class_named(builder, name), affordance->second, kScript, 0.9);
+    }
+  }
+}
 
 /// What the script world or a scene says is kept in place only where a rule of ours calls it common sense; such a pair
 /// then weighs more than one that only the rule knows. Otherwise a water glass on a rug would pass.
@@ -95,6 +126,8 @@ Result<Tables> import_virtualhome(const std::filesystem::path& upstream, const s
   const auto folder = upstream / "virtualhome";
   const auto properties = read_metadata_json(folder / "properties_data_unity.json");
   if (!properties) return properties.error();
+  const auto script = read_metadata_json(folder / "properties_data.json");
+  if (!script) return script.error();
   const auto classes = read_metadata_json(folder / "PrefabClass.json");
   if (!classes) return classes.error();
   const auto dims = read_metadata_json(folder / "prefabs_dims.json.gz");
@@ -115,15 +148,15 @@ Result<Tables> import_virtualhome(const std::filesystem::path& upstream, const s
     raw.name = name;
     raw.movable = grabbable;
     raw.source = {source, 1};
-    if (const auto own = prefabs.find(name); own != prefabs.end()) raw.extents = extents_of(own->second, *dims);
-    raw.extents_source = kPrefabs;
-    builder.add(raw);
+    const auto own = prefabs.find(name);
+    add_category(builder, raw, own == prefabs.end() ? std::map<std::string, Vec3>{} : boxes_of(own->second, *dims));
   };
   for (const auto& [name, list] : properties->items()) {
     add(name, std::find(list.begin(), list.end(), "GRABBABLE") != list.end(), kProperties);
   }
   // The only classes of PrefabClass.json outside the table above that stand in the apartments and are no structure.
   for (const char* name : {"coatrack", "oventray", "window"}) add(name, std::string_view(name) == "oventray", kClasses);
+  add_script_affordances(builder, *script);
   add_affordances(builder, *properties);
   // VirtualHome's only bottles without GRABBABLE are the water bottles: an oversight upstream.
   builder.afford("bottlewater", "pickupable", "curated", 0.9);

@@ -1,5 +1,6 @@
 #include "akb/knowledge.h"
 
+#include "akb/fit.h"
 #include "akb/tables.h"
 
 namespace unietp {
@@ -168,7 +169,10 @@ std::vector<const Effect*> Knowledge::effects_of(std::string_view tool, std::str
 }
 
 std::vector<const Asset*> Knowledge::assets_of(std::string_view category) const {
-  return pointers(assets_, assets_of_.with(names_.number(category)));
+  auto found = pointers(assets_, assets_of_.with(names_.number(category)));
+  const Category* own = find(category);
+  std::erase_if(found, [&](const Asset* a) { return own == nullptr || !usable(*a, *own); });
+  return found;
 }
 
 const Asset* Knowledge::asset(std::string_view name) const {

@@ -68,7 +68,7 @@ struct Alias {
 struct Asset {
   std::string name;          // the simulator's own: "Mug_1", "PRE_PRO_Mug_01", "mug-abcdef"
   std::string category;      // of this knowledge base
-  Vec3 size = Vec3::Zero();  // full extents, metres, laid as the category's: width x, depth y, height z
+  Vec3 size = Vec3::Zero();  // full extents, metres, in its own frame: width x, depth y, height z
   Source source;
 };
 
@@ -109,8 +109,9 @@ class Knowledge {
   std::vector<const Effect*> effects_of(std::string_view tool, std::string_view effect) const;
 
   std::vector<const Alias*> aliases_of(std::string_view category, std::string_view kind) const;
-  /// Models of a category, by name; empty when none is known.
+  /// Models of a category whose boxes a scene may use (`usable` of akb/fit.h), by name; empty when none is known.
   std::vector<const Asset*> assets_of(std::string_view category) const;
+  /// Any model, also one of an odd size; nullptr when none has that name.
   const Asset* asset(std::string_view name) const;
   const std::vector<Asset>& assets() const { return assets_; }
 

@@ -56,7 +56,7 @@ TEST(Lexicon, AFolderWithoutOneIsAnError) {
   EXPECT_EQ(errors.front().kind, Error::Kind::Io);
 }
 
-TEST(TableBuilder, KeepsModelsThatGoWhereTheCategoryGoes) {
+TEST(TableBuilder, KeepsEveryModelAndKnowsWhichGoWhereTheCategoryGoes) {
   TableBuilder builder(Simulator::Ai2thor, curated());
   builder.add(raw("Apple", true));
   builder.add(raw("DiningTable", false));
@@ -65,15 +65,25 @@ TEST(TableBuilder, KeepsModelsThatGoWhereTheCategoryGoes) {
   builder.model({"as_large", "Apple", apple * 1.1, source});
   builder.model({"too_large", "Apple", apple * 1.3, source});
   builder.model({"small", "Apple", apple * 0.7, source});
+  builder.model({"as_high", "DiningTable", table, source});
   builder.model({"turned", "DiningTable", {table.z(), table.x(), table.y()}, source});
   builder.model({"low", "DiningTable", table * 0.8, source});
   builder.model({"of_nothing", "Unicorn", table, source});
   const auto tables = builder.finish();
   ASSERT_TRUE(tables) << format(tables.error());
-  std::vector<std::string> names;
-  for (const auto& asset : tables->assets) names.push_back(asset.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"as_large", "small", "turned"}));
-  EXPECT_NEAR((tables->assets.back().size - table).norm(), 0, 1e-9) << "laid as the category is";
+  const Knowledge k(Simulator::Ai2thor, tables->categories, tables->affordances, tables->placements, tables->effects,
+                    tables->aliases, tables->assets);
+  const auto names = [&](const char* category) {
+    std::vector<std::string> found;
+    for (const auto* asset : k.assets_of(category)) found.push_back(asset->name);
+    return found;
+  };
+  EXPECT_EQ(names("Apple"), (std::vector<std::string>{"as_large", "small"}));
+  EXPECT_EQ(names("DiningTable"), std::vector<std::string>{"as_high"});
+  EXPECT_TRUE(names("Unicorn").empty());
+  ASSERT_NE(k.asset("low"), nullptr);
+  EXPECT_NEAR((k.asset("low")->size - table * 0.8).norm(), 0, 1e-3) << "its own box, not the category's";
+  EXPECT_EQ(k.asset("of_nothing"), nullptr);
 }
 
 TEST(TableBuilder, PutsThingsBesideWhatSharesASupportAndUnderTables) {

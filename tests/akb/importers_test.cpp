@@ -66,7 +66,7 @@ TEST(Curated, ARowOverridesWhatWasImported) {
   const test::TemporaryFolder folder;
   curate(folder.path() / "c", "habitat/relation.csv",
          "object,relation,receptacle,likelihood,capacity,source,confidence\n"
-         "hammer,inside,fridge,500,1,curated,0.5\n");
+         "hammer,inside,fridge,900,1,curated,0.5\n");
   const auto tables = import_habitat(upstream(), folder.path() / "c");
   ASSERT_TRUE(tables) << format(tables.error());
   const auto at = std::find_if(tables->placements.begin(), tables->placements.end(),
