@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "akb/default_states.h"
+
 namespace unietp {
 namespace {
 
@@ -37,12 +39,6 @@ Node make_node(const Scene& scene, const Knowledge& knowledge, const Category& c
   if (!category.materials.empty()) node.material = rng.pick(category.materials);
   set_default_states(node, knowledge);
   return node;
-}
-
-void set_default_states(Node& node, const Knowledge& knowledge) {
-  for (const StateGroup& group : state_groups()) {
-    if (knowledge.has(node.category, group.affordance)) node.states.set({group.predicates.front(), {}});
-  }
 }
 
 std::string draw_filling(std::string_view category, const Knowledge& knowledge, Rng& rng) {

@@ -13,9 +13,6 @@ namespace unietp {
 /// moves, so that balls stay balls). The mass follows the volume. The pose is left to the caller.
 Node make_node(const Scene& scene, const Knowledge& knowledge, const Category& category, double spread, Rng& rng);
 
-/// The first state of each group whose affordance the category has.
-void set_default_states(Node& node, const Knowledge& knowledge);
-
 /// Some of what a lived-in home shows: a seventh dirty, some lamps and screens on, some vessels full, some laptops and
 /// books open. Furniture with doors stays shut.
 void draw_states(Node& node, const Knowledge& knowledge, Rng& rng);

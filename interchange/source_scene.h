@@ -37,6 +37,7 @@ struct SourceScene {
   std::vector<Room> rooms;        // may be empty: then drawn around the objects
   std::vector<Opening> openings;  // may be empty
   double wall_height = 2.6;
+  double wall_thickness = 0.1;  // centred on the edges of the rooms' polygons
   std::vector<SourceObject> objects;
   bool has_agent = false;
   Agent agent;

@@ -63,6 +63,32 @@ StateSet states_from_json(JsonReader& reader, const JsonAt& at) {
   return states;
 }
 
+Json board_to_json(const Board& board) {
+  Json json = {{"centre", json_of(board.centre)}, {"size", json_of(board.size)}};
+  if (board.joint >= 0) json["joint"] = board.joint;
+  return json;
+}
+
+Vec3 extents_from_json(JsonReader& reader, const JsonAt& at) {
+  const Vec3 size = reader.vec3(at);
+  if (!reader.error() && !(size.minCoeff() > 0)) reader.fail(at, "expected three lengths above 0");
+  return size;
+}
+
+Board board_from_json(JsonReader& reader, const JsonAt& at) {
+  JsonFields fields(reader, at);
+  Board board;
+  if (const auto f = fields.required("centre")) board.centre = reader.vec3(*f);
+  if (const auto f = fields.required("size")) board.size = extents_from_json(reader, *f);
+  if (const auto f = fields.optional("joint")) {
+    const double joint = reader.number(*f);
+    if (joint != 0 && joint != 1) reader.fail(*f, "expected a joint, 0 or 1, not " + number_text(joint));
+    board.joint = joint == 1 ? 1 : 0;
+  }
+  fields.finish();
+  return board;
+}
+
 Archetype archetype_from_json(JsonReader& reader, const JsonAt& at) {
   const std::string name = reader.text(at);
   const auto archetype = archetype_named(name);
@@ -97,7 +123,7 @@ Json node_to_json(const Node& node) {
   for (const State& state : node.states.all()) states.push_back(state_text(state));
   Json json = Json::object();
   auto& fields = *json.get_ptr<Json::object_t*>();
-  fields.reserve(16);
+  fields.reserve(17);
   fields.emplace_back("id", node.id);
   fields.emplace_back("category", node.category);
   fields.emplace_back("movable", node.movable);
@@ -108,6 +134,11 @@ Json node_to_json(const Node& node) {
   fields.emplace_back("position", json_of(node.pose.position));
   fields.emplace_back("rotation", json_of(node.pose.rotation));
   fields.emplace_back("opening", node.opening);
+  if (!node.boards.empty()) {
+    Json boards = Json::array();
+    for (const Board& board : node.boards) boards.push_back(board_to_json(board));
+    fields.emplace_back("boards", std::move(boards));
+  }
   fields.emplace_back("states", std::move(states));
   if (!node.colour.empty()) fields.emplace_back("colour", node.colour);
   if (!node.material.empty()) fields.emplace_back("material", node.material);
@@ -126,8 +157,7 @@ Node node_from_json(JsonReader& reader, const JsonAt& at) {
   if (const auto f = fields.required("archetype")) node.archetype = archetype_from_json(reader, *f);
   if (const auto f = fields.required("openable")) node.openable = reader.boolean(*f);
   if (const auto f = fields.required("size")) {
-    node.size = reader.vec3(*f);
-    if (!reader.error() && !(node.size.minCoeff() > 0)) reader.fail(*f, "expected three lengths above 0");
+    node.size = extents_from_json(reader, *f);
   }
   if (const auto f = fields.required("mass")) {
     node.mass = reader.number(*f);
@@ -139,6 +169,12 @@ Node node_from_json(JsonReader& reader, const JsonAt& at) {
     node.opening = reader.number(*f);
     if (!(node.opening >= 0 && node.opening <= 1)) {
       reader.fail(*f, "expected a number from 0 to 1, not " + number_text(node.opening));
+    }
+  }
+  if (const auto f = fields.optional("boards")) {
+    const std::size_t count = reader.items(*f);
+    for (std::size_t i = 0; i < count && !reader.error(); ++i) {
+      node.boards.push_back(board_from_json(reader, reader.item(*f, i)));
     }
   }
   if (const auto f = fields.required("states")) node.states = states_from_json(reader, *f);

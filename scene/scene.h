@@ -28,17 +28,25 @@ struct Opening {
   bool operator==(const Opening&) const = default;
 };
 
+/// A solid box of one particular object, in the object's frame with every joint closed.
+struct Board {
+  Vec3 centre = Vec3::Zero(), size = Vec3::Zero();  // full extents, metres, > 0
+  int joint = -1;                                   // moves with this joint of the archetype; -1: with the body
+  bool operator==(const Board&) const = default;
+};
+
 /// One object: what the simulators know of it plus what physics needs to rebuild it.
 struct Node {
   std::string id;        // "mug_3", unique in the scene
   std::string category;  // the simulator's name
   bool movable = false;
   Archetype archetype = Archetype::Box;
-  bool openable = false;     // has a door, drawer or lid on a joint
-  Vec3 size = Vec3::Zero();  // full extents of the closed body's box in its own frame, metres, > 0
-  double mass = 0;           // kilograms
-  Pose pose;                 // centre of that box in W
-  double opening = 0;        // joint position, 0 closed … 1 fully open
+  bool openable = false;      // has a door, drawer or lid on a joint
+  Vec3 size = Vec3::Zero();   // full extents of the closed body's box in its own frame, metres, > 0
+  double mass = 0;            // kilograms
+  Pose pose;                  // centre of that box in W
+  double opening = 0;         // joint position, 0 closed … 1 fully open
+  std::vector<Board> boards;  // its own solids, in place of the archetype's; empty: as the archetype says
   StateSet states;
   std::string colour, material;  // "" when not known
   std::string asset;             // the simulator's model that this is, "" when it is none
@@ -69,6 +77,7 @@ struct Scene {
   std::vector<Room> rooms;
   std::vector<Opening> openings;
   double wall_height = 2.6;
+  double wall_thickness = 0.1;  // centred on the edges of the rooms' polygons
   std::vector<Node> nodes;
   std::vector<Edge> edges;  // sorted
   Agent agent;

@@ -174,6 +174,9 @@ std::string scene_to_json(const Scene& scene) {
   text += ",\n\"id\": " + text_of(Json(scene.id));
   text += ",\n\"simulator\": " + text_of(Json(std::string(name_of(scene.simulator))));
   text += ",\n\"wall_height\": " + text_of(Json(scene.wall_height));
+  if (scene.wall_thickness != Scene().wall_thickness) {
+    text += ",\n\"wall_thickness\": " + text_of(Json(scene.wall_thickness));
+  }
   add_list(text, "rooms", scene.rooms, room_to_json);
   add_list(text, "openings", scene.openings, opening_to_json);
   text += ",\n\"agent\": " + text_of(agent_to_json(scene.agent));
@@ -193,6 +196,7 @@ Result<Scene> scene_from_json(std::string_view where, std::string_view text) {
   if (const auto f = fields.required("id")) scene.id = reader.text(*f);
   if (const auto f = fields.required("simulator")) scene.simulator = simulator_from_json(reader, *f);
   if (const auto f = fields.required("wall_height")) scene.wall_height = reader.positive(*f);
+  if (const auto f = fields.optional("wall_thickness")) scene.wall_thickness = reader.positive(*f);
   if (const auto f = fields.required("rooms")) scene.rooms = list_from_json(reader, *f, room_from_json);
   if (const auto f = fields.required("openings")) scene.openings = list_from_json(reader, *f, opening_from_json);
   if (const auto f = fields.required("agent")) scene.agent = agent_from_json(reader, *f);

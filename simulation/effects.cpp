@@ -178,6 +178,7 @@ Outcome slice(WorldState& state, std::size_t i) {
     part.size = size;
     part.mass = whole.mass / pieces;
     part.archetype = Archetype::Box;
+    part.boards.clear();
     std::size_t index = i;
     if (k == 0) {
       part.states.set({Predicate::Sliced, ""});

@@ -53,7 +53,9 @@ struct Shape {
 /// Solids, joints, surfaces and cavities of an archetype scaled to `size`. Walls are kWall_m thick, less for small
 /// things. Deterministic. Every entry of `size` > 0.
 Shape make_shape(Archetype archetype, const Vec3& size, bool openable);
-inline Shape shape_of(const Node& node) { return make_shape(node.archetype, node.size, node.openable); }
+/// The shape of one object: its archetype's, or, when it has boards, those as its solids with a surface on each that
+/// has room above it; joints and cavities stay the archetype's. A board of a joint that the archetype lacks is fixed.
+Shape shape_of(const Node& node);
 
 /// Object frame, closed → object frame at this opening, for things that move with the joint (-1: identity).
 Pose joint_motion(const Shape& shape, int joint, double opening);

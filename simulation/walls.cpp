@@ -11,11 +11,11 @@ struct Interval {
   double low_z;  // the gap's height: wall continues above
 };
 
-WallPiece piece(const Vec2& start, const Vec2& along, double from, double to, double low_z, double high_z) {
+WallPiece piece(const Vec2& start, const Vec2& along, double from, double to, double low_z, double high_z,
+                double thickness) {
   const Vec2 middle = start + along * ((from + to) / 2);
   const double yaw = std::atan2(along.y(), along.x());
-  return {upright(Vec3(middle.x(), middle.y(), (low_z + high_z) / 2), yaw),
-          Vec3(to - from, kWallThickness_m, high_z - low_z)};
+  return {upright(Vec3(middle.x(), middle.y(), (low_z + high_z) / 2), yaw), Vec3(to - from, thickness, high_z - low_z)};
 }
 
 }  // namespace
@@ -40,15 +40,16 @@ std::vector<WallPiece> walls_of(const Scene& scene) {
         if (b - a > kShortest_m) gaps.push_back({a, b, opening.height});
       }
       std::sort(gaps.begin(), gaps.end(), [](const Interval& x, const Interval& y) { return x.from < y.from; });
+      const auto add = [&](double from, double to, double low_z) {
+        pieces.push_back(piece(start, along, from, to, low_z, scene.wall_height, scene.wall_thickness));
+      };
       double at = 0;
       for (const Interval& gap : gaps) {
-        if (gap.from - at > kShortest_m) pieces.push_back(piece(start, along, at, gap.from, 0, scene.wall_height));
-        if (scene.wall_height - gap.low_z > kShortest_m) {
-          pieces.push_back(piece(start, along, gap.from, gap.to, gap.low_z, scene.wall_height));
-        }
+        if (gap.from - at > kShortest_m) add(at, gap.from, 0);
+        if (scene.wall_height - gap.low_z > kShortest_m) add(gap.from, gap.to, gap.low_z);
         at = std::max(at, gap.to);
       }
-      if (length - at > kShortest_m) pieces.push_back(piece(start, along, at, length, 0, scene.wall_height));
+      if (length - at > kShortest_m) add(at, length, 0);
     }
   }
   return pieces;

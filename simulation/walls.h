@@ -6,8 +6,6 @@
 
 namespace unietp {
 
-inline constexpr double kWallThickness_m = 0.1;  // centred on the edges of the rooms' polygons
-
 /// A solid piece of wall: an upright box.
 struct WallPiece {
   Pose pose;  // centre

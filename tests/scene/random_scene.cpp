@@ -73,6 +73,11 @@ Node random_node(std::string id, Rng& rng) {
   node.pose.rotation =
       Quat(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(0.1, 1), rng.uniform(-1, 1)).normalized();
   node.opening = rng.chance(0.5) ? 0.0 : rng.unit();
+  while (rng.chance(0.3)) {
+    node.boards.push_back({{awkward(rng), awkward(rng), awkward(rng)},
+                           {awkward_positive(rng), awkward_positive(rng), awkward_positive(rng)},
+                           static_cast<int>(rng.below(3)) - 1});
+  }
   node.states = random_states(rng);
   if (rng.chance(0.3)) node.colour = "red";
   if (rng.chance(0.3)) node.material = "oak\twood";
@@ -86,6 +91,7 @@ Scene random_scene(Rng& rng) {
   scene.id = "scene_" + std::to_string(rng.below(100));
   scene.simulator = kSimulators[rng.below(kSimulators.size())];
   scene.wall_height = rng.uniform(2, 3);
+  if (rng.chance(0.5)) scene.wall_thickness = rng.uniform(0.01, 0.3);
   const auto rooms = static_cast<int>(1 + rng.below(3));
   for (int i = 0; i < rooms; ++i) {
     const double x = 4.0 * i;

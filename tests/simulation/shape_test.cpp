@@ -13,6 +13,30 @@ bool overlap_by(const Part& a, const Part& b, double depth) {
   return (x.high.cwiseMin(y.high) - x.low.cwiseMax(y.low)).minCoeff() > depth;
 }
 
+TEST(ShapeOfANode, ItsOwnBoardsReplaceTheArchetypesSolidsAndKeepItsHollow) {
+  Node fridge;
+  fridge.archetype = Archetype::Cabinet;
+  fridge.openable = true;
+  fridge.size = {0.7, 0.65, 1.7};
+  const Shape plain = shape_of(fridge);
+  fridge.boards = {{{0, 0, 0.2}, {0.6, 0.5, 0.02}, -1},
+                   {{0, 0, 0.84}, {0.7, 0.65, 0.02}, -1},
+                   {{0, -0.32, 0}, {0.7, 0.01, 1.7}, 0},
+                   {{0, 0, -0.5}, {0.6, 0.5, 0.02}, 7}};
+  const Shape own = shape_of(fridge);
+  EXPECT_EQ(own.joints.size(), plain.joints.size());
+  EXPECT_EQ(own.cavities.size(), plain.cavities.size());
+  ASSERT_EQ(own.parts.size(), 4u);
+  EXPECT_EQ(own.parts[2].joint, 0);
+  EXPECT_EQ(own.parts[3].joint, -1) << "no such joint";
+  ASSERT_EQ(own.surfaces.size(), 3u) << "a door's edge is no place to put things";
+  EXPECT_NEAR(own.surfaces[0].centre.z(), 0.21, 1e-12);
+  EXPECT_NEAR(own.surfaces[0].clearance, 0.62, 1e-12);
+  EXPECT_EQ(own.surfaces[0].cavity, 0);
+  EXPECT_EQ(own.surfaces[1].cavity, -1) << "on top of it";
+  EXPECT_NEAR(own.surfaces[2].clearance, 0.68, 1e-12);
+}
+
 TEST(MakeShape, KeepsEveryPartInsideTheBoxForAnySizeWhenClosed) {
   Rng rng(1);
   for (int i = 0; i < 300; ++i) {

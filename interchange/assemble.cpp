@@ -1,0 +1,49 @@
+#include "interchange/draft.h"
+#include "simulation/relations.h"
+
+namespace unietp {
+namespace {
+
+std::string more_than(std::size_t count, std::size_t most, const std::string& what) {
+  return std::to_string(count) + " " + what + "; accepted are at most " + std::to_string(most);
+}
+
+}  // namespace
+
+const std::vector<std::string>& import_reasons() {
+  static const std::vector<std::string> reasons{
+      "cut-off",      "cyclic-containment", "duplicate-id",       "leaning",       "moved",
+      "no-size",      "not-finite",         "outside-rooms",      "relation-lost", "too-far",
+      "typical-size", "unknown-category",   "unknown-receptacle", "unknown-state"};
+  return reasons;
+}
+
+Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowledge, const Profile& profile,
+                               const ImportOptions& options) {
+  const auto refuse = [&](std::string message) {
+    return Error{Error::Kind::Schema, source.id, {}, std::move(message)};
+  };
+  if (source.objects.size() > options.most_objects) {
+    return refuse(more_than(source.objects.size(), options.most_objects, "objects"));
+  }
+  if (source.rooms.size() > options.most_rooms) {
+    return refuse(more_than(source.rooms.size(), options.most_rooms, "rooms"));
+  }
+  Scene scene;
+  scene.id = source.id;
+  scene.simulator = source.simulator;
+  draw_rooms(source, scene);
+  Draft draft = draft_of(source, std::move(scene), knowledge);
+  if (draft.scene.rooms.empty()) return refuse("the file has no room, and nothing around which one could be drawn");
+  if (draft.scene.nodes.empty()) return refuse("no object of a known category can be placed");
+  follow_evidence(draft);
+  draft.report.arrived = count_in_place(source, draft, !options.settle);
+  if (options.settle) come_to_rest(draft);
+  place_agent(source, profile, draft);
+  draft.scene.edges = read_relations(draft.scene);
+  draft.report.stayed = count_in_place(source, draft, options.settle);
+  compare_relations(source, draft);
+  return ImportedScene{std::move(draft.scene), std::move(draft.report)};
+}
+
+}  // namespace unietp

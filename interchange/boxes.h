@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/geometry.h"
+#include "scene/scene.h"
+
+namespace unietp {
+
+// Sums and differences of upright boxes in one frame.
+
+Board board_between(const Vec3& low, const Vec3& high, int joint = -1);
+Bounds bounds_of(const Board& board);
+
+/// What is left of the boards outside of `hole`, as boards again; pieces thinner than 3 mm are dropped. Boards that the
+/// hole does not touch stay as they are. True when anything was cut.
+bool cut(std::vector<Board>& boards, const Bounds& hole);
+
+/// The bounds grown (or shrunk) sideways and in height.
+Bounds grown(const Bounds& bounds, double sideways, double height);
+
+double volume_of(const Bounds& bounds);
+
+}  // namespace unietp

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "interchange/import_scene.h"
+#include "interchange/source_scene.h"
+#include "scene/scene.h"
+
+namespace unietp {
+
+inline constexpr double kArrived_m = 0.02;  // an object that is nearer to the file's pose has arrived
+inline constexpr double kOnFloor_m = 0.05;  // the lowest point of what is higher is not on the floor
+
+/// What became of one relation that the file states between known objects.
+struct DraftRelation {
+  SourceRelation::Kind kind = SourceRelation::Kind::OnOrInside;
+  std::size_t object = 0;                 // position in SourceScene::objects
+  std::size_t receptacle = 0;             // the same
+  std::optional<std::size_t> node, held;  // positions in Scene::nodes, where object and receptacle are nodes
+};
+
+/// A scene on its way in.
+struct Draft {
+  Scene scene;
+  std::vector<std::size_t> source_of;  // of each node: position in SourceScene::objects
+  std::vector<Vec3> file_centre;       // of each node: middle of the file's box, W
+  std::vector<Vec3> centre_in_node;    // the same point in the node's frame, as it was placed
+  std::vector<std::size_t> structure;  // floors, walls, doors: positions in SourceScene::objects
+  std::vector<DraftRelation> relations;
+  ImportReport report;
+};
+
+/// Rooms and openings of the file; drawn around the objects where it has none. Outlines are counter-clockwise.
+void draw_rooms(const SourceScene& source, Scene& scene);
+
+/// Nodes for all that can be placed, in the file's order, and the relations among them; the rest as issues. `scene` has
+/// its rooms.
+Draft draft_of(const SourceScene& source, Scene scene, const Knowledge& knowledge);
+
+/// The box of a node's solids as its joints stand, W.
+Bounds box_of(const Node& node);
+
+/// Gives furniture boards where the file shows that something stands, and thins solids that would overlap what moves.
+void follow_evidence(Draft& draft);
+
+/// Lets everything that moves come to rest.
+void come_to_rest(Draft& draft);
+
+/// Sets the agent where the file has it, or on free floor. Lists rooms that it cannot walk to.
+void place_agent(const SourceScene& source, const Profile& profile, Draft& draft);
+
+/// How many objects stand within kArrived_m of the file's pose; the others as issues when `list`.
+int count_in_place(const SourceScene& source, Draft& draft, bool list);
+
+/// Counts the relations that still hold, and lists the others. Edges must have been read.
+void compare_relations(const SourceScene& source, Draft& draft);
+
+}  // namespace unietp

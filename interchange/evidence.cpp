@@ -1,0 +1,322 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "interchange/boxes.h"
+#include "interchange/draft.h"
+#include "simulation/shape.h"
+
+namespace unietp {
+namespace {
+
+constexpr double kSameLevel_m = 0.012;  // bottoms that differ by less stand on one board
+constexpr double kTouching_m = 0.001;   // boxes that overlap by less only touch
+constexpr double kSupported_m = 0.002;
+constexpr double kBoard_m = 0.02;
+constexpr double kRise_m =
+    0.03;                        // a whole surface is raised by this at most; else only what stands higher gets a board
+constexpr double kPad_m = 0.01;  // such a board reaches this far around what stands on it
+constexpr double kEdge_m = 0.011;  // surfaces end this far from the edge of their solid
+constexpr double kInner_m = 0.25;  // a shelf is moved by this at most
+constexpr double kNear_m = 0.02;   // without a word in the file: what reaches this near stands there
+constexpr std::size_t kMostBoards = 400;
+
+/// A child as its holder's frame sees it.
+struct Standing {
+  std::size_t node;
+  Bounds box;  // frame of the holder
+};
+
+class Evidence {
+ public:
+  explicit Evidence(Draft& draft) : draft_(draft), nodes_(draft.scene.nodes) {
+    for (const Node& node : nodes_) boxes_.push_back(box_of(node));
+    find_holders();
+  }
+
+  void follow() {
+    std::vector<std::size_t> order(nodes_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return above_[a].size() < above_[b].size(); });
+    for (const std::size_t i : order) fit(i);
+  }
+
+ private:
+  // Who stands on what.
+
+  void find_holders() {
+    holders_.resize(nodes_.size());
+    std::vector<bool> told(nodes_.size(), false);
+    for (const DraftRelation& relation : draft_.relations) {
+      if (!relation.node) continue;
+      const bool on_floor = !relation.held && boxes_[*relation.node].low.z() < kOnFloor_m;
+      if (relation.held || on_floor) told[*relation.node] = true;
+      if (relation.held) holders_[*relation.node].push_back(*relation.held);
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      auto& holders = holders_[i];
+      std::stable_sort(holders.begin(), holders.end(), [&](std::size_t a, std::size_t b) { return smaller(a, b); });
+      if (!told[i] && nodes_[i].movable) {
+        if (const auto holder = holder_by_place(i)) holders.push_back(*holder);
+      }
+    }
+    children_.resize(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      for (const std::size_t holder : holders_[i]) children_[holder].push_back(i);
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) above_.push_back(all_above(i));
+  }
+
+  /// The smallest thing that this could stand on or in, when the file does not say.
+  std::optional<std::size_t> holder_by_place(std::size_t i) const {
+    const Vec3 bottom((boxes_[i].low.x() + boxes_[i].high.x()) / 2, (boxes_[i].low.y() + boxes_[i].high.y()) / 2,
+                      boxes_[i].low.z());
+    if (bottom.z() < kNear_m) return std::nullopt;
+    std::optional<std::size_t> best;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      const Archetype kind = nodes_[k].archetype;
+      if (k == i || kind == Archetype::Panel || kind == Archetype::Fixture || !smaller(i, k)) continue;
+      const Bounds reach = grown(boxes_[k], 0, kNear_m);
+      if ((bottom - reach.low).minCoeff() < 0 || (reach.high - bottom).minCoeff() < 0) continue;
+      if (!best || smaller(k, *best)) best = k;
+    }
+    return best;
+  }
+
+  /// Everything that holds i, directly or through others, sorted.
+  std::vector<std::size_t> all_above(std::size_t i) const {
+    std::vector<bool> seen(nodes_.size(), false);
+    std::vector<std::size_t> open{i}, all;
+    seen[i] = true;
+    while (!open.empty()) {
+      const std::size_t at = open.back();
+      open.pop_back();
+      for (const std::size_t holder : holders_[at]) {
+        if (seen[holder]) continue;
+        seen[holder] = true;
+        open.push_back(holder);
+        all.push_back(holder);
+      }
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  bool held_by(std::size_t i, std::size_t holder) const {
+    return std::binary_search(above_[i].begin(), above_[i].end(), holder);
+  }
+
+  bool smaller(std::size_t a, std::size_t b) const {
+    const double x = volume_of(boxes_[a]), y = volume_of(boxes_[b]);
+    return x != y ? x < y : a < b;
+  }
+
+  // Frames.
+
+  Bounds seen_from(std::size_t f, std::size_t i) const {
+    const Node& node = nodes_[i];
+    return unietp::bounds_of(shapes(node), inverse(nodes_[f].pose) * node.pose, node.opening);
+  }
+  static Shape shapes(const Node& node) { return make_shape(node.archetype, node.size, node.openable); }
+
+  void lower(std::size_t i, double by) {
+    nodes_[i].pose.position.z() -= by;
+    boxes_[i].low.z() -= by;
+    boxes_[i].high.z() -= by;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      const bool stands_on_i = !holders_[k].empty() && holders_[k].front() == i;
+      if (nodes_[k].movable && stands_on_i && above_[k].size() > above_[i].size()) lower(k, by);
+    }
+  }
+
+  // The solids of one node.
+
+  void fit(std::size_t f) {
+    const Node& node = nodes_[f];
+    const Shape shape = shapes(node);
+    std::vector<Board> boards;
+    for (const Part& part : shape.parts) boards.push_back({part.pose.position, part.size, part.joint});
+    bool changed = false;
+    if (!node.movable) changed = give_way_to_furniture(f, boards);
+    changed = fit_levels(f, shape, boards) || changed;
+    std::vector<Board> pads = pads_for(f, boards);
+    changed = changed || !pads.empty();
+    boards.insert(boards.end(), pads.begin(), pads.end());
+    changed = give_way_to_loose(f, boards) || changed;
+    if (changed && !boards.empty() && boards.size() <= kMostBoards) nodes_[f].boards = std::move(boards);
+  }
+
+  /// Of two pieces of furniture that overlap the larger one gives way.
+  bool give_way_to_furniture(std::size_t f, std::vector<Board>& boards) const {
+    bool any = false;
+    for (std::size_t g = 0; g < nodes_.size() && boards.size() <= kMostBoards; ++g) {
+      if (g == f || nodes_[g].movable || !overlap(boxes_[g], boxes_[f]) || !smaller(g, f)) continue;
+      for (const Bounds& hole : hulls(f, g)) any = cut(boards, grown(hole, -kTouching_m, -kTouching_m)) || any;
+    }
+    return any;
+  }
+
+  /// What furniture g takes up in f's frame: its solids where one can see through it, else its whole box.
+  std::vector<Bounds> hulls(std::size_t f, std::size_t g) const {
+    const Node& node = nodes_[g];
+    const Archetype kind = node.archetype;
+    const bool airy =
+        kind == Archetype::Table || kind == Archetype::Seat || kind == Archetype::Bed || kind == Archetype::Shelf;
+    const Pose in_f = inverse(nodes_[f].pose) * node.pose;
+    if (!airy) return {unietp::bounds_of(in_f, node.size)};
+    std::vector<Bounds> all;
+    for (const Part& part : shapes(node).parts) all.push_back(unietp::bounds_of(in_f * part.pose, part.size));
+    return all;
+  }
+
+  /// Moves f's surfaces to the heights at which most things stand on them, and those things down onto them.
+  bool fit_levels(std::size_t f, const Shape& shape, std::vector<Board>& boards) {
+    std::vector<Standing> standing;
+    for (const std::size_t child : children_[f]) {
+      if (nodes_[child].movable && holders_[child].front() == f) standing.push_back({child, seen_from(f, child)});
+    }
+    std::stable_sort(standing.begin(), standing.end(),
+                     [](const Standing& a, const Standing& b) { return a.box.low.z() < b.box.low.z(); });
+    std::vector<std::vector<Standing>> levels;
+    for (const Standing& one : standing) {
+      const bool same = !levels.empty() && one.box.low.z() - levels.back().front().box.low.z() < kSameLevel_m;
+      if (!same) levels.emplace_back();
+      levels.back().push_back(one);
+    }
+    std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    bool changed = false;
+    std::vector<bool> taken(shape.surfaces.size(), false);
+    for (const auto& level : levels) {
+      const double z = level.front().box.low.z();
+      for (const Standing& one : level) lower(one.node, one.box.low.z() - z);
+      const auto surface = surface_for(shape, level, taken);
+      if (!surface) continue;
+      taken[*surface] = true;
+      changed = move_surface(f, shape.surfaces[*surface], z, boards) || changed;
+    }
+    return changed;
+  }
+
+  std::optional<std::size_t> surface_for(const Shape& shape, const std::vector<Standing>& level,
+                                         const std::vector<bool>& taken) const {
+    const double z = level.front().box.low.z();
+    std::optional<std::size_t> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t s = 0; s < shape.surfaces.size(); ++s) {
+      const Surface& surface = shape.surfaces[s];
+      const double rise = z - surface.centre.z();
+      const bool top = surface.cavity < 0 && surface.clearance > 1;
+      if (taken[s] || rise > kRise_m || (!top && rise < -kInner_m)) continue;
+      const bool over = std::any_of(level.begin(), level.end(), [&](const Standing& one) {
+        const Vec2 middle = ((one.box.low + one.box.high) / 2 - surface.centre).head<2>().cwiseAbs();
+        return (middle - surface.half).maxCoeff() < 0;
+      });
+      if (over && std::abs(rise) < least) best = s, least = std::abs(rise);
+    }
+    return best;
+  }
+
+  bool move_surface(std::size_t f, const Surface& surface, double z, std::vector<Board>& boards) const {
+    const double rise = z - surface.centre.z();
+    if (std::abs(rise) < kTouching_m) return false;
+    const bool top = surface.cavity < 0 && surface.clearance > 1;
+    const double edge = top ? kEdge_m : 0.0;
+    const Vec3 reach(surface.half.x() + edge, surface.half.y() + edge, 0);
+    const Vec3 low = surface.centre - reach, high = surface.centre + reach;
+    if (rise > 0) {
+      boards.push_back(board_between(low, Vec3(high.x(), high.y(), z), surface.joint));
+      return true;
+    }
+    cut_above(boards, surface.joint, {Vec3(low.x(), low.y(), z), high + Vec3(0, 0, kTouching_m)});
+    const bool solid_below = std::any_of(boards.begin(), boards.end(), [&](const Board& board) {
+      const Bounds box = unietp::bounds_of(board);
+      return board.joint == surface.joint && std::abs(box.high.z() - z) < kTouching_m &&
+             (box.high - box.low).head<2>().minCoeff() > surface.half.minCoeff();
+    });
+    if (solid_below) return true;
+    const double bottom = lowest_board(f, z);
+    if (z - bottom > kTouching_m)
+      boards.push_back(board_between(Vec3(low.x(), low.y(), bottom), Vec3(high.x(), high.y(), z), surface.joint));
+    return true;
+  }
+
+  static void cut_above(std::vector<Board>& boards, int joint, const Bounds& hole) {
+    std::vector<Board> moving;
+    std::vector<Board> others;
+    for (const Board& board : boards) (board.joint == joint ? moving : others).push_back(board);
+    cut(moving, hole);
+    others.insert(others.end(), moving.begin(), moving.end());
+    boards = std::move(others);
+  }
+
+  /// Where a board whose upper face is at z begins: furniture may reach below its box, what moves may not.
+  double lowest_board(std::size_t f, double z) const {
+    const double thin = z - kBoard_m;
+    return nodes_[f].movable ? std::max(thin, -nodes_[f].size.z() / 2) : thin;
+  }
+
+  /// Boards under what stands where f has no solid.
+  std::vector<Board> pads_for(std::size_t f, const std::vector<Board>& boards) const {
+    std::vector<Board> pads;
+    for (const std::size_t child : children_[f]) {
+      if (!nodes_[child].movable) continue;
+      const Bounds box = seen_from(f, child);
+      const double z = box.low.z(), bottom = lowest_board(f, z);
+      if (z - bottom < kTouching_m || supported(boards, box)) continue;
+      pads.push_back(board_between(Vec3(box.low.x() - kPad_m, box.low.y() - kPad_m, bottom),
+                                   Vec3(box.high.x() + kPad_m, box.high.y() + kPad_m, z), moves_with(f, box)));
+    }
+    return pads;
+  }
+
+  /// The joint of the drawer that the box lies in, else -1.
+  int moves_with(std::size_t f, const Bounds& box) const {
+    const Vec3 middle = (box.low + box.high) / 2;
+    for (const Cavity& cavity : shapes(nodes_[f]).cavities) {
+      if (cavity.joint >= 0 && ((middle - cavity.centre).cwiseAbs() - cavity.half).maxCoeff() < 0) return cavity.joint;
+    }
+    return -1;
+  }
+
+  /// At least two thirds of the box's footprint have a board right below.
+  static bool supported(const std::vector<Board>& boards, const Bounds& box) {
+    double covered = 0;
+    for (const Board& board : boards) {
+      const Bounds solid = unietp::bounds_of(board);
+      if (std::abs(solid.high.z() - box.low.z()) > kSupported_m) continue;
+      const Vec2 shared = (solid.high.cwiseMin(box.high) - solid.low.cwiseMax(box.low)).head<2>().cwiseMax(0.0);
+      covered += shared.prod();
+    }
+    return covered > 0.67 * (box.high - box.low).head<2>().prod();
+  }
+
+  /// Cuts away what would overlap things that move; of two such things the larger gives way, and what holds always
+  /// gives way to what it holds.
+  bool give_way_to_loose(std::size_t f, std::vector<Board>& boards) const {
+    bool any = false;
+    const Bounds around = grown(boxes_[f], 0.05, 0.05);
+    for (std::size_t m = 0; m < nodes_.size() && boards.size() <= kMostBoards; ++m) {
+      if (m == f || !nodes_[m].movable || !overlap(boxes_[m], around)) continue;
+      if (nodes_[f].movable && (held_by(f, m) || (!held_by(m, f) && smaller(f, m)))) continue;
+      Bounds hole = seen_from(f, m);
+      hole.low.z() += kTouching_m / 2;
+      any = cut(boards, hole) || any;
+    }
+    return any;
+  }
+
+  Draft& draft_;
+  std::vector<Node>& nodes_;
+  std::vector<Bounds> boxes_;                       // W, as the joints stand
+  std::vector<std::vector<std::size_t>> holders_;   // of each node, the smallest first
+  std::vector<std::vector<std::size_t>> children_;  // the other way round
+  std::vector<std::vector<std::size_t>> above_;     // all that holds a node, directly or not, sorted
+};
+
+}  // namespace
+
+void follow_evidence(Draft& draft) { Evidence(draft).follow(); }
+
+}  // namespace unietp

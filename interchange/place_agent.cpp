@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <cmath>
+
+#include "interchange/draft.h"
+#include "simulation/navigation.h"
+
+namespace unietp {
+namespace {
+
+using Cell = NavigationGrid::Cell;
+
+/// A free cell of the largest floor that can be walked without a break, the one nearest to that floor's middle.
+std::optional<Cell> widest_place(const NavigationGrid& grid) {
+  std::vector<bool> seen(static_cast<std::size_t>(grid.width()) * static_cast<std::size_t>(grid.height()), false);
+  std::vector<Cell> widest;
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      const Cell start{x, y};
+      if (seen[grid.index(start)] || !grid.free(start)) continue;
+      std::vector<Cell> floor{start};
+      seen[grid.index(start)] = true;
+      for (std::size_t at = 0; at < floor.size(); ++at) {
+        const Cell c = floor[at];
+        for (const Cell next : {Cell{c.x + 1, c.y}, Cell{c.x - 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x, c.y - 1}}) {
+          if (!grid.free(next) || seen[grid.index(next)]) continue;
+          seen[grid.index(next)] = true;
+          floor.push_back(next);
+        }
+      }
+      if (floor.size() > widest.size()) widest = std::move(floor);
+    }
+  }
+  if (widest.empty()) return std::nullopt;
+  Vec2 middle = Vec2::Zero();
+  for (const Cell& cell : widest) middle += grid.centre(cell) / static_cast<double>(widest.size());
+  return *std::min_element(widest.begin(), widest.end(), [&](const Cell& a, const Cell& b) {
+    return (grid.centre(a) - middle).squaredNorm() < (grid.centre(b) - middle).squaredNorm();
+  });
+}
+
+void list_rooms_cut_off(const NavigationGrid& grid, Draft& draft) {
+  const auto walk = grid.distances(grid.cell_at(draft.scene.agent.position));
+  for (const Room& room : draft.scene.rooms) {
+    bool reached = false;
+    for (int y = 0; y < grid.height() && !reached; ++y) {
+      for (int x = 0; x < grid.width() && !reached; ++x) {
+        reached = walk[grid.index({x, y})] >= 0 && contains(room.polygon, grid.centre({x, y}));
+      }
+    }
+    if (!reached) {
+      draft.report.issues.push_back({room.id, room.type, "cut-off", "the agent's body cannot walk to this room"});
+    }
+  }
+}
+
+}  // namespace
+
+void place_agent(const SourceScene& source, const Profile& profile, Draft& draft) {
+  const NavigationGrid grid(draft.scene, profile);
+  Agent& agent = draft.scene.agent;
+  const bool sound = source.has_agent && source.agent.position.allFinite() && std::isfinite(source.agent.yaw) &&
+                     std::isfinite(source.agent.pitch);
+  if (sound) agent = source.agent;
+  agent.held.clear();
+  if (!sound || !grid.free(grid.cell_at(agent.position))) {
+    const auto place = widest_place(grid);
+    if (place) agent.position = grid.centre(*place);
+  }
+  list_rooms_cut_off(grid, draft);
+}
+
+}  // namespace unietp

@@ -1,0 +1,103 @@
+#include "import_rates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include <unistd.h>
+
+#include "simulation/relations.h"
+
+namespace unietp::testing {
+namespace {
+
+double share(int part, int whole) { return whole == 0 ? 1.0 : static_cast<double>(part) / whole; }
+
+}  // namespace
+
+std::filesystem::path upstream() { return UNIETP_UPSTREAM_DIR; }
+
+const Knowledge& knowledge_of(Simulator simulator) {
+  static std::map<Simulator, Knowledge> loaded;
+  const auto found = loaded.find(simulator);
+  if (found != loaded.end()) return found->second;
+  const auto database =
+      std::filesystem::temp_directory_path() / ("unietp-interchange-" + std::to_string(getpid()) + ".sqlite");
+  const auto problems = compile_knowledge(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/akb", database);
+  if (!problems.empty()) throw std::runtime_error(format(problems.front()));
+  auto knowledge = load_knowledge(database, simulator);
+  std::filesystem::remove(database);
+  if (!knowledge) throw std::runtime_error(format(knowledge.error()));
+  return loaded.emplace(simulator, std::move(*knowledge)).first->second;
+}
+
+const Profile& profile_of(Simulator simulator) {
+  static std::map<Simulator, Profile> loaded;
+  const auto found = loaded.find(simulator);
+  if (found != loaded.end()) return found->second;
+  const auto profile = load_profile(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/simulators", simulator);
+  if (!profile) throw std::runtime_error(format(profile.error()));
+  return loaded.emplace(simulator, *profile).first->second;
+}
+
+std::vector<Imported> import_all(const std::vector<SourceScene>& scenes, std::size_t stride) {
+  std::vector<Imported> all;
+  for (std::size_t i = 0; i < scenes.size(); i += stride) {
+    const SourceScene& source = scenes[i];
+    const auto imported = assemble(source, knowledge_of(source.simulator), profile_of(source.simulator));
+    if (!imported) throw std::runtime_error(format(imported.error()));
+    all.push_back({source.id, imported->report});
+  }
+  return all;
+}
+
+double arrived_share(const ImportReport& report) { return share(report.arrived, report.known); }
+double held_share(const ImportReport& report) { return share(report.relations_held, report.relations); }
+double loose_share(const ImportReport& report) { return share(report.loose_held, report.loose); }
+
+std::string table_row(const std::string& format, const std::vector<Imported>& all) {
+  ImportReport sum;
+  std::map<std::string, int> reasons;
+  double worst_arrived = 1, worst_stayed = 1, worst_held = 1, worst_loose = 1;
+  for (const auto& [scene, r] : all) {
+    sum.objects += r.objects, sum.known += r.known, sum.arrived += r.arrived, sum.stayed += r.stayed;
+    sum.relations += r.relations, sum.relations_held += r.relations_held;
+    sum.loose += r.loose, sum.loose_held += r.loose_held;
+    for (const ImportIssue& issue : r.issues) ++reasons[issue.reason];
+    worst_arrived = std::min(worst_arrived, arrived_share(r));
+    worst_stayed = std::min(worst_stayed, share(r.stayed, r.known));
+    worst_held = std::min(worst_held, held_share(r));
+    worst_loose = std::min(worst_loose, loose_share(r));
+  }
+  char text[600];
+  std::snprintf(
+      text, sizeof text,
+      "| %s | %zu | %d | %d | %.1f %% (%.1f %%) | %.1f %% (%.1f %%) | %d | %.1f %% (%.1f %%) | %.1f %% (%.1f %%) |",
+      format.c_str(), all.size(), sum.objects, sum.known, 100 * share(sum.arrived, sum.known), 100 * worst_arrived,
+      100 * share(sum.stayed, sum.known), 100 * worst_stayed, sum.relations,
+      100 * share(sum.relations_held, sum.relations), 100 * worst_held, 100 * share(sum.loose_held, sum.loose),
+      100 * worst_loose);
+  std::string row = text;
+  for (const auto& [reason, count] : reasons) row += " " + reason + " " + std::to_string(count);
+  return row;
+}
+
+std::vector<std::string> restless(const Scene& scene) {
+  const PhysicsWorld world = physics_of(scene);
+  SettleOptions two_seconds;
+  two_seconds.max_steps = two_seconds.calm_steps = 480;
+  std::vector<std::string> moved;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (!scene.nodes[i].movable) continue;
+    const BodyId loose[] = {static_cast<BodyId>(i)};
+    const auto settled = world.settle(loose, two_seconds);
+    if ((settled.bodies.front().pose.position - scene.nodes[i].pose.position).norm() > 0.005) {
+      moved.push_back(scene.nodes[i].id);
+    }
+  }
+  return moved;
+}
+
+}  // namespace unietp::testing
