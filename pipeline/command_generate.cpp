@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cstdio>
 #include <memory>
 
@@ -11,6 +11,7 @@
 #include "core/text.h"
 #include "pipeline/commands.h"
 #include "pipeline/given_scenes.h"
+#include "pipeline/progress_line.h"
 #include "pipeline/run.h"
 
 namespace unietp {
@@ -40,35 +41,15 @@ struct Options {
   bool json = false;
 };
 
-std::string clock_text(double seconds) {
-  const int whole = static_cast<int>(seconds);
-  const auto rest = std::to_string(whole % 60);
-  return std::to_string(whole / 60) + ":" + (rest.size() < 2 ? "0" : "") + rest;
+std::string progress_text(const RunProgress& now) {
+  const double rate = now.seconds > 0 ? now.tasks_now / now.seconds : 0;
+  const double yield = now.candidates > 0 ? 100.0 * now.tasks / now.candidates : 0;
+  const auto left = rate > 0 ? clock_text((now.asked - now.tasks) / rate) : std::string("-:--");
+  std::array<char, 128> text{};
+  (void)std::snprintf(text.data(), text.size(), "%d of %d tasks  %d candidates  yield %.0f %%  %.2f tasks/s  %s left",
+                      now.tasks, now.asked, now.candidates, yield, rate, left.c_str());
+  return text.data();
 }
-
-/// One line, drawn over itself a few times a second: done, yield, rate and time left.
-class ProgressLine {
- public:
-  void draw(const RunProgress& now) {
-    const auto time = std::chrono::steady_clock::now();
-    constexpr std::chrono::milliseconds kPause{200};
-    if (drawn_ && time - last_ < kPause) return;
-    last_ = time;
-    drawn_ = true;
-    const double rate = now.seconds > 0 ? now.tasks_now / now.seconds : 0;
-    const double yield = now.candidates > 0 ? 100.0 * now.tasks / now.candidates : 0;
-    const auto left = rate > 0 ? clock_text((now.asked - now.tasks) / rate) : std::string("-:--");
-    (void)std::fprintf(stderr, "\r\033[K%d of %d tasks  %d candidates  yield %.0f %%  %.2f tasks/s  %s left", now.tasks,
-                       now.asked, now.candidates, yield, rate, left.c_str());
-  }
-  ~ProgressLine() {
-    if (drawn_) (void)std::fprintf(stderr, "\r\033[K");
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_;
-  bool drawn_ = false;
-};
 
 nlohmann::ordered_json json_of(const RunReport& report, const Options& options) {
   auto unfilled = nlohmann::ordered_json::array();
@@ -132,12 +113,12 @@ Exit generate(Options& options, const CommandLine& program) {
     reading.resources.homes = std::move(given.scenes);
   }
 
-  ProgressLine line;
+  ProgressLine line(program.terminal);
   options.run.licences = program.folders.licences();
   options.run.stop = program.interrupted;
-  if (program.terminal) options.run.progress = [&line](const RunProgress& now) { line.draw(now); };
+  if (program.terminal) options.run.progress = [&line](const RunProgress& now) { line.draw(progress_text(now)); };
   const auto report = run_generation(options.configuration, reading.resources, options.run);
-  if (program.terminal) (void)std::fprintf(stderr, "\r\033[K");
+  line.wipe();
   if (!report) return refuse(report.error());
   return tell(*report, options, log);
 }

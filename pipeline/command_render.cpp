@@ -15,14 +15,14 @@ namespace unietp {
 namespace {
 
 constexpr const char* kHelp =
-    "Draw a scene from above as SVG.\n"
+    "Draw a task of a data set from above as SVG: its start, with the way that its demonstration goes.\n"
     "\n"
     "  unietp render out/first ai2thor-00001 --out task.svg\n"
-    "      a task's start, with the way its demonstration goes\n"
-    "  unietp render home.scene.json.gz --out home.svg";
+    "\n"
+    "`unietp scene show` draws a home without a task.";
 
 struct Options {
-  std::filesystem::path input, out;
+  std::filesystem::path dataset, out;
   std::string task;
 };
 
@@ -55,27 +55,21 @@ Result<Legs> way_of(const std::filesystem::path& file, const std::string& task, 
 }
 
 Exit render(const Options& options, const DataFolders& folders) {
-  std::error_code code;
-  const bool dataset = std::filesystem::is_directory(options.input, code);
-  if (dataset == options.task.empty())
+  if (std::error_code code; !std::filesystem::is_directory(options.dataset, code))
     return refuse({Error::Kind::Usage,
-                   options.input.string(),
+                   options.dataset.string(),
                    {},
-                   "expected a data set's folder and a task's id, or a scene file alone"});
-  const auto scene_file = dataset ? options.input / "scenes" / (options.task + ".scene.json.gz") : options.input;
+                   "is no folder; a data set is expected, and `unietp scene show` draws scene files"});
+  const auto scene_file = options.dataset / "scenes" / (options.task + ".scene.json.gz");
   const auto text = read_maybe_gzip(scene_file);
   if (!text) return refuse(text.error());
   const auto scene = scene_from_json(scene_file.string(), *text);
   if (!scene) return refuse(scene.error());
-  Legs way;
-  if (dataset) {
-    const auto profile = load_profile(folders.profiles(), scene->simulator);
-    if (!profile) return refuse(profile.error());
-    auto found = way_of(options.input / "demonstrations" / "M1.jsonl", options.task, *scene, *profile);
-    if (!found) return refuse(found.error());
-    way = std::move(*found);
-  }
-  if (const auto written = write_file(options.out, scene_svg(*scene, way)); !written) return refuse(written.error());
+  const auto profile = load_profile(folders.profiles(), scene->simulator);
+  if (!profile) return refuse(profile.error());
+  const auto way = way_of(options.dataset / "demonstrations" / "M1.jsonl", options.task, *scene, *profile);
+  if (!way) return refuse(way.error());
+  if (const auto written = write_file(options.out, scene_svg(*scene, *way)); !written) return refuse(written.error());
   return Exit::Ok;
 }
 
@@ -84,8 +78,8 @@ Exit render(const Options& options, const DataFolders& folders) {
 void add_render_command(CLI::App& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = app.add_subcommand("render", kHelp);
-  command->add_option("input", options->input, "A data set, or a scene file (.json or .json.gz)")->required();
-  command->add_option("task", options->task, "A task of the data set");
+  command->add_option("dataset", options->dataset, "A finished data set")->required();
+  command->add_option("task", options->task, "A task of the data set")->required();
   command->add_option("--out", options->out, "The SVG file to write")->required();
   command->callback([options, &program] { program.exit = render(*options, program.folders); });
 }

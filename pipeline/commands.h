@@ -31,6 +31,7 @@ void add_render_command(CLI::App& app, CommandLine& program);
 void add_knowledge_command(CLI::App& app, CommandLine& program);
 void add_template_command(CLI::App& app, CommandLine& program);
 void add_goal_command(CLI::App& app, CommandLine& program);
+void add_scene_command(CLI::App& app, CommandLine& program);
 void add_actions_command(CLI::App& app, CommandLine& program);
 
 /// Writes each error on a line of its own to stderr; Exit::BadInput.

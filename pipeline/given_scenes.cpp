@@ -23,19 +23,6 @@ bool is_scene_file(const fs::path& path) {
   return name.ends_with(".scene.json") || name.ends_with(".scene.json.gz");
 }
 
-/// The scene files that a path stands for, in order of name.
-std::vector<fs::path> files_of(const fs::path& path, std::vector<Error>& errors) {
-  std::error_code code;
-  if (!fs::is_directory(path, code)) return {path};
-  std::vector<fs::path> files;
-  for (auto at = fs::directory_iterator(path, code); !code && at != fs::directory_iterator(); at.increment(code)) {
-    if (is_scene_file(at->path())) files.push_back(at->path());
-  }
-  if (files.empty()) errors.push_back(usage(path, "holds no scene; expected files *.scene.json or *.scene.json.gz"));
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 void check_categories(const fs::path& file, const Scene& scene, const Knowledge& knowledge,
                       std::vector<Error>& errors) {
   std::set<std::string> unknown;
@@ -56,31 +43,48 @@ void check_categories(const fs::path& file, const Scene& scene, const Knowledge&
 
 }  // namespace
 
+std::vector<fs::path> scene_files_of(const std::vector<fs::path>& paths, std::vector<Error>& errors) {
+  std::vector<fs::path> files;
+  for (const fs::path& path : paths) {
+    std::error_code code;
+    if (!fs::is_directory(path, code)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<fs::path> own;
+    for (auto at = fs::directory_iterator(path, code); !code && at != fs::directory_iterator(); at.increment(code)) {
+      if (is_scene_file(at->path())) own.push_back(at->path());
+    }
+    if (own.empty()) errors.push_back(usage(path, "holds no scene; expected files *.scene.json or *.scene.json.gz"));
+    std::sort(own.begin(), own.end());
+    files.insert(files.end(), own.begin(), own.end());
+  }
+  return files;
+}
+
 GivenScenes read_given_scenes(const std::vector<fs::path>& paths, const std::vector<Backend>& backends) {
   GivenScenes given;
   std::map<std::string, std::pair<fs::path, Scene>> by_id;
   std::map<std::string, std::string> digests;
-  for (const fs::path& path : paths) {
-    for (const fs::path& file : files_of(path, given.errors)) {
-      const auto bytes = read_maybe_gzip(file);
-      if (!bytes) {
-        given.errors.push_back(bytes.error());
-        continue;
-      }
-      auto scene = scene_from_json(file.string(), *bytes);
-      if (!scene) {
-        given.errors.push_back(scene.error());
-        continue;
-      }
-      check_categories(file, *scene, backends[static_cast<std::size_t>(scene->simulator)].knowledge, given.errors);
-      const std::string id = scene->id;
-      const auto [at, fresh] = by_id.try_emplace(id, file, std::move(*scene));
-      if (!fresh) {
-        given.errors.push_back(
-            usage(file, "has the id \"" + id + "\" of " + at->second.first.string() + "; expected one scene an id"));
-      }
-      digests[id] = sha256(*bytes);
+  for (const fs::path& file : scene_files_of(paths, given.errors)) {
+    const auto bytes = read_maybe_gzip(file);
+    if (!bytes) {
+      given.errors.push_back(bytes.error());
+      continue;
     }
+    auto scene = scene_from_json(file.string(), *bytes);
+    if (!scene) {
+      given.errors.push_back(scene.error());
+      continue;
+    }
+    check_categories(file, *scene, backends[static_cast<std::size_t>(scene->simulator)].knowledge, given.errors);
+    const std::string id = scene->id;
+    const auto [at, fresh] = by_id.try_emplace(id, file, std::move(*scene));
+    if (!fresh) {
+      given.errors.push_back(
+          usage(file, "has the id \"" + id + "\" of " + at->second.first.string() + "; expected one scene an id"));
+    }
+    digests[id] = sha256(*bytes);
   }
   for (auto& [id, scene] : by_id) {
     given.scenes.push_back(std::move(scene.second));

@@ -10,6 +10,11 @@
 
 namespace unietp {
 
+/// The files that paths stand for: a file as it is, a folder for all *.scene.json and *.scene.json.gz in it, in order
+/// of name. Errors: Usage for a folder without any.
+std::vector<std::filesystem::path> scene_files_of(const std::vector<std::filesystem::path>& paths,
+                                                  std::vector<Error>& errors);
+
 /// Homes that a run takes from files in place of drawing its own.
 struct GivenScenes {
   std::vector<Scene> scenes;       // in order of id

@@ -62,6 +62,7 @@ int main(int argc, char** argv) {
   unietp::add_generate_command(app, program);
   unietp::add_validate_command(app, program);
   unietp::add_render_command(app, program);
+  unietp::add_scene_command(app, program);
   unietp::add_template_command(app, program);
   unietp::add_knowledge_command(app, program);
   unietp::add_goal_command(app, program);

@@ -1,0 +1,30 @@
+#include "pipeline/command_scene.h"
+
+#include <CLI/CLI.hpp>
+
+namespace unietp {
+namespace {
+
+constexpr const char* kHelp =
+    "Homes: those of the benchmark, new ones, and the simulators' own.\n"
+    "\n"
+    "  unietp scene list                                             the homes of the benchmark\n"
+    "  unietp scene make --benchmark --out out/homes                 all of them as scene files\n"
+    "  unietp scene make --simulator habitat --count 5 --out out/new new homes\n"
+    "  unietp scene show out/homes/ai2thor-benchmark-01.scene.json.gz --out home.svg\n"
+    "  unietp scene stats out/homes                                  what the homes of a folder hold\n"
+    "\n"
+    "`unietp scene COMMAND --help` explains each. `unietp generate --scenes FOLDER` makes tasks in such homes.";
+
+}  // namespace
+
+void add_scene_command(CLI::App& app, CommandLine& program) {
+  auto* group = app.add_subcommand("scene", kHelp);
+  group->require_subcommand(1);
+  add_scene_list_command(*group, program);
+  add_scene_make_command(*group, program);
+  add_scene_show_command(*group, program);
+  add_scene_stats_command(*group, program);
+}
+
+}  // namespace unietp

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/result.h"
+#include "scene/scene.h"
+
+namespace unietp {
+
+/// Makes the folder and finds out whether files can be made in it, before hours are spent on them. Errors: Io.
+Result<Done> prepare_folder(const std::filesystem::path& folder);
+
+/// `<id>.scene.json.gz`.
+std::string scene_file_name(const std::string& id);
+/// Writes it into the folder, whole or not at all. Errors: Io.
+Result<Done> write_scene(const std::filesystem::path& folder, const Scene& scene);
+
+}  // namespace unietp
