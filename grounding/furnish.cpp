@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kFromWall_m = Scene().wall_thickness / 2 + 0.012;  // of a back from the polygon's edge
+const double kFromWall_m = Scene().wall_thickness / 2 + 0.012;  // of a back from the polygon's edge
 constexpr double kGap_m = 0.01;                               // between pieces
 constexpr double kPassage_m = 2.0;                            // height that keep-outs reach to
 constexpr double kDoorwayDepth_m = 0.8;
