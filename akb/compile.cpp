@@ -1,5 +1,6 @@
 #include <system_error>
 
+#include "akb/completed.h"
 #include "akb/database.h"
 #include "core/digest.h"
 #include "core/files.h"
@@ -18,6 +19,7 @@ std::vector<Error> compile_knowledge(const std::filesystem::path& tables, const 
   std::vector<Tables> all;
   for (const auto simulator : kSimulators) {
     all.push_back(read_tables(tables / std::string(name_of(simulator)), errors));
+    lay_completed(tables, simulator, all.back(), errors);
     sort_tables(all.back());
   }
   if (!errors.empty()) return errors;
@@ -46,6 +48,11 @@ Result<std::string> digest_of_tables(const std::filesystem::path& tables) {
       const auto text = read_file(tables / name);
       if (!text) return text.error();
       all += name + "\n" + std::to_string(text->size()) + "\n" + *text;
+    }
+    for (const auto& path : completed_files(tables, simulator)) {
+      const auto text = read_file(path);
+      if (!text) return text.error();
+      all += path.lexically_relative(tables).generic_string() + "\n" + std::to_string(text->size()) + "\n" + *text;
     }
   }
   return sha256(all);

@@ -17,7 +17,7 @@ CREATE TABLE category_row(simulator INTEGER NOT NULL, name INTEGER NOT NULL, dis
   plural TEXT NOT NULL, synset TEXT NOT NULL, countable INTEGER NOT NULL, movable INTEGER NOT NULL,
   archetype INTEGER NOT NULL, width REAL NOT NULL, depth REAL NOT NULL, height REAL NOT NULL, mass REAL NOT NULL,
   rooms INTEGER NOT NULL, colours INTEGER NOT NULL, materials INTEGER NOT NULL, evidence INTEGER NOT NULL,
-  size_evidence INTEGER NOT NULL, mass_evidence INTEGER NOT NULL, PRIMARY KEY(simulator, name)) STRICT, WITHOUT ROWID;
+  size_evidence INTEGER NOT NULL, mass_evidence INTEGER NOT NULL, synset_evidence INTEGER NOT NULL, PRIMARY KEY(simulator, name)) STRICT, WITHOUT ROWID;
 CREATE TABLE affordance_row(simulator INTEGER NOT NULL, category INTEGER NOT NULL, affordance INTEGER NOT NULL,
   evidence INTEGER NOT NULL, PRIMARY KEY(simulator, category, affordance)) STRICT, WITHOUT ROWID;
 CREATE TABLE relation_row(simulator INTEGER NOT NULL, object INTEGER NOT NULL, relation INTEGER NOT NULL,
@@ -38,7 +38,8 @@ CREATE VIEW category AS SELECT s.name AS simulator, n.text AS name, r.display AS
   r.synset AS synset, r.countable AS countable, r.movable AS movable, a.text AS archetype, r.width AS width,
   r.depth AS depth, r.height AS height, r.mass AS mass, o.text AS rooms, c.text AS colours, m.text AS materials,
   e.source AS source, e.confidence AS confidence, ze.source AS size_source, ze.confidence AS size_confidence,
-  me.source AS mass_source, me.confidence AS mass_confidence
+  me.source AS mass_source, me.confidence AS mass_confidence, ye.source AS synset_source,
+  ye.confidence AS synset_confidence
   FROM category_row r JOIN simulator s ON s.id = r.simulator
   JOIN text n ON n.simulator = r.simulator AND n.id = r.name
   JOIN text a ON a.simulator = r.simulator AND a.id = r.archetype
@@ -47,7 +48,8 @@ CREATE VIEW category AS SELECT s.name AS simulator, n.text AS name, r.display AS
   JOIN text m ON m.simulator = r.simulator AND m.id = r.materials
   JOIN sourced e ON e.simulator = r.simulator AND e.id = r.evidence
   JOIN sourced ze ON ze.simulator = r.simulator AND ze.id = r.size_evidence
-  JOIN sourced me ON me.simulator = r.simulator AND me.id = r.mass_evidence;
+  JOIN sourced me ON me.simulator = r.simulator AND me.id = r.mass_evidence
+  JOIN sourced ye ON ye.simulator = r.simulator AND ye.id = r.synset_evidence;
 CREATE VIEW affordance AS SELECT s.name AS simulator, c.text AS category, a.text AS affordance, e.source AS source,
   e.confidence AS confidence FROM affordance_row r JOIN simulator s ON s.id = r.simulator
   JOIN text c ON c.simulator = r.simulator AND c.id = r.category

@@ -36,6 +36,7 @@ struct Category {
   std::vector<std::string> colours, materials;  // what instances come in
   Source source;                                // of the row as a whole
   Source size_source, mass_source;
+  Source synset_source;  // that of the row, but for a completed one
 };
 
 /// `mug on countertop: likely 0.4, at most 6`.

@@ -118,6 +118,7 @@ Knowledge read_all(SqliteFile& file, Simulator simulator) {
     c.source = from.source();
     c.size_source = from.source();
     c.mass_source = from.source();
+    c.synset_source = from.source();
   });
   auto affordances =
       rows_of<AffordanceFact>(file, "affordance_row", simulator, numbered, [](Columns& from, AffordanceFact& f) {

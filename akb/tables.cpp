@@ -56,7 +56,7 @@ std::vector<Category> read_categories(RowReader& row) {
     c.rooms = row.all_of("rooms", room_types(), "room type");
     c.colours = row.list("colours");
     c.materials = row.list("materials");
-    c.source = row.source("source", "confidence");
+    c.source = c.synset_source = row.source("source", "confidence");
     c.size_source = row.source("size_source", "size_confidence");
     c.mass_source = row.source("mass_source", "mass_confidence");
     keys.check(row, "name", {c.name});

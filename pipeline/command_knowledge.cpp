@@ -18,7 +18,8 @@ constexpr const char* kHelp =
     "  unietp knowledge show ai2thor             all categories\n"
     "  unietp knowledge show ai2thor Mug         one category, each fact with its source\n"
     "  unietp knowledge build                    check and compile the tables\n"
-    "  unietp knowledge import ../upstream       write the tables anew from the simulators' metadata";
+    "  unietp knowledge import ../upstream       write the tables anew from the simulators' metadata\n"
+    "  unietp knowledge complete ...             ask a language model for what they lack";
 
 struct Options {
   std::string simulator, category;
@@ -138,6 +139,7 @@ void add_knowledge_command(CLI::App& app, CommandLine& program) {
   imported->add_option("folder", options->upstream, "Folder with ai2thor/, virtualhome/, habitat/, behavior/")
       ->required();
   imported->callback([options, &program] { program.exit = import(*options, program); });
+  add_knowledge_complete_command(*command, program);
 }
 
 }  // namespace unietp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <string>
 #include <vector>
 
 #include "core/error.h"
@@ -19,6 +20,7 @@ enum class Exit : int { Ok = 0, Wrong = 1, BadInput = 2, Interrupted = 130 };
 struct CommandLine {
   DataFolders folders;
   const std::atomic<bool>* interrupted = nullptr;
+  std::string llm_key;    // from UNIETP_LLM_KEY; shown and stored nowhere
   bool terminal = false;  // stderr is one: a progress line may be drawn
   int processors = 1;
   Exit exit = Exit::Ok;  // set by the command that ran
@@ -29,6 +31,8 @@ void add_generate_command(CLI::App& app, CommandLine& program);
 void add_validate_command(CLI::App& app, CommandLine& program);
 void add_render_command(CLI::App& app, CommandLine& program);
 void add_knowledge_command(CLI::App& app, CommandLine& program);
+/// Under `knowledge`.
+void add_knowledge_complete_command(CLI::App& knowledge, CommandLine& program);
 void add_template_command(CLI::App& app, CommandLine& program);
 void add_goal_command(CLI::App& app, CommandLine& program);
 void add_scene_command(CLI::App& app, CommandLine& program);

@@ -33,6 +33,11 @@ std::filesystem::path cache_folder() {
   return std::filesystem::temp_directory_path() / "unietp-cache";
 }
 
+std::string llm_key() {
+  const char* value = std::getenv("UNIETP_LLM_KEY");
+  return value == nullptr ? "" : value;
+}
+
 constexpr const char* kAbout =
     "Makes verified embodied-planning tasks for four simulators, offline.\n"
     "\n"
@@ -49,6 +54,7 @@ int main(int argc, char** argv) {
   unietp::CommandLine program;
   program.folders = {UNIETP_DATA_DIR, cache_folder()};
   program.interrupted = &interrupted;
+  program.llm_key = llm_key();
   program.terminal = ::isatty(STDERR_FILENO) != 0;
   program.processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 

@@ -58,7 +58,7 @@ CompiledKnowledge compiled_knowledge(const DataFolders& folders) {
   const auto digest = digest_of_tables(folders.tables());
   if (!digest) return {{}, {digest.error()}};
   // The format's number is part of the name, so that a newer program never reads an older one's compilation.
-  const fs::path database = folders.cache / ("knowledge-3-" + digest->substr(0, 32) + ".sqlite");
+  const fs::path database = folders.cache / ("knowledge-4-" + digest->substr(0, 32) + ".sqlite");
   if (const auto stored = digest_of_database(database); stored && *stored == *digest) return {database, {}};
   std::error_code code;
   fs::create_directories(folders.cache, code);

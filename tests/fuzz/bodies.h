@@ -12,6 +12,8 @@ bool csv_body(std::string_view text);
 /// The five tables of one simulator, one after the other, with a line `====` between them.
 bool tables_body(std::string_view text);
 bool gzip_body(std::string_view text);
+/// What a language model's server answers when it is asked for facts.
+bool completion_body(std::string_view text);
 /// A simulator's own JSON file.
 bool metadata_body(std::string_view text);
 

@@ -22,6 +22,7 @@ void PrintTo(const Parser& parser, std::ostream* out) { *out << parser.name; }
 constexpr Parser kParsers[] = {{"csv", fuzz::csv_body},
                                {"tables", fuzz::tables_body},
                                {"gzip", fuzz::gzip_body},
+                               {"completion", fuzz::completion_body},
                                {"metadata", fuzz::metadata_body},
                                {"scene", fuzz::scene_body},
                                {"delta", fuzz::delta_body},
