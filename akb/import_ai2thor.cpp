@@ -100,7 +100,8 @@ void add_affordances(TableBuilder& builder, const Json& types, const Json& alfre
   for (const auto& type : words(alfred.at("VAL_ACTION_OBJECTS").at("Heatable"))) {
     builder.afford(type, "heatable", kAlfred, 1);
   }
-  for (const char* type : {"Kettle", "Pan", "Pot", "EggCracked"}) builder.afford(type, "heatable", "curated", 0.8);
+  for (const char* type : {"Bowl", "Kettle", "Pan", "Pot", "EggCracked"})
+    builder.afford(type, "heatable", "curated", 0.8);
   for (const char* type : {"Sink", "SinkBasin", "Bathtub", "BathtubBasin"}) {
     builder.afford(type, "drain", "curated", 0.9);
   }
@@ -121,10 +122,15 @@ void add_placements(TableBuilder& builder, const Json& types, const Json& recept
       if (builder.find(receptacle)) builder.seen(type, relation_at(builder, receptacle), receptacle, 0.5, kTypes);
     }
   }
+  // The dumps also count what hangs over a surface as on it: a window over a counter.
+  const auto sensible = builder.sensible_placements();
   for (const auto& [pair, count] : facts.held) {
     const auto& [object, receptacle] = pair;
     if (!builder.find(object) || !builder.find(receptacle) || receptacle == "Floor") continue;
-    builder.seen(object, relation_at(builder, receptacle), receptacle, 0.2 * count, kScenes);
+    const auto relation = relation_at(builder, receptacle);
+    const bool built_in = object == "Sink" || object == "Faucet" || object == "StoveBurner";
+    if (!builder.find(object)->movable && !built_in && !sensible.contains({object, relation, receptacle})) continue;
+    builder.seen(object, relation, receptacle, 0.2 * count, kScenes);
   }
   for (const auto& [receptacle, objects] : receptacles.items()) {
     if (!builder.find(receptacle)) continue;
@@ -149,18 +155,28 @@ void add_effects(TableBuilder& builder, const Json& types, const Json& alfred) {
   for (const auto& type : words(actions.at("Coolable"))) {
     add("Fridge", "cools", type, "", 0, {"closed", "inside"}, {kAlfred, 1});
   }
+  // Burners heat what stands on them, and the documentation names what they and microwaves cook.
   for (const char* type : {"Kettle", "Pan", "Pot"}) {
-    add("StoveBurner", "heats", type, "", 0, {"power_on", "on"}, {kAlfred, 0.9});
+    add("StoveBurner", "heats", type, "", 0, {"power_on", "on"}, {kTypes, 0.9});
   }
-  add("CoffeeMachine", "heats", "Mug", "", 0, {"power_on", "on"}, {"curated", 0.9});
-  for (const char* type : {"Potato", "PotatoSliced", "EggCracked"}) {
-    add("Microwave", "cooks", type, "", 0, {"closed", "power_on", "inside"}, {"curated", 0.9});
-    add("StoveBurner", "cooks", type, "", 0, {"power_on", "on"}, {"curated", 0.9});
+  for (const char* type : {"BreadSliced", "EggCracked", "Potato", "PotatoSliced"}) {
+    add("StoveBurner", "heats", type, "", 0, {"power_on", "on"}, {kTypes, 0.9});
+    add("StoveBurner", "cooks", type, "", 0, {"power_on", "on"}, {kTypes, 0.9});
   }
-  add("Toaster", "cooks", "BreadSliced", "", 0, {"power_on", "inside"}, {kAlfred, 1});
-  add("StoveBurner", "cooks", "BreadSliced", "", 0, {"power_on", "on"}, {"curated", 0.9});
-  add("CoffeeMachine", "fills", "Mug", "coffee", 0, {"power_on", "on"}, {"curated", 0.9});
-  add("WineBottle", "fills", "Cup", "wine", 0, {"held"}, {"curated", 0.9});
+  for (const char* type : {"EggCracked", "Potato", "PotatoSliced"}) {
+    add("Microwave", "cooks", type, "", 0, {"closed", "power_on", "inside"}, {kTypes, 0.9});
+  }
+  for (const char* type : {"Bowl", "EggCracked"}) {
+    add("Microwave", "heats", type, "", 0, {"closed", "power_on", "inside"}, {kTypes, 0.8});
+  }
+  for (const char* type : {"Bottle", "EggCracked"})
+    add("Fridge", "cools", type, "", 0, {"closed", "inside"}, {kTypes, 0.8});
+  add("CoffeeMachine", "heats", "Mug", "", 0, {"power_on", "on"}, {kTypes, 0.9});
+  add("CoffeeMachine", "fills", "Mug", "coffee", 0, {"power_on", "on"}, {kTypes, 0.9});
+  add("Toaster", "cooks", "BreadSliced", "", 0, {"power_on", "inside"}, {kTypes, 1});
+  add("Toaster", "heats", "BreadSliced", "", 0, {"power_on", "inside"}, {kTypes, 0.9});
+  for (const char* type : {"Cup", "Mug"}) add("WineBottle", "fills", type, "wine", 0, {"held"}, {"curated", 0.9});
+  add("WateringCan", "fills", "HousePlant", "water", 0, {"held"}, {"curated", 0.9});
   // What can be sliced and what comes of it is metadata; how many pieces is ours. An egg is cracked, not sliced.
   const std::map<std::string, std::pair<std::string, int>> slices{{"Apple", {"AppleSliced", 5}},
                                                                   {"Bread", {"BreadSliced", 6}},
@@ -177,7 +193,7 @@ void add_effects(TableBuilder& builder, const Json& types, const Json& alfred) {
     if (builder.has(type, "dirtyable")) add("Sink", "washes", type, "", 0, {"under_tap"}, {kAlfred, 0.9});
     if (!builder.has(type, "fillable")) continue;
     add("Sink", "fills", type, "water", 0, {"under_tap"}, {"curated", 0.9});
-    add("Sink", "drains", type, "", 0, {}, {"curated", 0.9});
+    for (const char* drain : {"Sink", "Bathtub"}) add(drain, "drains", type, "", 0, {}, {"curated", 0.9});
   }
 }
 
