@@ -38,7 +38,7 @@ const Category* CategoryNames::find(std::string_view name) const {
   return found == by_letters_.end() ? nullptr : found->second;
 }
 
-bool is_structure(std::string_view name) {
+bool is_of_the_building(std::string_view name) {
   static constexpr std::array<std::string_view, 16> kStructure{
       "ceiling",  "ceilings", "door",     "doorframe", "doorjamb", "doorway", "doors", "floor",
       "flooring", "floors",   "openroom", "room",      "rooms",    "roof",    "wall",  "walls"};

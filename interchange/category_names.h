@@ -24,6 +24,6 @@ class CategoryNames {
 
 /// True for what a home is built of and what our scenes draw as rooms, walls and openings: floors, walls, ceilings,
 /// doors in walls and their frames.
-bool is_structure(std::string_view name);
+bool is_of_the_building(std::string_view name);
 
 }  // namespace unietp

@@ -90,8 +90,8 @@ void compare_relations(const SourceScene& source, Draft& draft) {
     const SourceObject& object = source.objects[relation.object];
     const SourceObject& receptacle = source.objects[relation.receptacle];
     const bool moves = relation.node && draft.scene.nodes[*relation.node].movable;
-    const bool placed = relation.node || is_structure(object.category);
-    const bool receptacle_placed = relation.held || is_structure(receptacle.category);
+    const bool placed = relation.node || is_of_the_building(object.category);
+    const bool receptacle_placed = relation.held || is_of_the_building(receptacle.category);
     bool held = false;
     if (!placed || !receptacle_placed) {
       held = false;

@@ -103,7 +103,7 @@ class Placer {
     const Asset* asset = object.asset.empty() ? nullptr : knowledge_.asset(object.asset);
     const Category* category = names_.find(object.category);
     if (category == nullptr && asset != nullptr) category = knowledge_.find(asset->category);
-    const bool structure = is_structure(object.category);
+    const bool structure = is_of_the_building(object.category);
     if (category == nullptr && !structure) {
       return issue(object, "unknown-category",
                    object.category.empty() ? "the file does not say what it is" : "the knowledge base has none");
