@@ -115,15 +115,16 @@ std::string TableBuilder::curated(const std::string& name, const std::string& co
 void TableBuilder::add(const RawCategory& raw) {
   auto display = curated(raw.name, "display");
   if (display.empty()) display = raw.display.empty() ? words_of(raw.name) : raw.display;
-  const auto word = lexicon_.find(display);
-  if (word == lexicon_.end()) {
+  const auto known = lexicon_.find(display);
+  const Word* word = raw.word ? &*raw.word : known != lexicon_.end() ? &known->second : nullptr;
+  if (word == nullptr) {
     errors_.push_back({Error::Kind::Schema,
                        (curated_ / "lexicon*.csv").string(),
                        {},
                        "no word '" + display + "' for category '" + raw.name + "'; expected a row for it"});
     return;
   }
-  Category c = word->second.category;
+  Category c = word->category;
   c.name = raw.name;
   c.movable = raw.movable;
   c.source = raw.source;
@@ -151,7 +152,7 @@ void TableBuilder::add(const RawCategory& raw) {
     c.mass_source = {"curated", 0.9};
   }
   if (!cell("rooms").empty()) c.rooms = cell("rooms") == "-" ? std::vector<std::string>{} : split(cell("rooms"), '|');
-  kinds_[raw.name] = cell("kind").empty() ? word->second.kind : cell("kind");
+  kinds_[raw.name] = cell("kind").empty() ? word->kind : cell("kind");
   categories_[raw.name] = std::move(c);
 }
 
@@ -196,6 +197,11 @@ void TableBuilder::effect(Effect effect) {
   if (!categories_.contains(effect.tool) || !categories_.contains(effect.target)) return;
   if (effect.effect == "slices" && !categories_.contains(effect.gives)) return;
   effects_.try_emplace({effect.tool, effect.effect, effect.target, effect.gives}, effect);
+}
+
+void TableBuilder::alias(Alias alias) {
+  if (!categories_.contains(alias.category)) return;
+  aliases_.try_emplace({alias.category, alias.kind, alias.text}, alias);
 }
 
 const Category* TableBuilder::find(const std::string& name) const {

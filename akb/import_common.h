@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "akb/lexicon.h"
+#include "akb/placement_rules.h"
 #include "akb/tables.h"
 #include "core/result.h"
 #include "scene/simulator.h"
@@ -24,6 +25,7 @@ struct RawCategory {
   std::optional<double> mass;
   std::string mass_source;
   Source source;
+  std::optional<Word> word;  // made from metadata; used in place of the lexicon's
 };
 
 /// One simulator's tables while they are being made. The steps are called in the order in which they stand here.
@@ -53,6 +55,13 @@ class TableBuilder {
   /// Placements of placement_rules.csv (rule `kind`) for every pair that metadata does not name; `scale` says how much
   /// they weigh against metadata. All four relations; `next_to` is of things that can stand on one support.
   void place_by_kind(double scale);
+  /// Receptacles that homes usually have: rules prefer them to others, and those least that no home has.
+  void prefer(std::set<std::string> receptacles) { preferred_ = std::move(receptacles); }
+  /// Kinds that are kept in the same places as another, besides their own rules.
+  void kept_like(std::map<std::string, std::string> kinds) { like_ = std::move(kinds); }
+  /// At most so many derived placements of one object for a relation are kept: the likeliest of each kind of
+  /// receptacle, then the second of each, and so on.
+  void keep_best(std::map<std::string, std::size_t, std::less<>> most) { most_ = std::move(most); }
   /// Object, relation and receptacle of every placement that place_by_kind would add.
   std::set<std::tuple<std::string, std::string, std::string>> sensible_placements();
 
@@ -62,9 +71,12 @@ class TableBuilder {
   void model(Asset asset);
 
   void effect(Effect effect);
+  /// A further name or phrase; curated ones of the same kind come first (see curated/aliases*.csv).
+  void alias(Alias alias);
   /// Adds the aliases, then lays curated tables over, drops what does not fit (rule `footprint` gives capacities) and
   /// normalises likelihoods. Errors: everything wrong in a curated file, the first one reported.
   Result<Tables> finish();
+  std::vector<Error>& errors() { return errors_; }
 
   const Category* find(const std::string& name) const;
   std::string kind(const std::string& name) const;
@@ -77,8 +89,10 @@ class TableBuilder {
   void overlay_affordances();
   void overlay_curated();
   void drop_removed();
+  void place_by_rule(const PlacementRule& rule, const Category& object, const Category& receptacle, double scale);
   void drop_unfit();
   void drop_unfit_placements();
+  void drop_all_but_best(bool beside);
   int room_beside(const Placement& p) const;
   void normalise();
   void add_aliases();
@@ -98,7 +112,10 @@ class TableBuilder {
   std::map<std::tuple<std::string, std::string, std::string>, Placement> placements_;
   std::map<std::tuple<std::string, std::string, std::string, std::string>, Effect> effects_;
   std::map<std::tuple<std::string, std::string, std::string>, Alias> aliases_;
-  std::map<std::string, Asset> assets_;  // by name
+  std::set<std::string> preferred_;
+  std::map<std::string, std::string> like_;
+  std::map<std::string, std::size_t, std::less<>> most_;  // relation -> placements of an object
+  std::map<std::string, Asset> assets_;                   // by name
 };
 
 /// "CoffeeMachine" -> "coffee machine", "coffee_table" -> "coffee table".

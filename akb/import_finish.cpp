@@ -82,7 +82,9 @@ void TableBuilder::drop_removed() {
         return p.object == subject && p.relation == verb && (object == "*" || p.receptacle == object);
       });
     }
-    if (removed == 0) row.fail("subject", "nothing to remove; expected a fact of the affordance or relation table");
+    if (row.text("table") == "alias") removed = aliases_.erase({subject, verb, object});
+    if (removed == 0)
+      row.fail("subject", "nothing to remove; expected a fact of the affordance, relation or alias table");
   }
 }
 

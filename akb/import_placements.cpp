@@ -12,10 +12,8 @@ namespace {
 
 constexpr int kMostBeside = 4;
 
-/// Kinds that a rule of placement_rules.csv names also stand for these: a cabinet's top for "dresser", a stove's
-/// oven for "oven".
-bool stands_for(const PlacementRule& rule, const std::string& kind) {
-  if (rule.receptacle == kind) return true;
+/// The kind that a rule names and those that also have one: a cabinet's top for "dresser", a stove's oven for "oven".
+std::vector<std::string> kinds_meant(const PlacementRule& rule) {
   static const std::set<std::pair<std::string, std::string>> kInside{{"oven", "stove"},
                                                                      {"kitchen_cabinet", "top_cabinet"}};
   static const std::set<std::pair<std::string, std::string>> kOn{{"dresser", "cabinet"},
@@ -23,10 +21,16 @@ bool stands_for(const PlacementRule& rule, const std::string& kind) {
                                                                  {"counter", "kitchen_cabinet"},
                                                                  {"counter", "dishwasher"},
                                                                  {"bathroom_counter", "bathroom_cabinet"},
-                                                                 {"washer", "dryer"},
-                                                                 {"stool", "stool"}};
-  if (rule.relation == "inside") return kInside.contains({rule.receptacle, kind});
-  return rule.relation == "on" && kOn.contains({rule.receptacle, kind});
+                                                                 {"washer", "dryer"}};
+  std::vector<std::string> kinds{rule.receptacle};
+  const auto add = [&](const auto& pairs) {
+    for (const auto& [named, kind] : pairs) {
+      if (named == rule.receptacle && kind != named) kinds.push_back(kind);
+    }
+  };
+  if (rule.relation == "inside") add(kInside);
+  if (rule.relation == "on") add(kOn);
+  return kinds;
 }
 
 /// Places on and in things share a sum; being beside or under something says nothing against them.
@@ -48,18 +52,33 @@ void TableBuilder::place_by_kind(double scale) {
   for (auto& rule : read_placement_rules(curated_ / "placement_rules.csv", errors_)) {
     rules[rule.kind].push_back(std::move(rule));
   }
+  std::map<std::string, std::vector<std::string>> of_kind;  // categories
+  for (const auto& [name, kind] : kinds_) of_kind[kind].push_back(name);
   for (const auto& [object, c] : categories_) {
-    for (const auto& rule : rules[kinds_[object]]) {
-      for (const auto& [receptacle, r] : categories_) {
-        if (object == receptacle || !stands_for(rule, kinds_[receptacle])) continue;
-        if (rule.relation == "inside" && !has(receptacle, "container")) continue;
-        if (rule.relation == "on" && !has(receptacle, "receptacle")) continue;
-        placements_.try_emplace(
-            {object, rule.relation, receptacle},
-            Placement{object, rule.relation, receptacle, rule.weight * scale, 1, {"derived:kind", 0.7}});
+    const auto like = like_.find(kinds_[object]);
+    for (const auto& own : {kinds_[object], like == like_.end() ? std::string() : like->second}) {
+      for (const auto& rule : rules[own]) {
+        for (const auto& kind : kinds_meant(rule)) {
+          for (const auto& receptacle : of_kind[kind]) place_by_rule(rule, c, categories_.at(receptacle), scale);
+        }
       }
     }
   }
+}
+
+void TableBuilder::place_by_rule(const PlacementRule& rule, const Category& object, const Category& receptacle,
+                                 double scale) {
+  if (object.name == receptacle.name) return;
+  if (rule.relation == "inside" && !has(receptacle.name, "container")) return;
+  if (rule.relation == "on" && !has(receptacle.name, "receptacle")) return;
+  if (rule.relation != "next_to" && !fits(object, rule.relation, receptacle)) return;
+  constexpr double kLessUsual = 0.8, kInNoHome = 0.3;
+  const double usual = preferred_.empty() || preferred_.contains(receptacle.name) ? 1
+                       : receptacle.rooms.empty()                                 ? kInNoHome
+                                                                                  : kLessUsual;
+  placements_.try_emplace(
+      {object.name, rule.relation, receptacle.name},
+      Placement{object.name, rule.relation, receptacle.name, rule.weight * scale * usual, 1, {"derived:kind", 0.7}});
 }
 
 std::set<std::tuple<std::string, std::string, std::string>> TableBuilder::sensible_placements() {
@@ -70,6 +89,30 @@ std::set<std::tuple<std::string, std::string, std::string>> TableBuilder::sensib
   for (const auto& [key, p] : placements_) found.insert(key);
   placements_ = std::move(kept);
   return found;
+}
+
+/// Keeps the best derived placements of each object (its next_to when `beside`, else the others).
+void TableBuilder::drop_all_but_best(bool beside) {
+  std::map<std::pair<std::string, std::string>, std::vector<const Placement*>> derived;
+  for (const auto& [key, p] : placements_) {
+    if ((p.relation == "next_to") == beside && most_.contains(p.relation) && p.source.source == "derived:kind") {
+      derived[{p.object, p.relation}].push_back(&p);
+    }
+  }
+  for (auto& [key, rows] : derived) {
+    const std::size_t most = most_.find(key.second)->second;
+    if (rows.size() <= most) continue;
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](const Placement* a, const Placement* b) { return a->likelihood > b->likelihood; });
+    std::map<std::string, int> of_kind;
+    std::vector<std::pair<int, const Placement*>> ranked;  // by place among the receptacles of one kind
+    for (const auto* row : rows) ranked.emplace_back(of_kind[kinds_.at(row->receptacle)]++, row);
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t i = most; i < ranked.size(); ++i) {
+      const Placement& p = *ranked[i].second;
+      placements_.erase(std::tuple(p.object, p.relation, p.receptacle));
+    }
+  }
 }
 
 /// How many of the object stand beside the other thing where both are put: on one support that has room for the two.
@@ -92,6 +135,7 @@ void TableBuilder::drop_unfit_placements() {
       if ((p.relation == "next_to") == beside) p.capacity = capacity(p);
     }
     std::erase_if(placements_, [](const auto& entry) { return entry.second.capacity == 0; });
+    drop_all_but_best(beside);
   };
   drop(false, [&](const Placement& p) {
     const auto object = categories_.find(p.object), receptacle = categories_.find(p.receptacle);

@@ -16,22 +16,6 @@ const std::vector<std::string>& lexicon_columns() {
   return columns;
 }
 
-std::map<std::string, std::vector<std::string>> read_kinds(const std::filesystem::path& path,
-                                                           std::vector<Error>& errors) {
-  std::map<std::string, std::vector<std::string>> rooms;
-  const auto text = read_file(path);
-  if (!text) {
-    errors.push_back(text.error());
-    return rooms;
-  }
-  RowReader row(path.string(), *text, {"kind", "rooms"}, errors);
-  for (const auto& cells : row.rows()) {
-    row.at(cells);
-    rooms[row.required("kind")] = row.all_of("rooms", room_types(), "room type");
-  }
-  return rooms;
-}
-
 void read_words(const std::filesystem::path& path, const std::map<std::string, std::vector<std::string>>& kind_rooms,
                 Lexicon& lexicon, std::vector<Error>& errors) {
   const auto text = read_file(path);
@@ -79,8 +63,32 @@ std::string regular_plural(std::string_view display) {
   const bool consonant_y =
       ends("y") && display.size() > 1 && !starts_with_vowel_letter(display.substr(display.size() - 2));
   if (consonant_y) return word.substr(0, word.size() - 1) + "ies";
+  static const std::pair<std::string_view, std::string_view> kIrregular[] = {
+      {"knife", "knives"},  {"leaf", "leaves"}, {"loaf", "loaves"},     {"shelf", "shelves"},
+      {"scarf", "scarves"}, {"half", "halves"}, {"potato", "potatoes"}, {"tomato", "tomatoes"},
+      {"mouse", "mice"},    {"foot", "feet"},   {"tooth", "teeth"},     {"mango", "mangoes"}};
+  for (const auto& [one, many] : kIrregular) {
+    const bool whole_word = display == one || (ends(one) && display[display.size() - one.size() - 1] == ' ');
+    if (whole_word) return word.substr(0, word.size() - one.size()) + std::string(many);
+  }
   if (ends("s") || ends("x") || ends("ch") || ends("sh")) return word + "es";
   return word + "s";
+}
+
+std::map<std::string, std::vector<std::string>> read_kind_rooms(const std::filesystem::path& path,
+                                                                std::vector<Error>& errors) {
+  std::map<std::string, std::vector<std::string>> rooms;
+  const auto text = read_file(path);
+  if (!text) {
+    errors.push_back(text.error());
+    return rooms;
+  }
+  RowReader row(path.string(), *text, {"kind", "rooms"}, errors);
+  for (const auto& cells : row.rows()) {
+    row.at(cells);
+    rooms[row.required("kind")] = row.all_of("rooms", room_types(), "room type");
+  }
+  return rooms;
 }
 
 std::vector<std::filesystem::path> parts_of(const std::filesystem::path& folder, std::string_view stem,
@@ -102,7 +110,7 @@ std::vector<std::filesystem::path> parts_of(const std::filesystem::path& folder,
 
 Lexicon read_lexicon(const std::filesystem::path& curated, std::vector<Error>& errors) {
   Lexicon lexicon;
-  const auto kind_rooms = read_kinds(curated / "kinds.csv", errors);
+  const auto kind_rooms = read_kind_rooms(curated / "kinds.csv", errors);
   for (const auto& path : parts_of(curated, "lexicon", errors)) read_words(path, kind_rooms, lexicon, errors);
   return lexicon;
 }

@@ -27,6 +27,10 @@ std::string regular_plural(std::string_view display);
 std::vector<std::filesystem::path> parts_of(const std::filesystem::path& folder, std::string_view stem,
                                             std::vector<Error>& errors);
 
+/// Reads kinds.csv: the usual rooms of each kind. Errors are appended.
+std::map<std::string, std::vector<std::string>> read_kind_rooms(const std::filesystem::path& path,
+                                                                std::vector<Error>& errors);
+
 /// Reads lexicon*.csv and kinds.csv (usual rooms of a kind). Errors: as read_tables; a word that two files have.
 Lexicon read_lexicon(const std::filesystem::path& curated, std::vector<Error>& errors);
 

@@ -10,7 +10,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kLargest_m = 20, kHeaviest_kg = 2000;
+constexpr double kLargest_m = 100, kHeaviest_kg = 90000;
 
 std::vector<std::string> archetype_names() {
   std::vector<std::string> names;

@@ -34,9 +34,9 @@ TEST_P(BadTables, GiveExactlyTheirMessage) {
 
 const BadTable kBad[] = {
     {"NumberThatIsNone", "category", "0.24,0.24,0.02", "0.24,0.24,2 cm",
-     "category.csv:7:57: schema error: bad height '2 cm'; expected a number > 0 and <= 20"},
+     "category.csv:7:57: schema error: bad height '2 cm'; expected a number > 0 and <= 100"},
     {"NumberOutOfRange", "category", "0.75,0.72,1.8,75", "0.75,0.72,1.8,-75",
-     "category.csv:3:57: schema error: bad mass '-75'; expected a number > 0 and <= 2000"},
+     "category.csv:3:57: schema error: bad mass '-75'; expected a number > 0 and <= 90000"},
     {"NotANumber", "relation", "fridge,0.6", "fridge,nan",
      "relation.csv:2:21: schema error: bad likelihood 'nan'; expected a number > 0 and <= 1"},
     {"UnknownArchetype", "category", "true,true,vessel", "true,true,vesel",

@@ -89,8 +89,8 @@ TEST(Curated, ARemovedFactIsGoneAndAnUnknownOneIsAnError) {
   const auto bad = import_habitat(upstream(), folder.path() / "c");
   ASSERT_FALSE(bad);
   EXPECT_EQ(replace_all(format(bad.error()), (folder.path() / "c").string() + "/", ""),
-            "habitat/removed.csv:2:10: schema error: nothing to remove; expected a fact of the affordance or relation "
-            "table");
+            "habitat/removed.csv:2:10: schema error: nothing to remove; expected a fact of the affordance, relation "
+            "or alias table");
 }
 
 TEST(ImportAll, WritesNothingWhenOneImportFails) {

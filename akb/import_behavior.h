@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "akb/import_common.h"
+#include "core/result.h"
+
+// The parts of import_behavior: what the files say, the words made of it, and what things do.
+namespace unietp::behavior {
+
+inline const std::string kTable = "metadata:category_mapping.csv.gz",
+                         kAnnotations = "metadata:propagated_annots_params.json.gz",
+                         kInventory = "metadata:object_inventory.json.gz",
+                         kSlicing = "metadata:transition_maps.json.gz";
+
+/// One category as BEHAVIOR's files describe it.
+struct Facts {
+  std::string synset;                                // BEHAVIOR's own: of WordNet or custom ("half__apple.n.01")
+  double mass = 0;                                   // kilograms; 0 when no file has it
+  std::vector<std::pair<std::string, Vec3>> models;  // name and box: width, depth, height in metres
+  std::set<std::string> properties;                  // of its synset
+  std::set<std::string> links;                       // of any of its models: joint, togglebutton, fillable, ...
+  std::set<std::string> substances;                  // that it applies or pours
+  std::vector<std::string> rooms;                    // of homes in which it stands, most usual first
+};
+
+struct Metadata {
+  std::map<std::string, Facts> categories;      // all that are objects
+  std::map<std::string, std::string> hypernym;  // synset -> the first one above it
+};
+
+/// Reads the files of upstream/behavior; `annotations` as propagated_annots_params.json.gz holds them. Errors: Io,
+/// Parse.
+Result<Metadata> read_behavior(const std::filesystem::path& folder, const nlohmann::json& annotations);
+
+/// Makes a word for each category out of hypernyms, name and models by the tables in curated/behavior: see
+/// docs/knowledge.md. Errors are appended.
+class Words {
+ public:
+  Words(const std::filesystem::path& curated, const Metadata& metadata, std::vector<Error>& errors);
+  Word word(const std::string& name) const;
+  /// Kinds that are kept in the same places as another.
+  const std::map<std::string, std::string>& like() const { return like_; }
+  /// The category's synset and all above it, nearest first.
+  std::vector<std::string> chain(const std::string& name) const;
+
+ private:
+  struct Row {
+    std::string key;  // a synset, a pattern or a name
+    std::map<std::string, std::string> cells;
+  };
+  std::string cell(const std::string& name, const std::string& column) const;
+  std::string display(const std::string& name) const;
+  const Row* form(const std::string& name, std::string* content = nullptr) const;
+  std::string kind_of_content(const std::string& content) const;
+  static std::vector<Row> read_rows(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                                    std::vector<Error>& errors);
+
+  const Metadata& metadata_;
+  std::map<std::string, Row> hypernyms_, names_;
+  std::vector<Row> forms_, contents_;
+  std::map<std::string, std::vector<std::string>> kind_rooms_;
+  std::map<std::string, std::string> like_;
+};
+
+/// Size of a body of this archetype made of the models' boxes, upright and at rest; the archetype changes when the
+/// boxes do not suit it (a flat bottle is a box).
+struct Body {
+  Archetype archetype = Archetype::Box;
+  Vec3 size = Vec3::Zero();
+  Source source;
+};
+Body body_of(const Facts& facts, Archetype wanted);
+
+/// What slicing makes of a category, by BEHAVIOR's rules: two halves.
+struct Pieces {
+  std::string category;
+  int amount = 0;
+};
+std::map<std::string, Pieces> pieces_of(const TableBuilder& builder, const Metadata& metadata,
+                                        const nlohmann::json& transitions);
+
+void add_affordances(TableBuilder& builder, const Metadata& metadata, const nlohmann::json& transitions);
+void add_effects(TableBuilder& builder, const Metadata& metadata, const nlohmann::json& annotations,
+                 const nlohmann::json& transitions);
+
+/// Kinds of things that are eaten, and of those that get dirty.
+const std::set<std::string>& food_kinds();
+const std::set<std::string>& dirty_kinds();
+
+}  // namespace unietp::behavior

@@ -1,0 +1,165 @@
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+#include "akb/import_behavior.h"
+#include "core/text.h"
+
+namespace unietp::behavior {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Furniture and appliances that stand in homes; the others do the same but no home has them.
+bool in_homes(const TableBuilder& builder, const std::string& name) { return !builder.find(name)->rooms.empty(); }
+
+std::vector<std::string> needs_of(const Json& source) {
+  std::vector<std::string> needs;
+  if (source.value("requires_closed", 0.0) > 0) needs.emplace_back("closed");
+  if (source.value("requires_toggled_on", 0.0) > 0) needs.emplace_back("power_on");
+  needs.emplace_back(source.value("requires_inside", 0.0) > 0 ? "inside" : "on");
+  return needs;
+}
+
+void add_heat(TableBuilder& builder, const std::string& tool, const Json& source) {
+  if (!builder.is_kind(tool, {"oven", "stove", "microwave"}) || !builder.has(tool, "switchable")) return;
+  const bool flame = builder.is_kind(tool, {"stove"});
+  for (const auto& target : builder.names()) {
+    if (!builder.has(target, "pickupable")) continue;
+    const auto add = [&](const char* effect) {
+      builder.effect({tool, effect, target, "", 0, needs_of(source), {kAnnotations, 1}});
+    };
+    // An open flame burns food that lies on it, a closed oven cooks it.
+    const bool burns = flame && builder.has(target, "burnable");
+    if (burns) add("burns");
+    if (!burns && builder.has(target, "heatable")) add("heats");
+    if (!flame && builder.has(target, "cookable")) add("cooks");
+  }
+}
+
+void add_cold(TableBuilder& builder, const std::string& tool, const Json& source) {
+  if (!builder.is_kind(tool, {"fridge", "freezer", "cooler"})) return;
+  for (const auto& target : builder.names()) {
+    if (!builder.has(target, "pickupable")) continue;
+    const auto add = [&](const char* effect) {
+      builder.effect({tool, effect, target, "", 0, needs_of(source), {kAnnotations, 1}});
+    };
+    if (builder.has(target, "heatable")) add("cools");
+    if (builder.has(target, "freezable") && source.value("temperature", 0.0) < 0) add("freezes");
+  }
+}
+
+void add_temperature(TableBuilder& builder, const Metadata& metadata, const Json& annotations) {
+  for (const auto& tool : builder.names()) {
+    const auto& synset = metadata.categories.at(tool).synset;
+    if (!annotations.contains(synset) || !in_homes(builder, tool)) continue;
+    const auto& properties = annotations.at(synset);
+    if (properties.contains("heatSource")) add_heat(builder, tool, properties.at("heatSource"));
+    if (properties.contains("coldSource")) add_cold(builder, tool, properties.at("coldSource"));
+  }
+}
+
+void add_washing(TableBuilder& builder) {
+  for (const auto& tool : builder.names()) {
+    if (!builder.is_kind(tool, {"sink", "dishwasher", "washer"}) || !in_homes(builder, tool)) continue;
+    for (const auto& target : builder.names()) {
+      if (!builder.has(target, "pickupable")) continue;
+      const auto add = [&](const char* effect, const char* gives, std::vector<std::string> needs) {
+        builder.effect({tool, effect, target, gives, 0, std::move(needs), {"curated", 0.9}});
+      };
+      const bool cloth = builder.is_kind(target, {"cloth", "clothes", "blanket", "table_linen"});
+      const bool dirty = builder.has(target, "dirtyable");
+      if (builder.is_kind(tool, {"sink"})) {
+        if (dirty) add("washes", "", {"under_tap"});
+        if (builder.has(target, "fillable")) add("fills", "water", {"under_tap"});
+        if (builder.has(target, "fillable")) add("drains", "", {});
+        if (builder.has(target, "soakable")) add("soaks", "water", {"under_tap"});
+      } else if (dirty && cloth == builder.is_kind(tool, {"washer"})) {
+        add("washes", "", {"closed", "power_on", "inside"});
+      }
+    }
+  }
+}
+
+void add_wiping(TableBuilder& builder, const std::set<std::string>& usual) {
+  for (const auto& tool : builder.names()) {
+    if (!builder.has(tool, "soakable") || !usual.contains(tool)) continue;
+    for (const auto& target : builder.names()) {
+      const bool cloth = builder.is_kind(target, {"cloth", "clothes", "blanket", "table_linen", "shoes"});
+      if (tool == target || cloth || !builder.has(target, "coverable")) continue;
+      if (!builder.has(target, "pickupable") && !in_homes(builder, target)) continue;
+      builder.effect({tool, "wipes", target, "", 0, {"held"}, {"curated", 0.9}});
+    }
+  }
+}
+
+/// Food is cut with the kitchen's knives, the rest with the other blades.
+void add_slicing(TableBuilder& builder, const Metadata& metadata, const Json& transitions) {
+  for (const auto& [whole, pieces] : pieces_of(builder, metadata, transitions)) {
+    const bool food = builder.is_kind(whole, food_kinds());
+    for (const auto& tool : builder.names()) {
+      if (!metadata.categories.at(tool).properties.contains("slicer") || !builder.has(tool, "pickupable")) continue;
+      if (builder.is_kind(tool, {"cutlery"}) != food) continue;
+      builder.effect({tool, "slices", whole, pieces.category, pieces.amount, {"held"}, {kSlicing, 1}});
+    }
+  }
+}
+
+/// What a tool applies or pours: by its annotation, or for a bottle of something with a model that pours, by its name.
+std::string substance_of(const std::string& tool, const Facts& facts) {
+  std::string substance = facts.substances.empty() ? "" : *facts.substances.begin();
+  const bool pours = facts.links.contains("fluidsource") || facts.links.contains("particleapplier");
+  static const std::set<std::string> kSqueezed{"bottle_of_catsup", "bottle_of_mustard", "bottle_of_soy_sauce",
+                                               "bottle_of_chocolate_sauce"};
+  if (substance.empty() && (pours || kSqueezed.contains(tool)) && tool.starts_with("bottle_of_")) {
+    substance = replace_all(tool.substr(std::string_view("bottle_of_").size()), "_", " ");
+  }
+  return substance == "catsup" ? "ketchup" : substance;
+}
+
+/// Sauces and seasonings are spread over dishes and food of the usual kinds, soaps over what is washed up, other
+/// cleaners over what is wiped.
+void add_spreading(TableBuilder& builder, const Metadata& metadata, const std::set<std::string>& usual) {
+  static const std::set<std::string> kSeasoned{"plate", "meat", "bowl", "pan", "counter", "dining_table"};
+  static const std::set<std::string> kWashedUp{"plate", "bowl", "cup", "pan", "pot", "sink"};
+  static const std::set<std::string> kCleaned{"counter", "dining_table", "coffee_table", "sink", "bathtub", "stove"};
+  for (const auto& tool : builder.names()) {
+    const auto substance = substance_of(tool, metadata.categories.at(tool));
+    const bool seasons = builder.is_kind(tool, {"condiment"}), cleans = builder.is_kind(tool, {"cleaning_bottle"});
+    if (substance.empty() || !builder.has(tool, "pickupable") || (!seasons && !cleans)) continue;
+    const bool soap = substance.ends_with("soap") || substance == "detergent";
+    const auto& kinds = seasons ? kSeasoned : soap ? kWashedUp : kCleaned;
+    for (const auto& target : builder.names()) {
+      if (!usual.contains(target) || target == tool || !builder.is_kind(target, kinds)) continue;
+      if (builder.kind(target) == "meat") builder.afford(target, "coverable", "curated", 0.8);
+      if (!builder.has(target, "coverable")) continue;
+      builder.effect({tool, "dispenses", target, substance, 0, {"held"}, {"curated", 0.8}});
+    }
+  }
+}
+
+/// Coffee machines fill the cup that stands under them, here on them.
+void add_coffee(TableBuilder& builder) {
+  for (const auto& tool : builder.names()) {
+    if (!builder.is_kind(tool, {"coffee_machine"}) || !builder.has(tool, "switchable")) continue;
+    for (const auto& target : builder.names()) {
+      if (!builder.is_kind(target, {"cup"}) || !builder.has(target, "fillable")) continue;
+      builder.effect({tool, "fills", target, "coffee", 0, {"power_on", "on"}, {"curated", 0.9}});
+    }
+  }
+}
+
+}  // namespace
+
+void add_effects(TableBuilder& builder, const Metadata& metadata, const Json& annotations, const Json& transitions) {
+  const auto listed = builder.curated_names();
+  const std::set<std::string> usual(listed.begin(), listed.end());
+  add_temperature(builder, metadata, annotations);
+  add_washing(builder);
+  add_coffee(builder);
+  add_wiping(builder, usual);
+  add_slicing(builder, metadata, transitions);
+  add_spreading(builder, metadata, usual);
+}
+
+}  // namespace unietp::behavior

@@ -1,0 +1,135 @@
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+#include "akb/import_behavior.h"
+#include "akb/metadata_json.h"
+#include "core/text.h"
+
+namespace unietp::behavior {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Objects of the inventory that the mapping lacks (its release is older): synset, by the inventory's category.
+const std::map<std::string, std::string>& only_in_inventory() {
+  static const std::map<std::string, std::string> kNames{
+      {"clove", "clove.n.04"}, {"coconut", "coconut.n.01"}, {"kidney_bean", "kidney_bean.n.02"}};
+  return kNames;
+}
+
+std::map<std::string, std::size_t> columns_in(const CsvFile& file) {
+  std::map<std::string, std::size_t> column;
+  for (std::size_t i = 0; i < file.header.size(); ++i) column.try_emplace(file.header[i].text, i);
+  return column;
+}
+
+double number_of(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), ','), text.end());
+  return text.empty() ? 0 : std::stod(text);
+}
+
+void add_properties(Facts& facts, const Json& annotations) {
+  if (!annotations.contains(facts.synset)) return;
+  for (const auto& [property, parameters] : annotations.at(facts.synset).items()) {
+    facts.properties.insert(property);
+    if ((property != "particleApplier" && property != "particleSource") || !parameters.is_object()) continue;
+    if (!parameters.contains("conditions") || !parameters.at("conditions").is_object()) continue;
+    for (const auto& [substance, conditions] : parameters.at("conditions").items()) {
+      facts.substances.insert(replace_all(substance.substr(0, substance.find('.')), "_", " "));
+    }
+  }
+}
+
+void add_models(Metadata& metadata, const Json& inventory) {
+  for (const auto& [model, row] : inventory.at("objects").items()) {
+    const auto found = metadata.categories.find(model.substr(0, model.rfind('-')));
+    if (found == metadata.categories.end()) continue;
+    const auto& size = row.at("size");  // upstream's front faces along x
+    found->second.models.emplace_back(
+        model, Vec3(size.at(1).get<double>(), size.at(0).get<double>(), size.at(2).get<double>()));
+    for (const auto& link : row.at("meta_links")) found->second.links.insert(link.get<std::string>());
+  }
+}
+
+/// The tree's first way up from each synset.
+void add_hypernyms(Metadata& metadata, const Json& node, const std::string& above) {
+  const auto& name = node.at("name").get_ref<const std::string&>();
+  if (!above.empty()) metadata.hypernym.try_emplace(name, above);
+  if (!node.contains("children")) return;
+  for (const auto& child : node.at("children")) add_hypernyms(metadata, child, name);
+}
+
+/// Our room type for BEHAVIOR's, "" for what homes need not have.
+std::string room_type_of(const std::string& instance) {
+  static const std::map<std::string, std::string> kTypes{
+      {"kitchen", "kitchen"},      {"living_room", "living_room"}, {"bedroom", "bedroom"},
+      {"bathroom", "bathroom"},    {"dining_room", "dining_room"}, {"corridor", "corridor"},
+      {"entryway", "corridor"},    {"childs_room", "bedroom"},     {"private_office", "office"},
+      {"pantry_room", "kitchen"},  {"playroom", "living_room"},    {"television_room", "living_room"},
+      {"storage_room", "corridor"}};
+  const auto found = kTypes.find(instance.substr(0, instance.rfind('_')));
+  return found == kTypes.end() ? "" : found->second;
+}
+
+bool is_home(const std::string& scene) {
+  static const std::set<std::string> kOthers{"grocery", "hall", "office", "restaurant", "school"};
+  return !kOthers.contains(scene.substr(0, scene.find('_'))) && scene != "hotel_gym_spa";
+}
+
+/// Rooms with at least a fifth of what a home's rooms hold of the category, given there are five of it.
+void add_rooms(Metadata& metadata, const Json& scenes) {
+  constexpr int kSeen = 5, kShare = 5;
+  std::map<std::string, std::map<std::string, int>> seen;
+  for (const auto& [scene, rooms] : scenes.at("scenes").items()) {
+    if (!is_home(scene)) continue;
+    for (const auto& [instance, objects] : rooms.items()) {
+      const auto type = room_type_of(instance);
+      if (type.empty()) continue;
+      for (const auto& [model, count] : objects.items())
+        seen[model.substr(0, model.rfind('-'))][type] += count.get<int>();
+    }
+  }
+  for (auto& [name, facts] : metadata.categories) {
+    int total = 0;
+    std::vector<std::pair<int, std::string>> rooms;
+    for (const auto& [type, count] : seen[name]) {
+      total += count;
+      rooms.emplace_back(-count, type);
+    }
+    std::sort(rooms.begin(), rooms.end());
+    for (const auto& [count, type] : rooms) {
+      if (total >= kSeen && -count * kShare >= total) facts.rooms.push_back(type);
+    }
+  }
+}
+
+}  // namespace
+
+Result<Metadata> read_behavior(const std::filesystem::path& folder, const Json& annotations) {
+  const auto mapping = read_metadata_csv(folder / "category_mapping.csv.gz");
+  if (!mapping) return mapping.error();
+  const auto hierarchy = read_metadata_json(folder / "output_hierarchy.json.gz");
+  if (!hierarchy) return hierarchy.error();
+  const auto inventory = read_metadata_json(folder / "object_inventory.json.gz");
+  if (!inventory) return inventory.error();
+  const auto scenes = read_metadata_json(folder / "combined_room_object_list.json.gz");
+  if (!scenes) return scenes.error();
+
+  Metadata metadata;
+  const auto column = columns_in(*mapping);
+  for (const auto& row : mapping->rows) {
+    if (row[column.at("has_system")].text != "FALSE") continue;  // a substance
+    Facts& facts = metadata.categories[row[column.at("category")].text];
+    facts.synset = row[column.at("synset")].text;
+    facts.mass = number_of(row[column.at("mass (auto)")].text);
+  }
+  for (const auto& [name, synset] : only_in_inventory()) metadata.categories[name].synset = synset;
+  add_hypernyms(metadata, *hierarchy, "");
+  for (auto& [name, facts] : metadata.categories) add_properties(facts, annotations);
+  add_models(metadata, *inventory);
+  add_rooms(metadata, *scenes);
+  return metadata;
+}
+
+}  // namespace unietp::behavior
