@@ -78,9 +78,13 @@ std::optional<Room3> top(const Category& c) {
   }
 }
 
-/// The floor between a table's legs.
+/// The floor between the legs of a table or a bed.
 std::optional<Room3> below(const Category& c) {
   const Vec3& s = c.size;
+  if (c.archetype == Archetype::Bed) {
+    const double side = 2 * std::min({0.06, 0.2 * s.x(), 0.2 * s.y()}) + 2 * kEdge_m;
+    return Room3{s.x() - side, s.y() - side, std::min(0.25, 0.45 * 0.6 * s.z()), false, 1};
+  }
   if (c.archetype != Archetype::Table) return std::nullopt;
   const double board = std::min(0.04, 0.2 * s.z()), leg = std::min({0.06, 0.2 * s.x(), 0.2 * s.y()});
   return Room3{s.x() - 2 * leg - 2 * kEdge_m, s.y() - 2 * leg - 2 * kEdge_m, s.z() - board, false, 1};

@@ -72,13 +72,25 @@ void table(Builder& b) {
   b.surface(-h.x(), h.x(), -h.y(), h.y(), h.z(), kOpenAbove_m);
 }
 
-void seat(Builder& b, double seat_share, double back_m) {
+void seat(Builder& b) {
   const Vec3 h = b.half();
-  const double back = std::min(back_m, 0.4 * h.y());
-  const double level = -h.z() + 2 * h.z() * seat_share;
+  const double back = std::min(0.15, 0.4 * h.y());
+  const double level = 0;  // half as high as the back
   b.box(-h, {h.x(), h.y() - back, level});
   b.box({-h.x(), h.y() - back, -h.z()}, h);
   b.surface(-h.x(), h.x(), -h.y(), h.y() - back, level, kOpenAbove_m);
+}
+
+/// A mattress on legs against a headboard: things lie on it, and flat ones under it.
+void bed(Builder& b) {
+  const Vec3 h = b.half();
+  const double back = std::min(0.06, 0.4 * h.y()), height = 2 * h.z() * 0.6;
+  const double gap = std::min(0.25, 0.45 * height);
+  const double leg = std::min({0.06, 0.2 * h.x(), 0.2 * h.y()});
+  b.box({-h.x(), -h.y(), -h.z() + gap}, {h.x(), h.y() - back, -h.z() + height});
+  b.box({-h.x(), h.y() - back, -h.z()}, h);
+  for (const double x : {-h.x(), h.x() - leg}) b.box({x, -h.y(), -h.z()}, {x + leg, -h.y() + leg, -h.z() + gap});
+  b.surface(-h.x(), h.x(), -h.y(), h.y() - back, -h.z() + height, kOpenAbove_m);
 }
 
 void shelf(Builder& b) {
@@ -216,10 +228,10 @@ Shape make_shape(Archetype archetype, const Vec3& size, bool openable) {
       table(b);
       break;
     case Archetype::Seat:
-      seat(b, 0.5, 0.15);
+      seat(b);
       break;
     case Archetype::Bed:
-      seat(b, 0.6, 0.06);
+      bed(b);
       break;
     case Archetype::Shelf:
       shelf(b);
