@@ -93,6 +93,13 @@ void add_categories(TableBuilder& builder, const Json& types, const std::vector<
 void add_affordances(TableBuilder& builder, const Json& types, const Json& alfred) {
   for (const auto& [type, row] : types.items()) {
     for (const auto& property : words(row.at("actionable_properties"))) afford(builder, type, property);
+    // A receptacle that is hollow or slides out holds things inside: a toaster, a drawer.
+    const auto* category = builder.find(type);
+    if (category == nullptr) continue;
+    const auto archetype = category->archetype;
+    const bool hollow =
+        archetype == Archetype::Vessel || (archetype == Archetype::Drawers && builder.has(type, "openable"));
+    if (hollow && listed(row, "actionable_properties", "receptacle")) builder.afford(type, "container", kTypes, 0.9);
     if (listed(row, "materials_properties", "changeTemp")) {
       builder.afford(type, type == "Fridge" ? "cold_source" : "heat_source", kTypes, 1);
     }

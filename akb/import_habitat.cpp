@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "akb/fit.h"
 #include "akb/import_common.h"
 #include "akb/importers.h"
 #include "akb/metadata_json.h"
@@ -121,6 +122,12 @@ Result<Tables> import_habitat(const std::filesystem::path& upstream, const std::
       raw.extents_source = kAssets;
     }
     builder.add(raw);
+    // What a hamper holds goes by its size: a lent one would be as small as the models that happen to be there.
+    const auto* lent = builder.find(name);
+    if (lent != nullptr && !lent->movable && raw.extents && room_of(*lent, "inside")) {
+      raw.extents.reset();
+      builder.add(raw);
+    }
   }
   for (const auto& [name, asset] : own) builder.model(asset);
   add_affordances(builder, *lists);

@@ -93,6 +93,17 @@ TEST(Curated, ARemovedFactIsGoneAndAnUnknownOneIsAnError) {
             "or alias table");
 }
 
+TEST(Curated, AClassToLeaveOutMustBeOneOfTheLexicon) {
+  if (!std::filesystem::exists(upstream() / "habitat")) GTEST_SKIP() << "no simulator metadata at " << upstream();
+  const test::TemporaryFolder folder;
+  curate(folder.path() / "c", "habitat/left_out.csv", "name,why\nwall,structure\nunicorn,abstract\n");
+  const auto bad = import_habitat(upstream(), folder.path() / "c");
+  ASSERT_FALSE(bad);
+  EXPECT_EQ(replace_all(format(bad.error()), (folder.path() / "c").string() + "/", ""),
+            "habitat/left_out.csv:3:1: schema error: no class 'unicorn' to leave out; expected one of "
+            "hssd_semantic_lexicon.json");
+}
+
 TEST(ImportAll, WritesNothingWhenOneImportFails) {
   const test::TemporaryFolder folder;
   EXPECT_FALSE(import_all(folder.path() / "none", folder.path() / "tables"));
