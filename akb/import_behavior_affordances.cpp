@@ -16,10 +16,11 @@ void add_of(TableBuilder& builder, const std::string& name, const Facts& f, bool
   static const std::map<std::string, std::string> kProperties{
       {"cookable", "cookable"},      {"breakable", "breakable"}, {"heatSource", "heat_source"},
       {"coldSource", "cold_source"}, {"particleSink", "drain"},  {"drapeable", "foldable"}};
-  static const std::set<std::string> kHeld{"cup",    "bowl",      "plate", "pot",  "drink",
-                                           "kettle", "lunch_box", "pan",   "tray", "saucer"};
-  static const std::set<std::string> kFill{"cup",    "bowl", "pot",        "kettle",    "pitcher",      "bucket",
-                                           "bottle", "vase", "ice_bucket", "lab_glass", "bucket_small", "watering_can"};
+  static const std::set<std::string> kHeld{"cup",    "bowl",      "plate", "pot",  "drink", "kettle",
+                                           "teapot", "lunch_box", "pan",   "tray", "saucer"};
+  static const std::set<std::string> kFill{"cup",       "bowl",         "pot",         "kettle", "teapot",
+                                           "pitcher",   "bucket",       "bottle",      "vase",   "ice_bucket",
+                                           "lab_glass", "bucket_small", "watering_can"};
   const auto& c = *builder.find(name);
   if (c.movable) builder.afford(name, "pickupable", "derived:not-scene-object", 0.9);
   if (has_door(c.archetype) && f.links.contains("joint")) {
@@ -65,9 +66,10 @@ const std::set<std::string>& food_kinds() {
 
 const std::set<std::string>& dirty_kinds() {
   static const std::set<std::string> kKinds{
-      "plate",     "bowl",   "cup",     "cutlery",      "pan",          "pot",       "tray",       "utensil", "cloth",
-      "clothes",   "kettle", "counter", "dining_table", "coffee_table", "desk",      "side_table", "sink",    "bathtub",
-      "lunch_box", "shoes",  "pitcher", "stove",        "microwave",    "lab_glass", "blanket"};
+      "plate",      "bowl",    "cup",     "cutlery",     "pan",     "pot",          "tray",         "utensil",
+      "cloth",      "clothes", "kettle",  "teapot",      "counter", "dining_table", "coffee_table", "desk",
+      "side_table", "sink",    "bathtub", "lunch_box",   "shoes",   "pitcher",      "stove",        "microwave",
+      "lab_glass",  "blanket", "saucer",  "table_linen", "board",   "wooden_board", "ice_bucket"};
   return kKinds;
 }
 

@@ -125,7 +125,8 @@ void add_spreading(TableBuilder& builder, const Metadata& metadata, const std::s
   static const std::set<std::string> kCleaned{"counter", "dining_table", "coffee_table", "sink", "bathtub", "stove"};
   for (const auto& tool : builder.names()) {
     const auto substance = substance_of(tool, metadata.categories.at(tool));
-    const bool seasons = builder.is_kind(tool, {"condiment"}), cleans = builder.is_kind(tool, {"cleaning_bottle"});
+    const bool seasons = builder.is_kind(tool, {"condiment", "shaker"}),
+               cleans = builder.is_kind(tool, {"cleaning_bottle"});
     if (substance.empty() || !builder.has(tool, "pickupable") || (!seasons && !cleans)) continue;
     const bool soap = substance.ends_with("soap") || substance == "detergent";
     const auto& kinds = seasons ? kSeasoned : soap ? kWashedUp : kCleaned;

@@ -59,8 +59,8 @@ class TableBuilder {
   void prefer(std::set<std::string> receptacles) { preferred_ = std::move(receptacles); }
   /// Kinds that are kept in the same places as another, besides their own rules.
   void kept_like(std::map<std::string, std::string> kinds) { like_ = std::move(kinds); }
-  /// At most so many derived placements of one object for a relation are kept: the likeliest of each kind of
-  /// receptacle, then the second of each, and so on.
+  /// At most so many derived placements of one object for a relation are kept: the likeliest, where each further
+  /// receptacle of a kind counts less than the one before.
   void keep_best(std::map<std::string, std::size_t, std::less<>> most) { most_ = std::move(most); }
   /// Object, relation and receptacle of every placement that place_by_kind would add.
   std::set<std::tuple<std::string, std::string, std::string>> sensible_placements();

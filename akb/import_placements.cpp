@@ -104,10 +104,15 @@ void TableBuilder::drop_all_but_best(bool beside) {
     if (rows.size() <= most) continue;
     std::stable_sort(rows.begin(), rows.end(),
                      [](const Placement* a, const Placement* b) { return a->likelihood > b->likelihood; });
-    std::map<std::string, int> of_kind;
-    std::vector<std::pair<int, const Placement*>> ranked;  // by place among the receptacles of one kind
-    for (const auto* row : rows) ranked.emplace_back(of_kind[kinds_.at(row->receptacle)]++, row);
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    constexpr double kAnother = 0.6;  // what each further receptacle of one kind counts against the one before
+    std::map<std::string, double> of_kind;
+    std::vector<std::pair<double, const Placement*>> ranked;
+    for (const auto* row : rows) {
+      double& share = of_kind.try_emplace(kinds_.at(row->receptacle), 1).first->second;
+      ranked.emplace_back(row->likelihood * share, row);
+      share *= kAnother;
+    }
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     for (std::size_t i = most; i < ranked.size(); ++i) {
       const Placement& p = *ranked[i].second;
       placements_.erase(std::tuple(p.object, p.relation, p.receptacle));

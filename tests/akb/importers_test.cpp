@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "akb/wordnet_words.h"
 #include "core/files.h"
 #include "core/text.h"
 #include "tests/akb/small_tables.h"
@@ -13,11 +14,17 @@ namespace {
 
 std::filesystem::path upstream() { return UNIETP_UPSTREAM_DIR; }
 
+/// BEHAVIOR's words are WordNet's too.
+bool has_wordnet() { return std::filesystem::exists(std::filesystem::path(WordNetWords::kFolder) / "data.noun"); }
+
 class Importers : public testing::TestWithParam<Simulator> {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists(upstream() / "ai2thor")) {
       GTEST_SKIP() << "no simulator metadata at " << upstream() << ": the committed tables stand alone";
+    }
+    if (GetParam() == Simulator::Behavior && !has_wordnet()) {
+      GTEST_SKIP() << "no data.noun in " << WordNetWords::kFolder << ": install wordnet-base";
     }
   }
 };
