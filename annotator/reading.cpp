@@ -171,7 +171,10 @@ NounPhrase PhraseReader::phrase() {
     }
     at_ = start;
   }
-  if (accept_one({"one and the same", "a single", "one single", "one"}) >= 0) return as(Determiner::Single);
+  // "a single bed" is one bed, unless there is a category "single bed".
+  const bool single_in_name = peek(1) == "single" && lexicon_.noun_at(tokens_, at_ + 1).length > 0;
+  if (!single_in_name && accept_one({"a single", "one single"}) >= 0) return as(Determiner::Single);
+  if (accept_one({"one and the same", "one"}) >= 0) return as(Determiner::Single);
   if (accept_one({"that", "the same"}) >= 0) return as(Determiner::Known);
   if (accept_one({"another", "a different"}) >= 0) return as(Determiner::Another);
   if (accept("the")) return as(Determiner::The);
