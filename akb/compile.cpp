@@ -2,6 +2,7 @@
 
 #include "akb/completed.h"
 #include "akb/database.h"
+#include "akb/override.h"
 #include "core/digest.h"
 #include "core/files.h"
 
@@ -14,16 +15,34 @@ Error io_error(const std::filesystem::path& path, std::string message) {
 
 }  // namespace
 
-std::vector<Error> compile_knowledge(const std::filesystem::path& tables, const std::filesystem::path& database) {
-  std::vector<Error> errors;
+std::vector<Tables> read_all_tables(const std::filesystem::path& folder,
+                                    const std::vector<std::filesystem::path>& overrides, std::vector<Error>& errors) {
   std::vector<Tables> all;
   for (const auto simulator : kSimulators) {
-    all.push_back(read_tables(tables / std::string(name_of(simulator)), errors));
-    lay_completed(tables, simulator, all.back(), errors);
-    sort_tables(all.back());
+    all.push_back(read_tables(folder / std::string(name_of(simulator)), errors));
+    lay_completed(folder, simulator, all.back(), errors);
   }
+  // A row that is left out for a fault of its own would make an override that names it look wrong too.
+  if (errors.empty()) {
+    for (const auto& file : override_files(folder, overrides)) {
+      const auto text = read_file(file);
+      if (!text) {
+        errors.push_back(text.error());
+        continue;
+      }
+      apply_overrides(file.string(), read_overrides(file.string(), *text, errors), all, errors);
+    }
+  }
+  for (auto& tables : all) sort_tables(tables);
+  return all;
+}
+
+std::vector<Error> compile_knowledge(const std::filesystem::path& tables, const std::filesystem::path& database,
+                                     const std::vector<std::filesystem::path>& overrides) {
+  std::vector<Error> errors;
+  const auto all = read_all_tables(tables, overrides, errors);
   if (!errors.empty()) return errors;
-  const auto digest = digest_of_tables(tables);
+  const auto digest = digest_of_tables(tables, overrides);
   if (!digest) return {digest.error()};
 
   std::error_code code;
@@ -40,20 +59,27 @@ std::vector<Error> compile_knowledge(const std::filesystem::path& tables, const 
   return errors;
 }
 
-Result<std::string> digest_of_tables(const std::filesystem::path& tables) {
+Result<std::string> digest_of_tables(const std::filesystem::path& tables,
+                                     const std::vector<std::filesystem::path>& overrides) {
   std::string all;
+  const auto add = [&](const std::filesystem::path& file, const std::string& name) -> Result<Done> {
+    const auto text = read_file(file);
+    if (!text) return text.error();
+    all += name + "\n" + std::to_string(text->size()) + "\n" + *text;
+    return Done{};
+  };
   for (const auto simulator : kSimulators) {
     for (const auto& table : table_names()) {
       const auto name = std::string(name_of(simulator)) + "/" + table + ".csv";
-      const auto text = read_file(tables / name);
-      if (!text) return text.error();
-      all += name + "\n" + std::to_string(text->size()) + "\n" + *text;
+      if (auto added = add(tables / name, name); !added) return added.error();
     }
     for (const auto& path : completed_files(tables, simulator)) {
-      const auto text = read_file(path);
-      if (!text) return text.error();
-      all += path.lexically_relative(tables).generic_string() + "\n" + std::to_string(text->size()) + "\n" + *text;
+      if (auto added = add(path, path.lexically_relative(tables).generic_string()); !added) return added.error();
     }
+  }
+  // Of an override only the file's own name counts: it becomes the source of facts, its folder does not.
+  for (const auto& file : override_files(tables, overrides)) {
+    if (auto added = add(file, "override/" + file.filename().string()); !added) return added.error();
   }
   return sha256(all);
 }

@@ -143,6 +143,10 @@ std::vector<std::string> Knowledge::affordances_of(std::string_view category) co
   return names;
 }
 
+std::vector<const AffordanceFact*> Knowledge::affordance_facts_of(std::string_view category) const {
+  return pointers(affordances_, by_category_.with(names_.number(category)));
+}
+
 const Placement* Knowledge::placement(std::string_view object, std::string_view relation,
                                       std::string_view receptacle) const {
   return first(placements_, by_object_.with(names_.number(object), words_.number(relation), names_.number(receptacle)));
@@ -169,10 +173,14 @@ std::vector<const Effect*> Knowledge::effects_of(std::string_view tool, std::str
 }
 
 std::vector<const Asset*> Knowledge::assets_of(std::string_view category) const {
-  auto found = pointers(assets_, assets_of_.with(names_.number(category)));
+  auto found = asset_rows_of(category);
   const Category* own = find(category);
   std::erase_if(found, [&](const Asset* a) { return own == nullptr || !usable(*a, *own); });
   return found;
+}
+
+std::vector<const Asset*> Knowledge::asset_rows_of(std::string_view category) const {
+  return pointers(assets_, assets_of_.with(names_.number(category)));
 }
 
 const Asset* Knowledge::asset(std::string_view name) const {

@@ -14,8 +14,8 @@
 
 namespace unietp {
 
-/// Where a fact comes from: `metadata:<file>`, `derived:<rule>`, `llm:<model>` or `curated`, and how sure it is, (0,
-/// 1].
+/// Where a fact comes from: `metadata:<file>`, `derived:<rule>`, `llm:<model>`, `override:<file>` or `curated`, and how
+/// sure it is, (0, 1].
 struct Source {
   std::string source;
   double confidence = 1;
@@ -98,6 +98,7 @@ class Knowledge {
   bool has(std::string_view category, std::string_view affordance) const;
   std::vector<std::string> with_affordance(std::string_view affordance) const;
   std::vector<std::string> affordances_of(std::string_view category) const;
+  std::vector<const AffordanceFact*> affordance_facts_of(std::string_view category) const;
 
   const std::vector<Placement>& placements() const { return placements_; }
   const Placement* placement(std::string_view object, std::string_view relation, std::string_view receptacle) const;
@@ -112,6 +113,8 @@ class Knowledge {
   std::vector<const Alias*> aliases_of(std::string_view category, std::string_view kind) const;
   /// Models of a category whose boxes a scene may use (`usable` of akb/fit.h), by name; empty when none is known.
   std::vector<const Asset*> assets_of(std::string_view category) const;
+  /// All models of a category, also those whose boxes are too far from it.
+  std::vector<const Asset*> asset_rows_of(std::string_view category) const;
   /// Any model, also one of an odd size; nullptr when none has that name.
   const Asset* asset(std::string_view name) const;
   const std::vector<Asset>& assets() const { return assets_; }
@@ -140,13 +143,16 @@ class Knowledge {
 };
 
 /// Compiles `<tables>/<simulator>/{category,affordance,relation,effect,alias,asset}.csv` of all four simulators into
-/// one SQLite file (written aside, then renamed) that carries the digest of its inputs. Errors: Schema with file, line
-/// and column: an unknown or missing column, a bad number, an unknown category, affordance, archetype or relation, a
-/// duplicate key, a missing or malformed source. All of them, not only the first.
-std::vector<Error> compile_knowledge(const std::filesystem::path& tables, const std::filesystem::path& database);
+/// one SQLite file (written aside, then renamed) that carries the digest of its inputs. `<tables>/override.csv`, where
+/// there is one, wins over the tables, and each of `overrides` over what stands before it. Errors: Schema with file,
+/// line and column: an unknown or missing column, a bad number, an unknown category, affordance, archetype or relation,
+/// a duplicate key, a missing or malformed source. All of them, not only the first.
+std::vector<Error> compile_knowledge(const std::filesystem::path& tables, const std::filesystem::path& database,
+                                     const std::vector<std::filesystem::path>& overrides = {});
 
-/// SHA-256 over the names and bytes of all tables, in order.
-Result<std::string> digest_of_tables(const std::filesystem::path& tables);
+/// SHA-256 over the names and bytes of all tables and overrides, in order.
+Result<std::string> digest_of_tables(const std::filesystem::path& tables,
+                                     const std::vector<std::filesystem::path>& overrides = {});
 /// Digest stored in a compiled file, or an error when it is none.
 Result<std::string> digest_of_database(const std::filesystem::path& database);
 

@@ -140,7 +140,7 @@ Source RowReader::source(std::string_view source_column, std::string_view confid
   Source source{text(source_column), 1};
   if (!well_formed_source(source.source)) {
     fail(source_column, (source.source.empty() ? "missing source" : "bad source '" + source.source + "'") +
-                            "; expected metadata:<file>, derived:<rule>, llm:<model> or curated");
+                            "; expected metadata:<file>, derived:<rule>, llm:<model>, override:<file> or curated");
   }
   source.confidence = number(confidence_column, 0, 1, false);
   return source;

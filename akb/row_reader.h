@@ -35,6 +35,7 @@ class RowReader {
                                   std::string_view noun);
   Source source(std::string_view source_column, std::string_view confidence_column);
   void fail(std::string_view column, std::string message);
+  SourcePos place(std::string_view column) const { return cell(column).pos; }
 
  private:
   const CsvCell& cell(std::string_view column) const;

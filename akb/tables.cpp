@@ -154,7 +154,7 @@ std::vector<Asset> read_assets(RowReader& row, const NameTable& names) {
 
 bool well_formed_source(std::string_view source) {
   if (source == "curated") return true;
-  for (const std::string_view kind : {"metadata:", "derived:", "llm:"}) {
+  for (const std::string_view kind : {"metadata:", "derived:", "llm:", "override:"}) {
     if (source.starts_with(kind)) {
       const auto name = source.substr(kind.size());
       return !name.empty() && name.find_first_of(" \t\r\n") == std::string_view::npos;

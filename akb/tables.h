@@ -29,12 +29,18 @@ const std::vector<std::string>& effect_names();    // heats cools ... drains
 const std::vector<std::string>& need_names();      // closed power_on held inside on under_tap
 const std::vector<std::string>& alias_kinds();     // synonym function context
 const std::vector<std::string>& room_types();      // kitchen living_room ...
-/// `metadata:<file>`, `derived:<rule>`, `llm:<model>` or `curated`.
+/// `metadata:<file>`, `derived:<rule>`, `llm:<model>`, `override:<file>` or `curated`.
 bool well_formed_source(std::string_view source);
 
 /// Reads and checks `<folder>/{category,...}.csv`; appends every problem to `errors` (Schema, Parse or Io with file,
 /// line and column). Rows with a problem are left out. Lists are joined by `|` in their cell.
 Tables read_tables(const std::filesystem::path& folder, std::vector<Error>& errors);
+
+/// The tables of the four simulators in `<folder>/<simulator>/`, in the order of kSimulators and sorted, with
+/// `<folder>/override.csv` (where there is one) and then each of `overrides` laid over them. Errors: as above, and
+/// those of read_overrides and apply_overrides; overrides are looked at only when the tables are sound.
+std::vector<Tables> read_all_tables(const std::filesystem::path& folder,
+                                    const std::vector<std::filesystem::path>& overrides, std::vector<Error>& errors);
 
 /// Sorts each table by its key, the order in which files and queries give them.
 void sort_tables(Tables& tables);

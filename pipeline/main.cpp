@@ -52,7 +52,7 @@ constexpr const char* kAbout =
 
 int main(int argc, char** argv) {
   unietp::CommandLine program;
-  program.folders = {UNIETP_DATA_DIR, cache_folder()};
+  program.folders = {UNIETP_DATA_DIR, cache_folder(), {}};
   program.interrupted = &interrupted;
   program.llm_key = llm_key();
   program.terminal = ::isatty(STDERR_FILENO) != 0;
@@ -63,6 +63,10 @@ int main(int argc, char** argv) {
   app.add_option("--data", program.folders.root,
                  "Folder that holds data/ and templates/library/ (default: the source folder of this build)")
       ->check(CLI::ExistingDirectory);
+  app.add_option("--overrides", program.folders.overrides,
+                 "CSV files of your own facts, which win over all tables: simulator,category,fact,value,reason")
+      ->allow_extra_args(false)  // one file each time it is given
+      ->check(CLI::ExistingFile);
   app.require_subcommand(1);
   app.fallthrough();
   unietp::add_generate_command(app, program);

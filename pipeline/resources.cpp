@@ -55,7 +55,7 @@ SourcePos place_of(const fs::path& file, const std::string& name) {
 }  // namespace
 
 CompiledKnowledge compiled_knowledge(const DataFolders& folders) {
-  const auto digest = digest_of_tables(folders.tables());
+  const auto digest = digest_of_tables(folders.tables(), folders.overrides);
   if (!digest) return {{}, {digest.error()}};
   // The format's number is part of the name, so that a newer program never reads an older one's compilation.
   const fs::path database = folders.cache / ("knowledge-4-" + digest->substr(0, 32) + ".sqlite");
@@ -65,7 +65,7 @@ CompiledKnowledge compiled_knowledge(const DataFolders& folders) {
   if (code) return {{}, {io_error(folders.cache, "cannot make the cache folder: " + code.message())}};
   auto aside = database;
   aside += "." + std::to_string(::getpid());
-  auto errors = compile_knowledge(folders.tables(), aside);
+  auto errors = compile_knowledge(folders.tables(), aside, folders.overrides);
   if (!errors.empty()) return {{}, std::move(errors)};
   fs::rename(aside, database, code);
   if (code) return {{}, {io_error(database, "cannot rename the compiled knowledge into place: " + code.message())}};
@@ -133,6 +133,11 @@ Result<std::string> knowledge_digest(const DataFolders& folders) {
       if (!bytes) return bytes.error();
       listing += fs::relative(file, folders.root).generic_string() + " " + sha256(*bytes) + "\n";
     }
+  }
+  for (const auto& file : folders.overrides) {
+    const auto bytes = read_file(file);
+    if (!bytes) return bytes.error();
+    listing += "override " + file.filename().string() + " " + sha256(*bytes) + "\n";
   }
   return sha256(listing);
 }

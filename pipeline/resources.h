@@ -14,8 +14,9 @@ namespace unietp {
 
 /// Where the facts lie: a checkout, or a copy of its `data/` and `templates/` folders.
 struct DataFolders {
-  std::filesystem::path root;   // holds data/ and templates/library/
-  std::filesystem::path cache;  // compiled knowledge is kept here, named by its digest
+  std::filesystem::path root;                         // holds data/ and templates/library/
+  std::filesystem::path cache;                        // compiled knowledge is kept here, named by its digest
+  std::vector<std::filesystem::path> overrides = {};  // the user's own facts, over data/akb/override.csv
 
   std::filesystem::path tables() const { return root / "data" / "akb"; }
   std::filesystem::path profiles() const { return root / "data" / "simulators"; }
@@ -63,7 +64,8 @@ struct ResourcesReading {
 };
 ResourcesReading load_resources(const DataFolders& folders);
 
-/// SHA-256 over the names and bytes of tables, profiles, layout recipes and templates, in order of path.
+/// SHA-256 over the names and bytes of tables, profiles, layout recipes and templates, in order of path, and of the
+/// override files.
 /// Errors: Io.
 Result<std::string> knowledge_digest(const DataFolders& folders);
 

@@ -79,11 +79,11 @@ const BadTable kBad[] = {
      "alias.csv:2:5: schema error: unknown kind of alias 'functions'; expected one of synonym, function, context; did "
      "you mean 'function'?"},
     {"MissingSource", "relation", "derived:kind", "",
-     "relation.csv:2:28: schema error: missing source; expected metadata:<file>, derived:<rule>, llm:<model> or "
-     "curated"},
+     "relation.csv:2:28: schema error: missing source; expected metadata:<file>, derived:<rule>, llm:<model>, "
+     "override:<file> or curated"},
     {"MalformedSource", "affordance", "metadata:types.json", "metadata: types.json",
      "affordance.csv:3:17: schema error: bad source 'metadata: types.json'; expected metadata:<file>, derived:<rule>, "
-     "llm:<model> or curated"},
+     "llm:<model>, override:<file> or curated"},
     {"ConfidenceZero", "affordance", "types.json,0.9", "types.json,0",
      "affordance.csv:3:37: schema error: bad confidence '0'; expected a number > 0 and <= 1"},
     {"DuplicateKey", "affordance", "apple,sliceable,metadata:types.json,0.9", "apple,pickupable,curated,1",

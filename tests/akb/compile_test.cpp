@@ -1,6 +1,10 @@
+#include <cctype>
+
 #include <gtest/gtest.h>
 
+#include "akb/csv.h"
 #include "core/files.h"
+#include "core/sqlite_file.h"
 #include "core/text.h"
 #include "tests/akb/small_tables.h"
 
@@ -37,6 +41,36 @@ TEST(CompileKnowledge, LoadGivesExactlyWhatTheCommittedTablesSay) {
     for (const auto& table : table_names()) expected += table_csv(tables, table);
     EXPECT_EQ(all_text(*knowledge), expected);
   }
+}
+
+/// A view of the database as the CSV text of a simulator's table.
+std::string view_text(SqliteFile& file, const std::string& table, Simulator simulator) {
+  const auto& columns = columns_of(table);
+  auto statement = file.prepare("SELECT " + join(columns, ",") + " FROM " + table + " WHERE simulator = ?");
+  statement.bind(1, name_of(simulator));
+  std::string text = csv_line(columns);
+  while (statement.step()) {
+    std::vector<std::string> fields;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const auto cell = std::string(statement.text(static_cast<int>(i)));
+      const bool flag = columns[i] == "countable" || columns[i] == "movable";
+      const bool number = std::isdigit(static_cast<unsigned char>(cell[0])) != 0 && cell.find('.') != std::string::npos;
+      fields.push_back(flag ? (cell == "1" ? "true" : "false") : number ? number_text(std::stod(cell)) : cell);
+    }
+    text += csv_line(fields);
+  }
+  return text;
+}
+
+TEST(CompileKnowledge, TheViewsSayWhatTheTablesSay) {
+  const test::TemporaryFolder folder;
+  test::write_small_tables(folder.path() / "t", test::small_tables());
+  ASSERT_TRUE(compile_knowledge(folder.path() / "t", folder.path() / "k.sqlite").empty());
+  SqliteFile file(folder.path() / "k.sqlite", SqliteFile::Mode::Read);
+  const auto k = test::small_knowledge();
+  const Tables tables{k.categories(), k.affordances(), k.placements(), k.effects(), k.aliases(), k.assets()};
+  for (const auto& table : table_names())
+    EXPECT_EQ(view_text(file, table, Simulator::Virtualhome), table_csv(tables, table));
 }
 
 TEST(CompileKnowledge, EqualTablesGiveEqualBytes) {

@@ -79,6 +79,10 @@ TEST(Knowledge, ACopyAndAMoveAnswerLikeTheOriginal) {
   const Knowledge moved = std::move(original);
   EXPECT_EQ(copy.with_affordance("openable"), expected);
   EXPECT_EQ(moved.with_affordance("openable"), expected);
+  const auto& asset = copy.assets().empty() ? nullptr : &copy.assets().front();
+  if (asset != nullptr) {
+    EXPECT_EQ(copy.asset(asset->name), asset);
+  }
   EXPECT_EQ(copy.find("Mug"), &*std::find_if(copy.categories().begin(), copy.categories().end(),
                                              [](const Category& c) { return c.name == "Mug"; }));
 }
@@ -94,6 +98,22 @@ TEST(Knowledge, WhatIsUnknownIsNotFound) {
   EXPECT_TRUE(k.effects_of("zzz", "heats").empty());
   EXPECT_TRUE(k.aliases_of("cup", "nickname").empty());
   EXPECT_TRUE(k.affordances_of("unicorn").empty());
+}
+
+TEST(Knowledge, RowsThatNameNoCategoryAreFoundToo) {
+  const Source curated{"curated", 1};
+  const Knowledge k(Simulator::Ai2thor, {}, {{"cup", "shiny", curated}}, {{"cup", "near", "shelf", 0.5, 1, curated}},
+                    {{"sink", "rinses", "cup", "", 0, {}, curated}}, {{"cup", "beaker", "nickname", curated}},
+                    {{"Cup_1", "cup", Vec3(1, 1, 1), curated}, {"Cup_2", "cup", Vec3(2, 2, 2), curated}});
+  EXPECT_TRUE(k.has("cup", "shiny"));
+  EXPECT_NE(k.placement("cup", "near", "shelf"), nullptr);
+  EXPECT_EQ(k.placements_at("shelf", "near").size(), 1U);
+  EXPECT_NE(k.effect("sink", "rinses", "cup"), nullptr);
+  EXPECT_EQ(k.aliases_of("cup", "nickname").size(), 1U);
+  EXPECT_EQ(k.asset_rows_of("cup").size(), 2U);
+  EXPECT_EQ(k.asset("Cup_2")->size.x(), 2);
+  EXPECT_EQ(k.asset("Cup_3"), nullptr);
+  EXPECT_EQ(k.find("cup"), nullptr);
 }
 
 TEST(Knowledge, OrderOfTheInputDoesNotMatterForAnySeed) {

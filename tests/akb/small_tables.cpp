@@ -66,6 +66,25 @@ void write_small_tables(const std::filesystem::path& tables, const std::map<std:
   }
 }
 
+Knowledge knowledge_of(Simulator simulator, Tables t) {
+  return {simulator,
+          std::move(t.categories),
+          std::move(t.affordances),
+          std::move(t.placements),
+          std::move(t.effects),
+          std::move(t.aliases),
+          std::move(t.assets)};
+}
+
+Knowledge small_knowledge() {
+  const TemporaryFolder folder;
+  write_small_tables(folder.path(), small_tables());
+  std::vector<Error> errors;
+  auto tables = read_tables(folder.path() / "ai2thor", errors);
+  for (const auto& error : errors) ADD_FAILURE() << format(error);
+  return knowledge_of(Simulator::Ai2thor, std::move(tables));
+}
+
 std::filesystem::path committed_tables() { return std::filesystem::path(UNIETP_SOURCE_DIR) / "data" / "akb"; }
 
 Tables committed(Simulator simulator) {

@@ -11,6 +11,8 @@ namespace unietp::fuzz {
 bool csv_body(std::string_view text);
 /// The five tables of one simulator, one after the other, with a line `====` between them.
 bool tables_body(std::string_view text);
+/// An override file over small tables.
+bool override_body(std::string_view text);
 bool gzip_body(std::string_view text);
 /// What a language model's server answers when it is asked for facts.
 bool completion_body(std::string_view text);

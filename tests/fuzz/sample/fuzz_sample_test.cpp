@@ -21,6 +21,7 @@ struct Parser {
 void PrintTo(const Parser& parser, std::ostream* out) { *out << parser.name; }
 constexpr Parser kParsers[] = {{"csv", fuzz::csv_body},
                                {"tables", fuzz::tables_body},
+                               {"override", fuzz::override_body},
                                {"gzip", fuzz::gzip_body},
                                {"completion", fuzz::completion_body},
                                {"metadata", fuzz::metadata_body},
