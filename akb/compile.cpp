@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <system_error>
 
 #include "akb/completed.h"
@@ -13,27 +14,60 @@ Error io_error(const std::filesystem::path& path, std::string message) {
   return {Error::Kind::Io, path.string(), {}, std::move(message)};
 }
 
+std::vector<Tables> read_own(const std::filesystem::path& folder, std::vector<Error>& errors) {
+  std::vector<Tables> all;
+  for (const auto simulator : kSimulators) all.push_back(read_tables(folder / std::string(name_of(simulator)), errors));
+  return all;
+}
+
+void lay_overrides(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& overrides,
+                   std::vector<Tables>& all, std::vector<Error>& errors) {
+  for (const auto& file : override_files(folder, overrides)) {
+    const auto text = read_file(file);
+    if (!text) {
+      errors.push_back(text.error());
+      continue;
+    }
+    apply_overrides(file.string(), read_overrides(file.string(), *text, errors), all, errors);
+  }
+}
+
+void sort_all(std::vector<Tables>& all) {
+  for (auto& tables : all) sort_tables(tables);
+}
+
+bool any_completed(const std::filesystem::path& folder) {
+  return std::any_of(kSimulators.begin(), kSimulators.end(),
+                     [&](Simulator simulator) { return !completed_files(folder, simulator).empty(); });
+}
+
+/// What overrides tell counts as told, so completed facts yield to it; a fault of an override is reported where they
+/// are laid over the whole.
+void lay_all_completed(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& overrides,
+                       std::vector<Tables>& all, std::vector<Error>& errors) {
+  auto told = all;
+  std::vector<Error> later;
+  lay_overrides(folder, overrides, told, later);
+  for (std::size_t i = 0; i < all.size(); ++i) lay_completed(folder, kSimulators[i], told_by(told[i]), all[i], errors);
+}
+
 }  // namespace
 
 std::vector<Tables> read_all_tables(const std::filesystem::path& folder,
                                     const std::vector<std::filesystem::path>& overrides, std::vector<Error>& errors) {
-  std::vector<Tables> all;
-  for (const auto simulator : kSimulators) {
-    all.push_back(read_tables(folder / std::string(name_of(simulator)), errors));
-    lay_completed(folder, simulator, all.back(), errors);
-  }
+  auto all = read_own(folder, errors);
   // A row that is left out for a fault of its own would make an override that names it look wrong too.
-  if (errors.empty()) {
-    for (const auto& file : override_files(folder, overrides)) {
-      const auto text = read_file(file);
-      if (!text) {
-        errors.push_back(text.error());
-        continue;
-      }
-      apply_overrides(file.string(), read_overrides(file.string(), *text, errors), all, errors);
-    }
-  }
-  for (auto& tables : all) sort_tables(tables);
+  if (errors.empty() && any_completed(folder)) lay_all_completed(folder, overrides, all, errors);
+  if (errors.empty()) lay_overrides(folder, overrides, all, errors);
+  sort_all(all);
+  return all;
+}
+
+std::vector<Tables> read_told_tables(const std::filesystem::path& folder,
+                                     const std::vector<std::filesystem::path>& overrides, std::vector<Error>& errors) {
+  auto all = read_own(folder, errors);
+  if (errors.empty()) lay_overrides(folder, overrides, all, errors);
+  sort_all(all);
   return all;
 }
 

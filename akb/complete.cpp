@@ -54,7 +54,7 @@ std::size_t count_of(const CompletedFacts& facts) {
 /// Facts that a laying adds to the tables, or fills in.
 int count_used(const CompletedFacts& facts, const Tables& tables) {
   Tables laid = tables;
-  lay_under(facts, laid);
+  lay_under(facts, told_by(tables), laid);
   int used = static_cast<int>(laid.affordances.size() - tables.affordances.size() + laid.placements.size() -
                               tables.placements.size() + laid.aliases.size() - tables.aliases.size());
   const auto from_model = [](const Source& source) { return source.source.starts_with("llm:") ? 1 : 0; };
@@ -69,11 +69,11 @@ CompletionPlan plan_completion(const std::filesystem::path& tables, const LlmEnd
                                const CompletionOptions& options, LlmCache* cache, std::vector<Error>& errors) {
   CompletionPlan plan;
   int left = options.limit.value_or(0);
+  const auto told_tables = read_told_tables(tables, options.overrides, errors);
   for (const auto simulator : options.simulators) {
     CompletionPlan::Base base;
     base.simulator = simulator;
-    base.tables = read_tables(tables / std::string(name_of(simulator)), errors);
-    sort_tables(base.tables);
+    base.tables = told_tables[static_cast<std::size_t>(simulator)];
     base.completed = read_completed(completed_folder(tables, simulator), base.tables, errors);
     const auto told = told_by(base.completed);
     const int size = options.limit ? std::min(options.batch, std::max(1, *options.limit)) : options.batch;

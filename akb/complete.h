@@ -16,7 +16,8 @@ namespace unietp {
 struct CompletionOptions {
   std::vector<Simulator> simulators;
   std::vector<FactKind> facts;
-  int batch = 8;             // categories a request, >= 1
+  std::vector<std::filesystem::path> overrides;  // the user's own, which tell facts too
+  int batch = 8;                                 // categories a request, >= 1
   std::optional<int> limit;  // categories to ask of the endpoint; those that the cache can answer do not count
   double confidence = kLeastConfidence;
   std::filesystem::path wordnet = "/usr/share/wordnet";  // synsets are not looked up when it is not there

@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "akb/name_table.h"
 #include "akb/row_reader.h"
 #include "core/files.h"
 #include "core/text.h"
@@ -119,8 +120,9 @@ std::vector<std::filesystem::path> completed_files(const std::filesystem::path& 
 }
 
 CompletedFacts read_completed(const std::filesystem::path& folder, const Tables& known, std::vector<Error>& errors) {
-  std::vector<std::string> names;
-  for (const auto& c : known.categories) names.push_back(c.name);
+  std::vector<std::string> all_names;
+  for (const auto& c : known.categories) all_names.push_back(c.name);
+  const NameTable names(std::move(all_names));
   CompletedFacts facts;
   const auto with_rows = [&](const char* file, const auto& read) {
     const auto path = folder / (std::string(file) + ".csv");

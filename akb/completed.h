@@ -69,15 +69,15 @@ CompletedFacts read_completed(const std::filesystem::path& folder, const Tables&
 /// equal bytes. Errors: Io.
 Result<Done> write_completed(const std::filesystem::path& folder, CompletedFacts facts);
 
-/// Lays completed facts under the tables: each counts only where the tables tell nothing of its kind about its
-/// category, whoever came first. Left out besides: synonyms that name something else too, places in which a thing does
-/// not fit or that do not hold things. Places are made to sum to one.
-void lay_under(const CompletedFacts& facts, Tables& tables);
+/// Lays completed facts under the tables: each counts only where nothing of its kind is told about its category, whoever
+/// came first. Left out besides: synonyms that name something else too, places in which a thing does not fit or that do
+/// not hold things. Places are made to sum to one.
+void lay_under(const CompletedFacts& facts, const ToldFacts& told, Tables& tables);
 
 /// What a compilation does with the completed facts of a simulator: reads and lays them under its tables, but for those
-/// that removed_file takes back. Errors are appended, as read_tables does.
-void lay_completed(const std::filesystem::path& tables_folder, Simulator simulator, Tables& tables,
-                   std::vector<Error>& errors);
+/// that removed_file takes back. `told` also knows what overrides tell. Errors are appended, as read_tables does.
+void lay_completed(const std::filesystem::path& tables_folder, Simulator simulator, const ToldFacts& told,
+                   Tables& tables, std::vector<Error>& errors);
 
 /// True when the relation (on, inside) can hold between the two by their bodies and affordances.
 bool can_be_kept(const Category& object, std::string_view relation, const Category& receptacle,

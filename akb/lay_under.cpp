@@ -98,11 +98,12 @@ void drop_removed(const std::filesystem::path& path, CompletedFacts& facts, std:
 
 }  // namespace
 
-void lay_completed(const std::filesystem::path& tables_folder, Simulator simulator, Tables& tables,
-                   std::vector<Error>& errors) {
+void lay_completed(const std::filesystem::path& tables_folder, Simulator simulator, const ToldFacts& told,
+                   Tables& tables, std::vector<Error>& errors) {
+  if (completed_files(tables_folder, simulator).empty()) return;
   auto facts = read_completed(completed_folder(tables_folder, simulator), tables, errors);
   drop_removed(removed_file(tables_folder, simulator), facts, errors);
-  lay_under(facts, tables);
+  lay_under(facts, told, tables);
 }
 
 bool can_be_kept(const Category& object, std::string_view relation, const Category& receptacle,
@@ -115,8 +116,7 @@ bool can_be_kept(const Category& object, std::string_view relation, const Catego
   return capacity_of(object, relation, receptacle) > 0;
 }
 
-void lay_under(const CompletedFacts& facts, Tables& tables) {
-  const auto told = told_by(tables);
+void lay_under(const CompletedFacts& facts, const ToldFacts& told, Tables& tables) {
   const auto categories = by_name(tables);
   const auto lacking = [&](FactKind kind, const std::string& category) -> Category* {
     const auto at = categories.find(category);

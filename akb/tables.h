@@ -36,11 +36,15 @@ bool well_formed_source(std::string_view source);
 /// line and column). Rows with a problem are left out. Lists are joined by `|` in their cell.
 Tables read_tables(const std::filesystem::path& folder, std::vector<Error>& errors);
 
-/// The tables of the four simulators in `<folder>/<simulator>/`, in the order of kSimulators and sorted, with
-/// `<folder>/override.csv` (where there is one) and then each of `overrides` laid over them. Errors: as above, and
+/// The tables of the four simulators in `<folder>/<simulator>/`, in the order of kSimulators and sorted, with completed
+/// facts (completed.h) laid under them, and `<folder>/override.csv` (where there is one) and then each of `overrides`
+/// over them. Errors: as above, and
 /// those of read_overrides and apply_overrides; overrides are looked at only when the tables are sound.
 std::vector<Tables> read_all_tables(const std::filesystem::path& folder,
                                     const std::vector<std::filesystem::path>& overrides, std::vector<Error>& errors);
+/// The same without completed facts: what other sources than language models tell.
+std::vector<Tables> read_told_tables(const std::filesystem::path& folder,
+                                     const std::vector<std::filesystem::path>& overrides, std::vector<Error>& errors);
 
 /// Sorts each table by its key, the order in which files and queries give them.
 void sort_tables(Tables& tables);

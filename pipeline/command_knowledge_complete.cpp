@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -6,6 +5,7 @@
 
 #include "akb/complete.h"
 #include "core/text.h"
+#include "pipeline/command_knowledge.h"
 #include "pipeline/commands.h"
 #include "pipeline/configuration.h"
 #include "pipeline/progress_line.h"
@@ -37,8 +37,6 @@ struct Options {
   LlmPrice price;
   bool dry_run = false, json = false;
 };
-
-void line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
 Result<std::vector<FactKind>> parse_facts(const std::string& text) {
   std::vector<std::string> names;
@@ -83,22 +81,23 @@ std::map<std::string, Reason> reasons_of(const std::vector<RejectedFact>& reject
 
 void tell(const CompletionPlan& plan, const CompletionReport& report, const Options& options) {
   const auto& totals = report.totals;
-  line("lacking    " + counts_text(plan.lacking));
-  line("told before by a language model: " + counts_text(plan.completed));
-  line("requests   " + std::to_string(totals.asked) + " asked, " + std::to_string(totals.cached) + " from the cache, " +
-       std::to_string(totals.failed) + " without an answer");
-  for (const auto& [reason, count] : report.failures) line("  " + std::to_string(count) + "  " + reason);
-  line("accepted   " + counts_text(report.accepted));
-  line("rejected   " + std::to_string(report.rejected.size()));
+  print_line("lacking    " + counts_text(plan.lacking));
+  print_line("told before by a language model: " + counts_text(plan.completed));
+  print_line("requests   " + std::to_string(totals.asked) + " asked, " + std::to_string(totals.cached) +
+             " from the cache, " + std::to_string(totals.failed) + " without an answer");
+  for (const auto& [reason, count] : report.failures) print_line("  " + std::to_string(count) + "  " + reason);
+  print_line("accepted   " + counts_text(report.accepted));
+  print_line("rejected   " + std::to_string(report.rejected.size()));
   for (const auto& [reason, told] : reasons_of(report.rejected))
-    line("  " + std::to_string(told.count) + "  " + reason + (told.example.empty() ? "" : ": " + told.example));
+    print_line("  " + std::to_string(told.count) + "  " + reason + (told.example.empty() ? "" : ": " + told.example));
   if (report.unused > 0)
-    line("unused     " + std::to_string(report.unused) +
-         " completed facts that another source tells, or that name two things");
-  line("tokens     " + std::to_string(totals.prompt_tokens) + " in, " + std::to_string(totals.completion_tokens) +
-       " out" +
-       (options.price.prompt + options.price.completion > 0 ? ", cost " + number_text(cost_of(totals, options.price))
-                                                            : ""));
+    print_line("unused     " + std::to_string(report.unused) +
+               " completed facts that another source tells, or that name two things");
+  print_line("tokens     " + std::to_string(totals.prompt_tokens) + " in, " + std::to_string(totals.completion_tokens) +
+             " out" +
+             (options.price.prompt + options.price.completion > 0
+                  ? ", cost " + number_text(cost_of(totals, options.price))
+                  : ""));
 }
 
 Json json_of(const CompletionPlan& plan, const CompletionReport& report, const Options& options) {
@@ -135,6 +134,7 @@ Exit complete(const Options& options, const CommandLine& program) {
   CompletionOptions completion;
   completion.simulators = *simulators;
   completion.facts = *facts;
+  completion.overrides = program.folders.overrides;
   completion.batch = options.batch;
   if (options.limit > 0) completion.limit = options.limit;
   completion.ask = options.ask;
@@ -146,8 +146,8 @@ Exit complete(const Options& options, const CommandLine& program) {
   auto plan = plan_completion(program.folders.tables(), endpoint, completion, &*cache, errors);
   if (!errors.empty()) return refuse(errors);
   if (options.dry_run) {
-    for (const auto& request : plan.requests) line(shown(request));
-    line(std::to_string(plan.requests.size()) + " requests; nothing was sent");
+    for (const auto& request : plan.requests) print_line(shown(request));
+    print_line(std::to_string(plan.requests.size()) + " requests; nothing was sent");
     return Exit::Ok;
   }
   ProgressLine progress(program.terminal && !options.json);
@@ -160,7 +160,7 @@ Exit complete(const Options& options, const CommandLine& program) {
   if (!report) return refuse(report.error());
   if (cache->trouble()) (void)refuse(*cache->trouble());
   if (options.json) {
-    line(json_of(plan, *report, options).dump(2));
+    print_line(json_of(plan, *report, options).dump(2));
   } else {
     tell(plan, *report, options);
   }

@@ -65,6 +65,8 @@ void show_category(const Knowledge& knowledge, const Category& category) {
              (category.synset.empty() ? "" : ", " + category.synset) + " " + told(category.source));
   print_line(std::string("  ") + (category.movable ? "movable" : "furniture") + ", built as " +
              std::string(name_of(category.archetype)));
+  if (!category.synset.empty() && category.synset_source != category.source)
+    print_line("  synset " + category.synset + " " + told(category.synset_source));
   print_line("  size " + size_text(category.size) + " m " + told(category.size_source));
   print_line("  mass " + number_text(category.mass) + " kg " + told(category.mass_source));
   print_line("  rooms " + join(category.rooms, ", "));

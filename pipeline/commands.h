@@ -31,8 +31,6 @@ void add_generate_command(CLI::App& app, CommandLine& program);
 void add_validate_command(CLI::App& app, CommandLine& program);
 void add_render_command(CLI::App& app, CommandLine& program);
 void add_knowledge_command(CLI::App& app, CommandLine& program);
-/// Under `knowledge`.
-void add_knowledge_complete_command(CLI::App& knowledge, CommandLine& program);
 void add_template_command(CLI::App& app, CommandLine& program);
 void add_goal_command(CLI::App& app, CommandLine& program);
 void add_scene_command(CLI::App& app, CommandLine& program);

@@ -176,6 +176,27 @@ TEST(Complete, WhatWasTakenBackByHandStaysAway) {
   EXPECT_THAT(home.compiled().placements_of("half_apple", "inside"), IsEmpty());
 }
 
+TEST(Complete, AnOverrideWinsOverCompletedFacts) {
+  ChatServer server(answer_all);
+  const Home home;
+  (void)home.run(endpoint_of(server), options_for(every_kind()));
+  ASSERT_TRUE(home.compiled().has("knife", "dirtyable"));
+  ASSERT_TRUE(home.compiled().has("plate", "dirtyable"));
+  ASSERT_TRUE(write_file(home.tables() / "override.csv",
+                         "simulator,category,fact,value,reason\n"
+                         "behavior,knife,dirtyable,false,it is always clean\n"
+                         "behavior,plate,breakable,true,ceramic\n"
+                         "behavior,half_apple,inside:fridge:capacity,2,refines a completed fact\n"));
+  const auto knowledge = home.compiled();
+  EXPECT_FALSE(knowledge.has("knife", "dirtyable"));
+  EXPECT_THAT(knowledge.affordances_of("plate"), ElementsAre("breakable"));  // told by hand, so not by a model
+  EXPECT_EQ(knowledge.placement("half_apple", "inside", "fridge")->capacity, 2);
+  std::vector<Error> errors;
+  auto options = options_for({FactKind::Affordances});
+  const auto plan = plan_completion(home.tables(), endpoint_of(server), options, nullptr, errors);
+  EXPECT_EQ(plan.lacking.at(FactKind::Affordances), 2);  // half apple and knife
+}
+
 TEST(Complete, ASecondRunAsksNothingAndChangesNoByte) {
   ChatServer server(answer_all);
   const Home home;
