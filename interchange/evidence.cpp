@@ -5,6 +5,7 @@
 
 #include "interchange/boxes.h"
 #include "interchange/draft.h"
+#include "interchange/holders.h"
 #include "simulation/shape.h"
 
 namespace unietp {
@@ -14,12 +15,11 @@ constexpr double kSameLevel_m = 0.012;  // bottoms that differ by less stand on 
 constexpr double kTouching_m = 0.001;   // boxes that overlap by less only touch
 constexpr double kSupported_m = 0.002;
 constexpr double kBoard_m = 0.02;
-constexpr double kRise_m =
-    0.03;                        // a whole surface is raised by this at most; else only what stands higher gets a board
-constexpr double kPad_m = 0.01;  // such a board reaches this far around what stands on it
+constexpr double kRise_m = 0.03;   // a surface is raised by this at most; what stands higher gets a board of its own
+constexpr double kPad_m = 0.01;    // such a board reaches this far around what stands on it
 constexpr double kEdge_m = 0.011;  // surfaces end this far from the edge of their solid
 constexpr double kInner_m = 0.25;  // a shelf is moved by this at most
-constexpr double kNear_m = 0.02;   // without a word in the file: what reaches this near stands there
+constexpr double kThickPanel_m = 0.4;
 constexpr std::size_t kMostBoards = 400;
 
 /// A child as its holder's frame sees it.
@@ -30,90 +30,23 @@ struct Standing {
 
 class Evidence {
  public:
-  explicit Evidence(Draft& draft) : draft_(draft), nodes_(draft.scene.nodes) {
-    for (const Node& node : nodes_) boxes_.push_back(box_of(node));
-    find_holders();
-  }
+  explicit Evidence(Draft& draft)
+      : nodes_(draft.scene.nodes), boxes_(boxes_of(draft.scene.nodes)), holders_(draft, boxes_) {}
 
   void follow() {
     std::vector<std::size_t> order(nodes_.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return above_[a].size() < above_[b].size(); });
+                     [&](std::size_t a, std::size_t b) { return holders_.above(a).size() < holders_.above(b).size(); });
     for (const std::size_t i : order) fit(i);
   }
 
  private:
-  // Who stands on what.
-
-  void find_holders() {
-    holders_.resize(nodes_.size());
-    std::vector<bool> told(nodes_.size(), false);
-    for (const DraftRelation& relation : draft_.relations) {
-      if (!relation.node) continue;
-      const bool on_floor = !relation.held && boxes_[*relation.node].low.z() < kOnFloor_m;
-      if (relation.held || on_floor) told[*relation.node] = true;
-      if (relation.held) holders_[*relation.node].push_back(*relation.held);
-    }
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      auto& holders = holders_[i];
-      std::stable_sort(holders.begin(), holders.end(), [&](std::size_t a, std::size_t b) { return smaller(a, b); });
-      if (!told[i] && nodes_[i].movable) {
-        if (const auto holder = holder_by_place(i)) holders.push_back(*holder);
-      }
-    }
-    children_.resize(nodes_.size());
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      for (const std::size_t holder : holders_[i]) children_[holder].push_back(i);
-    }
-    for (std::size_t i = 0; i < nodes_.size(); ++i) above_.push_back(all_above(i));
+  static std::vector<Bounds> boxes_of(const std::vector<Node>& nodes) {
+    std::vector<Bounds> boxes;
+    for (const Node& node : nodes) boxes.push_back(box_of(node));
+    return boxes;
   }
-
-  /// The smallest thing that this could stand on or in, when the file does not say.
-  std::optional<std::size_t> holder_by_place(std::size_t i) const {
-    const Vec3 bottom((boxes_[i].low.x() + boxes_[i].high.x()) / 2, (boxes_[i].low.y() + boxes_[i].high.y()) / 2,
-                      boxes_[i].low.z());
-    if (bottom.z() < kNear_m) return std::nullopt;
-    std::optional<std::size_t> best;
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      const Archetype kind = nodes_[k].archetype;
-      if (k == i || kind == Archetype::Panel || kind == Archetype::Fixture || !smaller(i, k)) continue;
-      const Bounds reach = grown(boxes_[k], 0, kNear_m);
-      if ((bottom - reach.low).minCoeff() < 0 || (reach.high - bottom).minCoeff() < 0) continue;
-      if (!best || smaller(k, *best)) best = k;
-    }
-    return best;
-  }
-
-  /// Everything that holds i, directly or through others, sorted.
-  std::vector<std::size_t> all_above(std::size_t i) const {
-    std::vector<bool> seen(nodes_.size(), false);
-    std::vector<std::size_t> open{i}, all;
-    seen[i] = true;
-    while (!open.empty()) {
-      const std::size_t at = open.back();
-      open.pop_back();
-      for (const std::size_t holder : holders_[at]) {
-        if (seen[holder]) continue;
-        seen[holder] = true;
-        open.push_back(holder);
-        all.push_back(holder);
-      }
-    }
-    std::sort(all.begin(), all.end());
-    return all;
-  }
-
-  bool held_by(std::size_t i, std::size_t holder) const {
-    return std::binary_search(above_[i].begin(), above_[i].end(), holder);
-  }
-
-  bool smaller(std::size_t a, std::size_t b) const {
-    const double x = volume_of(boxes_[a]), y = volume_of(boxes_[b]);
-    return x != y ? x < y : a < b;
-  }
-
-  // Frames.
 
   Bounds seen_from(std::size_t f, std::size_t i) const {
     const Node& node = nodes_[i];
@@ -126,8 +59,8 @@ class Evidence {
     boxes_[i].low.z() -= by;
     boxes_[i].high.z() -= by;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      const bool stands_on_i = !holders_[k].empty() && holders_[k].front() == i;
-      if (nodes_[k].movable && stands_on_i && above_[k].size() > above_[i].size()) lower(k, by);
+      const bool stands_on_i = !holders_.of(k).empty() && holders_.of(k).front() == i;
+      if (nodes_[k].movable && stands_on_i && holders_.above(k).size() > holders_.above(i).size()) lower(k, by);
     }
   }
 
@@ -138,21 +71,30 @@ class Evidence {
     const Shape shape = shapes(node);
     std::vector<Board> boards;
     for (const Part& part : shape.parts) boards.push_back({part.pose.position, part.size, part.joint});
-    bool changed = false;
-    if (!node.movable) changed = give_way_to_furniture(f, boards);
+    // A panel that is thick is a thin one in a box that goes around something else: it hangs at the back.
+    bool changed = node.archetype == Archetype::Panel && node.size.y() > kThickPanel_m;
+    if (changed) boards = {back_of(node)};
+    if (!node.movable) changed = give_way_to_furniture(f, boards) || changed;
     changed = fit_levels(f, shape, boards) || changed;
     std::vector<Board> pads = pads_for(f, boards);
     changed = changed || !pads.empty();
     boards.insert(boards.end(), pads.begin(), pads.end());
     changed = give_way_to_loose(f, boards) || changed;
-    if (changed && !boards.empty() && boards.size() <= kMostBoards) nodes_[f].boards = std::move(boards);
+    if (!changed) return;
+    if (boards.empty() || boards.size() > kMostBoards) boards = {back_of(node)};
+    nodes_[f].boards = std::move(boards);
+  }
+
+  static Board back_of(const Node& node) {
+    const Vec3 half = node.size / 2;
+    return board_between({-half.x(), half.y() - std::min(kBoard_m, half.y()), -half.z()}, half);
   }
 
   /// Of two pieces of furniture that overlap the larger one gives way.
   bool give_way_to_furniture(std::size_t f, std::vector<Board>& boards) const {
     bool any = false;
     for (std::size_t g = 0; g < nodes_.size() && boards.size() <= kMostBoards; ++g) {
-      if (g == f || nodes_[g].movable || !overlap(boxes_[g], boxes_[f]) || !smaller(g, f)) continue;
+      if (g == f || nodes_[g].movable || !overlap(boxes_[g], boxes_[f]) || !holders_.smaller(g, f)) continue;
       for (const Bounds& hole : hulls(f, g)) any = cut(boards, grown(hole, -kTouching_m, -kTouching_m)) || any;
     }
     return any;
@@ -174,8 +116,8 @@ class Evidence {
   /// Moves f's surfaces to the heights at which most things stand on them, and those things down onto them.
   bool fit_levels(std::size_t f, const Shape& shape, std::vector<Board>& boards) {
     std::vector<Standing> standing;
-    for (const std::size_t child : children_[f]) {
-      if (nodes_[child].movable && holders_[child].front() == f) standing.push_back({child, seen_from(f, child)});
+    for (const std::size_t child : holders_.children(f)) {
+      if (nodes_[child].movable && holders_.of(child).front() == f) standing.push_back({child, seen_from(f, child)});
     }
     std::stable_sort(standing.begin(), standing.end(),
                      [](const Standing& a, const Standing& b) { return a.box.low.z() < b.box.low.z(); });
@@ -260,7 +202,7 @@ class Evidence {
   /// Boards under what stands where f has no solid.
   std::vector<Board> pads_for(std::size_t f, const std::vector<Board>& boards) const {
     std::vector<Board> pads;
-    for (const std::size_t child : children_[f]) {
+    for (const std::size_t child : holders_.children(f)) {
       if (!nodes_[child].movable) continue;
       const Bounds box = seen_from(f, child);
       const double z = box.low.z(), bottom = lowest_board(f, z);
@@ -299,7 +241,8 @@ class Evidence {
     const Bounds around = grown(boxes_[f], 0.05, 0.05);
     for (std::size_t m = 0; m < nodes_.size() && boards.size() <= kMostBoards; ++m) {
       if (m == f || !nodes_[m].movable || !overlap(boxes_[m], around)) continue;
-      if (nodes_[f].movable && (held_by(f, m) || (!held_by(m, f) && smaller(f, m)))) continue;
+      if (nodes_[f].movable && (holders_.held_by(f, m) || (!holders_.held_by(m, f) && holders_.smaller(f, m))))
+        continue;
       Bounds hole = seen_from(f, m);
       hole.low.z() += kTouching_m / 2;
       any = cut(boards, hole) || any;
@@ -307,12 +250,9 @@ class Evidence {
     return any;
   }
 
-  Draft& draft_;
   std::vector<Node>& nodes_;
-  std::vector<Bounds> boxes_;                       // W, as the joints stand
-  std::vector<std::vector<std::size_t>> holders_;   // of each node, the smallest first
-  std::vector<std::vector<std::size_t>> children_;  // the other way round
-  std::vector<std::vector<std::size_t>> above_;     // all that holds a node, directly or not, sorted
+  std::vector<Bounds> boxes_;  // W, as the joints stand
+  Holders holders_;
 };
 
 }  // namespace

@@ -19,6 +19,10 @@ bool completion_body(std::string_view text);
 /// A simulator's own JSON file.
 bool metadata_body(std::string_view text);
 
+// AI2-THOR's own rooms and houses.
+bool ithor_body(std::string_view text);
+bool procthor_body(std::string_view text);
+
 bool scene_body(std::string_view text);
 bool delta_body(std::string_view text);
 bool action_body(std::string_view text);

@@ -48,7 +48,7 @@ std::vector<Imported> import_all(const std::vector<SourceScene>& scenes, std::si
     const SourceScene& source = scenes[i];
     const auto imported = assemble(source, knowledge_of(source.simulator), profile_of(source.simulator));
     if (!imported) throw std::runtime_error(format(imported.error()));
-    all.push_back({source.id, imported->report});
+    all.push_back({source.id, imported->report, restless(imported->scene).size()});
   }
   return all;
 }
@@ -60,8 +60,10 @@ double loose_share(const ImportReport& report) { return share(report.loose_held,
 std::string table_row(const std::string& format, const std::vector<Imported>& all) {
   ImportReport sum;
   std::map<std::string, int> reasons;
+  std::size_t not_at_rest = 0;
   double worst_arrived = 1, worst_stayed = 1, worst_held = 1, worst_loose = 1;
-  for (const auto& [scene, r] : all) {
+  for (const auto& [scene, r, restless_count] : all) {
+    not_at_rest += restless_count;
     sum.objects += r.objects, sum.known += r.known, sum.arrived += r.arrived, sum.stayed += r.stayed;
     sum.relations += r.relations, sum.relations_held += r.relations_held;
     sum.loose += r.loose, sum.loose_held += r.loose_held;
@@ -80,6 +82,7 @@ std::string table_row(const std::string& format, const std::vector<Imported>& al
       100 * share(sum.relations_held, sum.relations), 100 * worst_held, 100 * share(sum.loose_held, sum.loose),
       100 * worst_loose);
   std::string row = text;
+  row += " not at rest " + std::to_string(not_at_rest);
   for (const auto& [reason, count] : reasons) row += " " + reason + " " + std::to_string(count);
   return row;
 }
@@ -88,14 +91,14 @@ std::vector<std::string> restless(const Scene& scene) {
   const PhysicsWorld world = physics_of(scene);
   SettleOptions two_seconds;
   two_seconds.max_steps = two_seconds.calm_steps = 480;
-  std::vector<std::string> moved;
+  std::vector<BodyId> loose;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (!scene.nodes[i].movable) continue;
-    const BodyId loose[] = {static_cast<BodyId>(i)};
-    const auto settled = world.settle(loose, two_seconds);
-    if ((settled.bodies.front().pose.position - scene.nodes[i].pose.position).norm() > 0.005) {
-      moved.push_back(scene.nodes[i].id);
-    }
+    if (scene.nodes[i].movable) loose.push_back(static_cast<BodyId>(i));
+  }
+  std::vector<std::string> moved;
+  for (const SettledBody& settled : world.settle(loose, two_seconds).bodies) {
+    const Node& node = scene.nodes[settled.body];
+    if ((settled.pose.position - node.pose.position).norm() > 0.005) moved.push_back(node.id);
   }
   return moved;
 }

@@ -23,6 +23,7 @@ const Profile& profile_of(Simulator simulator);
 struct Imported {
   std::string scene;
   ImportReport report;
+  std::size_t restless = 0;  // number of objects that are not at rest
 };
 
 /// Assembles every `stride`-th scene, beginning with the first.
@@ -36,7 +37,7 @@ double arrived_share(const ImportReport& report);
 double held_share(const ImportReport& report);
 double loose_share(const ImportReport& report);
 
-/// Objects of a scene that move by more than 5 mm in two seconds of physics, each let go alone.
+/// Objects of a scene that move by more than 5 mm in two seconds of physics.
 std::vector<std::string> restless(const Scene& scene);
 
 }  // namespace unietp::testing

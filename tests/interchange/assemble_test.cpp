@@ -1,0 +1,141 @@
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "import_rates.h"
+#include "interchange/formats.h"
+#include "interchange/import_scene.h"
+#include "simulation/relations.h"
+
+namespace unietp::testing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::IsSubsetOf;
+
+SourceObject thing(const std::string& id, const std::string& category, const Vec3& centre, const Vec3& size,
+                   const std::string& holder = "") {
+  SourceObject object;
+  object.id = id;
+  object.category = category;
+  object.pose.position = centre;
+  object.size = size;
+  if (!holder.empty()) object.held_by.push_back({SourceRelation::Kind::OnOrInside, holder});
+  return object;
+}
+
+/// A kitchen of 4 x 4 m: a counter whose box is 20 cm higher than what stands on it, with a sink sunk into it.
+SourceScene kitchen() {
+  SourceScene scene;
+  scene.id = "kitchen";
+  scene.rooms.push_back({"kitchen_1", "kitchen", {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}});
+  scene.objects.push_back(thing("counter", "CounterTop", {0, 1.6, 0.55}, {3, 0.6, 1.1}));
+  scene.objects.push_back(thing("sink", "Sink", {0.8, 1.6, 0.8}, {0.6, 0.5, 0.2}));
+  scene.objects.push_back(thing("mug", "Mug", {-0.8, 1.6, 0.95}, {0.1, 0.1, 0.1}, "counter"));
+  scene.objects.push_back(thing("apple", "Apple", {-0.4, 1.6, 0.945}, {0.08, 0.08, 0.08}, "counter"));
+  scene.objects.push_back(thing("cup", "Cup", {0.8, 1.6, 0.82}, {0.08, 0.08, 0.1}, "sink"));
+  return scene;
+}
+
+Result<ImportedScene> imported(const SourceScene& scene, const ImportOptions& options = {}) {
+  return assemble(scene, knowledge_of(Simulator::Ai2thor), profile_of(Simulator::Ai2thor), options);
+}
+
+std::vector<std::string> reasons_of(const ImportReport& report) {
+  std::vector<std::string> reasons;
+  for (const ImportIssue& issue : report.issues) reasons.push_back(issue.reason);
+  return reasons;
+}
+
+TEST(Assemble, FurnitureFollowsWhatTheFileShowsToStandOnIt) {
+  const auto home = imported(kitchen());
+  ASSERT_TRUE(home) << format(home.error());
+  EXPECT_EQ(home->report.known, 5);
+  EXPECT_EQ(home->report.arrived, 5);
+  EXPECT_EQ(home->report.stayed, 5);
+  EXPECT_EQ(home->report.relations, 3);
+  EXPECT_EQ(home->report.relations_held, 3);
+  EXPECT_TRUE(has_edge(home->scene, Predicate::On, "mug_1", "counter_top_1"));
+  EXPECT_THAT(restless(home->scene), IsEmpty());
+  EXPECT_TRUE(find_node(home->scene, "mug_1")->boards.empty());
+  EXPECT_FALSE(find_node(home->scene, "counter_top_1")->boards.empty());
+}
+
+TEST(Assemble, IsDeterministic) {
+  const auto one = imported(kitchen()), two = imported(kitchen());
+  ASSERT_TRUE(one && two);
+  EXPECT_EQ(one->scene, two->scene);
+}
+
+TEST(Assemble, WithoutRoomsOneIsDrawnAndTheAgentStandsOnFreeFloor) {
+  SourceScene scene = kitchen();
+  scene.rooms.clear();
+  scene.objects.push_back(thing("table", "DiningTable", {0, -1, 0.4}, {1, 0.8, 0.8}));
+  const auto home = imported(scene);
+  ASSERT_TRUE(home) << format(home.error());
+  ASSERT_EQ(home->scene.rooms.size(), 1u);
+  EXPECT_TRUE(contains(home->scene.rooms[0].polygon, home->scene.agent.position));
+}
+
+TEST(Assemble, RoomsWithoutDoorsAreJoinedWhereTheyShareAWall) {
+  SourceScene scene = kitchen();
+  scene.rooms.push_back({"bedroom_1", "bedroom", {{2.1, -2}, {5, -2}, {5, 2}, {2.1, 2}}});
+  scene.rooms.push_back({"shed_1", "shed", {{9, -2}, {12, -2}, {12, 2}, {9, 2}}});
+  const auto home = imported(scene);
+  ASSERT_TRUE(home) << format(home.error());
+  EXPECT_EQ(home->scene.openings.size(), 2u) << "the wall has two sides";
+  ASSERT_THAT(reasons_of(home->report), Contains("cut-off"));
+  EXPECT_EQ(home->report.issues.front().object, "shed_1");
+}
+
+TEST(Assemble, WhatCannotBePlacedIsListedByAReasonOfTheClosedList) {
+  SourceScene scene = kitchen();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  scene.objects.push_back(thing("nowhere", "Mug", {nan, 0, 0}, {0.1, 0.1, 0.1}));
+  scene.objects.push_back(thing("far", "Mug", {1e300, 0, 0}, {0.1, 0.1, 0.1}));
+  scene.objects.push_back(thing("huge", "Mug", {0, 0, 0.1}, {0.1, 0.1, 1e9}));
+  scene.objects.push_back(thing("garden", "Mug", {7, 7, 0.05}, {0.1, 0.1, 0.1}));
+  scene.objects.push_back(thing("what", "Flumbus", {0, 0, 0.1}, {0.1, 0.1, 0.1}));
+  scene.objects.push_back(thing("mug", "Mug", {0, 0, 0.05}, {0.1, 0.1, 0.1}));
+  scene.objects.push_back(thing("boxless", "Plate", {0, -1, 0.01}, {0, 0, 0}));
+  scene.objects.push_back(thing("bowl", "Bowl", {0.5, -1, 0.04}, {0.2, 0.2, 0.08}, "pot"));
+  scene.objects.push_back(thing("pot", "Pot", {0.5, -1, 0.1}, {0.3, 0.3, 0.2}, "bowl"));
+  scene.objects.push_back(thing("lost", "Book", {-1, -1, 0.02}, {0.2, 0.2, 0.04}, "shelf_of_nobody"));
+  const auto home = imported(scene);
+  ASSERT_TRUE(home) << format(home.error());
+  for (const char* reason : {"not-finite", "too-far", "outside-rooms", "unknown-category", "duplicate-id",
+                             "typical-size", "cyclic-containment", "unknown-receptacle"}) {
+    EXPECT_THAT(reasons_of(home->report), Contains(reason));
+  }
+  EXPECT_THAT(reasons_of(home->report), IsSubsetOf(import_reasons()));
+  EXPECT_EQ(home->report.objects, 15);
+  EXPECT_EQ(home->report.known, 14);
+  EXPECT_EQ(home->report.placed, 9);
+}
+
+TEST(Assemble, AFileWithNothingToPlaceOrTooMuchIsRefused) {
+  SourceScene scene = kitchen();
+  const auto few = imported(scene, {.settle = true, .most_objects = 4});
+  ASSERT_FALSE(few);
+  EXPECT_EQ(few.error().message, "5 objects; accepted are at most 4");
+  for (SourceObject& object : scene.objects) object.category = "Flumbus";
+  const auto nothing = imported(scene);
+  ASSERT_FALSE(nothing);
+  EXPECT_THAT(nothing.error().message, HasSubstr("no object of a known category"));
+}
+
+TEST(Assemble, AMillionObjectsAreRefusedAtOnce) {
+  SourceScene scene = kitchen();
+  scene.objects.resize(1'000'000);
+  const auto home = imported(scene);
+  ASSERT_FALSE(home);
+  EXPECT_THAT(home.error().message, HasSubstr("at most 5000"));
+}
+
+}  // namespace
+}  // namespace unietp::testing

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "import_rates.h"
+#include "interchange/formats.h"
+
+namespace unietp::testing {
+namespace {
+
+std::vector<SourceScene> real_houses() {
+  std::vector<SourceScene> all;
+  for (const char* set : {"train", "val", "2to3_rooms", "other"}) {
+    const auto text = read_maybe_gzip(upstream() / ("ai2thor/procthor_houses_" + std::string(set) + ".jsonl.gz"));
+    if (!text) continue;
+    auto houses = read_procthor(set, *text, knowledge_of(Simulator::Ai2thor));
+    EXPECT_TRUE(houses) << format(houses.error());
+    if (!houses) continue;
+    for (auto& house : *houses) {
+      house.id = std::string(set) + "_" + house.id;
+      all.push_back(std::move(house));
+    }
+  }
+  return all;
+}
+
+TEST(Procthor, RealHousesArriveAndHold) {
+  const auto houses = real_houses();
+  if (houses.empty()) GTEST_SKIP() << "the simulators' own files are not there";
+  const char* whole = std::getenv("UNIETP_WHOLE_IMPORT");
+  const auto all = import_all(houses, whole ? 1 : 31);
+  for (const auto& [scene, report, not_at_rest] : all) {
+    SCOPED_TRACE(scene);
+    EXPECT_GE(arrived_share(report), 0.95);
+    EXPECT_GE(held_share(report), 0.9);
+    EXPECT_LE(not_at_rest, 1u);
+    if (!whole) continue;
+    std::cout << scene << " objects " << report.objects << " known " << report.known << " arrived " << report.arrived
+              << " stayed " << report.stayed << " relations " << report.relations << " held " << report.relations_held
+              << " loose " << report.loose << " held " << report.loose_held << "\n";
+    for (const auto& issue : report.issues) {
+      std::cout << "  " << issue.reason << ": " << issue.object << " " << issue.category << ": " << issue.detail
+                << "\n";
+    }
+  }
+  std::cout << table_row("procthor", all) << "\n";
+}
+
+/// Nodes of one scene that the other has no equal of: same category, middle within 2 cm, extents within 1 cm.
+std::vector<std::string> without_equal(const Scene& scene, const Scene& other, const std::vector<std::string>& except) {
+  std::vector<std::string> missing;
+  std::vector<bool> taken(other.nodes.size(), false);
+  for (const Node& node : scene.nodes) {
+    bool found = std::any_of(except.begin(), except.end(),
+                             [&](const std::string& text) { return text.starts_with(node.id + ":"); });
+    for (std::size_t k = 0; k < other.nodes.size() && !found; ++k) {
+      const Node& twin = other.nodes[k];
+      const Bounds a = bounds_of(node.pose, node.size), b = bounds_of(twin.pose, twin.size);
+      found = !taken[k] && twin.category == node.category && (node.pose.position - twin.pose.position).norm() < 0.02 &&
+              ((a.low - b.low).cwiseAbs().maxCoeff() < 0.03 && (a.high - b.high).cwiseAbs().maxCoeff() < 0.03);
+      if (found) taken[k] = true;
+    }
+    if (!found) missing.push_back(node.id);
+  }
+  return missing;
+}
+
+void expect_same_plan(const Scene& a, const Scene& b) {
+  ASSERT_EQ(a.rooms.size(), b.rooms.size());
+  for (std::size_t i = 0; i < a.rooms.size(); ++i) {
+    ASSERT_EQ(a.rooms[i].polygon.size(), b.rooms[i].polygon.size());
+    for (const Vec2& corner : a.rooms[i].polygon) {
+      EXPECT_TRUE(std::any_of(b.rooms[i].polygon.begin(), b.rooms[i].polygon.end(),
+                              [&](const Vec2& twin) { return (corner - twin).norm() < 0.001; }));
+    }
+  }
+  ASSERT_EQ(a.openings.size(), b.openings.size());
+  for (const Opening& one : a.openings) {
+    EXPECT_TRUE(std::any_of(b.openings.begin(), b.openings.end(), [&](const Opening& two) {
+      const bool same_way = (one.from - two.from).norm() + (one.to - two.to).norm() < 0.02;
+      const bool other_way = (one.from - two.to).norm() + (one.to - two.from).norm() < 0.02;
+      return std::abs(one.height - two.height) < 0.01 && (same_way || other_way);
+    })) << one.id;
+  }
+  EXPECT_NEAR(a.wall_height, b.wall_height, 0.001);
+  EXPECT_LT((a.agent.position - b.agent.position).norm(), 0.001);
+  EXPECT_NEAR(std::cos(a.agent.yaw - b.agent.yaw), 1, 1e-6);
+  EXPECT_NEAR(a.agent.pitch, b.agent.pitch, 1e-4);
+}
+
+TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {
+  const auto houses = real_houses();
+  if (houses.empty()) GTEST_SKIP() << "the simulators' own files are not there";
+  const Knowledge& knowledge = knowledge_of(Simulator::Ai2thor);
+  for (std::size_t i = 0; i < houses.size(); i += 41) {
+    SCOPED_TRACE(houses[i].id);
+    const auto first = assemble(houses[i], knowledge, profile_of(Simulator::Ai2thor));
+    ASSERT_TRUE(first) << format(first.error());
+    const auto written = write_procthor(first->scene, knowledge);
+    ASSERT_TRUE(written) << format(written.error());
+    const auto read = read_procthor("written", written->text, knowledge);
+    ASSERT_TRUE(read) << format(read.error());
+    ASSERT_EQ(read->size(), 1u);
+    const auto second = assemble(read->front(), knowledge, profile_of(Simulator::Ai2thor));
+    ASSERT_TRUE(second) << format(second.error());
+    expect_same_plan(first->scene, second->scene);
+    EXPECT_THAT(without_equal(first->scene, second->scene, written->left_out), ::testing::SizeIs(::testing::Le(1)))
+        << "what settles anew may roll";
+    EXPECT_THAT(without_equal(second->scene, first->scene, {}), ::testing::SizeIs(::testing::Le(1)));
+    for (const std::string& text : written->left_out) std::cout << houses[i].id << " " << text << "\n";
+    EXPECT_EQ(write_procthor(first->scene, knowledge)->text, written->text);
+  }
+}
+
+}  // namespace
+}  // namespace unietp::testing
