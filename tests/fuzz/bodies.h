@@ -19,9 +19,12 @@ bool completion_body(std::string_view text);
 /// A simulator's own JSON file.
 bool metadata_body(std::string_view text);
 
-// AI2-THOR's own rooms and houses.
+// The simulators' own homes.
 bool ithor_body(std::string_view text);
 bool procthor_body(std::string_view text);
+bool virtualhome_body(std::string_view text);
+bool habitat_body(std::string_view text);
+bool behavior_body(std::string_view text);
 
 bool scene_body(std::string_view text);
 bool delta_body(std::string_view text);

@@ -1,0 +1,136 @@
+#include "interchange/scene_models.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include <nlohmann/json.hpp>
+
+#include "core/text.h"
+#include "interchange/foreign_json.h"
+#include "scene/json_parse.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Word {
+  std::string_view replicacad, category;
+};
+/// Source: curated, from ReplicaCAD's names and what stands on what in its scenes.
+constexpr std::array<Word, 17> kWords{{{"bike", "bicycle"},
+                                       {"bin", "trashcan"},
+                                       {"indoor_plant", "potted_plant"},
+                                       {"kitchen_counter", "counter"},
+                                       {"kitchen_cupboard", "cabinet"},
+                                       {"knifeblock", "knife_holder"},
+                                       {"mat", "floor_mat"},
+                                       {"rack", "shoe_rack"},
+                                       {"rug", "carpet"},
+                                       {"shoebox", "box"},
+                                       {"sofa", "couch"},
+                                       {"sponge_dish", "soap_dish"},
+                                       {"tv_object", "television"},
+                                       {"tv_screen", "television"},
+                                       {"tvstand", "tv_stand"},
+                                       {"wall_cabinet", "shelves"},
+                                       {"choppingboard", "chopping_board"}}};
+
+/// HSSD names its models by hashes, and parts of them "<hash>_part_3".
+bool is_hash(std::string_view name) {
+  constexpr std::size_t kShortest = 24;
+  const std::string_view first = name.substr(0, name.find('_'));
+  return first.size() >= kShortest &&
+         std::all_of(first.begin(), first.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
+}
+
+/// Lower-case words: split at what is no letter and before a capital after a small letter; numbers dropped.
+std::vector<std::string> words_of(std::string_view name) {
+  std::vector<std::string> words{""};
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto c = static_cast<unsigned char>(name[i]);
+    const bool starts = std::isupper(c) && i > 0 && std::islower(static_cast<unsigned char>(name[i - 1]));
+    if (!std::isalpha(c) || starts) words.emplace_back();
+    if (std::isalpha(c)) words.back() += static_cast<char>(std::tolower(c));
+  }
+  std::erase(words, "");
+  return words;
+}
+
+SceneModel model_from_json(JsonReader& reader, const JsonAt& at) {
+  SceneModel model;
+  if (!at.json.is_object()) reader.fail(at, "expected an object with category, size or mass");
+  if (const auto f = given(at, "category")) model.category = reader.text(*f);
+  if (const auto f = given(at, "size")) {
+    model.size = reader.vec3(*f);
+    if (!reader.error() && model.size.minCoeff() < 0) reader.fail(*f, "expected three lengths that are not below 0");
+  }
+  if (const auto f = given(at, "mass")) {
+    model.mass = reader.number(*f);
+    if (!reader.error() && model.mass < 0) reader.fail(*f, "expected a mass that is not below 0");
+  }
+  return model;
+}
+
+}  // namespace
+
+std::string_view bare_template(std::string_view name) {
+  if (const auto slash = name.find_last_of('/'); slash != std::string_view::npos) name.remove_prefix(slash + 1);
+  return name.substr(0, name.find('.'));
+}
+
+std::string habitat_category(std::string_view name, const Knowledge& knowledge) {
+  name = bare_template(name);
+  if (is_hash(name)) return "";
+  constexpr std::string_view kReplicaCad = "frl_apartment_";
+  if (name.starts_with(kReplicaCad)) name.remove_prefix(kReplicaCad.size());
+  std::vector<std::string> words = words_of(name);
+  const std::string whole = join(words, "_");
+  for (const Word& word : kWords) {
+    if (word.replicacad == whole) return std::string(word.category);
+  }
+  for (; !words.empty(); words.erase(words.begin())) {
+    const std::string rest = join(words, "_");
+    if (knowledge.find(rest) != nullptr) return rest;
+  }
+  return whole;
+}
+
+SceneModels scene_models_from_json(JsonReader& reader, const JsonAt& table) {
+  SceneModels models;
+  const auto* fields = table.json.get_ptr<const Json::object_t*>();
+  if (fields == nullptr) {
+    reader.fail(table, "expected an object of templates by name");
+    return models;
+  }
+  for (const auto& [name, model] : *fields) {
+    models.emplace(bare_template(name), model_from_json(reader, JsonAt{model, &table, name, 0}));
+    if (reader.error()) break;
+  }
+  return models;
+}
+
+Result<SceneModels> read_scene_models(const std::string& where, std::string_view text) {
+  const auto json = parse_json(where, text, kMostFields);
+  if (!json) return json.error();
+  JsonReader reader(where);
+  const JsonAt root{*json};
+  std::optional<JsonAt> table = given(root, "templates");
+  if (!table) table.emplace(given(root, "objects").value_or(root));
+  SceneModels models = scene_models_from_json(reader, *table);
+  if (reader.error()) return *reader.error();
+  return models;
+}
+
+Result<SceneModels> read_behavior_inventory(const std::string& where, std::string_view text) {
+  auto models = read_scene_models(where, text);
+  if (!models) return models;
+  for (auto& [name, model] : *models) {
+    model.category = name.substr(0, name.rfind('-'));
+    std::swap(model.size.x(), model.size.y());
+  }
+  return models;
+}
+
+}  // namespace unietp
