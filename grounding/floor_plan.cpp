@@ -8,34 +8,23 @@
 namespace unietp {
 namespace {
 
-constexpr double kShortestSide_m = 2.4;
-constexpr double kLongestAspect = 2.4;
+constexpr double kShortestSide_m = 2.4, kCorridorSide_m = 1.7;
+constexpr double kLongestAspect = 2.2, kCorridorAspect = 9;
 constexpr double kOpeningMargin_m = 0.35;  // from a corner to the opening
+constexpr double kMoreOpenings = 0.3;      // chance of one that the tree does not need
 
 struct Rect {
-  Vec2 low, high;
+  Vec2 low = Vec2::Zero(), high = Vec2::Zero();
   Vec2 size() const { return high - low; }
 };
 
-/// Usual floor area by type in m²: medians of the MIT-licensed VirtualHome apartments and of Apache-licensed ProcTHOR
-/// houses, rounded, corridors widened so that furniture fits.
-double usual_area(std::string_view type) {
-  static const std::vector<std::pair<std::string_view, double>> areas{
-      {"living_room", 24}, {"kitchen", 19},  {"bedroom", 18}, {"dining_room", 16},
-      {"office", 14},      {"bathroom", 12}, {"corridor", 11}};
-  for (const auto& [name, area] : areas) {
-    if (name == type) return area;
-  }
-  return 14;
-}
-
 double round_to_dm(double metres) { return std::round(metres * 10) / 10; }
 
-/// Cuts `rect` among the rooms of `order` in proportion to their areas.
-void cut(const Rect& rect, std::vector<std::size_t> order, const std::vector<double>& areas, std::vector<Rect>& rooms,
+/// Cuts `rect` among the places of `order` in proportion to their areas.
+void cut(const Rect& rect, std::vector<std::size_t> order, const std::vector<double>& areas, std::vector<Rect>& places,
          Rng& rng) {
   if (order.size() == 1) {
-    rooms[order.front()] = rect;
+    places[order.front()] = rect;
     return;
   }
   rng.shuffle(order);
@@ -55,8 +44,91 @@ void cut(const Rect& rect, std::vector<std::size_t> order, const std::vector<dou
   first.high[axis] = at;
   second.low[axis] = at;
   const auto middle = order.begin() + static_cast<std::ptrdiff_t>(best);
-  cut(first, {order.begin(), middle}, areas, rooms, rng);
-  cut(second, {middle, order.end()}, areas, rooms, rng);
+  cut(first, {order.begin(), middle}, areas, places, rng);
+  cut(second, {middle, order.end()}, areas, places, rng);
+}
+
+/// A rectangle cut in two again and again; every other time one corner of it stays out of doors.
+std::optional<std::vector<Rect>> cut_plan(const std::vector<RoomWish>& wishes, Rng& rng) {
+  std::vector<double> areas;
+  for (const RoomWish& wish : wishes) areas.push_back(wish.area_m2);
+  double total = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const bool notched = wishes.size() > 2 && rng.chance(0.5);
+  if (notched) areas.push_back(total * rng.uniform(0.07, 0.16));
+  total = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const double width = round_to_dm(std::sqrt(total * rng.uniform(1.0, 1.6)));
+  const Rect whole{Vec2::Zero(), {width, round_to_dm(total / width)}};
+  std::vector<Rect> places(areas.size());
+  std::vector<std::size_t> order(areas.size());
+  std::iota(order.begin(), order.end(), 0);
+  cut(whole, order, areas, places, rng);
+  if (notched) {
+    const Rect notch = places.back();
+    places.pop_back();
+    int sides = 0;
+    for (int axis = 0; axis < 2; ++axis) {
+      sides += notch.low[axis] == whole.low[axis] || notch.high[axis] == whole.high[axis] ? 1 : 0;
+    }
+    if (sides < 2) return std::nullopt;  // not at a corner
+  }
+  return places;
+}
+
+/// One row of rooms from x = 0 on; its depth follows from its length.
+void lay_row(const std::vector<std::size_t>& row, const std::vector<RoomWish>& wishes, double length, double low,
+             bool upwards, std::vector<Rect>& places) {
+  double area = 0, done = 0;
+  for (const std::size_t i : row) area += wishes[i].area_m2;
+  const double depth = round_to_dm(area / length);
+  double from = 0;
+  for (const std::size_t i : row) {
+    done += wishes[i].area_m2;
+    const double to = round_to_dm(length * done / area);
+    places[i] = upwards ? Rect{{from, low}, {to, low + depth}} : Rect{{from, low - depth}, {to, low}};
+    from = to;
+  }
+}
+
+/// Two rows of rooms along a corridor; nullopt without a corridor among the wishes.
+std::optional<std::vector<Rect>> corridor_plan(const std::vector<RoomWish>& wishes, Rng& rng) {
+  std::vector<std::size_t> order;
+  std::optional<std::size_t> spine;
+  double area = 0;
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    if (!spine && wishes[i].type == "corridor") {
+      spine = i;
+      continue;
+    }
+    order.push_back(i);
+    area += wishes[i].area_m2;
+  }
+  if (!spine || order.size() < 4) return std::nullopt;
+  rng.shuffle(order);
+  std::vector<std::size_t> rows[2];
+  double sums[2] = {0, 0};
+  for (const std::size_t i : order) {
+    const int row = sums[0] <= sums[1] ? 0 : 1;
+    rows[row].push_back(i);
+    sums[row] += wishes[i].area_m2;
+  }
+  const double length = round_to_dm(std::sqrt(area * rng.uniform(1.3, 2.4)));
+  const double other = rng.chance(0.5) ? length : round_to_dm(length * rng.uniform(0.75, 0.95));
+  const double width = round_to_dm(std::clamp(wishes[*spine].area_m2 / length, kCorridorSide_m, 2.1));
+  std::vector<Rect> places(wishes.size());
+  places[*spine] = {{0, 0}, {length, width}};
+  lay_row(rows[0], wishes, length, width, true, places);
+  lay_row(rows[1], wishes, other, 0, false, places);
+  return places;
+}
+
+bool well_formed(const std::vector<Rect>& places, const std::vector<RoomWish>& wishes) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool corridor = wishes[i].type == "corridor";
+    const double shorter = places[i].size().minCoeff(), longer = places[i].size().maxCoeff();
+    if (shorter < (corridor ? kCorridorSide_m : kShortestSide_m)) return false;
+    if (longer > (corridor ? kCorridorAspect : kLongestAspect) * shorter) return false;
+  }
+  return true;
 }
 
 struct SharedWall {
@@ -83,7 +155,13 @@ std::vector<SharedWall> shared_walls(const std::vector<Rect>& rooms) {
   return walls;
 }
 
-bool is_hub(std::string_view type) { return type == "living_room" || type == "corridor"; }
+/// How willingly people walk through such a room: the lower the better.
+int detour(std::string_view type) {
+  if (type == "corridor") return 0;
+  if (type == "living_room") return 1;
+  if (type == "kitchen" || type == "dining_room") return 2;
+  return type == "bathroom" ? 5 : 3;
+}
 
 Vec2 point_on(const SharedWall& wall, double along) {
   Vec2 point;
@@ -92,22 +170,24 @@ Vec2 point_on(const SharedWall& wall, double along) {
   return point;
 }
 
-/// A spanning tree over the shared walls, hubs first, plus some more; empty when the rooms do not hang together.
-std::vector<SharedWall> choose_openings(std::vector<SharedWall> walls, const std::vector<std::string>& types,
-                                        Rng& rng) {
+/// A spanning tree over the shared walls, plus some more; empty when the rooms do not hang together.
+std::vector<SharedWall> choose_openings(std::vector<SharedWall> walls, const std::vector<RoomWish>& wishes, Rng& rng) {
   rng.shuffle(walls);
-  std::stable_sort(walls.begin(), walls.end(), [&](const SharedWall& x, const SharedWall& y) {
-    const auto hubs = [&](const SharedWall& w) { return is_hub(types[w.a]) || is_hub(types[w.b]); };
-    return hubs(x) && !hubs(y);
-  });
-  std::vector<std::size_t> group(types.size());
+  const auto cost = [&](const SharedWall& wall) {
+    const int a = detour(wishes[wall.a].type), b = detour(wishes[wall.b].type);
+    return 10 * std::min(a, b) + std::max(a, b);
+  };
+  std::stable_sort(walls.begin(), walls.end(),
+                   [&](const SharedWall& x, const SharedWall& y) { return cost(x) < cost(y); });
+  std::vector<std::size_t> group(wishes.size());
   std::iota(group.begin(), group.end(), 0);
   std::vector<SharedWall> chosen;
   for (const SharedWall& wall : walls) {
     if (group[wall.a] != group[wall.b]) {
-      std::replace(group.begin(), group.end(), group[wall.b], group[wall.a]);
+      const std::size_t gone = group[wall.b];
+      std::replace(group.begin(), group.end(), gone, group[wall.a]);
       chosen.push_back(wall);
-    } else if (rng.chance(0.15)) {
+    } else if (std::max(detour(wishes[wall.a].type), detour(wishes[wall.b].type)) <= 2 && rng.chance(kMoreOpenings)) {
       chosen.push_back(wall);
     }
   }
@@ -115,38 +195,41 @@ std::vector<SharedWall> choose_openings(std::vector<SharedWall> walls, const std
   return joined ? chosen : std::vector<SharedWall>{};
 }
 
+bool leads_through_a_bathroom(const std::vector<SharedWall>& openings, const std::vector<RoomWish>& wishes) {
+  for (std::size_t room = 0; room < wishes.size(); ++room) {
+    const auto doors = std::count_if(openings.begin(), openings.end(),
+                                     [&](const SharedWall& wall) { return wall.a == room || wall.b == room; });
+    if (wishes[room].type == "bathroom" && doors > 1) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-std::optional<FloorPlan> draw_floor_plan(const std::vector<std::string>& types, Rng rng) {
-  std::vector<double> areas;
-  for (const auto& type : types) areas.push_back(usual_area(type) * rng.uniform(0.9, 1.15));
-  const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
-  const double width = round_to_dm(std::sqrt(total * rng.uniform(1.0, 1.6)));
-  const Rect whole{Vec2::Zero(), {width, round_to_dm(total / width)}};
-  std::vector<Rect> rects(types.size());
-  std::vector<std::size_t> order(types.size());
-  std::iota(order.begin(), order.end(), 0);
-  cut(whole, order, areas, rects, rng);
-  for (const Rect& rect : rects) {
-    const double shorter = rect.size().minCoeff(), longer = rect.size().maxCoeff();
-    const double area = shorter * longer;
-    if (shorter < kShortestSide_m || longer > kLongestAspect * shorter || area < 9 || area > 30) return std::nullopt;
-  }
-  const auto chosen = choose_openings(shared_walls(rects), types, rng);
-  if (chosen.empty() && types.size() > 1) return std::nullopt;
+std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomWish>& wishes, Rng rng) {
+  std::optional<std::vector<Rect>> rects;
+  if (rng.chance(0.65)) rects = corridor_plan(wishes, rng);
+  if (!rects) rects = cut_plan(wishes, rng);
+  if (!rects || !well_formed(*rects, wishes)) return std::nullopt;
+  const auto chosen = choose_openings(shared_walls(*rects), wishes, rng);
+  if (chosen.empty() && wishes.size() > 1) return std::nullopt;
+  if (leads_through_a_bathroom(chosen, wishes)) return std::nullopt;
+  Vec2 corner = rects->front().low;
+  for (const Rect& rect : *rects) corner = corner.cwiseMin(rect.low);
 
   FloorPlan plan;
   std::map<std::string, int> numbers;
-  for (std::size_t i = 0; i < types.size(); ++i) {
-    const auto& [low, high] = rects[i];
-    plan.rooms.push_back({types[i] + "_" + std::to_string(++numbers[types[i]]),
-                          types[i],
-                          {low, {high.x(), low.y()}, high, {low.x(), high.y()}}});
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    const Vec2 low = (*rects)[i].low - corner, high = (*rects)[i].high - corner;
+    const std::string& type = wishes[i].type;
+    plan.rooms.push_back(
+        {type + "_" + std::to_string(++numbers[type]), type, {low, {high.x(), low.y()}, high, {low.x(), high.y()}}});
   }
   for (const SharedWall& wall : chosen) {
     const double from = rng.uniform(wall.from + kOpeningMargin_m, wall.to - kOpeningMargin_m - kOpeningWidth_m);
     plan.openings.push_back({"opening_" + std::to_string(plan.openings.size() + 1), plan.rooms[wall.a].id,
-                             plan.rooms[wall.b].id, point_on(wall, from), point_on(wall, from + kOpeningWidth_m), 2.0});
+                             plan.rooms[wall.b].id, point_on(wall, from) - corner,
+                             point_on(wall, from + kOpeningWidth_m) - corner, 2.0});
   }
   return plan;
 }
@@ -158,6 +241,34 @@ Bounds room_bounds(const Room& room, double height) {
     high = high.cwiseMax(corner);
   }
   return {{low.x(), low.y(), 0}, {high.x(), high.y(), height}};
+}
+
+std::vector<WallStretch> outer_walls(const Scene& scene, std::size_t room) {
+  constexpr double kSame_m = 0.02;
+  const Bounds own = room_bounds(scene.rooms[room], 1);
+  std::vector<WallStretch> outer;
+  for (int side = 0; side < 4; ++side) {
+    const int across = side % 2 == 0 ? 1 : 0, along = 1 - across;
+    const bool low_side = side == 0 || side == 3;
+    const double at = low_side ? own.low[across] : own.high[across];
+    std::vector<std::pair<double, double>> behind;
+    for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
+      if (i == room) continue;
+      const Bounds other = room_bounds(scene.rooms[i], 1);
+      if (std::abs((low_side ? other.high[across] : other.low[across]) - at) > kSame_m) continue;
+      behind.emplace_back(other.low[along], other.high[along]);
+    }
+    std::sort(behind.begin(), behind.end());
+    double from = own.low[along];
+    for (const auto& [low, high] : behind) {
+      if (low > from) outer.push_back({side, from, std::min(low, own.high[along])});
+      from = std::max(from, high);
+      if (from >= own.high[along]) break;
+    }
+    if (from < own.high[along]) outer.push_back({side, from, own.high[along]});
+  }
+  std::erase_if(outer, [](const WallStretch& wall) { return wall.to - wall.from < 0.3; });
+  return outer;
 }
 
 }  // namespace unietp

@@ -17,13 +17,30 @@ struct FloorPlan {
   std::vector<Opening> openings;
 };
 
-/// Stage: room types → a rectangle cut into rectangular rooms, each within its type's usual size (9 to 30 m²), joined
-/// by openings in shared walls so that all hang together: a spanning tree that prefers living rooms and corridors, and
-/// some openings more. Rooms come in the order of `types`; ids are type_1, type_2, …. nullopt when this draw gives a
-/// room that is too narrow or cannot be joined. Deterministic in rng.
-std::optional<FloorPlan> draw_floor_plan(const std::vector<std::string>& types, Rng rng);
+/// A room that a plan shall have.
+struct RoomWish {
+  std::string type;
+  double area_m2 = 0;  // met within a sixth or so
+};
 
-/// The rectangle of a room's polygon.
+/// Stage: wishes → rooms that share walls and do not overlap, joined by openings so that all hang together. Two kinds
+/// of plan: a rectangle cut in two again and again, at times with a piece cut off, and, where a corridor is wished, two
+/// rows of rooms along it, of which one may be shorter. Openings: a spanning tree that prefers corridors, then living
+/// rooms, and goes through no bathroom; a few more between rooms that people pass through. Rooms come in the order
+/// of the wishes, axis-parallel rectangles with corners at whole decimetres; ids are type_1, type_2, …. nullopt when
+/// this draw gives a room that is too narrow or cannot be joined so. Deterministic in rng.
+std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomWish>& wishes, Rng rng);
+
+/// The rectangle around a room's polygon.
 Bounds room_bounds(const Room& room, double height);
+
+/// A part of a room's wall, seen from inside: side 0 is the wall at the low y, 1 at the high x, 2 at the high y, 3 at
+/// the low x; from and to along it, W.
+struct WallStretch {
+  int side = 0;
+  double from = 0, to = 0;
+};
+/// The parts of a rectangular room's walls that have no other room behind them.
+std::vector<WallStretch> outer_walls(const Scene& scene, std::size_t room);
 
 }  // namespace unietp

@@ -13,12 +13,14 @@ namespace unietp {
 namespace {
 
 const double kFromWall_m = Scene().wall_thickness / 2 + 0.012;  // of a back from the polygon's edge
-constexpr double kGap_m = 0.01;                               // between pieces
-constexpr double kPassage_m = 2.0;                            // height that keep-outs reach to
+constexpr double kGap_m = 0.01;                                 // between pieces
+constexpr double kPassage_m = 2.0;                              // height that keep-outs reach to
 constexpr double kDoorwayDepth_m = 0.8;
 constexpr double kAisle_m = 0.75;  // around what stands free
 constexpr double kRestGap_m = 0.002;
 constexpr double kWallMargin_m = 0.02;
+constexpr double kUnderCeiling_m = 0.01;
+constexpr double kInRow = 0.5;     // how often what stands at a wall is tried next to another piece first
 constexpr double kLidLean = 0.36;  // how far an open lid stands out behind, as a share of its length
 
 struct Candidate {
@@ -41,17 +43,25 @@ double default_height(const Node& node, double wall_height) {
   return std::clamp(bottom, 0.02, std::max(0.02, wall_height - node.size.z() - 0.05));
 }
 
-/// Back to a wall; along it where `share` in [0, 1] says.
-Pose at_wall(const Bounds& room, std::uint64_t side, double share, const Node& node, double bottom) {
-  const Vec2 normal = inward_normal(side);
+/// The whole wall of a side.
+WallStretch whole_wall(const Bounds& room, std::uint64_t side) {
+  const int along = side % 2 == 0 ? 0 : 1;
+  return {static_cast<int>(side), room.low[along], room.high[along]};
+}
+
+/// Back to a wall; along it where `share` in [0, 1] says. nullopt when the stretch is too short.
+std::optional<Pose> at_wall(const Bounds& room, const WallStretch& wall, double share, const Node& node,
+                            double bottom) {
+  const Vec2 normal = inward_normal(static_cast<std::uint64_t>(wall.side));
   const int across = normal.x() != 0 ? 0 : 1, along = 1 - across;
   Vec3 position;
   const bool leans_back =
       node.openable && (node.archetype == Archetype::Lidded || node.archetype == Archetype::Folding);
   const double depth = kFromWall_m + node.size.y() / 2 + (leans_back ? kLidLean * node.size.y() : 0);
   position[across] = normal[across] > 0 ? room.low[across] + depth : room.high[across] - depth;
-  const double low = room.low[along] + kFromWall_m + node.size.x() / 2;
-  const double high = room.high[along] - kFromWall_m - node.size.x() / 2;
+  const double low = wall.from + kFromWall_m + node.size.x() / 2;
+  const double high = wall.to - kFromWall_m - node.size.x() / 2;
+  if (low > high) return std::nullopt;
   position[along] = low + share * (high - low);
   position.z() = bottom + node.size.z() / 2;
   return upright(position, yaw_facing(normal));
@@ -83,6 +93,30 @@ std::optional<Vec3> draw_on_top(const Node& host, const Node& node, Rng& rng) {
   return top.centre + Vec3(rng.uniform(-1, 1) * slack.x(), slack.y() - back, node.size.z() / 2 + kRestGap_m);
 }
 
+/// Pose next to a host, backs in line, on the floor.
+Pose beside(const Node& host, const Node& node, Rng& rng) {
+  const Vec3 half = host.size / 2, own = node.size / 2;
+  const double side = rng.chance(0.5) ? 1 : -1;
+  const Vec3 spot(side * (half.x() + own.x() + rng.uniform(0.015, 0.06)), half.y() - own.y(),
+                  own.z() - host.pose.position.z());
+  return host.pose * Pose{spot, Quat::Identity()};
+}
+
+/// A piece in the room that others stand next to in a row: on the floor, its back to a wall.
+std::optional<std::size_t> draw_row_mate(const Workspace& workspace, std::size_t room, Rng& rng) {
+  std::vector<std::size_t> mates;
+  const Scene& scene = workspace.scene();
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    const bool in_rows = node.archetype == Archetype::Block || node.archetype == Archetype::Cabinet ||
+                         node.archetype == Archetype::Drawers || node.archetype == Archetype::Basin;
+    if (!in_rows || node.movable || node.size.x() < 0.4 || node.pose.position.z() > node.size.z() / 2 + 0.01) continue;
+    if (contains(scene.rooms[room].polygon, node.pose.position.head<2>())) mates.push_back(i);
+  }
+  if (mates.empty()) return std::nullopt;
+  return rng.pick(mates);
+}
+
 std::optional<Candidate> draw_at_host(const Workspace& workspace, std::size_t room, const Node& node,
                                       const Where& where, Rng& rng) {
   const auto hosts = hosts_in(workspace, room, where.host);
@@ -102,13 +136,14 @@ std::optional<Candidate> draw_at_host(const Workspace& workspace, std::size_t ro
                     half.z() + where.height_m.value_or(0.02) + own.z());
     return Candidate{host.pose * Pose{spot, Quat::Identity()}, index};
   }
-  if (where.kind == Where::Kind::Beside) {
-    const double side = rng.chance(0.5) ? 1 : -1;
-    const Vec3 spot(side * (half.x() + own.x() + rng.uniform(0.03, 0.08)), half.y() - own.y(), on_floor);
+  if (where.kind == Where::Kind::Beside) return Candidate{beside(host, node, rng), index};
+  if (where.kind == Where::Kind::Before) {
+    const double aside = rng.uniform(-0.5, 0.5) * std::max(0.0, half.x() - own.x());
+    const Vec3 spot(aside, -half.y() - own.y() - rng.uniform(0.35, 0.5), on_floor);
     return Candidate{host.pose * Pose{spot, Quat::Identity()}, index};
   }
-  // Around it, on one of the four sides, facing it.
-  const Vec2 outward = inward_normal(rng.below(4));
+  // Around it, facing it: before it as often as on all four sides together.
+  const Vec2 outward = rng.chance(0.5) ? Vec2(0, -1) : inward_normal(rng.below(4));
   const int across = outward.x() != 0 ? 0 : 1, along = 1 - across;
   Vec3 spot;
   spot[across] = outward[across] * (half[across] + own.y() + rng.uniform(0.04, 0.1));
@@ -121,14 +156,34 @@ std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t 
                                         const Where& where, Rng& rng) {
   const Scene& scene = workspace.scene();
   const Bounds bounds = room_bounds(scene.rooms[room], scene.wall_height);
+  const auto against = [&](const WallStretch& wall, double share, double bottom) -> std::optional<Candidate> {
+    const auto pose = at_wall(bounds, wall, share, node, bottom);
+    if (!pose) return std::nullopt;
+    return Candidate{*pose, std::nullopt};
+  };
   switch (where.kind) {
     case Where::Kind::Wall:
-      return Candidate{at_wall(bounds, rng.below(4), rng.unit(), node, 0), std::nullopt};
+      if (rng.chance(kInRow)) {
+        if (const auto mate = draw_row_mate(workspace, room, rng)) {
+          return Candidate{beside(scene.nodes[*mate], node, rng), std::nullopt};
+        }
+      }
+      return against(whole_wall(bounds, rng.below(4)), rng.unit(), 0);
     case Where::Kind::Corner:
-      return Candidate{at_wall(bounds, rng.below(4), rng.chance(0.5) ? 0.0 : 1.0, node, 0), std::nullopt};
-    case Where::Kind::WallHung: {
-      const double bottom = where.height_m.value_or(default_height(node, scene.wall_height));
-      return Candidate{at_wall(bounds, rng.below(4), rng.unit(), node, bottom), std::nullopt};
+      return against(whole_wall(bounds, rng.below(4)), rng.chance(0.5) ? 0.0 : 1.0, 0);
+    case Where::Kind::WallHung:
+      return against(whole_wall(bounds, rng.below(4)), rng.unit(),
+                     where.height_m.value_or(default_height(node, scene.wall_height)));
+    case Where::Kind::OuterWall: {
+      const auto walls = outer_walls(scene, room);
+      if (walls.empty()) return std::nullopt;
+      return against(rng.pick(walls), rng.unit(), where.height_m.value_or(default_height(node, scene.wall_height)));
+    }
+    case Where::Kind::Ceiling: {
+      const Vec2 middle = ((bounds.low + bounds.high) / 2).head<2>();
+      const Vec2 off(rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5));
+      const double height = scene.wall_height - node.size.z() / 2 - kUnderCeiling_m;
+      return Candidate{upright({middle.x() + off.x(), middle.y() + off.y(), height}, 0), std::nullopt};
     }
     case Where::Kind::Centre: {
       const double yaw = static_cast<double>(rng.below(4)) * std::numbers::pi / 2;
@@ -170,7 +225,7 @@ std::vector<Bounds> own_keep_outs(const Node& node, bool with_front, const Furni
 
 bool backs_onto_a_wall(Where::Kind kind) {
   return kind == Where::Kind::Wall || kind == Where::Kind::Corner || kind == Where::Kind::WallHung ||
-         kind == Where::Kind::Beside;
+         kind == Where::Kind::OuterWall || kind == Where::Kind::Beside;
 }
 
 bool within(const Bounds& inner, const Bounds& room) {
@@ -193,26 +248,27 @@ bool opens_freely(const Workspace& workspace, const Node& node, const Shape& sha
   return true;
 }
 
-bool fits(const Workspace& workspace, const std::vector<KeepOut>& keep_outs, const Bounds& room, const Node& node,
-          const Candidate& candidate, const std::vector<Bounds>& own_spaces) {
-  const Shape shape = shape_of(node);
-  const Bounds body = bounds_of(shape, node.pose, 0);
+/// The cheap part: in the room and in no space that has to stay free.
+bool keeps_out(const std::vector<KeepOut>& keep_outs, const Bounds& room, const Bounds& body,
+               std::optional<std::size_t> host) {
   if (!within(body, room)) return false;
-  for (const KeepOut& keep_out : keep_outs) {
-    if (keep_out.owner && keep_out.owner == candidate.host) continue;
-    if (overlap(keep_out.space, body, kGap_m)) return false;
-  }
-  const Scene& scene = workspace.scene();
+  return std::none_of(keep_outs.begin(), keep_outs.end(), [&](const KeepOut& keep_out) {
+    return !(keep_out.owner && keep_out.owner == host) && overlap(keep_out.space, body, kGap_m);
+  });
+}
+
+/// The dear part: what it needs free is free, it touches nothing and its doors open.
+bool fits(const Workspace& workspace, const Bounds& room, const Node& node, const Shape& shape,
+          std::optional<std::size_t> host, const std::vector<Bounds>& own_spaces) {
+  const std::vector<Bounds>& standing = workspace.bounds();
   for (const Bounds& space : own_spaces) {
     if (!within({space.low.cwiseMax(Vec3(-1e9, -1e9, 0)), space.high}, room)) return false;
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-      if (candidate.host && *candidate.host == i) continue;
-      if (overlap(space, workspace.physics().bounds(static_cast<BodyId>(i)))) return false;
+    for (std::size_t i = 0; i < standing.size(); ++i) {
+      if (host != i && overlap(space, standing[i])) return false;
     }
   }
-  const bool touches = candidate.host.has_value();
-  return !workspace.checker().hit(shape, node.pose, 0, touches ? PlacementChecker::kGap_m : kGap_m) &&
-         opens_freely(workspace, node, shape, candidate.host);
+  return !workspace.checker().hit(shape, node.pose, 0, host ? PlacementChecker::kGap_m : kGap_m) &&
+         opens_freely(workspace, node, shape, host);
 }
 
 }  // namespace
@@ -240,12 +296,14 @@ std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptio
 bool place_furniture(Workspace& workspace, std::vector<KeepOut>& keep_outs, std::size_t room, Node node,
                      const Where& where, const FurnishOptions& options, Rng rng) {
   const Bounds bounds = room_bounds(workspace.scene().rooms[room], workspace.scene().wall_height);
+  const Shape shape = shape_of(node);
   for (int draw = 0; draw < options.draws; ++draw) {
     const auto candidate = draw_candidate(workspace, room, node, where, rng);
     if (!candidate) continue;
     node.pose = candidate->pose;
+    if (!keeps_out(keep_outs, bounds, bounds_of(shape, node.pose, 0), candidate->host)) continue;
     const auto spaces = own_keep_outs(node, backs_onto_a_wall(where.kind), options);
-    if (!fits(workspace, keep_outs, bounds, node, *candidate, spaces)) continue;
+    if (!fits(workspace, bounds, node, shape, candidate->host, spaces)) continue;
     const std::size_t index = workspace.add(std::move(node));
     for (const Bounds& space : spaces) keep_outs.push_back({space, index});
     return true;

@@ -11,39 +11,11 @@ namespace {
 constexpr double kCell_m = 0.1;
 constexpr double kLow_m = 0.5, kFlat_m = 0.05;
 
-constexpr std::array<std::string_view, 33> kStructure{"BathtubBasin",
-                                                      "Ceiling",
-                                                      "Doorframe",
-                                                      "Doorway",
-                                                      "Floor",
-                                                      "SinkBasin",
-                                                      "StandardDoor",
-                                                      "StandardWallTileHeight1",
-                                                      "StoveKnob",
-                                                      "Wall",
-                                                      "baseboard",
-                                                      "carpet",
-                                                      "ceiling",
-                                                      "ceilings",
-                                                      "door",
-                                                      "doorjamb",
-                                                      "driveway",
-                                                      "floor",
-                                                      "floors",
-                                                      "garage_door",
-                                                      "gate",
-                                                      "lawn",
-                                                      "maindoor",
-                                                      "pillar",
-                                                      "roof",
-                                                      "room_light",
-                                                      "rug",
-                                                      "sliding_door",
-                                                      "staircase",
-                                                      "wall",
-                                                      "wall_nail",
-                                                      "walls",
-                                                      "light_switch_plate"};
+constexpr std::array<std::string_view, 32> kStructure{
+    "BathtubBasin", "Ceiling",     "Doorframe",    "Doorway",   "Floor",    "SinkBasin", "StoveKnob", "Wall",
+    "baseboard",    "carpet",      "ceiling",      "ceilings",  "door",     "doorjamb",  "driveway",  "floor",
+    "floors",       "garage_door", "gate",         "lawn",      "maindoor", "pillar",    "railing",   "roof",
+    "room_light",   "rug",         "sliding_door", "staircase", "stairs",   "wall",      "wall_nail", "walls"};
 
 struct Extent {
   Vec2 low, high;

@@ -1,13 +1,14 @@
 #include "grounding/layout.h"
 
 #include <algorithm>
+#include <set>
 
 #include "grounding/floor_plan.h"
 #include "grounding/furnish.h"
 #include "grounding/make_node.h"
 #include "grounding/reachability.h"
 #include "grounding/small_objects.h"
-#include "simulation/relations.h"
+#include "grounding/where.h"
 
 namespace unietp {
 namespace {
@@ -15,28 +16,48 @@ namespace {
 constexpr int kPlans = 60;            // floor plans tried
 constexpr int kFurnishings = 80;      // furnishings tried
 constexpr double kSizeSpread = 0.08;  // of furniture
+constexpr std::size_t kFewestRooms = 4;
+constexpr double kLeastSpare = 0.4;  // of the furniture that need not stand, however few objects are asked for
 
-/// The obligatory types once, then more of those that homes have several of.
-std::vector<std::string> draw_rooms(const LayoutRecipe& recipe, int count, Rng rng) {
-  std::vector<std::string> types;
-  for (const std::string& type : recipe.rooms) {
-    if (static_cast<int>(types.size()) < count) types.push_back(type);
+/// Each type as often as it must be, then those that are the farthest below their share, drawn, within what a home has
+/// at most while that leaves any.
+std::vector<RoomWish> draw_rooms(const LayoutRecipe& recipe, std::size_t count, Rng rng) {
+  std::vector<std::size_t> chosen;
+  std::vector<double> have(recipe.rooms.size(), 0);
+  double total = 0;
+  for (std::size_t i = 0; i < recipe.rooms.size(); ++i) {
+    total += recipe.rooms[i].weight;
+    for (int k = 0; k < recipe.rooms[i].at_least && chosen.size() < count; ++k) {
+      chosen.push_back(i);
+      ++have[i];
+    }
   }
-  std::vector<std::string> extra;
-  for (const std::string& type : recipe.rooms) {
-    if (type != "kitchen" && type != "living_room") extra.push_back(type);
+  while (chosen.size() < count) {
+    std::vector<double> lacking;
+    for (std::size_t i = 0; i < recipe.rooms.size(); ++i) {
+      const double share = recipe.rooms[i].weight / total * static_cast<double>(count);
+      const bool enough = have[i] >= recipe.rooms[i].at_most;
+      lacking.push_back(enough ? 1e-6 : std::max(share - have[i], 0.05 * share));
+    }
+    const std::size_t next = rng.weighted(lacking);
+    chosen.push_back(next);
+    ++have[next];
   }
-  if (extra.empty()) extra = recipe.rooms;
-  while (static_cast<int>(types.size()) < count) types.push_back(rng.pick(extra));
-  rng.shuffle(types);
-  return types;
+  rng.shuffle(chosen);
+  std::vector<RoomWish> wishes;
+  for (const std::size_t i : chosen) {
+    const RoomRule& rule = recipe.rooms[i];
+    wishes.push_back({rule.type, rng.uniform(rule.area_low_m2, rule.area_high_m2)});
+  }
+  return wishes;
 }
 
 std::optional<Scene> draw_empty_home(const LayoutRecipe& recipe, Simulator simulator, int rooms, const std::string& id,
                                      const Rng& rng) {
+  const std::size_t count = std::max(static_cast<std::size_t>(std::max(rooms, 0)), kFewestRooms);
   for (std::uint64_t i = 0; i < kPlans; ++i) {
     const Rng plan_rng = rng.fork("plan", i);
-    auto plan = draw_floor_plan(draw_rooms(recipe, rooms, plan_rng.fork("rooms", 0)), plan_rng);
+    auto plan = draw_floor_plan(draw_rooms(recipe, count, plan_rng.fork("rooms", 0)), plan_rng);
     if (!plan) continue;
     Scene scene;
     scene.id = id;
@@ -48,8 +69,39 @@ std::optional<Scene> draw_empty_home(const LayoutRecipe& recipe, Simulator simul
   return std::nullopt;
 }
 
-/// Furnishes every room; the name of an obligatory piece that found no place, or "".
-std::string furnish(Workspace& workspace, const LayoutRecipe& recipe, const Knowledge& knowledge, const Rng& rng) {
+/// How many more than obligatory: binomial, so that the mean is the rule's when all of the spare furniture is wanted.
+int draw_more(const FurnitureRule& rule, double share, Rng& rng) {
+  const int spare = rule.at_most - rule.at_least;
+  int more = 0;
+  for (int k = 0; k < spare; ++k) more += rng.chance(share * (rule.mean - rule.at_least) / spare) ? 1 : 0;
+  return more;
+}
+
+/// Real homes hold more than is asked for here: the share of what need not stand that leaves the small things theirs.
+double spare_share(const LayoutRecipe& recipe, const Scene& empty, const LayoutOptions& options) {
+  const double still = 1 - recipe.movable_share;
+  const double wanted = options.objects > 0 ? still * options.objects
+                                            : still * options.movable_objects / std::max(0.1, recipe.movable_share);
+  double obligatory = 0, spare = 0;
+  for (const Room& room : empty.rooms) {
+    for (const FurnitureRule& rule : recipe.furniture) {
+      if (rule.room != room.type) continue;
+      obligatory += rule.at_least;
+      spare += rule.mean - rule.at_least;
+    }
+  }
+  return spare > 0 ? std::clamp((wanted - obligatory) / spare, kLeastSpare, 1.0) : 1.0;
+}
+
+struct Furnished {
+  std::string missing;               // an obligatory piece that found no place, or ""
+  std::set<std::string> obligatory;  // ids of the pieces that the recipe demands
+};
+
+/// Furnishes every room, first with what it must have.
+Furnished furnish(Workspace& workspace, const LayoutRecipe& recipe, const Knowledge& knowledge, double spare,
+                  const Rng& rng) {
+  Furnished result;
   const FurnishOptions options;
   auto keep_outs = keep_outs_of(workspace, options);
   std::uint64_t piece = 0;
@@ -59,19 +111,34 @@ std::string furnish(Workspace& workspace, const LayoutRecipe& recipe, const Know
       for (const FurnitureRule& rule : recipe.furniture) {
         if (rule.room != type) continue;
         Rng draw = rng.fork("piece", piece++);
-        const auto spare = static_cast<std::uint64_t>(rule.at_most - rule.at_least + 1);
-        const int count = obligatory ? rule.at_least : static_cast<int>(draw.below(spare));
+        const int count = obligatory ? rule.at_least : draw_more(rule, spare, draw);
         for (int k = 0; k < count; ++k) {
           Node node = make_node(workspace.scene(), knowledge, *knowledge.find(rule.category), kSizeSpread, draw);
           draw_states(node, knowledge, draw);
+          if (obligatory) result.obligatory.insert(node.id);
           const bool placed = place_furniture(workspace, keep_outs, room, std::move(node), *parse_where(rule.where),
                                               options, draw.fork("pose", static_cast<std::uint64_t>(k)));
-          if (!placed && obligatory)
-            return rule.category + " (" + rule.where + ") in " + workspace.scene().rooms[room].id;
+          if (!placed && obligatory) {
+            result.missing = rule.category + " (" + rule.where + ") in " + workspace.scene().rooms[room].id;
+            return result;
+          }
           if (!placed) break;
         }
       }
     }
+  }
+  return result;
+}
+
+/// Takes away what nobody can reach and no rule demands; the id of a piece that is demanded, or "".
+std::string drop_unreached(Scene& furnished, const Workspace& workspace, const Profile& profile,
+                           const NavigationGrid& grid, const std::set<std::string>& obligatory) {
+  const auto unreached = unreached_furniture(furnished, workspace.physics(), profile, grid);
+  for (const std::size_t i : unreached) {
+    if (obligatory.contains(furnished.nodes[i].id)) return furnished.nodes[i].id;
+  }
+  for (auto i = unreached.rbegin(); i != unreached.rend(); ++i) {
+    furnished.nodes.erase(furnished.nodes.begin() + static_cast<std::ptrdiff_t>(*i));
   }
   return "";
 }
@@ -83,30 +150,40 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
   std::string obstacle = "no floor plan fits the rooms asked for";
   for (std::uint64_t attempt = 0; attempt < kFurnishings; ++attempt) {
     const Rng draw = rng.fork("attempt", attempt);
-    auto empty = draw_empty_home(recipe, knowledge.simulator(), std::max(options.rooms, 5), id, draw);
+    auto empty = draw_empty_home(recipe, knowledge.simulator(), options.rooms, id, draw);
     if (!empty) continue;
+    const double spare = spare_share(recipe, *empty, options);
     Workspace workspace(std::move(*empty), knowledge);
-    if (const std::string missing = furnish(workspace, recipe, knowledge, draw); !missing.empty()) {
-      obstacle = "no place for " + missing;
+    const Furnished furnished = furnish(workspace, recipe, knowledge, spare, draw);
+    if (!furnished.missing.empty()) {
+      obstacle = "no place for " + furnished.missing;
       continue;
     }
-    Scene furnished = workspace.scene();
-    if (!stand_in_first_room(furnished, profile)) {
-      obstacle = "no room to stand in " + furnished.rooms.front().id;
+    Scene scene = workspace.scene();
+    const NavigationGrid grid(scene, profile);
+    if (!stand_in_first_room(scene, grid)) {
+      obstacle = "no room to stand in " + scene.rooms.front().id;
       continue;
     }
-    if (const auto room = unreached_room(furnished, profile)) {
+    if (const auto room = unreached_room(scene, grid)) {
       obstacle = *room + " cannot be walked to";
       continue;
     }
-    if (const auto piece = unreached_furniture(furnished, workspace.physics(), profile)) {
-      obstacle = *piece + " is out of reach";
+    if (const std::string piece = drop_unreached(scene, workspace, profile, grid, furnished.obligatory);
+        !piece.empty()) {
+      obstacle = piece + " is out of reach";
       continue;
     }
-    workspace.agent() = furnished.agent;
-    const auto furniture = static_cast<int>(workspace.scene().nodes.size());
-    const int movable = options.objects > 0 ? std::max(0, options.objects - furniture) : options.movable_objects;
-    scatter_objects(workspace, movable, options.attempts_per_object, draw.fork("objects", 0));
+    if (scene.nodes.size() < workspace.scene().nodes.size())
+      workspace = Workspace(std::move(scene), knowledge);
+    else
+      workspace.agent() = scene.agent;
+    ScatterOptions scatter;
+    const auto pieces = static_cast<int>(workspace.scene().nodes.size());
+    scatter.wanted = options.objects > 0 ? std::max(0, options.objects - pieces) : options.movable_objects;
+    scatter.draws_per_object = options.attempts_per_object;
+    scatter.settle = options.settle;
+    scatter_objects(workspace, recipe, scatter, draw.fork("objects", 0));
     workspace.read_edges();
     return std::move(workspace).take();
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "akb/default_states.h"
+#include "akb/fit.h"
 
 namespace unietp {
 namespace {
@@ -29,16 +30,26 @@ Node make_node(const Scene& scene, const Knowledge& knowledge, const Category& c
   node.archetype = category.archetype;
   node.openable = knowledge.has(category.name, "openable");
   Vec3 factor = Vec3::Constant(rng.uniform(1 - spread, 1 + spread));
-  if (!category.movable) {
+  if (const auto assets = usable_assets(knowledge, category); !assets.empty()) {
+    const Asset& asset = *rng.pick(assets);
+    node.asset = asset.name;
+    factor = asset.size.cwiseQuotient(category.size);
+  } else if (!category.movable) {
     factor.y() = rng.uniform(1 - spread, 1 + spread);
     factor.z() = rng.uniform(1 - spread, 1 + spread);
   }
-  node.size = category.size.cwiseProduct(factor);
+  node.size = node.asset.empty() ? category.size.cwiseProduct(factor) : knowledge.asset(node.asset)->size;
   node.mass = category.mass * factor.prod();
   if (!category.colours.empty()) node.colour = rng.pick(category.colours);
   if (!category.materials.empty()) node.material = rng.pick(category.materials);
   set_default_states(node, knowledge);
   return node;
+}
+
+std::vector<const Asset*> usable_assets(const Knowledge& knowledge, const Category& category) {
+  std::vector<const Asset*> models = knowledge.assets_of(category.name);
+  std::erase_if(models, [&](const Asset* asset) { return !usable(*asset, category); });
+  return models;
 }
 
 std::string draw_filling(std::string_view category, const Knowledge& knowledge, Rng& rng) {

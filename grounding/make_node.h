@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "akb/knowledge.h"
 #include "core/rng.h"
@@ -8,10 +9,14 @@
 
 namespace unietp {
 
-/// An instance of a category with a fresh id, default states, colour and material drawn from the category's lists, and
-/// a size that differs from the typical one by at most `spread` (a share; per axis for furniture, as a whole for what
-/// moves, so that balls stay balls). The mass follows the volume. The pose is left to the caller.
+/// An instance of a category with a fresh id, default states, colour and material drawn from the category's lists. Its
+/// size is that of one of the category's usable models, drawn, whose name it then carries; where there is none, one
+/// that differs from the typical by at most `spread` (a share; per axis for furniture, as a whole for what moves, so
+/// that balls stay balls). The mass follows the volume. The pose is left to the caller.
 Node make_node(const Scene& scene, const Knowledge& knowledge, const Category& category, double spread, Rng& rng);
+
+/// The models of a category whose boxes may be given to a thing of a scene (`usable` of akb/fit.h), by name.
+std::vector<const Asset*> usable_assets(const Knowledge& knowledge, const Category& category);
 
 /// Some of what a lived-in home shows: a seventh dirty, some lamps and screens on, some vessels full, some laptops and
 /// books open. Furniture with doors stays shut.

@@ -11,7 +11,8 @@
 namespace unietp {
 namespace {
 
-constexpr double kDropHeight_m = 0.002;  // over the surface, more than FCL's gap
+constexpr double kDropHeight_m = 0.002;     // over the surface, more than FCL's gap
+constexpr double kUnsettledGap_m = 0.0002;  // left under what is not let down
 constexpr double kHeadroom_m = 0.005;
 constexpr double kMostSlide_m = 0.01;  // what moves farther while it settles did not rest where it was put
 constexpr double kMostTilt_rad = 0.05;
@@ -134,6 +135,7 @@ std::optional<Pose> try_pose(Workspace& workspace, const Node& node, const Trial
     obstacle = "stands in the way of a door";
     return std::nullopt;
   }
+  if (!options.settle) return Pose{pose.position - Vec3(0, 0, kDropHeight_m - kUnsettledGap_m), pose.rotation};
   workspace.physics().move(trial.body(), pose);
   const Settled settled = workspace.physics().settle(self);
   const Pose& rest = settled.bodies.front().pose;

@@ -13,6 +13,7 @@ struct PlacementOptions {
   bool keep_sweeps_clear = true;                // not in the way of a door or drawer
   bool aligned = false;                         // same front as the receptacle
   std::optional<Bounds> within = std::nullopt;  // the box's bounds must meet this region of W
+  bool settle = true;                           // false: not let down in physics, a hair over the surface
 };
 
 /// What a search for a place gave: a pose at rest, or what the last draw failed on, for people.
@@ -23,8 +24,8 @@ struct FoundPlace {
 
 /// A pose at rest for `node` on or inside a receptacle of the workspace: drawn on one of its surfaces, free by FCL with
 /// a gap, let down in physics until it rests, and kept only if it moved little, stands in the relation asked and in no
-/// `on` or `inside` that the knowledge lacks. `index` is the node's own when it is in the workspace already, else one
-/// past the last. The workspace is unchanged afterwards. Deterministic in rng.
+/// `on` or `inside` that the knowledge lacks; without settling, drawn and free only. `index` is the node's own when it
+/// is in the workspace already, else one past the last. The workspace is unchanged afterwards. Deterministic in rng.
 FoundPlace find_place(Workspace& workspace, const Node& node, std::size_t index, Predicate relation,
                       std::size_t receptacle, const PlacementOptions& options, Rng rng);
 

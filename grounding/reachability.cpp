@@ -1,20 +1,32 @@
 #include "grounding/reachability.h"
 
 #include "grounding/floor_plan.h"
-#include "simulation/navigation.h"
 
 namespace unietp {
 namespace {
 
-std::size_t row_major(const NavigationGrid& grid, NavigationGrid::Cell cell) {
-  return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(grid.width()) + static_cast<std::size_t>(cell.x);
+constexpr double kReachReserve_m = 0.02;
+
+/// True when a place right before the middle of the piece will do, as it does for most.
+bool reached_from_the_front(const Scene& scene, const PhysicsWorld& world, const Profile& profile,
+                            const NavigationGrid& grid, const std::vector<std::int32_t>& walk, std::size_t index) {
+  const Node& node = scene.nodes[index];
+  for (double away = profile.body_radius_m + 0.15; away < profile.reach_m; away += 0.25) {
+    const Vec3 spot = node.pose * Vec3(0, -node.size.y() / 2 - away, 0);
+    const auto cell = grid.cell_at(spot.head<2>());
+    if (!grid.free(cell) || walk[grid.index(cell)] < 0) continue;
+    const Vec2 at = grid.centre(cell);
+    if (reach_distance(node, at, profile) > profile.reach_m - kReachReserve_m) continue;
+    if (in_door_way(node, at, profile)) continue;
+    if (sees(scene, world, profile, at, index)) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
-bool stand_in_first_room(Scene& scene, const Profile& profile) {
+bool stand_in_first_room(Scene& scene, const NavigationGrid& grid) {
   if (scene.rooms.empty()) return false;
-  const NavigationGrid grid(scene, profile);
   const Bounds room = room_bounds(scene.rooms.front(), scene.wall_height);
   const auto cell = grid.nearest_free(((room.low + room.high) / 2).head<2>());
   if (!cell || !contains(scene.rooms.front().polygon, grid.centre(*cell))) return false;
@@ -23,16 +35,17 @@ bool stand_in_first_room(Scene& scene, const Profile& profile) {
   return true;
 }
 
-std::optional<std::string> unreached_room(const Scene& scene, const Profile& profile) {
-  const NavigationGrid grid(scene, profile);
+std::optional<std::string> unreached_room(const Scene& scene, const NavigationGrid& grid) {
   const auto walk = grid.distances(grid.cell_at(scene.agent.position));
   for (const Room& room : scene.rooms) {
+    const Bounds bounds = room_bounds(room, scene.wall_height);
+    const auto from = grid.cell_at(bounds.low.head<2>()), to = grid.cell_at(bounds.high.head<2>());
     int open = 0, reached = 0;
-    for (int y = 0; y < grid.height(); ++y) {
-      for (int x = 0; x < grid.width(); ++x) {
+    for (int y = from.y; y <= to.y; ++y) {
+      for (int x = from.x; x <= to.x; ++x) {
         if (!grid.free({x, y}) || !contains(room.polygon, grid.centre({x, y}))) continue;
         ++open;
-        if (walk[row_major(grid, {x, y})] >= 0) ++reached;
+        if (walk[grid.index({x, y})] >= 0) ++reached;
       }
     }
     if (reached == 0 || 2 * reached < open) return room.id;
@@ -40,13 +53,19 @@ std::optional<std::string> unreached_room(const Scene& scene, const Profile& pro
   return std::nullopt;
 }
 
-std::optional<std::string> unreached_furniture(const Scene& scene, const PhysicsWorld& world, const Profile& profile) {
-  const NavigationGrid grid(scene, profile);
+std::optional<std::string> unreached_room(const Scene& scene, const Profile& profile) {
+  return unreached_room(scene, NavigationGrid(scene, profile));
+}
+
+std::vector<std::size_t> unreached_furniture(const Scene& scene, const PhysicsWorld& world, const Profile& profile,
+                                             const NavigationGrid& grid) {
   const auto walk = grid.distances(grid.cell_at(scene.agent.position));
+  std::vector<std::size_t> unreached;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (!scene.nodes[i].movable && !standing_place(scene, world, grid, walk, profile, i)) return scene.nodes[i].id;
+    if (scene.nodes[i].movable || reached_from_the_front(scene, world, profile, grid, walk, i)) continue;
+    if (!standing_place(scene, world, grid, walk, profile, i)) unreached.push_back(i);
   }
-  return std::nullopt;
+  return unreached;
 }
 
 }  // namespace unietp

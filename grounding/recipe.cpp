@@ -1,131 +1,166 @@
+#include "grounding/recipe.h"
+
 #include <algorithm>
-#include <charconv>
 #include <set>
 
-#include "akb/csv.h"
+#include "akb/row_reader.h"
+#include "akb/tables.h"
 #include "core/files.h"
-#include "core/text.h"
-#include "grounding/layout.h"
 #include "grounding/where.h"
 
 namespace unietp {
 namespace {
 
-constexpr std::array<std::string_view, 6> kColumns{"room", "category", "at_least", "at_most", "where", "source"};
-constexpr std::array<std::string_view, 7> kRoomTypes{"kitchen",     "living_room", "bedroom", "bathroom",
-                                                     "dining_room", "office",      "corridor"};
+const std::vector<std::string> kRoomColumns{"room", "weight", "at_least", "at_most", "area_low", "area_high", "source"};
+const std::vector<std::string> kFurnitureColumns{"room", "category", "mean", "at_least", "at_most", "where", "source"};
+const std::vector<std::string> kObjectColumns{"room", "category", "mean", "source"};
+const std::vector<std::string> kReceptacleColumns{"category", "mean", "source"};
+constexpr double kMostOfAKind = 20, kMostArea_m2 = 80, kMostHeld = 200;
+constexpr std::size_t kRoomTypesOfAHome = 4;
 
-Error schema(const std::string& file, SourcePos pos, std::string message) {
-  return {Error::Kind::Schema, file, pos, std::move(message)};
-}
+class RecipeReader {
+ public:
+  explicit RecipeReader(const Knowledge& knowledge)
+      : knowledge_(knowledge), simulator_(name_of(knowledge.simulator())) {
+    for (const Category& category : knowledge.categories()) {
+      (category.movable ? movable_ : furniture_).push_back(category.name);
+    }
+  }
 
-std::optional<int> small_number(std::string_view text) {
-  int value = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failed != std::errc() || end != text.data() + text.size() || value < 0 || value > 20) return std::nullopt;
-  return value;
-}
+  void rooms(std::string_view text) {
+    each("_rooms.csv", text, kRoomColumns, [&](RowReader& row) {
+      RoomRule rule;
+      rule.type = row.one_of("room", room_types(), "room type");
+      rule.weight = row.number("weight", 0, kMostOfAKind, false);
+      rule.at_least = row.integer("at_least", 0);
+      rule.at_most = row.integer("at_most", std::max(rule.at_least, 1));
+      rule.area_low_m2 = row.number("area_low", 0, kMostArea_m2, false);
+      rule.area_high_m2 = row.number("area_high", std::max(rule.area_low_m2, 0.0), kMostArea_m2, true);
+      if (rule.at_most > kMostOfAKind) row.fail("at_most", "expected a whole number up to 20");
+      if (!types_.insert(rule.type).second) row.fail("room", "'" + rule.type + "' stands twice");
+      recipe_.rooms.push_back(std::move(rule));
+    });
+  }
 
-/// What is wrong with one row, with the cell it stands in.
-std::optional<Error> problem_of(const std::string& file, const CsvRow& row, const Knowledge& knowledge,
-                                const std::set<std::string>& categories_so_far) {
-  const auto at = [&](std::size_t cell, std::string message) {
-    return schema(file, row[cell].pos, std::move(message));
-  };
-  if (std::find(kRoomTypes.begin(), kRoomTypes.end(), row[0].text) == kRoomTypes.end()) {
-    return at(0, "unknown room type '" + row[0].text + "'; expected kitchen, living_room, bedroom, bathroom, " +
-                     "dining_room, office or corridor");
+  void furniture(std::string_view text) {
+    std::set<std::string> listed;
+    each(".csv", text, kFurnitureColumns, [&](RowReader& row) {
+      FurnitureRule rule;
+      rule.room = room_of(row);
+      rule.category = row.text("category");
+      if (const Category* category = knowledge_.find(rule.category); category != nullptr && category->movable) {
+        row.fail("category", "'" + rule.category + "' is movable; a recipe lists furniture");
+      } else {
+        row.one_of("category", furniture_, "piece of furniture");
+      }
+      rule.at_least = row.integer("at_least", 0);
+      rule.at_most = row.integer("at_most", std::max(rule.at_least, 1));
+      if (rule.at_most > kMostOfAKind) row.fail("at_most", "expected a whole number from at_least (and 1) to 20");
+      rule.mean = row.number("mean", std::max(0, rule.at_least), kMostOfAKind, true);
+      if (rule.mean > rule.at_most) row.fail("mean", "expected a number from at_least to at_most");
+      rule.where = row.text("where");
+      const auto where = parse_where(rule.where);
+      if (!where) {
+        row.fail("where",
+                 "expected wall, corner, centre, ceiling, wall-hung[:metres], outer-wall[:metres], on:, at:, "
+                 "beside:, before: or above:<category>[:metres], got '" +
+                     rule.where + "'");
+      } else if (!where->host.empty() && !listed.contains(rule.room + "/" + where->host)) {
+        row.fail("where", "'" + where->host + "' must be listed above for the same room");
+      }
+      listed.insert(rule.room + "/" + rule.category);
+      recipe_.furniture.push_back(std::move(rule));
+    });
   }
-  const Category* category = knowledge.find(row[1].text);
-  if (category == nullptr) {
-    std::vector<std::string> names;
-    for (const Category& one : knowledge.categories()) names.push_back(one.name);
-    const std::string near = nearest_name(row[1].text, names);
-    return at(1, "the knowledge base has no category '" + row[1].text + "'" +
-                     (near.empty() ? "" : "; did you mean '" + near + "'?"));
+
+  void objects(std::string_view text) {
+    std::set<std::pair<std::string, std::string>> seen;
+    each("_objects.csv", text, kObjectColumns, [&](RowReader& row) {
+      if (row.text("room") == "any" && row.text("category") == "unseen") {
+        recipe_.unseen_share = row.number("mean", 0, 1, true);
+        return;
+      }
+      if (row.text("room") == "any" && row.text("category") == "all") {
+        recipe_.movable_share = row.number("mean", 0, 0.95, false);
+        return;
+      }
+      ObjectRule rule{room_of(row), row.one_of("category", movable_, "movable category"),
+                      row.number("mean", 0, kMostHeld, false)};
+      if (!seen.insert({rule.room, rule.category}).second) row.fail("category", "stands twice for the same room");
+      recipe_.objects.push_back(std::move(rule));
+    });
   }
-  if (category->movable) return at(1, "'" + row[1].text + "' is movable; a recipe lists furniture");
-  const auto at_least = small_number(row[2].text), at_most = small_number(row[3].text);
-  if (!at_least) return at(2, "expected a number from 0 to 20, got '" + row[2].text + "'");
-  if (!at_most || *at_most < std::max(*at_least, 1)) {
-    return at(3, "expected a number from at_least (and 1) to 20, got '" + row[3].text + "'");
+
+  void receptacles(std::string_view text) {
+    each("_receptacles.csv", text, kReceptacleColumns, [&](RowReader& row) {
+      const std::string& name = row.text("category");
+      if (knowledge_.find(name) == nullptr) {
+        std::vector<std::string> all = furniture_;
+        all.insert(all.end(), movable_.begin(), movable_.end());
+        row.one_of("category", all, "category");
+      }
+      const double mean = row.number("mean", 0, kMostHeld, true);
+      if (!recipe_.held.emplace(name, mean).second) row.fail("category", "'" + name + "' stands twice");
+    });
   }
-  const auto where = parse_where(row[4].text);
-  if (!where) {
-    return at(4,
-              "expected wall, corner, centre, wall-hung[:metres], on:, at:, beside: or above:<category>[:metres], "
-              "got '" +
-                  row[4].text + "'");
+
+  Result<LayoutRecipe> finish() {
+    if (errors_.empty() && recipe_.rooms.size() < kRoomTypesOfAHome) {
+      errors_.push_back({Error::Kind::Schema, simulator_ + "_rooms.csv", {1, 1}, "a home needs at least 4 room types"});
+    }
+    if (!errors_.empty()) return errors_.front();
+    return std::move(recipe_);
   }
-  if (!where->host.empty() && !categories_so_far.contains(row[0].text + "/" + where->host)) {
-    return at(4, "'" + where->host + "' must be listed above for the same room");
+
+ private:
+  template <class Read>
+  void each(const std::string& suffix, std::string_view text, const std::vector<std::string>& columns,
+            const Read& read) {
+    RowReader reader(simulator_ + suffix, text, columns, errors_);
+    for (const CsvRow& row : reader.rows()) {
+      reader.at(row);
+      read(reader);
+      if (!well_formed_source(reader.text("source"))) {
+        reader.fail("source", "expected metadata:<file>, derived:<rule>, llm:<model> or curated");
+      }
+    }
   }
-  if (row[5].text.empty()) return at(5, "a source is missing");
-  return std::nullopt;
-}
+  std::string room_of(RowReader& row) const {
+    return row.one_of("room", {types_.begin(), types_.end()}, "room of this simulator");
+  }
+
+  const Knowledge& knowledge_;
+  std::string simulator_;
+  std::vector<std::string> furniture_, movable_;
+  std::set<std::string> types_;
+  LayoutRecipe recipe_;
+  std::vector<Error> errors_;
+};
 
 }  // namespace
 
-std::optional<Where> parse_where(std::string_view text) {
-  const auto parts = split(text, ':');
-  Where where;
-  std::size_t used = 1;
-  const std::string& kind = parts.front();
-  if (kind == "wall") {
-    where.kind = Where::Kind::Wall;
-  } else if (kind == "corner") {
-    where.kind = Where::Kind::Corner;
-  } else if (kind == "centre") {
-    where.kind = Where::Kind::Centre;
-  } else if (kind == "wall-hung") {
-    where.kind = Where::Kind::WallHung;
-  } else if (kind == "on" || kind == "at" || kind == "beside" || kind == "above") {
-    where.kind = kind == "on"       ? Where::Kind::On
-                 : kind == "at"     ? Where::Kind::At
-                 : kind == "beside" ? Where::Kind::Beside
-                                    : Where::Kind::Above;
-    if (parts.size() < 2 || parts[1].empty()) return std::nullopt;
-    where.host = parts[1];
-    used = 2;
-  } else {
-    return std::nullopt;
-  }
-  if (parts.size() == used) return where;
-  const bool takes_height = where.kind == Where::Kind::WallHung || where.kind == Where::Kind::Above;
-  if (!takes_height || parts.size() != used + 1) return std::nullopt;
-  double height = 0;
-  const std::string& number = parts[used];
-  const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), height);
-  if (failed != std::errc() || end != number.data() + number.size()) return std::nullopt;
-  if (!(height >= 0 && height <= 2.5)) return std::nullopt;  // nan too
-  where.height_m = height;
-  return where;
+Result<LayoutRecipe> read_recipe(const RecipeTexts& texts, const Knowledge& knowledge) {
+  RecipeReader reader(knowledge);
+  reader.rooms(texts.rooms);
+  reader.furniture(texts.furniture);
+  reader.objects(texts.objects);
+  reader.receptacles(texts.receptacles);
+  return reader.finish();
 }
 
 Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge) {
-  const auto path = folder / (std::string(name_of(knowledge.simulator())) + ".csv");
-  const auto text = read_file(path);
-  if (!text) return text.error();
-  const std::string file = path.filename().string();
-  const CsvFile csv = read_csv(file, *text);
-  if (!csv.errors.empty()) return csv.errors.front();
-  bool same_columns = csv.header.size() == kColumns.size();
-  for (std::size_t i = 0; same_columns && i < kColumns.size(); ++i) same_columns = csv.header[i].text == kColumns[i];
-  if (!same_columns) return schema(file, {1, 1}, "expected the columns room,category,at_least,at_most,where,source");
-
-  LayoutRecipe recipe;
-  std::set<std::string> seen;
-  for (const CsvRow& row : csv.rows) {
-    if (auto problem = problem_of(file, row, knowledge, seen)) return *problem;
-    seen.insert(row[0].text + "/" + row[1].text);
-    recipe.furniture.push_back(
-        {row[0].text, row[1].text, *small_number(row[2].text), *small_number(row[3].text), row[4].text});
-    if (std::find(recipe.rooms.begin(), recipe.rooms.end(), row[0].text) == recipe.rooms.end()) {
-      recipe.rooms.push_back(row[0].text);
-    }
+  const std::string name(name_of(knowledge.simulator()));
+  RecipeTexts texts;
+  const std::pair<const char*, std::string*> files[] = {{"_rooms.csv", &texts.rooms},
+                                                        {".csv", &texts.furniture},
+                                                        {"_objects.csv", &texts.objects},
+                                                        {"_receptacles.csv", &texts.receptacles}};
+  for (const auto& [suffix, content] : files) {
+    auto text = read_file(folder / (name + suffix));
+    if (!text) return text.error();
+    *content = std::move(*text);
   }
-  if (recipe.rooms.size() < 5) return schema(file, {1, 1}, "a recipe needs furniture for at least five room types");
-  return recipe;
+  return read_recipe(texts, knowledge);
 }
 
 }  // namespace unietp

@@ -171,9 +171,13 @@ std::string statistics_text(const SceneStatistics& s) {
                     std::to_string(s.objects) + " objects\n" + column(s.rooms_per_home) + " rooms a home\n" +
                     column(s.objects_per_home) + " objects a home, " + column(100 * s.movable_share) + " % movable\n\n";
   for (const auto& [type, count] : s.rooms_of_type) {
-    out += type + "\n" + column(count) + " a home," + column(s.objects_in.at(type)) + " objects each";
-    if (const auto area = s.area_m2.find(type); area != s.area_m2.end()) {
-      out += "," + column(area->second) + " m2," + column(100 * s.free_floor.at(type)) + " % of the floor free";
+    out += type + "\n" + column(count) + " a home";
+    if (const auto each = s.objects_in.find(type); each != s.objects_in.end()) {
+      out += "," + column(each->second) + " objects each";
+    }
+    if (const auto area = s.area_m2.find(type); area != s.area_m2.end()) out += "," + column(area->second) + " m2";
+    if (const auto share = s.free_floor.find(type); share != s.free_floor.end()) {
+      out += "," + column(100 * share->second) + " % of the floor free";
     }
     out += "\n";
     append_means(out, s, type, s.furniture);

@@ -1,7 +1,9 @@
 #include "grounding/small_objects.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 
 #include "grounding/make_node.h"
 #include "grounding/place_object.h"
@@ -11,14 +13,158 @@ namespace {
 
 constexpr double kSizeSpread = 0.04;
 constexpr double kUsualRoomFactor = 4;
-constexpr double kCrowding = 0.5;  // how much each thing already there makes a receptacle less likely
-constexpr int kTriesPerObject = 4;
+constexpr double kHeldByOthers = 0.5;  // things that a receptacle holds of which no home shows how many
 constexpr int kReceptaclesPerTry = 3;
+constexpr double kMostOften = 1.5;  // times the number of a thing in real homes, when more things are asked for
 
 bool in_usual_room(const Workspace& workspace, const Category& category, const Node& host) {
   const Room* room = room_at(workspace.scene(), host.pose.position.head<2>());
   return room != nullptr && std::find(category.rooms.begin(), category.rooms.end(), room->type) != category.rooms.end();
 }
+
+/// A thing that some room shall have.
+struct Wish {
+  std::size_t room;
+  const Category* category;
+};
+
+/// What each category can be put on or in, room by room, kept up while things are added.
+class Scatterer {
+ public:
+  Scatterer(Workspace& workspace, const LayoutRecipe& recipe, const ScatterOptions& options)
+      : workspace_(workspace), recipe_(recipe), options_(options), rooms_(workspace.scene().rooms.size()) {
+    for (std::size_t i = 0; i < workspace.scene().nodes.size(); ++i) enter(i);
+    for (const Effect& effect : workspace.knowledge().effects()) {
+      if (effect.effect == "slices" && effect.gives != effect.target) sliced_.insert(effect.gives);
+    }
+  }
+
+  std::vector<Wish> draw_wishes(Rng& rng) const {
+    const double seen = options_.wanted * (1 - recipe_.unseen_share);
+    std::vector<std::pair<Wish, double>> expected;
+    double total = 0;
+    for_each_rule([&](const Wish& wish, double mean) {
+      expected.emplace_back(wish, mean);
+      total += mean;
+    });
+    std::vector<Wish> wishes;
+    for (const auto& [wish, mean] : expected) {
+      const double number = mean * std::min(seen / total, kMostOften);
+      const int count = static_cast<int>(number) + (rng.chance(number - std::floor(number)) ? 1 : 0);
+      wishes.insert(wishes.end(), static_cast<std::size_t>(count), wish);
+    }
+    const auto unseen = unseen_categories();
+    const double rest = options_.wanted * recipe_.unseen_share;
+    const int others = static_cast<int>(rest) + (rng.chance(rest - std::floor(rest)) ? 1 : 0);
+    for (int i = 0; i < others && !unseen.empty(); ++i) wishes.push_back({rng.below(rooms_.size()), rng.pick(unseen)});
+    rng.shuffle(wishes);
+    return wishes;
+  }
+
+  /// One more thing: in a room drawn by how much its rules name, of a category that is usual there, the rarer the more
+  /// of it there are; nullopt when there is none.
+  std::optional<Wish> draw_wish(Rng& rng) const {
+    std::vector<double> rooms(rooms_.size(), 0);
+    for_each_rule([&](const Wish& wish, double mean) { rooms[wish.room] += mean; });
+    if (std::none_of(rooms.begin(), rooms.end(), [](double mean) { return mean > 0; })) return std::nullopt;
+    const std::size_t room = rng.weighted(rooms);
+    const std::string& type = workspace_.scene().rooms[room].type;
+    std::vector<const Category*> usual;
+    std::vector<double> chances;
+    for (const Category& category : workspace_.knowledge().categories()) {
+      if (!category.movable || sliced_.contains(category.name)) continue;
+      if (std::find(category.rooms.begin(), category.rooms.end(), type) == category.rooms.end()) continue;
+      const auto there = rooms_[room].find(category.name);
+      usual.push_back(&category);
+      chances.push_back(std::pow(0.5, there == rooms_[room].end() ? 0.0 : static_cast<double>(there->second.size())));
+    }
+    if (usual.empty()) return std::nullopt;
+    return Wish{room, usual[rng.weighted(chances)]};
+  }
+
+  bool place(const Wish& wish, Rng rng) {
+    Node node = make_node(workspace_.scene(), workspace_.knowledge(), *wish.category, kSizeSpread, rng);
+    draw_states(node, workspace_.knowledge(), rng);
+    std::vector<Host> hosts = hosts_in(wish);
+    for (int choice = 0; choice < kReceptaclesPerTry && !hosts.empty(); ++choice) {
+      std::vector<double> chances;
+      for (const Host& host : hosts) chances.push_back(host.weight);
+      const std::size_t at = rng.weighted(chances);
+      const Host host = hosts[at];
+      hosts.erase(hosts.begin() + static_cast<std::ptrdiff_t>(at));
+      PlacementOptions options;
+      options.draws = std::max(1, options_.draws_per_object / kReceptaclesPerTry);
+      options.settle = options_.settle;
+      const FoundPlace place = find_place(workspace_, node, workspace_.scene().nodes.size(), host.relation, host.node,
+                                          options, rng.fork("place", static_cast<std::uint64_t>(choice)));
+      if (!place.pose) continue;
+      node.pose = *place.pose;
+      ++carried_[host.node];
+      enter(workspace_.add(std::move(node)));
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  template <class Each>
+  void for_each_rule(const Each& each) const {
+    for (std::size_t room = 0; room < rooms_.size(); ++room) {
+      for (const ObjectRule& rule : recipe_.objects) {
+        if (rule.room != workspace_.scene().rooms[room].type) continue;
+        const Category* category = workspace_.knowledge().find(rule.category);
+        if (category != nullptr) each(Wish{room, category}, rule.mean);
+      }
+    }
+  }
+
+  /// Movable categories of which no rule speaks and that slicing does not make.
+  std::vector<const Category*> unseen_categories() const {
+    const Knowledge& knowledge = workspace_.knowledge();
+    std::set<std::string_view> spoken = sliced_;
+    for (const ObjectRule& rule : recipe_.objects) spoken.insert(rule.category);
+    std::vector<const Category*> unseen;
+    for (const Category& category : knowledge.categories()) {
+      if (category.movable && !spoken.contains(category.name)) unseen.push_back(&category);
+    }
+    return unseen;
+  }
+
+  void enter(std::size_t index) {
+    const Scene& scene = workspace_.scene();
+    const Node& node = scene.nodes[index];
+    const Room* room = room_at(scene, node.pose.position.head<2>());
+    if (room == nullptr) return;
+    rooms_[static_cast<std::size_t>(room - scene.rooms.data())][node.category].push_back(index);
+  }
+
+  std::vector<Host> hosts_in(const Wish& wish) const {
+    std::vector<Host> hosts;
+    for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
+      for (const Placement* placement :
+           workspace_.knowledge().placements_of(wish.category->name, relation == Predicate::On ? "on" : "inside")) {
+        const auto there = rooms_[wish.room].find(placement->receptacle);
+        if (placement->likelihood <= 0 || there == rooms_[wish.room].end()) continue;
+        const auto usual = recipe_.held.find(placement->receptacle);
+        const double mean = usual == recipe_.held.end() ? kHeldByOthers : usual->second;
+        for (const std::size_t node : there->second) {
+          const auto carried = carried_.find(node);
+          const double crowd = carried == carried_.end() ? 0 : carried->second / (mean + 1);
+          hosts.push_back(
+              {node, relation, placement->likelihood / static_cast<double>(there->second.size()) / (1 + crowd)});
+        }
+      }
+    }
+    return hosts;
+  }
+
+  Workspace& workspace_;
+  const LayoutRecipe& recipe_;
+  const ScatterOptions& options_;
+  std::vector<std::map<std::string, std::vector<std::size_t>, std::less<>>> rooms_;  // category → nodes, by room
+  std::set<std::string_view> sliced_;   // categories that only slicing makes
+  std::map<std::size_t, int> carried_;  // things put on or in a node
+};
 
 }  // namespace
 
@@ -44,52 +190,18 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
   return hosts;
 }
 
-int scatter_objects(Workspace& workspace, int wanted, int draws_per_object, Rng rng) {
-  const Knowledge& knowledge = workspace.knowledge();
-  std::vector<const Category*> categories;
-  for (const Category& category : knowledge.categories()) {
-    if (!category.movable) continue;
-    const bool placeable = !knowledge.placements_of(category.name, "on").empty() ||
-                           !knowledge.placements_of(category.name, "inside").empty();
-    if (placeable) categories.push_back(&category);
-  }
-  if (categories.empty()) return 0;
-  std::vector<double> weights(categories.size(), 1.0);
-  std::map<std::size_t, int> carried;  // things put on or in a node so far
+int scatter_objects(Workspace& workspace, const LayoutRecipe& recipe, const ScatterOptions& options, Rng rng) {
+  Scatterer scatterer(workspace, recipe, options);
+  Rng draw = rng.fork("wishes", 0);
   int placed = 0;
-  for (int attempt = 0; attempt < wanted * kTriesPerObject && placed < wanted; ++attempt) {
-    Rng draw = rng.fork("object", static_cast<std::uint64_t>(attempt));
-    const std::size_t chosen = draw.weighted(weights);
-    Node node = make_node(workspace.scene(), knowledge, *categories[chosen], kSizeSpread, draw);
-    draw_states(node, knowledge, draw);
-    std::vector<Host> hosts = hosts_for(workspace, node);
-    if (hosts.empty()) {
-      weights[chosen] = 0;
-      if (*std::max_element(weights.begin(), weights.end()) <= 0) break;
-      continue;
-    }
-    bool done = false;
-    for (int choice = 0; choice < kReceptaclesPerTry && !done && !hosts.empty(); ++choice) {
-      std::vector<double> chances;
-      for (const Host& host : hosts) chances.push_back(host.weight / (1 + kCrowding * carried[host.node]));
-      const std::size_t at = draw.weighted(chances);
-      const Host host = hosts[at];
-      hosts.erase(hosts.begin() + static_cast<std::ptrdiff_t>(at));
-      const FoundPlace place = find_place(workspace, node, workspace.scene().nodes.size(), host.relation, host.node,
-                                          {.draws = std::max(1, draws_per_object / kReceptaclesPerTry)},
-                                          draw.fork("place", static_cast<std::uint64_t>(choice)));
-      if (!place.pose) continue;
-      node.pose = *place.pose;
-      workspace.add(node);
-      ++carried[host.node];
-      done = true;
-    }
-    if (done) {
-      ++placed;
-      weights[chosen] /= 3;
-    } else {
-      weights[chosen] /= 2;
-    }
+  std::uint64_t tries = 0;
+  for (const Wish& wish : scatterer.draw_wishes(draw)) {
+    if (placed < options.wanted && scatterer.place(wish, rng.fork("object", tries++))) ++placed;
+  }
+  for (int more = 0; more < 2 * options.wanted && placed < options.wanted; ++more) {
+    const auto wish = scatterer.draw_wish(draw);
+    if (!wish) break;
+    if (scatterer.place(*wish, rng.fork("object", tries++))) ++placed;
   }
   return placed;
 }

@@ -9,18 +9,21 @@ namespace unietp {
 /// Where a piece of furniture goes; the text form of FurnitureRule::where.
 struct Where {
   enum class Kind {
-    Wall,      // back to a wall
-    Corner,    // back to a wall, side to another
-    Centre,    // free in the room
-    WallHung,  // on a wall; `wall-hung:0.5` with its lower edge 0.5 m over the floor
-    On,        // `on:CounterTop`: on top of that furniture, same front
-    At,        // `at:DiningTable`: standing around it, facing it
-    Beside,    // `beside:Bed`: next to it along the wall
-    Above,     // `above:Sink:0.02`: over its back edge, that much higher
+    Wall,       // back to a wall
+    Corner,     // back to a wall, side to another
+    Centre,     // free in the room
+    WallHung,   // on a wall; `wall-hung:0.5` with its lower edge 0.5 m over the floor
+    OuterWall,  // likewise, on a wall with no room behind it
+    Ceiling,    // hangs from the ceiling, near the room's middle
+    On,         // `on:CounterTop`: on top of that furniture, same front
+    At,         // `at:DiningTable`: standing around it, facing it
+    Beside,     // `beside:Bed`: next to it along the wall
+    Before,     // `before:Sofa`: an arm's length in front of it
+    Above,      // `above:Sink:0.02`: over its back edge, that much higher
   };
   Kind kind = Kind::Wall;
   std::string host;                // category, of On, At, Beside, Above
-  std::optional<double> height_m;  // of WallHung and Above
+  std::optional<double> height_m;  // of WallHung, OuterWall and Above
 };
 /// nullopt when the text is none of these.
 std::optional<Where> parse_where(std::string_view text);

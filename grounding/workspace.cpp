@@ -37,6 +37,7 @@ void Workspace::rebuild() {
   physics_ = physics_of(scene_);
   checker_ = PlacementChecker();
   sweeps_.clear();
+  bounds_.clear();
   BodyId wall = kFirstWall;
   for (const WallPiece& piece : walls_of(scene_)) {
     Shape shape;
@@ -45,7 +46,9 @@ void Workspace::rebuild() {
   }
   for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
     const Node& node = scene_.nodes[i];
-    checker_.set(static_cast<BodyId>(i), shape_of(node), node.pose, node.opening);
+    const Shape shape = shape_of(node);
+    checker_.set(static_cast<BodyId>(i), shape, node.pose, node.opening);
+    bounds_.push_back(bounds_of(shape, node.pose, node.opening));
     sweeps_.push_back(node.movable ? std::nullopt : sweep_of(node));
   }
 }
@@ -54,6 +57,7 @@ std::size_t Workspace::add(Node node) {
   const std::size_t index = scene_.nodes.size();
   scene_.nodes.emplace_back();
   sweeps_.emplace_back();
+  bounds_.emplace_back();
   replace(index, std::move(node));
   return index;
 }
@@ -63,6 +67,7 @@ void Workspace::replace(std::size_t index, Node node) {
   const auto body = static_cast<BodyId>(index);
   physics_.set(body, shape, node.pose, node.opening, node.mass);
   checker_.set(body, shape, node.pose, node.opening);
+  bounds_[index] = bounds_of(shape, node.pose, node.opening);
   sweeps_[index] = node.movable ? std::nullopt : sweep_of(node);
   scene_.nodes[index] = std::move(node);
 }

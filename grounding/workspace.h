@@ -38,6 +38,8 @@ class Workspace {
 
   /// The space that the doors and drawers of furniture pass through, by node; empty bounds for nodes without.
   const std::vector<std::optional<Bounds>>& sweeps() const { return sweeps_; }
+  /// The bounds of each node where it stands, by node.
+  const std::vector<Bounds>& bounds() const { return bounds_; }
   std::string name_of(BodyId body) const;  // node's id, "wall" or "floor"
 
  private:
@@ -48,6 +50,7 @@ class Workspace {
   PhysicsWorld physics_;
   PlacementChecker checker_;
   std::vector<std::optional<Bounds>> sweeps_;
+  std::vector<Bounds> bounds_;
 };
 
 /// The space that a node's moving parts pass through when it is opened, in W; nullopt when nothing moves.

@@ -13,6 +13,7 @@ constexpr const char* kHelp =
     "  unietp scene make --simulator habitat --count 5 --out out/new new homes\n"
     "  unietp scene show out/homes/ai2thor-benchmark-01.scene.json.gz --out home.svg\n"
     "  unietp scene stats out/homes                                  what the homes of a folder hold\n"
+    "  unietp scene fit ../shared/upstream                           the tables of homes from real ones\n"
     "\n"
     "`unietp scene COMMAND --help` explains each. `unietp generate --scenes FOLDER` makes tasks in such homes.";
 
@@ -21,6 +22,7 @@ constexpr const char* kHelp =
 void add_scene_command(CLI::App& app, CommandLine& program) {
   auto* group = app.add_subcommand("scene", kHelp);
   group->require_subcommand(1);
+  add_scene_fit_command(*group, program);
   add_scene_list_command(*group, program);
   add_scene_make_command(*group, program);
   add_scene_show_command(*group, program);

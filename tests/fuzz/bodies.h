@@ -34,7 +34,10 @@ bool template_body(std::string_view text);
 bool instruction_body(std::string_view text);
 
 bool profile_body(std::string_view text);
+/// The four tables of one simulator's recipe, with a line `====` between them.
 bool recipe_body(std::string_view text);
+bool benchmark_body(std::string_view text);
+bool statistics_body(std::string_view text);
 
 bool task_body(std::string_view text);
 bool demonstration_body(std::string_view text);

@@ -3,7 +3,9 @@
 #include "../annotator/small_knowledge.h"
 #include "bodies.h"
 #include "fuzz_bodies.h"
-#include "grounding/layout.h"
+#include "grounding/layout_library.h"
+#include "grounding/recipe.h"
+#include "grounding/scene_statistics.h"
 #include "grounding/where.h"
 #include "simulation/profile.h"
 #include "support.h"
@@ -26,22 +28,64 @@ bool profile_body(std::string_view text) {
   return true;
 }
 
+namespace {
+
+/// The small knowledge with things that move.
+Knowledge knowledge_of_homes() {
+  const Knowledge small = testing_support::small_knowledge();
+  auto categories = small.categories();
+  for (Category& category : categories) category.movable = category.name == "Mug" || category.name == "Apple";
+  return Knowledge(small.simulator(), std::move(categories), {}, {}, {}, {});
+}
+
+}  // namespace
+
 bool recipe_body(std::string_view text) {
-  static const Folder folder("recipe");
-  static const Knowledge knowledge = testing_support::small_knowledge();
-  folder.write("ai2thor.csv", text);
-  const auto recipe = load_recipe(folder.path(), knowledge);
+  static const Knowledge knowledge = knowledge_of_homes();
+  RecipeTexts texts;
+  for (std::string* table : {&texts.rooms, &texts.furniture, &texts.objects, &texts.receptacles}) {
+    const std::size_t end = text.find("====\n");
+    *table = text.substr(0, end);
+    text = end == std::string_view::npos ? std::string_view() : text.substr(end + 5);
+  }
+  const auto recipe = read_recipe(texts, knowledge);
   if (!recipe) {
     check_error(recipe.error());
     return false;
   }
   for (const FurnitureRule& rule : recipe->furniture) {
     require(knowledge.find(rule.category) != nullptr);
-    require(rule.at_least >= 0 && rule.at_most >= rule.at_least);
+    require(rule.at_least >= 0 && rule.mean >= rule.at_least && rule.at_most >= rule.mean);
     const auto where = parse_where(rule.where);
     require(where.has_value());
     require(!where->height_m || (*where->height_m >= 0 && *where->height_m <= 2.5));
   }
+  for (const RoomRule& rule : recipe->rooms) require(rule.weight > 0 && rule.area_high_m2 >= rule.area_low_m2);
+  for (const ObjectRule& rule : recipe->objects) require(knowledge.find(rule.category)->movable && rule.mean > 0);
+  return true;
+}
+
+bool benchmark_body(std::string_view text) {
+  const BenchmarkTable table = read_benchmark("benchmark.csv", text);
+  for (const Error& error : table.errors) check_error(error);
+  for (const BenchmarkLayout& layout : table.layouts) {
+    require(!layout.id.empty() && layout.rooms >= 4 && layout.rooms <= 12);
+    require(layout.objects >= 50 && layout.objects <= 600);
+  }
+  return table.errors.empty();
+}
+
+bool statistics_body(std::string_view text) {
+  const auto statistics = statistics_from_json("statistics.json", text);
+  if (!statistics) {
+    check_error(statistics.error());
+    return false;
+  }
+  const auto again = statistics_from_json("again.json", statistics_to_json(*statistics));
+  require(again.operator bool());
+  require(statistics_to_json(*again) == statistics_to_json(*statistics));
+  for (const auto& [name, part] : parts_of(distance(*statistics, *again))) require(!part || *part >= -1e-9);
+  require(!statistics_text(*statistics).empty());
   return true;
 }
 

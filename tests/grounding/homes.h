@@ -47,6 +47,14 @@ inline std::optional<Surroundings> style_of(Simulator simulator) {
   return Surroundings{std::move(*knowledge), std::move(*recipe), *profile};
 }
 
+/// A home as those of the benchmark are.
+inline Result<Scene> full_home_of(const Surroundings& style, std::uint64_t seed) {
+  LayoutOptions options;
+  options.rooms = 7;
+  options.objects = 210;
+  return generate_layout(style.recipe, style.knowledge, style.profile, options, "home", Rng(seed));
+}
+
 inline Result<Scene> home_of(const Surroundings& style, std::uint64_t seed, int rooms = 5, int movable = 60) {
   LayoutOptions options;
   options.rooms = rooms;

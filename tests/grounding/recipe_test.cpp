@@ -1,3 +1,5 @@
+#include "grounding/recipe.h"
+
 #include <gtest/gtest.h>
 
 #include "core/files.h"
@@ -11,44 +13,77 @@ TEST(LoadRecipe, ReadsTheCommittedRecipesOfAllSimulators) {
   for (const Simulator simulator : kSimulators) {
     const auto style = style_of(simulator);
     ASSERT_TRUE(style) << name_of(simulator);
-    EXPECT_GE(style->recipe.rooms.size(), 5u);
+    EXPECT_EQ(style->recipe.rooms.size(), 7u);
+    EXPECT_GE(style->recipe.furniture.size(), 60u);
+    EXPECT_GE(style->recipe.objects.size(), 60u);
+    EXPECT_GT(style->recipe.unseen_share, 0);
     for (const FurnitureRule& rule : style->recipe.furniture) EXPECT_TRUE(parse_where(rule.where)) << rule.where;
   }
 }
 
 class BadRecipe : public testing::Test {
  protected:
-  /// The first error of a recipe whose second data row is the given one.
-  std::string error_of(const std::string& row) {
-    const auto style = style_of(Simulator::Ai2thor);
-    const auto folder = std::filesystem::temp_directory_path() / ("unietp_recipe_" + std::to_string(::getpid()));
-    const auto file = folder / "ai2thor.csv";
-    EXPECT_TRUE(
-        write_file(file, "room,category,at_least,at_most,where,source\nkitchen,Sink,1,1,wall,curated\n" + row + "\n"));
-    const auto recipe = load_recipe(folder, style->knowledge);
-    std::filesystem::remove_all(folder);
+  static RecipeTexts sound() {
+    return {
+        "room,weight,at_least,at_most,area_low,area_high,source\nkitchen,1,1,1,10,20,curated\nbedroom,1,1,4,10,20,"
+        "curated\n"
+        "bathroom,1,1,3,10,20,curated\nliving_room,1,1,2,10,20,curated\n",
+        "room,category,mean,at_least,at_most,where,source\nkitchen,Sink,1,1,1,wall,curated\n",
+        "room,category,mean,source\nany,unseen,0.1,curated\nkitchen,Mug,1,curated\n",
+        "category,mean,source\nFridge,2,curated\n"};
+  }
+  static std::string first_error(const RecipeTexts& texts) {
+    static const auto style = style_of(Simulator::Ai2thor);
+    const auto recipe = read_recipe(texts, style->knowledge);
     return recipe ? "no error" : format(recipe.error());
+  }
+  static std::string furniture(const std::string& row) {
+    RecipeTexts texts = sound();
+    texts.furniture += row + "\n";
+    return first_error(texts);
+  }
+  static std::string room(const std::string& row) {
+    RecipeTexts texts = sound();
+    texts.rooms += row + "\n";
+    return first_error(texts);
+  }
+  static std::string object(const std::string& row) {
+    RecipeTexts texts = sound();
+    texts.objects += row + "\n";
+    return first_error(texts);
   }
 };
 
 TEST_F(BadRecipe, IsReportedWithLineColumnAndWhatIsAccepted) {
-  EXPECT_EQ(error_of("attic,Sink,1,1,wall,curated"),
-            "ai2thor.csv:3:1: schema error: unknown room type 'attic'; expected kitchen, living_room, bedroom, "
-            "bathroom, dining_room, office or corridor");
-  EXPECT_EQ(error_of("kitchen,Fridg,1,1,wall,curated"),
-            "ai2thor.csv:3:9: schema error: the knowledge base has no category 'Fridg'; did you mean 'Fridge'?");
-  EXPECT_EQ(error_of("kitchen,Mug,1,1,wall,curated"),
+  ASSERT_EQ(first_error(sound()), "no error");
+  EXPECT_EQ(furniture("attic,Sink,1,1,1,wall,curated"),
+            "ai2thor.csv:3:1: schema error: unknown room of this simulator 'attic'; expected one of bathroom, bedroom, "
+            "kitchen, living_room");
+  EXPECT_EQ(furniture("kitchen,Fridg,1,1,1,wall,curated"),
+            "ai2thor.csv:3:9: schema error: unknown piece of furniture 'Fridg'; expected a piece of furniture of the "
+            "category table; did you mean 'Fridge'?");
+  EXPECT_EQ(furniture("kitchen,Mug,1,1,1,wall,curated"),
             "ai2thor.csv:3:9: schema error: 'Mug' is movable; a recipe lists furniture");
-  EXPECT_EQ(error_of("kitchen,Fridge,-1,1,wall,curated"),
-            "ai2thor.csv:3:16: schema error: expected a number from 0 to 20, got '-1'");
-  EXPECT_EQ(error_of("kitchen,Fridge,2,1,wall,curated"),
-            "ai2thor.csv:3:18: schema error: expected a number from at_least (and 1) to 20, got '1'");
-  EXPECT_EQ(error_of("kitchen,Fridge,1,1,ceiling,curated"),
-            "ai2thor.csv:3:20: schema error: expected wall, corner, centre, wall-hung[:metres], on:, at:, beside: or "
-            "above:<category>[:metres], got 'ceiling'");
-  EXPECT_EQ(error_of("kitchen,Faucet,1,1,above:Bathtub,curated"),
-            "ai2thor.csv:3:20: schema error: 'Bathtub' must be listed above for the same room");
-  EXPECT_EQ(error_of("kitchen,Fridge,1,1,wall,"), "ai2thor.csv:3:25: schema error: a source is missing");
+  EXPECT_EQ(furniture("kitchen,Fridge,1,-1,1,wall,curated"),
+            "ai2thor.csv:3:18: schema error: bad at_least '-1'; expected a whole number >= 0");
+  EXPECT_EQ(furniture("kitchen,Fridge,2,2,1,wall,curated"),
+            "ai2thor.csv:3:20: schema error: bad at_most '1'; expected a whole number >= 2");
+  EXPECT_EQ(furniture("kitchen,Fridge,3,1,2,wall,curated"),
+            "ai2thor.csv:3:16: schema error: expected a number from at_least to at_most");
+  EXPECT_EQ(furniture("kitchen,Fridge,1,1,1,roof,curated"),
+            "ai2thor.csv:3:22: schema error: expected wall, corner, centre, ceiling, wall-hung[:metres], "
+            "outer-wall[:metres], on:, at:, beside:, before: or above:<category>[:metres], got 'roof'");
+  EXPECT_EQ(furniture("kitchen,Faucet,1,1,1,above:Bathtub,curated"),
+            "ai2thor.csv:3:22: schema error: 'Bathtub' must be listed above for the same room");
+  EXPECT_EQ(furniture("kitchen,Fridge,1,1,1,wall,"),
+            "ai2thor.csv:3:27: schema error: expected metadata:<file>, derived:<rule>, llm:<model> or curated");
+  EXPECT_EQ(room("kitchen,1,1,1,10,20,curated"), "ai2thor_rooms.csv:6:1: schema error: 'kitchen' stands twice");
+  EXPECT_EQ(room("office,1,0,1,20,10,curated"),
+            "ai2thor_rooms.csv:6:17: schema error: bad area_high '10'; expected a number >= 20 and <= 80");
+  EXPECT_EQ(object("kitchen,Mug,2,curated"), "ai2thor_objects.csv:4:9: schema error: stands twice for the same room");
+  RecipeTexts no_rooms = sound();
+  no_rooms.rooms = "room,weight,at_least,at_most,area_low,area_high,source\nkitchen,1,1,1,10,20,curated\n";
+  EXPECT_EQ(first_error(no_rooms), "ai2thor_rooms.csv:1:1: schema error: a home needs at least 4 room types");
 }
 
 TEST(ParseWhere, ReadsHostsAndHeights) {
@@ -58,7 +93,9 @@ TEST(ParseWhere, ReadsHostsAndHeights) {
   EXPECT_EQ(above->host, "Sink");
   EXPECT_EQ(above->height_m, 0.4);
   EXPECT_EQ(parse_where("wall-hung")->height_m, std::nullopt);
-  for (const char* bad : {"", "on", "on:", "wall:2", "at:Desk:1", "wall-hung:high", "wall-hung:9", "above:Sink:1:2"}) {
+  EXPECT_EQ(parse_where("outer-wall:0.2")->height_m, 0.2);
+  for (const char* bad :
+       {"", "on", "on:", "wall:2", "at:Desk:1", "before:Sofa:1", "wall-hung:high", "wall-hung:9", "above:Sink:1:2"}) {
     EXPECT_FALSE(parse_where(bad)) << bad;
   }
 }

@@ -37,6 +37,8 @@ constexpr Parser kParsers[] = {{"csv", fuzz::csv_body},
                                {"instruction", fuzz::instruction_body},
                                {"profile", fuzz::profile_body},
                                {"recipe", fuzz::recipe_body},
+                               {"benchmark", fuzz::benchmark_body},
+                               {"statistics", fuzz::statistics_body},
                                {"task", fuzz::task_body},
                                {"demonstration", fuzz::demonstration_body},
                                {"manifest", fuzz::manifest_body}};

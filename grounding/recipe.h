@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "core/result.h"
+
+namespace unietp {
+
+/// How many of a room type a home has, and how large they are; data/layouts/<simulator>_rooms.csv.
+struct RoomRule {
+  std::string type;
+  double weight = 0;  // mean number in a home; only the proportions count
+  int at_least = 0, at_most = 4;
+  double area_low_m2 = 9, area_high_m2 = 20;
+};
+
+/// A piece of furniture in rooms of a type; data/layouts/<simulator>.csv.
+struct FurnitureRule {
+  std::string room;  // room type
+  std::string category;
+  double mean = 0;  // number in such a room
+  int at_least = 0, at_most = 1;
+  std::string where;  // as in grounding/where.h
+};
+
+/// A small thing in rooms of a type; data/layouts/<simulator>_objects.csv.
+struct ObjectRule {
+  std::string room;
+  std::string category;
+  double mean = 0;
+};
+
+/// What a home of one simulator's style is made of.
+struct LayoutRecipe {
+  std::vector<RoomRule> rooms;
+  std::vector<FurnitureRule> furniture;  // in the order in which a room is furnished; hosts before what needs them
+  std::vector<ObjectRule> objects;
+  double movable_share = 0.4;          // of a home's objects that are small things
+  double unseen_share = 0;             // of small things that are of a category without a rule
+  std::map<std::string, double> held;  // receptacle category → mean number of things on or in one
+};
+
+/// The four tables of one simulator as text.
+struct RecipeTexts {
+  std::string rooms, furniture, objects, receptacles;
+};
+/// Errors: Parse or Schema with file, line and column; the first.
+Result<LayoutRecipe> read_recipe(const RecipeTexts& texts, const Knowledge& knowledge);
+/// Errors: Io too.
+Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge);
+
+}  // namespace unietp
