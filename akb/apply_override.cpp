@@ -69,12 +69,12 @@ class Overlay {
     Category& c = *subject_;
     if (word == "size") {
       const auto size = size_in(value);
-      if (!size) return bad_value("width, depth and height in metres, each > 0 and <= 20, as 0.3 x 0.2 x 0.1");
+      if (!size) return bad_value("width, depth and height in metres, each > 0 and <= 100, as 0.3 x 0.2 x 0.1");
       c.size = *size;
       c.size_source = source_;
     } else if (word == "mass") {
       const auto mass = number_in(value, kHeaviestOverride_kg);
-      if (!mass) return bad_value("kilograms > 0 and <= 2000");
+      if (!mass) return bad_value("kilograms > 0 and <= 90000");
       c.mass = *mass;
       c.mass_source = source_;
     } else if (word == "movable") {

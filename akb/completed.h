@@ -69,9 +69,9 @@ CompletedFacts read_completed(const std::filesystem::path& folder, const Tables&
 /// equal bytes. Errors: Io.
 Result<Done> write_completed(const std::filesystem::path& folder, CompletedFacts facts);
 
-/// Lays completed facts under the tables: each counts only where nothing of its kind is told about its category, whoever
-/// came first. Left out besides: synonyms that name something else too, places in which a thing does not fit or that do
-/// not hold things. Places are made to sum to one.
+/// Lays completed facts under the tables: each counts only where nothing of its kind is told about its category,
+/// whoever came first. Left out besides: synonyms that name something else too, places in which a thing does not fit or
+/// that do not hold things. Places are made to sum to one.
 void lay_under(const CompletedFacts& facts, const ToldFacts& told, Tables& tables);
 
 /// What a compilation does with the completed facts of a simulator: reads and lays them under its tables, but for those

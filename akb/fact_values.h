@@ -11,7 +11,7 @@ namespace unietp {
 
 // The values of facts as override files write them; nothing where a text is not such a value.
 
-inline constexpr double kLargestOverride_m = 20, kHeaviestOverride_kg = 2000;  // as the tables allow
+inline constexpr double kLargestOverride_m = 100, kHeaviestOverride_kg = 90000;  // as the tables allow
 
 /// > 0 and <= `most`.
 std::optional<double> number_in(std::string_view text, double most);

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "interchange/draft.h"
 #include "simulation/relations.h"
 
@@ -6,6 +8,21 @@ namespace {
 
 std::string more_than(std::size_t count, std::size_t most, const std::string& what) {
   return std::to_string(count) + " " + what + "; accepted are at most " + std::to_string(most);
+}
+
+/// What is wrong with the size of a home, or "": walking it costs its area.
+std::string too_wide(const Scene& scene) {
+  constexpr double kWidest_m = 200;
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Room& room : scene.rooms) {
+    for (const Vec2& corner : room.polygon) {
+      if (!corner.allFinite()) return "the room " + room.id + " has a corner that is no finite number";
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+    }
+  }
+  if (scene.rooms.empty() || (high - low).maxCoeff() <= kWidest_m) return {};
+  return "the rooms reach over more than 200 m; homes are smaller";
 }
 
 }  // namespace
@@ -33,6 +50,7 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   scene.id = source.id;
   scene.simulator = source.simulator;
   draw_rooms(source, scene);
+  if (std::string wrong = too_wide(scene); !wrong.empty()) return refuse(std::move(wrong));
   Draft draft = draft_of(source, std::move(scene), knowledge);
   if (draft.scene.rooms.empty()) return refuse("the file has no room, and nothing around which one could be drawn");
   if (draft.scene.nodes.empty()) return refuse("no object of a known category can be placed");

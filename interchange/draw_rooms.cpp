@@ -153,8 +153,8 @@ void make_openings(Scene& scene) {
 }  // namespace
 
 void draw_rooms(const SourceScene& source, Scene& scene) {
-  scene.wall_height = source.wall_height;
-  scene.wall_thickness = source.wall_thickness;
+  scene.wall_height = std::clamp(source.wall_height, 1.0, 20.0);
+  scene.wall_thickness = std::clamp(source.wall_thickness, 0.005, 1.0);
   std::set<std::string> ids{"agent"};
   for (Room room : source.rooms.empty() ? rooms_around(source) : source.rooms) {
     if (area_of(room.polygon) < 0) std::reverse(room.polygon.begin(), room.polygon.end());

@@ -21,6 +21,37 @@ bool has_mark(const Json& json, const std::vector<std::string_view>& marks) {
          });
 }
 
+/// Rooms, walls, openings and agent of the size of a home; a room that is larger is an error, the rest is dropped with
+/// a warning.
+void keep_to_a_home(JsonReader& reader, const JsonAt& home, SourceScene& scene) {
+  constexpr double kFarthest_m = 1000, kWidest_m = 200, kLowest_m = 1, kHighest_m = 50, kUsual_m = 2.6;
+  Vec2 low = Vec2::Constant(kFarthest_m), high = -low;
+  for (const Room& room : scene.rooms) {
+    for (const Vec2& corner : room.polygon) {
+      low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+      const bool near = corner.allFinite() && corner.cwiseAbs().maxCoeff() <= kFarthest_m;
+      if (near && (high - low).maxCoeff() <= kWidest_m) continue;
+      return reader.fail(home, "the room " + in_quotes(room.id) +
+                                   " reaches too far; expected a home of at most 200 m within 1000 m of the origin");
+    }
+  }
+  if (!(scene.wall_height >= kLowest_m && scene.wall_height <= kHighest_m)) {
+    scene.warnings.push_back("walls of " + number_text(scene.wall_height) + " m: taken as 2.6 m");
+    scene.wall_height = kUsual_m;
+  }
+  for (Opening& opening : scene.openings) opening.height = std::min(opening.height, scene.wall_height);
+  const auto is_none = [](const Opening& opening) {
+    return !opening.from.allFinite() || !opening.to.allFinite() || !((opening.to - opening.from).norm() > 0.001);
+  };
+  const auto dropped = std::erase_if(scene.openings, is_none);
+  if (dropped > 0) scene.warnings.push_back(std::to_string(dropped) + " openings have no width");
+  const Vec2& agent = scene.agent.position;
+  if (scene.has_agent && !(agent.allFinite() && agent.cwiseAbs().maxCoeff() <= kFarthest_m)) {
+    scene.warnings.emplace_back("the agent stands too far away to be in a home");
+    scene.has_agent = false;
+  }
+}
+
 class Homes {
  public:
   Homes(const std::vector<std::string_view>& marks, const HomeReader& read) : marks_(marks), read_(read) {}
@@ -40,7 +71,9 @@ class Homes {
       std::vector<std::string> names(marks_.begin(), marks_.end());
       return reader.fail(home, "expected a home, an object with the field " + join(names, " or "));
     }
-    scenes_.push_back(read_(reader, home, id));
+    SourceScene scene = read_(reader, home, id);
+    if (!reader.error()) keep_to_a_home(reader, home, scene);
+    scenes_.push_back(std::move(scene));
   }
 
   void all(JsonReader& reader, const JsonAt& table, const std::string& name) {

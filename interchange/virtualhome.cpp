@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "interchange/box_facing.h"
+#include "interchange/floor_tiles.h"
 #include "interchange/foreign_json.h"
 #include "interchange/formats.h"
-#include "interchange/box_facing.h"
 #include "interchange/virtualhome_frame.h"
 #include "interchange/virtualhome_graph.h"
-#include "interchange/floor_tiles.h"
 #include "interchange/virtualhome_words.h"
 
 namespace unietp {
@@ -84,9 +84,9 @@ class Importer {
   SourceRelation::Kind kind_of(bool on, const VirtualhomeNode& object, const VirtualhomeNode& receptacle) const {
     constexpr double kSunk_m = 0.01;
     const Category* category = category_of(receptacle);
-    const bool hollow = category != nullptr && (category->archetype == Archetype::Cabinet ||
-                                                category->archetype == Archetype::Vessel ||
-                                                category->archetype == Archetype::Lidded);
+    const bool hollow =
+        category != nullptr && (category->archetype == Archetype::Cabinet || category->archetype == Archetype::Vessel ||
+                                category->archetype == Archetype::Lidded);
     if (!on) return hollow ? SourceRelation::Kind::Inside : SourceRelation::Kind::OnOrInside;
     const double low = object.centre.y() - object.extents.y() / 2;
     const double high = receptacle.centre.y() + receptacle.extents.y() / 2;
@@ -126,8 +126,8 @@ class Importer {
     for (std::size_t i = 0; i < rooms.size(); ++i) {
       const std::string type = room_type_of_virtualhome(rooms[i]->class_name);
       const auto outline = outline_of(tiles[i]);
-      scene_.rooms.push_back({type + "_" + std::to_string(++count[type]), type,
-                              outline ? *outline : corners_of(bounds_of(tiles[i]))});
+      scene_.rooms.push_back(
+          {type + "_" + std::to_string(++count[type]), type, outline ? *outline : corners_of(bounds_of(tiles[i]))});
       room_index_[rooms[i]->id] = i;
     }
   }
@@ -160,7 +160,7 @@ class Importer {
       const Vec3 apart = from_unity(other->centre) - from_unity(door.centre);
       if (apart.head<2>().norm() < kSamePlace_m) top = std::max(top, other->centre.y() + other->extents.y() / 2);
     }
-    return std::clamp(top, 1.0, scene_.wall_height);
+    return std::max(1.0, std::min(top, scene_.wall_height));
   }
 
   /// Floors, walls and doors are objects of the file too.

@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "interchange/floor_tiles.h"
 #include "interchange/formats.h"
 #include "interchange/virtualhome_frame.h"
-#include "interchange/floor_tiles.h"
 #include "interchange/virtualhome_words.h"
 
 namespace unietp {
@@ -113,6 +113,10 @@ class Exporter {
 
   void add_doorway(const Opening& opening) {
     const Vec2 along = opening.to - opening.from;
+    if (!(along.norm() > 0)) {
+      left_out_.push_back(opening.id + ": it has no width");
+      return;
+    }
     const Vec2 across = Vec2(std::abs(along.y()), std::abs(along.x())) * (kFrame_m / 2 / along.norm());
     const Vec2 low = opening.from.cwiseMin(opening.to) - across, high = opening.from.cwiseMax(opening.to) + across;
     const int id = add("doorjamb", "Doors", "", {Vec3(low.x(), low.y(), 0), Vec3(high.x(), high.y(), opening.height)});
@@ -176,7 +180,9 @@ class Exporter {
     if (e.relation == Predicate::On) edge(from->second, "ON", to->second);
     if (e.relation == Predicate::Inside || e.relation == Predicate::InRoom) edge(from->second, "INSIDE", to->second);
     if (e.relation == Predicate::OnFloor) {
-      const Vec2 point = find_node(scene_, e.from)->pose.position.head<2>();
+      const Node* node = find_node(scene_, e.from);
+      if (node == nullptr) return;
+      const Vec2 point = node->pose.position.head<2>();
       for (const Placed& floor : floors_) {
         const Vec2 low = floor.bounds.low.head<2>(), high = floor.bounds.high.head<2>();
         if ((point - low).minCoeff() < 0 || (high - point).minCoeff() < 0) continue;
@@ -193,6 +199,11 @@ class Exporter {
   }
 
   void add_close() {
+    constexpr std::size_t kMostCrowded = 2000;  // the edges grow with the square
+    if (placed_.size() > kMostCrowded) {
+      left_out_.push_back("CLOSE edges, since there are more than 2000 objects");
+      return;
+    }
     for (std::size_t i = 0; i < placed_.size(); ++i) {
       for (std::size_t j = i + 1; j < placed_.size(); ++j) {
         const Bounds &a = placed_[i].bounds, &b = placed_[j].bounds;

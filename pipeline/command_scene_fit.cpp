@@ -14,7 +14,7 @@ constexpr const char* kHelp =
     "\n"
     "  unietp scene fit ../shared/upstream\n"
     "      into the program's own data/layouts; `curated/` there says where furniture goes\n"
-    "  unietp scene fit ../shared/upstream --out /tmp/layouts\n"
+    "  unietp scene fit ../shared/upstream --out out/layouts\n"
     "\n"
     "The committed tables are what this writes, byte for byte.";
 

@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
               "mine.csv:2:13: schema error: habitat has no category 'plat'; did you mean 'plate'?"},
         Fault{"Reason", "habitat,mug,mass,1,", "mine.csv:2:20: schema error: empty reason; expected a text"},
         Fault{"Mass", "habitat,mug,mass,heavy,r",
-              "mine.csv:2:18: schema error: bad value 'heavy' of mass; expected kilograms > 0 and <= 2000"},
+              "mine.csv:2:18: schema error: bad value 'heavy' of mass; expected kilograms > 0 and <= 90000"},
         Fault{"MassOfNothing", "habitat,mug,mass,nan,r", "bad value 'nan' of mass"},
         Fault{"Size", "habitat,mug,size,0.1 x 0.2,r",
               "mine.csv:2:18: schema error: bad value '0.1 x 0.2' of size; expected width, depth and height in metres"},

@@ -129,6 +129,14 @@ TEST(Assemble, AFileWithNothingToPlaceOrTooMuchIsRefused) {
   EXPECT_THAT(nothing.error().message, HasSubstr("no object of a known category"));
 }
 
+TEST(Assemble, ARoomAsWideAsATownIsRefused) {
+  SourceScene scene = kitchen();
+  scene.rooms[0].polygon[1].x() = 1e12;
+  const auto home = imported(scene);
+  ASSERT_FALSE(home);
+  EXPECT_THAT(home.error().message, HasSubstr("more than 200 m"));
+}
+
 TEST(Assemble, AMillionObjectsAreRefusedAtOnce) {
   SourceScene scene = kitchen();
   scene.objects.resize(1'000'000);

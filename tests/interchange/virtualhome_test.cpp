@@ -240,6 +240,13 @@ TEST(Virtualhome, BadGraphsGetAnErrorWithItsPlace) {
   EXPECT_EQ(with("\"edges\"", "\"edge\""), "home.json: schema error: the field \"edges\" is missing");
 }
 
+TEST(Virtualhome, ARoomLargerThanAnyHomeIsRefused) {
+  const auto scenes = read(replace_all(kFlat, "\"bbox_center\": [5.51, 0, 1.5], \"bbox_size\": [2.98, 0, 3]",
+                                       "\"bbox_center\": [5.51, 0, 1.5], \"bbox_size\": [2e9, 0, 3]"));
+  ASSERT_FALSE(scenes);
+  EXPECT_THAT(format(scenes.error()), HasSubstr("expected a home of at most 200 m"));
+}
+
 TEST(Virtualhome, ThingsInsideEachOtherAreListedAndThoseInNoRoomToo) {
   Json json = Json::parse(kFlat);
   json["edges"].push_back({7, "INSIDE", 8});
