@@ -170,14 +170,19 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
 }
 
 bool SceneEditor::clear_off(const std::string& id) {
+  // Two things of a home from a file may rest on each other: the one that is being cleared already is left alone.
+  if (!clearing_.insert(id).second) return true;
   refresh();
+  bool cleared = true;
   for (const std::string& carried : carried_by(workspace_.scene(), id)) {
     if (!index_of(carried)) continue;
     const bool moved = relocate(carried, [&](const Node& host) { return host.id != id; });
-    if (!moved && (reserved_.contains(carried) || !remove(carried))) return false;
+    cleared = moved || (!reserved_.contains(carried) && remove(carried));
+    if (!cleared) break;
     refresh();
   }
-  return true;
+  clearing_.erase(id);
+  return cleared;
 }
 
 bool SceneEditor::remove(const std::string& id) {

@@ -67,6 +67,7 @@ class SceneEditor {
   std::uint64_t edit_number_ = 0;
   bool stale_ = true;
   std::set<std::string> reserved_, touched_;
+  std::set<std::string> clearing_;  // what is being taken off things now
   std::vector<std::string> edits_;
   GroundingFailure failure_;
 };

@@ -14,6 +14,8 @@ constexpr const char* kHelp =
     "  unietp scene show out/homes/ai2thor-benchmark-01.scene.json.gz --out home.svg\n"
     "  unietp scene stats out/homes                                  what the homes of a folder hold\n"
     "  unietp scene fit ../shared/upstream                           the tables of homes from real ones\n"
+    "  unietp scene import auto FloorPlan1.json --out out/real       a simulator's own homes\n"
+    "  unietp scene export procthor home.scene.json.gz --out house.json   the other way\n"
     "\n"
     "`unietp scene COMMAND --help` explains each. `unietp generate --scenes FOLDER` makes tasks in such homes.";
 
@@ -23,6 +25,8 @@ void add_scene_command(CLI::App& app, CommandLine& program) {
   auto* group = app.add_subcommand("scene", kHelp);
   group->require_subcommand(1);
   add_scene_fit_command(*group, program);
+  add_scene_export_command(*group, program);
+  add_scene_import_command(*group, program);
   add_scene_list_command(*group, program);
   add_scene_make_command(*group, program);
   add_scene_show_command(*group, program);

@@ -25,12 +25,13 @@ constexpr const char* kHelp =
     "  unietp scene stats houses.jsonl.gz --json > real.json\n"
     "      of a simulator's own files too; the JSON can be given back in place of homes\n"
     "  unietp scene stats out/homes real.json             how far apart: each part from 0 (the same) to 1\n"
+    "  unietp scene stats out/homes --against reference   from the real homes that data/layouts/ was fitted to\n"
     "\n"
     "A set is a scene file, ours or a simulator's, a folder of scene files, or a file of statistics.";
 
 struct Options {
   std::filesystem::path a, b;
-  std::string simulator;
+  std::string simulator, against;
   int threads = 1;
   bool json = false;
 };
@@ -62,9 +63,14 @@ Result<std::vector<HomeInFile>> homes_of_one_simulator(const std::filesystem::pa
   return homes;
 }
 
+struct Measured {
+  SceneStatistics statistics;
+  std::optional<Simulator> simulator;  // a file of statistics does not say
+};
+
 /// nullopt when interrupted.
-Result<std::optional<SceneStatistics>> measure(const std::filesystem::path& path, const Options& options,
-                                               const std::vector<Backend>& backends, const CommandLine& program) {
+Result<std::optional<Measured>> measure(const std::filesystem::path& path, const Options& options,
+                                        const std::vector<Backend>& backends, const CommandLine& program) {
   std::error_code code;
   if (!std::filesystem::is_directory(path, code)) {
     const auto text = read_maybe_gzip(path);
@@ -72,7 +78,7 @@ Result<std::optional<SceneStatistics>> measure(const std::filesystem::path& path
     if (text->find("\"unietp-scene-statistics/") != std::string::npos) {
       auto statistics = statistics_from_json(path.string(), *text);
       if (!statistics) return statistics.error();
-      return std::optional(std::move(*statistics));
+      return std::optional(Measured{std::move(*statistics), std::nullopt});
     }
   }
   auto reading = read_homes({path}, backends);
@@ -86,15 +92,11 @@ Result<std::optional<SceneStatistics>> measure(const std::filesystem::path& path
   });
   std::vector<Scene> scenes;
   for (std::size_t i = 0; i < made.size(); ++i) {
-    if (made[i] && !*made[i]) {
-      auto error = made[i]->error();
-      error.message = (*homes)[i].id + ": " + error.message;
-      return error;
-    }
+    if (made[i] && !*made[i]) return made[i]->error();
     if (made[i]) scenes.push_back(std::move(**made[i]));
   }
-  if (!whole) return std::optional<SceneStatistics>();
-  return std::optional(statistics_of(scenes, path.filename().string()));
+  if (!whole) return std::optional<Measured>();
+  return std::optional(Measured{statistics_of(scenes, path.filename().string()), simulator_of(homes->front())});
 }
 
 void print_distance(const SceneStatistics& a, const SceneStatistics& b, bool as_json) {
@@ -114,16 +116,38 @@ void print_distance(const SceneStatistics& a, const SceneStatistics& b, bool as_
     std::printf("  %-28s %s\n", name.c_str(), value ? number_text(std::round(*value * 1000) / 1000).c_str() : "–");
 }
 
+/// The statistics of the real homes that data/layouts/ was fitted to.
+Result<SceneStatistics> reference_of(std::optional<Simulator> simulator, const DataFolders& folders) {
+  if (!simulator)
+    return usage("--against", "expected homes, since a file of statistics does not say of which simulator");
+  const std::string name(name_of(*simulator));
+  const auto file = folders.layouts() / ("reference_" + name + ".json");
+  if (std::error_code code; !std::filesystem::exists(file, code))
+    return usage(file, "is not there: no real homes of " + name + " may be shipped; compare with another simulator's");
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  return statistics_from_json(file.string(), *text);
+}
+
 Exit stats(const Options& options, const CommandLine& program) {
+  if (!options.against.empty() && (options.against != "reference" || !options.b.empty()))
+    return refuse(usage("--against", "expected \"reference\" alone, or a second set of homes in its place"));
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   std::vector<SceneStatistics> sets;
+  std::optional<Simulator> simulator;
   for (const auto& path : {options.a, options.b}) {
     if (path.empty()) continue;
     auto set = measure(path, options, known.backends, program);
     if (!set) return refuse(set.error());
     if (!*set) return Exit::Interrupted;
-    sets.push_back(std::move(**set));
+    sets.push_back(std::move((*set)->statistics));
+    simulator = (*set)->simulator;
+  }
+  if (!options.against.empty()) {
+    auto reference = reference_of(simulator, program.folders);
+    if (!reference) return refuse(reference.error());
+    sets.push_back(std::move(*reference));
   }
   if (sets.size() == 2) {
     print_distance(sets[0], sets[1], options.json);
@@ -142,6 +166,7 @@ void add_scene_stats_command(CLI::App& group, CommandLine& program) {
   command->footer(kHelp);
   command->add_option("a", options->a, "A set of homes")->required();
   command->add_option("b", options->b, "Another one, to compare with");
+  command->add_option("--against", options->against, "reference: the real homes that the layout tables come from");
   command->add_option("--simulator", options->simulator,
                       "Of ai2thor,virtualhome,habitat,behavior, when a set has several");
   command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")

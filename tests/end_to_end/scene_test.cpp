@@ -131,6 +131,39 @@ TEST_F(MadeHomes, AreNoDistanceFromThemselves) {
   EXPECT_GT(Json::parse(other.out)["distance"]["small things"], 0.05);
 }
 
+TEST(SceneLibrary, IsListedAndMadeByName) {
+  ScratchFolder folder;
+  const auto listed = run_program({"scene", "list", "--json"});
+  ASSERT_EQ(listed.code, 0) << listed.err;
+  const auto layouts = Json::parse(listed.out);
+  ASSERT_EQ(layouts.size(), 170U);
+  const auto id = layouts[0]["id"].get<std::string>();
+  const auto made = run_program({"scene", "make", "--layout", id, "--out", folder.at("homes"), "--json"});
+  ASSERT_EQ(made.code, 0) << made.err;
+  const auto scene = unpacked(folder.at("homes/" + id + ".scene.json.gz"));
+  EXPECT_EQ(scene["id"], id);
+  EXPECT_EQ(scene["rooms"].size(), layouts[0]["rooms"].get<std::size_t>());
+  const auto near = run_program({"scene", "make", "--layout", id + "x", "--out", folder.at("none")});
+  EXPECT_EQ(near.code, 2);
+  EXPECT_THAT(near.err, HasSubstr("did you mean \"" + id + "\""));
+  EXPECT_FALSE(fs::exists(folder.at("none")));
+}
+
+TEST(SceneLibrary, IsComparedWithRealHomes) {
+  ScratchFolder folder;
+  const auto homes = folder.at("homes");
+  ASSERT_EQ(run_program({"scene", "make", "--simulator", "ai2thor,habitat", "--out", homes}).code, 0);
+  const auto compared =
+      run_program({"scene", "stats", homes, "--simulator", "ai2thor", "--against", "reference", "--json"});
+  ASSERT_EQ(compared.code, 0) << compared.err;
+  const auto distance = Json::parse(compared.out)["distance"]["furniture"];
+  EXPECT_GT(distance, 0);
+  EXPECT_LT(distance, 0.5);
+  const auto none = run_program({"scene", "stats", homes, "--simulator", "habitat", "--against", "reference"});
+  EXPECT_EQ(none.code, 2);  // no real homes of Habitat may be shipped
+  EXPECT_THAT(none.err, HasSubstr("reference_habitat.json"));
+}
+
 /// Everything that is refused: exit code 2, what is wrong in the message, and nothing left behind.
 void expect_refused(const std::vector<std::string>& arguments, const std::string& message) {
   SCOPED_TRACE(join(arguments, " "));
@@ -172,7 +205,7 @@ TEST(BadScenes, AreToldAndLeaveNothing) {
 }
 
 TEST(SceneHelp, EveryCommandTeachesWithAnExample) {
-  for (const auto* command : {"list", "make", "show", "stats"}) {
+  for (const auto* command : {"export", "import", "list", "make", "show", "stats"}) {
     const auto ended = run_program({"scene", command, "--help"});
     EXPECT_EQ(ended.code, 0);
     EXPECT_THAT(ended.out, HasSubstr("  unietp scene " + std::string(command)));
