@@ -55,7 +55,7 @@ TEST(Habitat, RealScenesArrive) {
     ASSERT_TRUE(scenes) << format(scenes.error());
     EXPECT_EQ(scenes->size(), std::string_view(row) == "replicacad" ? 90U : 1U);
     const auto all = import_all(*scenes, std::getenv("UNIETP_WHOLE_IMPORT") ? 1 : stride);
-    for (const auto& [scene, report] : all) {
+    for (const auto& [scene, report, restless] : all) {
       SCOPED_TRACE(scene);
       EXPECT_GT(report.known, 10);
       EXPECT_GE(arrived_share(report), 0.95);

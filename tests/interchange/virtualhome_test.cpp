@@ -89,7 +89,7 @@ TEST(Virtualhome, RealHomesArriveAndHold) {
     EXPECT_GE(scenes->front().openings.size(), 3U);
     for (Imported& one : import_all(*scenes, 1)) all.push_back(std::move(one));
   }
-  for (const auto& [scene, report] : all) {
+  for (const auto& [scene, report, restless] : all) {
     SCOPED_TRACE(scene);
     EXPECT_GE(arrived_share(report), 0.95);
     EXPECT_GE(held_share(report), 0.9);
