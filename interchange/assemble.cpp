@@ -29,9 +29,9 @@ std::string too_wide(const Scene& scene) {
 
 const std::vector<std::string>& import_reasons() {
   static const std::vector<std::string> reasons{
-      "cut-off",      "cyclic-containment", "duplicate-id",       "leaning",       "moved",
-      "no-size",      "not-finite",         "outside-rooms",      "relation-lost", "too-far",
-      "typical-size", "unknown-category",   "unknown-receptacle", "unknown-state"};
+      "cut-off",          "cyclic-containment", "duplicate-id",  "leaning",  "moved",   "no-size",
+      "not-finite",       "outside-rooms",      "relation-lost", "restless", "too-far", "typical-size",
+      "unknown-category", "unknown-receptacle", "unknown-state"};
   return reasons;
 }
 
@@ -56,7 +56,7 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   if (draft.scene.nodes.empty()) return refuse("no object of a known category can be placed");
   follow_evidence(draft);
   draft.report.arrived = count_in_place(source, draft, !options.settle);
-  if (options.settle) come_to_rest(draft);
+  if (options.settle) come_to_rest(source, draft);
   place_agent(source, profile, draft);
   draft.scene.edges = read_relations(draft.scene);
   draft.report.stayed = count_in_place(source, draft, options.settle);

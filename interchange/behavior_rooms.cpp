@@ -12,6 +12,7 @@ namespace unietp {
 namespace {
 
 constexpr std::size_t kMostRooms = 100;
+constexpr double kBeside_m = 0.5, kFarBeside_m = 2;
 constexpr double kSameWall_m = 0.3;  // floors of neighbours end on the two sides of a wall
 
 struct Floor {
@@ -34,6 +35,22 @@ std::string type_of(std::string room) {
 
 bool overlap(const Tile& a, const Tile& b) { return (a.high.cwiseMin(b.high) - a.low.cwiseMax(b.low)).minCoeff() > 0; }
 
+/// A floor's file gives its root link and not its middle, so that the box can lie off by a metre: what the file says to
+/// stand in the room, and stands a little beside it, shows how far the nearest tile reaches.
+void reach_out(std::vector<Tile>& tiles, const Vec3& position) {
+  const Vec2 point = position.head<2>();
+  if (!point.allFinite()) return;
+  const auto beside = [&](const Tile& tile) {
+    return (tile.low - point).cwiseMax(point - tile.high).cwiseMax(Vec2::Zero()).norm();
+  };
+  Tile& nearest = *std::min_element(tiles.begin(), tiles.end(),
+                                    [&](const Tile& a, const Tile& b) { return beside(a) < beside(b); });
+  const double distance = beside(nearest);
+  if (distance < kBeside_m || distance > kFarBeside_m) return;
+  nearest.low = nearest.low.cwiseMin(point);
+  nearest.high = nearest.high.cwiseMax(point);
+}
+
 std::vector<Floor> floors_of(const SourceScene& scene) {
   std::map<std::string, std::vector<Tile>> tiles;
   for (const SourceObject& object : scene.objects) {
@@ -41,6 +58,9 @@ std::vector<Floor> floors_of(const SourceScene& scene) {
     const Bounds bounds = bounds_of(object.pose, object.size);
     if (!bounds.low.allFinite() || !bounds.high.allFinite() || bounds.high.x() - bounds.low.x() > 200) continue;
     tiles[object.room].push_back({bounds.low.head<2>(), bounds.high.head<2>()});
+  }
+  for (const SourceObject& object : scene.objects) {
+    if (const auto own = tiles.find(object.room); own != tiles.end()) reach_out(own->second, object.pose.position);
   }
   std::vector<Floor> floors;
   for (auto& [room, list] : tiles) floors.push_back({room, std::move(list), {}});

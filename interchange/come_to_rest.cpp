@@ -1,28 +1,70 @@
 #include <algorithm>
+#include <cmath>
 
 #include "interchange/draft.h"
 #include "simulation/relations.h"
 
 namespace unietp {
+namespace {
 
-void come_to_rest(Draft& draft) {
-  constexpr int kMostRounds = 5;
-  constexpr double kStill_m = 0.001;  // a round in which nothing moves farther is the last
-  PhysicsWorld world = physics_of(draft.scene);
+constexpr double kStill_m = 0.001;  // a round in which nothing moves farther is the last
+constexpr double kRestless_m = 0.002, kRestless_s = 2;
+
+std::vector<BodyId> loose_ones(const Scene& scene) {
   std::vector<BodyId> loose;
-  for (std::size_t i = 0; i < draft.scene.nodes.size(); ++i) {
-    if (draft.scene.nodes[i].movable) loose.push_back(static_cast<BodyId>(i));
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (scene.nodes[i].movable) loose.push_back(static_cast<BodyId>(i));
   }
+  return loose;
+}
+
+void settle_in_rounds(Scene& scene) {
+  constexpr int kMostRounds = 5;
+  PhysicsWorld world = physics_of(scene);
   SettleOptions options;
   options.calm_steps = 240;  // a home is let go once: better to wait than to have something creep on
   double moved = 1;
   for (int round = 0; round < kMostRounds && moved > kStill_m; ++round) {
     moved = 0;
-    for (const SettledBody& settled : world.settle(loose, options).bodies) {
-      Pose& pose = draft.scene.nodes[settled.body].pose;
+    for (const SettledBody& settled : world.settle(loose_ones(scene), options).bodies) {
+      Pose& pose = scene.nodes[settled.body].pose;
       moved = std::max(moved, (settled.pose.position - pose.position).norm());
       pose = settled.pose;
       world.move(settled.body, pose);
+    }
+  }
+}
+
+struct Restless {
+  std::size_t node = 0;
+  double moved_m = 0;
+};
+
+/// What moves in two seconds of physics.
+std::vector<Restless> restless_ones(const Scene& scene) {
+  SettleOptions options;
+  options.max_steps = options.calm_steps = static_cast<int>(std::lround(kRestless_s / options.step_s));
+  std::vector<Restless> found;
+  for (const SettledBody& settled : physics_of(scene).settle(loose_ones(scene), options).bodies) {
+    const double moved = (settled.pose.position - scene.nodes[settled.body].pose.position).norm();
+    if (!(moved <= kRestless_m)) found.push_back({settled.body, moved});  // also when it is no number
+  }
+  return found;
+}
+
+}  // namespace
+
+void come_to_rest(const SourceScene& source, Draft& draft) {
+  settle_in_rounds(draft.scene);
+  // Piles that no rigid bodies make keep creeping: they stay as they are, as furniture does.
+  for (auto restless = restless_ones(draft.scene); !restless.empty(); restless = restless_ones(draft.scene)) {
+    for (const Restless& one : restless) {
+      const SourceObject& object = source.objects[draft.source_of[one.node]];
+      const long millimetres = std::lround(std::min(one.moved_m, 1000.0) * 1000);
+      draft.report.issues.push_back({object.id, object.category, "restless",
+                                     "cannot be moved: it creeps " + std::to_string(millimetres) +
+                                         " mm in two seconds of physics and is held in place"});
+      draft.scene.nodes[one.node].movable = false;
     }
   }
 }

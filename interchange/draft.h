@@ -47,8 +47,9 @@ Bounds box_of(const Node& node);
 /// Gives furniture boards where the file shows that something stands, and thins solids that would overlap what moves.
 void follow_evidence(Draft& draft);
 
-/// Lets everything that moves come to rest.
-void come_to_rest(Draft& draft);
+/// Lets everything that moves come to rest. What still moves by 2 mm in two seconds of physics is held in place (it
+/// cannot be picked up then) and listed: nothing in the scene moves farther afterwards.
+void come_to_rest(const SourceScene& source, Draft& draft);
 
 /// Sets the agent where the file has it, or on free floor. Lists rooms that it cannot walk to.
 void place_agent(const SourceScene& source, const Profile& profile, Draft& draft);

@@ -15,7 +15,7 @@ namespace unietp {
 // Others' JSON files are read as strictly as ours, but fields that nobody asks for are theirs to have.
 
 inline constexpr std::size_t kMostFields = 4'000'000;  // objects may be tables of a home's things by name
-inline constexpr std::size_t kMostObjects = 20000;  // of one home; a file with more is refused
+inline constexpr std::size_t kMostObjects = 20000;     // of one home; a file with more is refused
 
 /// The field, when the object has it and it is not null. Linear in the number of fields.
 std::optional<JsonAt> given(const JsonAt& object, std::string_view name);

@@ -24,7 +24,7 @@ Outcome take_step(WorldState& state, double ahead, double left) {
   const int points = std::max(1, static_cast<int>(std::ceil(way.norm() / kLookAhead_m)));
   for (int i = 1; i <= points; ++i) {
     const Vec2 at = agent.position + way * (static_cast<double>(i) / points);
-    if (room_at(state.scene, at) == nullptr || !state.grid().free(state.grid().cell_at(at)))
+    if (!state.grid().free(state.grid().cell_at(at)))
       return failed(Failure::Blocked, "Something is in the way of your body.");
   }
   agent.position += way;

@@ -10,6 +10,7 @@
 namespace unietp {
 namespace {
 
+constexpr double kDoorway_m = 0.2;    // to either side of an opening's line
 constexpr double kStepOver_m = 0.05;  // lower things on the floor do not stop a body
 constexpr double kLow_m = 0.15;       // movable things that start higher lie on furniture, which blocks the way itself
 constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
@@ -95,6 +96,22 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile) {
     for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
       for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
         if (contains(room.polygon, centre({x, y}))) blocked_[index({x, y})] = 0;
+      }
+    }
+  }
+  // Some files draw rooms up to their walls' inner faces: then the doorway lies between them.
+  for (const Opening& opening : scene.openings) {
+    const Vec2 along = opening.to - opening.from;
+    const double length = along.norm();
+    if (!(length > 0)) continue;
+    const Vec2 reach = Vec2::Constant(kDoorway_m);
+    const Cell from = cell_at(opening.from.cwiseMin(opening.to) - reach);
+    const Cell to = cell_at(opening.from.cwiseMax(opening.to) + reach);
+    for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
+      for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
+        const Vec2 way = centre({x, y}) - opening.from;
+        const double at = way.dot(along) / length, aside = way.x() * along.y() - way.y() * along.x();
+        if (at >= 0 && at <= length && std::abs(aside) / length <= kDoorway_m) blocked_[index({x, y})] = 0;
       }
     }
   }

@@ -108,9 +108,11 @@ TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {
     const auto second = assemble(read->front(), knowledge, profile_of(Simulator::Ai2thor));
     ASSERT_TRUE(second) << format(second.error());
     expect_same_plan(first->scene, second->scene);
-    EXPECT_THAT(without_equal(first->scene, second->scene, written->left_out), ::testing::SizeIs(::testing::Le(1)))
-        << "what settles anew may roll";
-    EXPECT_THAT(without_equal(second->scene, first->scene, {}), ::testing::SizeIs(::testing::Le(1)));
+    // What settles anew may roll, and what leaned was stood up: of a hundred things at most two.
+    const std::size_t may_differ = std::max<std::size_t>(1, first->scene.nodes.size() / 50);
+    EXPECT_THAT(without_equal(first->scene, second->scene, written->left_out),
+                ::testing::SizeIs(::testing::Le(may_differ)));
+    EXPECT_THAT(without_equal(second->scene, first->scene, {}), ::testing::SizeIs(::testing::Le(may_differ)));
     for (const std::string& text : written->left_out) std::cout << houses[i].id << " " << text << "\n";
     EXPECT_EQ(write_procthor(first->scene, knowledge)->text, written->text);
   }
