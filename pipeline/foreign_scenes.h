@@ -31,8 +31,8 @@ struct ForeignReading {
 /// Reads the simulators' own scene files; plain or .gz, one home or several each. `format` is of scene_format_names(),
 /// or "auto" for what the file shows. `models`, when not empty, is a file with the categories and sizes of models that
 /// the scenes of Habitat and BEHAVIOR only name: for BEHAVIOR its inventory, for Habitat a table as read_scene_models
-/// takes it. Errors, of all files: Usage for an unknown format and a file without a home; those of read_maybe_gzip and of
-/// the format's reader.
+/// takes it. Errors, of all files: Usage for an unknown format and a file without a home; those of read_maybe_gzip and
+/// of the format's reader.
 ForeignReading read_foreign_scenes(const std::string& format, const std::vector<std::filesystem::path>& files,
                                    const std::vector<Backend>& backends, const std::filesystem::path& models = {});
 
