@@ -28,9 +28,10 @@ constexpr const char* kRules =
 
 Result<Instruction> write_instruction_with_llm(const Specification& specification, const Knowledge& knowledge,
                                                const LlmWriterOptions& options, Rng rng) {
+  const NounTable nouns(knowledge);
   std::vector<Instruction> samples;
   for (int i = 0; i < kSamples; ++i) {
-    auto sample = write_instruction(specification, knowledge, rng.fork("sample", static_cast<std::uint64_t>(i)));
+    auto sample = write_instruction(specification, knowledge, nouns, rng.fork("sample", static_cast<std::uint64_t>(i)));
     if (!sample) return sample;  // a goal the reader could never check
     samples.push_back(std::move(*sample));
   }
@@ -44,7 +45,7 @@ Result<Instruction> write_instruction_with_llm(const Specification& specificatio
     const auto text = answer ? field_of(*answer, kField) : answer.error();
     std::vector<std::string> wrong;
     if (text) {
-      wrong = check_instruction(*text, specification, knowledge);
+      wrong = check_instruction(*text, specification, knowledge, nouns);
       if (wrong.empty())
         return Instruction{*text, "llm:" + options.endpoint.model, specification.style, {"parses-back", "no-ids"}};
     } else {

@@ -75,14 +75,16 @@ std::string with_article(const std::string& noun) {
 }
 
 NounTable::NounTable(const Knowledge& knowledge) {
-  std::set<std::string> rooms, colours;
+  Names made;
+  std::set<std::string> rooms, colours, materials;
   for (const Category& category : knowledge.categories()) {
-    names_[category.name] = {category.display, category.plural, category.countable};
+    made.names[category.name] = {category.display, category.plural, category.countable};
     const Domain noun = of_category(category.name);
-    add(nouns_, category.display, noun, category.countable, false, !category.countable, 0);
-    if (category.countable) add(nouns_, category.plural, noun, false, true, false, 0);
+    add(made.nouns, category.display, noun, category.countable, false, !category.countable, 0);
+    if (category.countable) add(made.nouns, category.plural, noun, false, true, false, 0);
     rooms.insert(category.rooms.begin(), category.rooms.end());
     colours.insert(category.colours.begin(), category.colours.end());
+    materials.insert(category.materials.begin(), category.materials.end());
   }
   std::map<std::string, std::set<std::string>> served;
   for (const Alias& alias : knowledge.aliases()) {
@@ -91,10 +93,10 @@ NounTable::NounTable(const Knowledge& knowledge) {
     if (alias.kind == "function") served[lower(alias.text)].insert(alias.category);
     if (alias.kind != "synonym") continue;
     const Name name{alias.text, category->countable ? plural_of(alias.text) : alias.text, category->countable};
-    synonyms_[alias.category].push_back(name);
+    made.synonyms[alias.category].push_back(name);
     const Domain noun = of_category(alias.category);
-    add(nouns_, name.singular, noun, name.countable, false, !name.countable, 1);
-    if (name.countable) add(nouns_, name.plural, noun, false, true, false, 1);
+    add(made.nouns, name.singular, noun, name.countable, false, !name.countable, 1);
+    if (name.countable) add(made.nouns, name.plural, noun, false, true, false, 1);
   }
   for (const auto& [text, categories] : served) {
     Domain noun;
@@ -104,21 +106,23 @@ NounTable::NounTable(const Knowledge& knowledge) {
   }
   if (rooms.empty()) rooms.insert(kUsualRooms.begin(), kUsualRooms.end());
   for (const std::string& room : rooms) {
-    if (names_.contains(room)) continue;
+    if (made.names.contains(room)) continue;
     const Name name{spaced(room), plural_of(spaced(room)), true};
-    names_[room] = name;
-    add(nouns_, name.singular, of_category(room), true, false, false, 0);
-    add(nouns_, name.plural, of_category(room), false, true, false, 0);
-    room_types_.push_back(room);
+    made.names[room] = name;
+    add(made.nouns, name.singular, of_category(room), true, false, false, 0);
+    add(made.nouns, name.plural, of_category(room), false, true, false, 0);
+    made.room_types.push_back(room);
   }
   Domain object, room;
   object.kind = Domain::Kind::Object;
   room.kind = Domain::Kind::Room;
-  add(nouns_, "object", object, true, false, false, 2);
-  add(nouns_, "objects", object, false, true, false, 2);
-  add(nouns_, "room", room, true, false, false, 2);
-  add(nouns_, "rooms", room, false, true, false, 2);
-  colours_.assign(colours.begin(), colours.end());
+  add(made.nouns, "object", object, true, false, false, 2);
+  add(made.nouns, "objects", object, false, true, false, 2);
+  add(made.nouns, "room", room, true, false, false, 2);
+  add(made.nouns, "rooms", room, false, true, false, 2);
+  made.colours.assign(colours.begin(), colours.end());
+  made.materials.assign(materials.begin(), materials.end());
+  fixed_ = std::make_shared<const Names>(std::move(made));
 }
 
 void NounTable::add(Index& index, const std::string& text, const Domain& noun, bool singular, bool plural, bool mass,
@@ -132,18 +136,18 @@ void NounTable::add(Index& index, const std::string& text, const Domain& noun, b
 }
 
 const NounTable::Name* NounTable::display(const std::string& category) const {
-  const auto found = names_.find(category);
-  return found == names_.end() ? nullptr : &found->second;
+  const auto found = fixed_->names.find(category);
+  return found == fixed_->names.end() ? nullptr : &found->second;
 }
 
 std::vector<NounTable::Name> NounTable::synonyms(const std::string& category) const {
-  const auto found = synonyms_.find(category);
-  if (found == synonyms_.end()) return {};
-  const std::string& own = names_.find(category)->second.singular;
+  const auto found = fixed_->synonyms.find(category);
+  if (found == fixed_->synonyms.end()) return {};
+  const std::string& own = fixed_->names.find(category)->second.singular;
   std::vector<Name> usable;
   for (const Name& name : found->second) {
     const std::vector<Token> tokens = tokens_of(name.singular);
-    const Reading reading = longest(nouns_, tokens, 0);
+    const Reading reading = longest(fixed_->nouns, tokens, 0);
     const bool clear = reading.nouns.size() == 1 && reading.nouns.front() == of_category(category);
     if (clear && reading.length == tokens.size() && !says(tokens, own)) usable.push_back(name);
   }
@@ -170,14 +174,18 @@ void NounTable::narrow(const std::string& phrase, const Domain& noun) {
 }
 
 bool NounTable::is_room_type(const std::string& category) const {
-  return std::binary_search(room_types_.begin(), room_types_.end(), category);
+  return std::binary_search(fixed_->room_types.begin(), fixed_->room_types.end(), category);
 }
 
 bool NounTable::is_colour(const std::string& word) const {
-  return std::binary_search(colours_.begin(), colours_.end(), word);
+  return std::binary_search(fixed_->colours.begin(), fixed_->colours.end(), word);
 }
 
-NounTable::Reading NounTable::longest(const Index& index, const std::vector<Token>& tokens, std::size_t at) const {
+bool NounTable::is_material(const std::string& word) const {
+  return std::binary_search(fixed_->materials.begin(), fixed_->materials.end(), word);
+}
+
+NounTable::Reading NounTable::longest(const Index& index, const std::vector<Token>& tokens, std::size_t at) {
   Reading reading;
   if (at >= tokens.size()) return reading;
   const auto bucket = index.find(tokens[at].text);
@@ -201,13 +209,13 @@ NounTable::Reading NounTable::longest(const Index& index, const std::vector<Toke
 }
 
 NounTable::Reading NounTable::noun_at(const std::vector<Token>& tokens, std::size_t at) const {
-  const Reading plain = longest(nouns_, tokens, at);
+  const Reading plain = longest(fixed_->nouns, tokens, at);
   const auto word = [&](std::size_t ahead) { return at + ahead < tokens.size() ? tokens[at + ahead].text : ""; };
   const std::size_t fresh = word(0) == "freshly" && word(1) == "cut" ? 2 : 0;
   const std::string head = word(fresh);
   const bool slice = head == "slice" || head == "slices";
   if ((!slice && (fresh > 0 || (head != "piece" && head != "pieces"))) || word(fresh + 1) != "of") return plain;
-  Reading of = longest(nouns_, tokens, at + fresh + 2);
+  Reading of = longest(fixed_->nouns, tokens, at + fresh + 2);
   of.length += fresh + 2;
   if (of.nouns.empty() || of.plural || (!slice && !of.mass) || of.length <= plain.length) return plain;
   if (slice)
@@ -221,7 +229,7 @@ NounTable::Reading NounTable::noun_at(const std::vector<Token>& tokens, std::siz
 
 bool NounTable::is_name(const std::string& text) const {
   const std::vector<Token> tokens = tokens_of(text);
-  return longest(nouns_, tokens, 0).length == tokens.size();
+  return longest(fixed_->nouns, tokens, 0).length == tokens.size();
 }
 
 NounTable::Reading NounTable::function_at(const std::vector<Token>& tokens, std::size_t at) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,7 @@ bool says(const std::vector<Token>& text, std::string_view name);
 std::string with_article(const std::string& noun);
 
 /// What the objects of a knowledge base are called: display names, plurals, synonyms, function phrases, room types.
+/// Making one costs milliseconds and is done once for a knowledge base; a copy shares all but the function phrases.
 class NounTable {
  public:
   explicit NounTable(const Knowledge& knowledge);
@@ -44,6 +46,7 @@ class NounTable {
 
   bool is_room_type(const std::string& category) const;
   bool is_colour(const std::string& word) const;
+  bool is_material(const std::string& word) const;
   /// Whether some category is called exactly this.
   bool is_name(const std::string& text) const;
 
@@ -66,14 +69,19 @@ class NounTable {
     int rank = 0;  // display names before synonyms
   };
   using Index = std::map<std::string, std::vector<Entry>, std::less<>>;  // by first word, longest first
-  void add(Index& index, const std::string& text, const Domain& noun, bool singular, bool plural, bool mass, int rank);
-  Reading longest(const Index& index, const std::vector<Token>& tokens, std::size_t at) const;
+  static void add(Index& index, const std::string& text, const Domain& noun, bool singular, bool plural, bool mass,
+                  int rank);
+  static Reading longest(const Index& index, const std::vector<Token>& tokens, std::size_t at);
 
-  std::map<std::string, Name, std::less<>> names_;
-  std::map<std::string, std::vector<Name>, std::less<>> synonyms_;
+  struct Names {  // never changed once made
+    std::map<std::string, Name, std::less<>> names;
+    std::map<std::string, std::vector<Name>, std::less<>> synonyms;
+    std::vector<std::string> room_types, colours, materials;  // sorted
+    Index nouns;
+  };
+  std::shared_ptr<const Names> fixed_;
   std::map<std::string, Domain, std::less<>> functions_;  // by text
-  std::vector<std::string> room_types_, colours_;         // sorted
-  Index nouns_, phrases_;
+  Index phrases_;
 };
 
 }  // namespace unietp
