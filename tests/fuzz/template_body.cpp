@@ -4,6 +4,7 @@
 #include "support.h"
 #include "templates/phrasing.h"
 #include "templates/template.h"
+#include "templates/template_text.h"
 
 namespace unietp::fuzz {
 
@@ -14,6 +15,8 @@ bool template_body(std::string_view text) {
   for (const Error& error : reading.errors) check_error(error);
   for (const Template& one : reading.templates) {
     require(one.name == "fuzz");
+    const TemplateReading again = parse_template("fuzz.template", to_text(one));
+    require(again.templates.size() == 1 && same_content(again.templates.front(), one));
     check_formula(one.goal, FormulaUse::Goal);
     for (const Formula& start : one.init) check_formula(start, FormulaUse::State);
     std::vector<std::pair<std::string, std::string>> binding;

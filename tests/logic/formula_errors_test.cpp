@@ -1,6 +1,7 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "logic/formula.h"
+#include "logic/formula_reading.h"
 
 namespace unietp {
 namespace {
@@ -76,6 +77,8 @@ const BadFormula kBadFormulas[] = {
      "g:1:16: parse error: expected a comparison (=, >=, <=, > or <) after 'count', found '=>'"},
     {kGoal, "(at-end (count >= two (?x - A) (open ?x)))",
      "g:1:19: parse error: expected a whole number from 0 after the comparison, found 'two'"},
+    {kGoal, "(at-end (count >= 02 (?x - A) (open ?x)))",
+     "g:1:19: parse error: expected a whole number from 0 after the comparison, found '02'"},
     {kGoal, "(at-end (count >= -1 (?x - A) (open ?x)))",
      "g:1:19: parse error: expected a whole number from 0 after the comparison, found '-1'"},
     {kGoal, "(at-end (count >= 99999999999 (?x - A) (open ?x)))",
@@ -100,6 +103,51 @@ TEST(ParseFormula, RefusesBadInputWithAWholeMessage) {
     ASSERT_FALSE(parsed) << bad.text;
     EXPECT_EQ(format(parsed.error()), bad.message) << bad.text;
   }
+}
+
+std::vector<std::string> all_problems(std::string_view text) {
+  const auto expression = read_sexpr("g", text);
+  EXPECT_TRUE(expression);
+  std::vector<std::string> found;
+  const auto reading = read_formula("g", *expression, FormulaUse::Goal);
+  EXPECT_NE(reading.formula.has_value(), !reading.errors.empty()) << text;
+  for (const auto& error : reading.errors) found.push_back(format(error).substr(2));
+  return found;
+}
+
+TEST(ReadFormula, TellsAllProblemsAtOnceInOrderOfPosition) {
+  using testing::ElementsAre;
+  using testing::StartsWith;
+  EXPECT_THAT(all_problems("(and (at-end (opn ?x))\n"
+                           "     (exists (?c - C) (at-end (closed ?d) (open ?c)))\n"
+                           "     (open ?c)\n"
+                           "     (exists (?a - (either A A)) (sometme (inside ?a)))\n"
+                           "     (at-end (count => two (?b - B) (hot ?b ?b))))"),
+              ElementsAre(StartsWith("1:15: parse error: unknown operator or predicate 'opn'"),
+                          StartsWith("2:23: parse error: 'at-end' takes 1 part, found 2"),
+                          StartsWith("2:39: parse error: the variable ?d is not bound here"),
+                          StartsWith("3:6: parse error: 'open' stands outside every temporal operator"),
+                          StartsWith("3:12: parse error: the variable ?c is not bound here"),
+                          StartsWith("4:30: parse error: 'A' is named twice in this 'either'"),
+                          StartsWith("4:35: parse error: unknown operator or predicate 'sometme'"),
+                          StartsWith("4:43: parse error: 'inside' takes 2 arguments, found 1"),
+                          StartsWith("5:21: parse error: expected a comparison"),
+                          StartsWith("5:24: parse error: expected a whole number from 0"),
+                          StartsWith("5:37: parse error: 'hot' takes 1 argument, found 2")));
+}
+
+TEST(ReadFormula, ABadDomainIsNoReasonToCallItsVariableUnbound) {
+  using testing::ElementsAre;
+  using testing::StartsWith;
+  EXPECT_THAT(all_problems("(exists (?x - A/half) (at-end (open ?x)))"), ElementsAre(StartsWith("1:15:")));
+  EXPECT_THAT(all_problems("(exists (?x A) (at-end (open ?x)))"), ElementsAre(StartsWith("1:9:")));
+  EXPECT_THAT(all_problems("(exists ?x (at-end (open ?x)))"), ElementsAre(StartsWith("1:9:")));
+}
+
+TEST(ReadFormula, AMisspeltVariableIsAnsweredWithTheNearest) {
+  EXPECT_THAT(all_problems("(exists (?mug - A) (at-end (open ?muug)))"),
+              testing::ElementsAre("1:34: parse error: the variable ?muug is not bound here; bound are ?mug; did you "
+                                   "mean '?mug'?"));
 }
 
 TEST(ParseFormula, TakesPlaceholdersWhereCategoriesAndSymbolsStand) {
