@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <compare>
 #include <iterator>
+#include <map>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -45,26 +46,62 @@ void add_nearest(const std::vector<Node>& nodes, const std::vector<EntityIndex>&
     slot[i] = slot_of_category.emplace(nodes[i].category, slot_of_category.size()).first->second;
   }
   struct Best {
-    double distance = 0;
+    double distance = 0, next = 0;
     std::size_t node = 0;
-    bool found = false;
+    int found = 0;
   };
   std::vector<Best> best(slot_of_category.size());
   for (std::size_t y = 0; y < nodes.size(); ++y) {
     std::fill(best.begin(), best.end(), Best{});
     for (std::size_t x = 0; x < nodes.size(); ++x) {
       if (x == y) continue;
-      const double distance = (nodes[x].pose.position - nodes[y].pose.position).squaredNorm();
+      const double distance = (nodes[x].pose.position - nodes[y].pose.position).norm();
       Best& so_far = best[slot[x]];
-      if (!so_far.found || distance < so_far.distance) so_far = {distance, x, true};
+      if (so_far.found == 0 || distance < so_far.distance) {
+        so_far = {distance, so_far.distance, x, so_far.found + 1};
+      } else if (++so_far.found == 2 || distance < so_far.next) {
+        so_far.next = distance;
+      }
     }
     for (const Best& winner : best) {
-      if (winner.found) relations.push_back({Predicate::Nearest, index_of_node[winner.node], index_of_node[y]});
+      if (winner.found == 1 || (winner.found > 1 && clearly_nearer(winner.distance, winner.next)))
+        relations.push_back({Predicate::Nearest, index_of_node[winner.node], index_of_node[y]});
+    }
+  }
+}
+
+/// `large` and `small`, by category.
+void add_sizes(const std::vector<Node>& nodes, const std::vector<EntityIndex>& index_of_node, Facts& facts) {
+  std::map<std::string_view, std::vector<std::size_t>> alike;
+  for (std::size_t i = 0; i < nodes.size(); ++i) alike[nodes[i].category].push_back(i);
+  for (auto& [category, things] : alike) {
+    if (things.size() < 2) continue;
+    const auto volume = [&](std::size_t i) { return nodes[i].size.prod(); };
+    std::sort(things.begin(), things.end(), [&](std::size_t a, std::size_t b) { return volume(a) < volume(b); });
+    const auto second_largest = things[things.size() - 2];
+    if (volume(things.back()) >= kClearlyLarger * volume(second_largest)) {
+      facts.set(Predicate::Size, index_of_node[things.back()], "large");
+    }
+    if (volume(things[1]) >= kClearlyLarger * volume(things[0])) {
+      facts.set(Predicate::Size, index_of_node[things[0]], "small");
     }
   }
 }
 
 }  // namespace
+
+bool clearly_nearer(double distance_m, double other_m) {
+  return other_m - distance_m >= std::max(kClearlyNearer_m, kClearlyNearer * distance_m);
+}
+
+bool reads_comparisons(const Formula& formula) {
+  if (formula.op == Formula::Op::Atom &&
+      (formula.predicate == Predicate::Size || formula.predicate == Predicate::Nearest)) {
+    return true;
+  }
+  return std::any_of(formula.children.begin(), formula.children.end(), reads_comparisons) ||
+         std::any_of(formula.domain.where.begin(), formula.domain.where.end(), reads_comparisons);
+}
 
 bool Delta::empty() const {
   return nodes.empty() && removed.empty() && edges_added.empty() && edges_removed.empty() && !agent;
@@ -118,7 +155,7 @@ Scene apply(Scene before, const Delta& delta) {
   return before;
 }
 
-FactReader::FactReader(bool with_nearest) : with_nearest_(with_nearest) {
+FactReader::FactReader(bool with_comparisons) : with_comparisons_(with_comparisons) {
   index_of(Entity{Entity::Kind::Agent, "agent", "agent", ""});
 }
 
@@ -177,14 +214,17 @@ Facts FactReader::read(const Scene& scene) {
   for (const Node& node : scene.nodes) {
     if (!node.slice_of.empty()) relate(Predicate::SliceOf, node.id, node.slice_of);
   }
-  if (with_nearest_) add_nearest(scene.nodes, index_of_node, relations);
+  if (with_comparisons_) {
+    add_nearest(scene.nodes, index_of_node, relations);
+    add_sizes(scene.nodes, index_of_node, facts);
+  }
   std::sort(relations.begin(), relations.end());  // facts are kept sorted: in order, each goes to the end at once
   for (const Relation& relation : relations) facts.set(relation.predicate, relation.first, relation.second);
   return facts;
 }
 
-Trace to_logic(const Scene& start, const std::vector<Delta>& deltas, bool with_nearest) {
-  FactReader reader(with_nearest);
+Trace to_logic(const Scene& start, const std::vector<Delta>& deltas, bool with_comparisons) {
+  FactReader reader(with_comparisons);
   Trace trace;
   trace.states.reserve(deltas.size() + 1);
   trace.states.push_back(reader.read(start));

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "logic/formula.h"
 #include "logic/trace.h"
 #include "scene/scene.h"
 
@@ -24,25 +25,36 @@ Delta difference(const Scene& before, const Scene& after);
 /// Changed nodes keep their place, new ones are appended in order. Rooms and openings never change.
 Scene apply(Scene before, const Delta& delta);
 
+/// A thing is `large` when its box has at least this many times the volume of every other of its category, `small` when
+/// every other has that many times its volume.
+inline constexpr double kClearlyLarger = 1.3;
+/// x is `nearest` to y when every other of x's category is further from y by this length and by this share of x's own
+/// distance, centre to centre.
+inline constexpr double kClearlyNearer_m = 0.25, kClearlyNearer = 0.2;
+bool clearly_nearer(double distance_m, double other_m);
+
 /// Turns scenes of one episode into states of the logic, one after the other, over one growing list of entities: the
 /// agent, the rooms, then the nodes in order of first appearance. Also the facts that follow from others: a node's
-/// colour, material; `held`; `nearest` (x is the one of its category whose centre is nearest to y, ties by order),
-/// which is quadratic and only read when asked for.
+/// colour, material; `held`; and, only when asked for because the cost is quadratic, what comes of comparing things of
+/// one category: `size` (a thing without a second of its category has none) and `nearest`.
 class FactReader {
  public:
-  explicit FactReader(bool with_nearest = false);
+  explicit FactReader(bool with_comparisons = false);
   Facts read(const Scene& scene);
   const std::vector<Entity>& entities() const { return entities_; }
 
  private:
   std::optional<EntityIndex> find(std::string_view id) const;
   EntityIndex index_of(Entity entity);
-  bool with_nearest_;
+  bool with_comparisons_;
   std::vector<Entity> entities_;
   std::vector<std::pair<std::string, EntityIndex>> by_id_;  // sorted by id
 };
 
+/// Whether a formula or one of its domains speaks of `size` or `nearest`.
+bool reads_comparisons(const Formula& formula);
+
 /// The whole trace of a start scene and its deltas.
-Trace to_logic(const Scene& start, const std::vector<Delta>& deltas, bool with_nearest = false);
+Trace to_logic(const Scene& start, const std::vector<Delta>& deltas, bool with_comparisons = false);
 
 }  // namespace unietp

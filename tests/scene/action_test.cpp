@@ -12,20 +12,6 @@
 namespace unietp {
 namespace {
 
-std::string argument_text(ActionArgument argument) {
-  switch (argument) {
-    case ActionArgument::None:
-      return "none";
-    case ActionArgument::Object:
-      return "object";
-    case ActionArgument::ObjectOrRoom:
-      return "object or room";
-    case ActionArgument::Tool:
-      return "tool";
-  }
-  return "";
-}
-
 std::string class_text(ActionClass group) {
   switch (group) {
     case ActionClass::Movement:
@@ -67,6 +53,26 @@ TEST(Actions, EachSimulatorOffersAsManyAsTheDesignCountsForIt) {
   EXPECT_EQ(count_offered(Simulator::Behavior), 29);
 }
 
+TEST(Actions, TheWideProfileOffersAsManyWithTheExtensionInPlaceOfSmallMoves) {
+  ActionSet plain, wide, wide_atomic;
+  for (const Simulator simulator : kSimulators) {
+    plain |= actions_of(simulator);
+    wide |= actions_of(simulator, ActionProfile::Wide);
+  }
+  EXPECT_EQ(plain.count(), 38u);
+  EXPECT_EQ(wide.count(), 38u);
+  EXPECT_EQ((plain & wide).count(), 31u);
+  for (const ActionInfo& action : extension_actions()) {
+    EXPECT_TRUE(wide[static_cast<std::size_t>(action.type)]) << action.name;
+    EXPECT_FALSE(plain[static_cast<std::size_t>(action.type)]) << action.name;
+    EXPECT_TRUE(action.m1 && action.m2 && action.m3) << action.name;
+  }
+  EXPECT_EQ(extension_actions().size(), 7u);
+  EXPECT_EQ(action_profile_named("wide"), ActionProfile::Wide);
+  EXPECT_EQ(action_profile_named(name_of(ActionProfile::Unietp)), ActionProfile::Unietp);
+  EXPECT_EQ(action_profile_named("wider"), std::nullopt);
+}
+
 TEST(Actions, ClassesHaveTheirSizes) {
   std::map<std::string, int> sizes;
   for (const ActionInfo& action : all_actions()) ++sizes[class_text(action.group)];
@@ -75,9 +81,11 @@ TEST(Actions, ClassesHaveTheirSizes) {
 }
 
 TEST(Actions, NamesLeadBackToTheirType) {
-  for (const ActionInfo& action : all_actions()) {
-    EXPECT_EQ(action_named(action.name), action.type);
-    EXPECT_EQ(&info(action.type), &action);
+  for (const auto list : {all_actions(), extension_actions()}) {
+    for (const ActionInfo& action : list) {
+      EXPECT_EQ(action_named(action.name), action.type);
+      EXPECT_EQ(&info(action.type), &action);
+    }
   }
   EXPECT_EQ(action_named("fly"), std::nullopt);
   EXPECT_EQ(action_named(""), std::nullopt);
@@ -95,25 +103,9 @@ TEST(Actions, TextNamesTheArguments) {
   EXPECT_EQ(to_text({ActionType::Stop, {}}), "stop");
 }
 
-TEST(Actions, ThePageSaysWhatTheCatalogueSays) {
-  std::vector<std::string> expected;
-  const auto yes = [](bool offered) { return offered ? "yes" : "–"; };
-  for (const ActionInfo& a : all_actions()) {
-    expected.push_back("| " +
-                       join({std::to_string(expected.size() + 1), std::string(a.name), argument_text(a.argument),
-                             class_text(a.group), yes(a.m1), yes(a.m2), yes(a.m3), yes(a.ai2thor), yes(a.virtualhome),
-                             yes(a.habitat), yes(a.behavior), std::string(a.effect)},
-                            " | ") +
-                       " |");
-  }
-  std::vector<std::string> rows = lines_of("/docs/actions.md");
-  std::erase_if(rows, [](const std::string& line) { return line.size() < 3 || line[0] != '|' || !isdigit(line[2]); });
-  EXPECT_EQ(rows, expected);
-}
-
 TEST(Failures, NamesAreDistinctAndLeadBackAndThePageListsThemInOrder) {
   std::vector<std::string> names;
-  for (int i = 0; i <= static_cast<int>(Failure::NotReady); ++i) {
+  for (int i = 0; i < static_cast<int>(kFailureCount); ++i) {
     const auto failure = static_cast<Failure>(i);
     EXPECT_EQ(failure_named(name_of(failure)), failure);
     names.emplace_back(name_of(failure));

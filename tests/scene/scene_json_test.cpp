@@ -247,12 +247,14 @@ TEST(DeltaJson, RefusesWhatContradictsItself) {
 }
 
 TEST(ActionJson, ReadsBackEveryAction) {
-  for (const ActionInfo& known : all_actions()) {
-    Action action{known.type, {}};
-    if (known.argument != ActionArgument::None) action.args = {"sink_1"};
-    const auto read = action_from_json("x", action_to_json(action));
-    ASSERT_TRUE(read) << format(read.error());
-    EXPECT_EQ(*read, action);
+  for (const auto list : {all_actions(), extension_actions()}) {
+    for (const ActionInfo& known : list) {
+      Action action{known.type, {}};
+      if (known.argument != ActionArgument::None) action.args = {"sink_1"};
+      const auto read = action_from_json("x", action_to_json(action));
+      ASSERT_TRUE(read) << format(read.error());
+      EXPECT_EQ(*read, action);
+    }
   }
   EXPECT_EQ(action_to_json({ActionType::PlaceIn, {"sink_1"}}).dump(), R"({"action":"place_in","args":["sink_1"]})");
 }

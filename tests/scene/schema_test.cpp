@@ -31,10 +31,12 @@ TEST(Schemas, EveryWrittenSceneAndDeltaFollowsItsSchemaForAnySeed) {
 
 TEST(Schemas, EveryWrittenActionFollowsItsSchemaAndNoOtherName) {
   SchemaChecker checker;
-  for (const ActionInfo& action : all_actions()) {
-    EXPECT_EQ(checker.check(action_to_json({action.type, {}}), "action.schema.json"), "");
+  for (const auto list : {all_actions(), extension_actions()}) {
+    for (const ActionInfo& action : list) {
+      EXPECT_EQ(checker.check(action_to_json({action.type, {}}), "action.schema.json"), "");
+    }
   }
-  EXPECT_EQ(schema_file("action.schema.json")["properties"]["action"]["enum"].size(), all_actions().size());
+  EXPECT_EQ(schema_file("action.schema.json")["properties"]["action"]["enum"].size(), kActionCount);
   EXPECT_NE(checker.check(Json{{"action", "fly"}, {"args", Json::array()}}, "action.schema.json"), "");
 }
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "akb/knowledge.h"
+
+namespace unietp {
+
+/// Whether two colours, or two materials, are told apart at a glance: equal ones are not, nor are neighbours such as
+/// gold and yellow, paper and cardboard. Source: curated; colours next to each other among Berlin and Kay's basic
+/// colour terms, materials that surfaces do not tell.
+bool told_apart(std::string_view one, std::string_view other);
+
+/// The category's own colours and materials, in table order.
+std::vector<std::string> values_of(const Category& category);
+
+/// Whether one thing of the category may be so much larger than another that it is clearly so (kClearlyLarger of
+/// scene/trace.h): by its usable models, or, where it has none, by scaling its typical box within what `usable` allows.
+bool comes_in_sizes(const Category& category, const Knowledge& knowledge);
+
+}  // namespace unietp
