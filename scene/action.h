@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,7 +12,7 @@
 
 namespace unietp {
 
-/// The 38 action types, numbered as in docs/actions.md.
+/// The 38 action types and the seven of the profile `wide`, numbered as in docs/actions.md.
 enum class ActionType : std::uint8_t {
   MoveForward,
   MoveBackward,
@@ -51,13 +52,27 @@ enum class ActionType : std::uint8_t {
   BurnWith,
   FillWith,
   Stop,
+  SitOn,
+  LieOn,
+  StandUp,
+  PlugIn,
+  Unplug,
+  Fold,
+  Break,
 };
-inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionType::Stop) + 1;
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionType::Break) + 1;
 
 enum class ActionArgument : std::uint8_t { None, Object, ObjectOrRoom, Tool };
 enum class ActionClass : std::uint8_t { Movement, Reach, Manipulation, Composite, Control };
 enum class Mode : std::uint8_t { M1, M2, M3 };
 std::string_view name_of(Mode mode);  // "M1"
+/// Which catalogue agents act by: the 38, or `wide`, in which the seven extension actions take the places of the seven
+/// small moves of head and hand.
+enum class ActionProfile : std::uint8_t { Unietp, Wide };
+std::string_view name_of(ActionProfile profile);  // "unietp"
+std::optional<ActionProfile> action_profile_named(std::string_view name);
+
+enum class Failure : std::uint8_t;
 
 struct ActionInfo {
   ActionType type;
@@ -65,14 +80,23 @@ struct ActionInfo {
   ActionArgument argument;
   ActionClass group;
   bool m1, m2, m3;                               // the mode offers it
-  bool ai2thor, virtualhome, habitat, behavior;  // the simulator offers it
+  bool ai2thor, virtualhome, habitat, behavior;  // the simulator has it
   std::string_view effect;                       // one line for people
+  std::span<const Failure> failures;             // for each need that is not met, in order of checking; all actions
+                                                 // can also be not_offered, or be given an invalid_argument
 };
 const ActionInfo& info(ActionType type);
 std::optional<ActionType> action_named(std::string_view name);
+/// The 38, and the seven of `wide`.
 std::span<const ActionInfo> all_actions();
+std::span<const ActionInfo> extension_actions();
 bool offers(const ActionInfo& action, Simulator simulator);
 bool offers(const ActionInfo& action, Mode mode);
+
+/// Actions that an agent is offered, by type.
+using ActionSet = std::bitset<kActionCount>;
+/// What a simulator offers in a profile.
+ActionSet actions_of(Simulator simulator, ActionProfile profile = ActionProfile::Unietp);
 
 /// One step of an agent: `{"action": "place_in", "args": ["sink_1"]}`.
 struct Action {
@@ -117,7 +141,19 @@ enum class Failure : std::uint8_t {
   AlreadyFull,
   NotConsumable,
   NotReady,
+  NotASeat,
+  Seated,
+  NotSeated,
+  NotPluggable,
+  AlreadyPluggedIn,
+  AlreadyUnplugged,
+  NotPluggedIn,
+  NotFoldable,
+  AlreadyFolded,
+  NotBreakable,
+  AlreadyBroken,
 };
+inline constexpr std::size_t kFailureCount = static_cast<std::size_t>(Failure::AlreadyBroken) + 1;
 std::string_view name_of(Failure failure);  // "too_far"
 std::optional<Failure> failure_named(std::string_view name);
 

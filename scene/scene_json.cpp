@@ -266,7 +266,9 @@ Result<Action> action_from_json(std::string_view where, const Json& json) {
       action.type = *type;
     } else {
       std::vector<std::string> names;
-      for (const ActionInfo& known : all_actions()) names.emplace_back(known.name);
+      for (const auto list : {all_actions(), extension_actions()}) {
+        for (const ActionInfo& known : list) names.emplace_back(known.name);
+      }
       reader.unknown_name(*f, "action", names);
     }
   }

@@ -99,6 +99,8 @@ Outcome switch_power(WorldState& state, std::size_t i, bool on) {
       node.states.has(Predicate::Open)) {
     return failed(Failure::MustBeClosed, node.id + " must be closed before it is turned on.");
   }
+  if (on && state.profile->power_needs_plug && node.states.has(Predicate::Unplugged))
+    return failed(Failure::NotPluggedIn, node.id + " is not plugged in.");
   node.states.set({on ? Predicate::PowerOn : Predicate::PowerOff, ""});
   if (!state.held(node.id)) {
     look_at(state, node.pose.position);

@@ -78,10 +78,19 @@ struct Spots {
   bool any_surface = false, any_fit = false;
 };
 
-Spots spots_on(const WorldState& state, std::size_t target, const Vec3& size, bool inside, bool alone) {
+/// What can be attached to a thing can be set on its head, also where nothing else can be put: a camera on a tripod.
+void add_head(Shape& shape, const Vec3& size) {
+  const bool open =
+      std::any_of(shape.surfaces.begin(), shape.surfaces.end(), [](const Surface& s) { return s.cavity < 0; });
+  constexpr double kClearance_m = 2.0;
+  if (!open) shape.surfaces.push_back({Vec3(0, 0, size.z() / 2), size.head<2>() / 2, kClearance_m, -1, -1});
+}
+
+Spots spots_on(const WorldState& state, std::size_t target, const Vec3& size, bool inside, bool alone, bool attaches) {
   Spots result;
   const Node& receptacle = state.node(target);
-  const Shape shape = shape_of(receptacle);
+  Shape shape = shape_of(receptacle);
+  if (attaches) add_head(shape, receptacle.size);
   const Vec2 agent = state.scene.agent.position;
   for (const Surface& surface : shape.surfaces) {
     if ((surface.cavity >= 0) != inside) continue;
@@ -129,6 +138,8 @@ Outcome pick_up(WorldState& state, std::size_t i) {
   if (!state.node(i).movable || !state.knowledge->has(state.node(i).category, "pickupable")) {
     return failed(Failure::NotPickupable, id + " cannot be picked up.");
   }
+  if (state.node(i).states.has(Predicate::SatOn) || state.node(i).states.has(Predicate::LainOn))
+    return failed(Failure::Seated, "You sit on " + id + "; stand up first.");
   if (static_cast<int>(state.scene.agent.held.size()) >= state.profile->hands) {
     return failed(Failure::HandsFull, "You already hold " + state.scene.agent.held.front() + ".");
   }
@@ -172,7 +183,9 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
   if (inside && receptacle.openable && !receptacle.states.has(Predicate::Open)) {
     return failed(Failure::ReceptacleClosed, target_id + " is closed.");
   }
-  const Spots spots = spots_on(state, target, state.node(i).size, inside, group.size() == 1);
+  const bool attaches = !inside && state.profile->attaching &&
+                        state.knowledge->effect(receptacle.category, "attaches", state.node(i).category) != nullptr;
+  const Spots spots = spots_on(state, target, state.node(i).size, inside, group.size() == 1, attaches);
   if (!spots.any_surface) {
     return failed(Failure::NotAReceptacle,
                   "Nothing can be put " + std::string(inside ? "inside " : "on ") + target_id + ".");
@@ -207,6 +220,10 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
     if (!has_edge(trial.scene, inside ? Predicate::Inside : Predicate::On, id, target_id)) continue;
     if (within_grasp && out_of_hands_way(trial, i)) continue;
     state = std::move(trial);
+    if (attaches) {
+      Edge edge{Predicate::Attached, id, target_id};
+      state.scene.edges.insert(std::lower_bound(state.scene.edges.begin(), state.scene.edges.end(), edge), edge);
+    }
     run_processes(state, target);
     return succeeded();
   }

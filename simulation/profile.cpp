@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/text.h"
 #include "scene/json_parse.h"
 
 namespace unietp {
@@ -16,7 +17,8 @@ constexpr double kMost = 100000;  // pixels, hands
 /// Reads fields one by one, remembers the first error and which fields it knows.
 class Fields {
  public:
-  Fields(const Json& json, std::string where) : json_(json), where_(std::move(where)) {}
+  Fields(const Json& json, std::string where, std::string pointer = "")
+      : json_(json), where_(std::move(where)), pointer_(std::move(pointer)) {}
 
   void positive(const char* name, double& value) {
     if (const Json* field = find(name, &Json::is_number, "a number")) {
@@ -40,6 +42,24 @@ class Fields {
     }
   }
   void known(const char* name) { known_.insert(name); }
+  /// Sets or clears the actions that a list names.
+  void actions(const char* name, ActionSet& set, bool offered) {
+    const Json* field = find(name, &Json::is_array, "a list of actions");
+    if (field == nullptr) return;
+    for (const Json& entry : *field) {
+      const std::string action = entry.is_string() ? entry.get<std::string>() : entry.dump();
+      const auto type = action_named(action);
+      if (!type)
+        return fail(name, "lists " + in_quotes(action) + "; expected a name of docs/actions.md" + near(action));
+      set[static_cast<std::size_t>(*type)] = offered;
+    }
+  }
+  /// The fields of an object among these.
+  std::optional<Fields> part(const char* name) {
+    const Json* field = find(name, &Json::is_object, "an object");
+    if (field == nullptr) return std::nullopt;
+    return Fields(*field, where_, pointer_ + "/" + name);
+  }
 
   std::optional<Error> error() {
     for (const auto& [name, value] : json_.items()) {
@@ -62,19 +82,27 @@ class Fields {
     }
     return &*field;
   }
+  static std::string near(const std::string& action) {
+    std::vector<std::string> names;
+    for (const auto list : {all_actions(), extension_actions()}) {
+      for (const ActionInfo& known : list) names.emplace_back(known.name);
+    }
+    const std::string nearest = nearest_name(action, names);
+    return nearest.empty() ? "" : ", perhaps " + in_quotes(nearest);
+  }
   void fail(const std::string& name, const std::string& what) {
-    if (!error_) error_ = Error{Error::Kind::Schema, where_, {}, "/" + name + " " + what};
+    if (!error_) error_ = Error{Error::Kind::Schema, where_, {}, pointer_ + "/" + name + " " + what};
   }
 
   const Json& json_;
-  std::string where_;
+  std::string where_, pointer_;
   std::set<std::string> known_;
   std::optional<Error> error_;
 };
 
 }  // namespace
 
-Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simulator) {
+Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simulator, ActionProfile actions) {
   const auto path = folder / (std::string(name_of(simulator)) + ".json");
   const auto text = read_file(path);
   if (!text) return text.error();
@@ -87,6 +115,8 @@ Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simu
   fields.text("format", "unietp-simulator/1");
   fields.text("simulator", name_of(simulator));
   fields.known("sources");
+  p.actions.reset();
+  fields.actions("actions", p.actions, true);
   fields.positive("reach_m", p.reach_m);
   fields.positive("hands", p.hands);
   fields.positive("body_radius_m", p.body_radius_m);
@@ -107,8 +137,15 @@ Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simu
   fields.flag("slicing", p.slicing);
   fields.flag("washing", p.washing);
   fields.flag("temperature", p.temperature);
+  auto wide = fields.part("wide");
   if (const auto error = fields.error()) return *error;
-  return p;
+  Profile w = p;  // read even when not asked for, so that an error in it is found
+  wide->actions("without", w.actions, false);
+  wide->actions("with", w.actions, true);
+  wide->flag("attaching", w.attaching);
+  wide->flag("power_needs_plug", w.power_needs_plug);
+  if (const auto error = wide->error()) return *error;
+  return actions == ActionProfile::Wide ? w : p;
 }
 
 }  // namespace unietp

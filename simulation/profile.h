@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/result.h"
+#include "scene/action.h"
 #include "scene/simulator.h"
 
 namespace unietp {
@@ -12,6 +13,7 @@ namespace unietp {
 /// How one simulator limits and answers its agent; data/simulators/<name>.json, each number with its source there.
 struct Profile {
   Simulator simulator = Simulator::Ai2thor;
+  ActionSet actions = actions_of(Simulator::Ai2thor);
   double reach_m = 1.5;  // from the body's axis to the object's surface
   int hands = 1;
   double body_radius_m = 0.2, body_height_m = 1.6;
@@ -25,9 +27,14 @@ struct Profile {
   bool power_needs_closed = true;                           // an appliance with a door runs only when it is shut
   bool open_needs_power_off = true;                         // and does not open while it runs
   bool slicing = true, washing = true, temperature = true;  // the simulator has these effects
+  bool attaching = false;                                   // place_on attaches what the tables say attaches (`wide`)
+  bool power_needs_plug = false;                            // what has a plug runs only when it is plugged in (`wide`)
+
+  bool offers(ActionType type) const { return actions[static_cast<std::size_t>(type)]; }
 };
 
 /// Errors: Io; Parse with line and column; Schema naming the field.
-Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simulator);
+Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simulator,
+                             ActionProfile actions = ActionProfile::Unietp);
 
 }  // namespace unietp

@@ -55,6 +55,8 @@ Outcome perform_alone(WorldState& state, ActionType type) {
       return rotate_hand(state);
     case ActionType::Drop:
       return drop(state);
+    case ActionType::StandUp:
+      return stand_up(state);
     default:
       return failed(Failure::InvalidAction, std::string(info(type).name) + " needs an object.");
   }
@@ -68,7 +70,7 @@ Outcome cool_with(WorldState& state, std::size_t tool) {
 
 Outcome perform(WorldState& state, const Action& action) {
   const ActionInfo& about = info(action.type);
-  if (!offers(about, state.scene.simulator)) {
+  if (!state.profile->offers(action.type)) {
     return failed(Failure::NotOffered,
                   std::string(name_of(state.scene.simulator)) + " does not offer " + std::string(about.name) + ".");
   }
@@ -76,6 +78,9 @@ Outcome perform(WorldState& state, const Action& action) {
   if (action.type == ActionType::Stop) {
     state.stopped = true;
     return succeeded();
+  }
+  if (about.group == ActionClass::Movement || action.type == ActionType::GoTo) {
+    if (auto seated = keeps_seat(state, action.type)) return *seated;
   }
   if (action.type == ActionType::GoTo) return go_to(state, action.args.front());
   if (about.argument == ActionArgument::None) return perform_alone(state, action.type);
@@ -122,6 +127,18 @@ Outcome perform(WorldState& state, const Action& action) {
       return treat_with(state, *node, "burns");
     case ActionType::FillWith:
       return treat_with(state, *node, "fills");
+    case ActionType::SitOn:
+      return take_seat(state, *node, Predicate::SatOn);
+    case ActionType::LieOn:
+      return take_seat(state, *node, Predicate::LainOn);
+    case ActionType::PlugIn:
+      return plug(state, *node, true);
+    case ActionType::Unplug:
+      return plug(state, *node, false);
+    case ActionType::Fold:
+      return fold(state, *node);
+    case ActionType::Break:
+      return break_apart(state, *node);
     default:
       return failed(Failure::InvalidAction, std::string(about.name) + " is no action on an object.");
   }
@@ -177,7 +194,9 @@ Result<World> World::create(Scene start, const Knowledge& knowledge, const Profi
     if (contact && is_in_hand(from) && is_in_hand(to)) carried.push_back(edge);
   }
   for (const std::size_t i : in_hand) state.physics.remove(static_cast<BodyId>(i));
+  std::vector<Edge> before = std::move(state.scene.edges);
   state.scene.edges = read_relations(state.scene, state.physics, carried);
+  state.keep_attached(before);
   return World(std::move(impl));
 }
 
@@ -191,7 +210,7 @@ bool World::stopped() const { return impl_->state.stopped; }
 
 std::vector<VisibleObject> World::visible() const {
   const WorldState& state = impl_->state;
-  return view_of(state.scene, state.physics, *state.profile);
+  return view_of(state.scene, *state.profile, state.rays);
 }
 
 std::optional<Vec2> World::standing_place_for(std::string_view id) const {

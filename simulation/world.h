@@ -15,7 +15,7 @@
 
 namespace unietp {
 
-/// An object in the camera's image: pixel box [x0, y0, x1, y1], x right, y down, clipped to the image.
+/// An object in the camera's image: the box [x0, y0, x1, y1] around its pixels, x right, y down, both ends included.
 struct VisibleObject {
   std::string id;
   std::array<int, 4> box{};
@@ -47,7 +47,8 @@ class World {
   const Scene& scene() const;
   bool stopped() const;  // `stop` was done
 
-  /// What the camera shows now: objects nearer than the profile's sight whose ray is free, by id.
+  /// What the camera shows now: objects nearer than the profile's sight of which a pixel is met first by its ray, by
+  /// id.
   std::vector<VisibleObject> visible() const;
 
   // Questions that a planner may ask; none changes the world.

@@ -78,7 +78,17 @@ void WorldState::refresh(std::span<const Bounds> touched, std::span<const std::s
     const bool contact = edge.relation == Predicate::On || edge.relation == Predicate::Inside;
     if (contact && is_in_hand(edge.from) && is_in_hand(edge.to)) carried.push_back(edge);
   }
+  const std::vector<Edge> before = scene.edges;
   scene.edges = update_relations(scene, physics, carried, touched, changed);
+  keep_attached(before);
+}
+
+void WorldState::keep_attached(std::span<const Edge> before) {
+  std::erase_if(scene.edges, [](const Edge& edge) { return edge.relation == Predicate::Attached; });
+  for (const Edge& edge : before) {
+    if (edge.relation != Predicate::Attached || !has_edge(scene, Predicate::On, edge.from, edge.to)) continue;
+    scene.edges.insert(std::lower_bound(scene.edges.begin(), scene.edges.end(), edge), edge);
+  }
 }
 
 void WorldState::carry_along() {

@@ -12,6 +12,7 @@
 #include "simulation/navigation.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
+#include "simulation/rays.h"
 #include "simulation/world.h"
 
 namespace unietp {
@@ -28,7 +29,8 @@ struct WorldState {
   const Profile* profile = nullptr;
   PhysicsWorld physics;  // node i is body i; what is in the hands is not in it
   bool stopped = false;
-  HandPose hand;  // back in front of the body whenever something is picked up
+  mutable Rays rays;  // a workplace for looking
+  HandPose hand;      // back in front of the body whenever something is picked up
 
   /// Where the body can walk now, and the steps from the agent to every cell; made at the first question after a
   /// change.
@@ -49,6 +51,8 @@ struct WorldState {
   void refresh(std::span<const Bounds> touched, std::span<const std::size_t> changed);
   /// Puts what the hands hold in front of the agent, with all that rests on or in it.
   void carry_along();
+  /// Adds those of the `attached` edges before a change whose object still rests on what it was attached to.
+  void keep_attached(std::span<const Edge> before);
 
  private:
   mutable std::optional<NavigationGrid> grid_;
@@ -89,6 +93,15 @@ Outcome wipe(WorldState& state, std::size_t node);
 Outcome spread_to(WorldState& state, std::size_t node);
 /// soak_with and the composite actions ..._with: the atomic steps they stand for, each with all its checks.
 Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect);
+
+/// sit_on and lie_on: `as` is SatOn or LainOn. The body stays at its place beside the seat and faces as the seat does.
+Outcome take_seat(WorldState& state, std::size_t node, Predicate as);
+Outcome stand_up(WorldState& state);
+/// Why the body cannot walk or turn (it sits or lies), or nullopt.
+std::optional<Outcome> keeps_seat(const WorldState& state, ActionType type);
+Outcome plug(WorldState& state, std::size_t node, bool in);
+Outcome fold(WorldState& state, std::size_t node);
+Outcome break_apart(WorldState& state, std::size_t node);
 
 /// What a tool does by itself to what lies in or on it, as things are now: effects whose needs are met. `tap_runs`:
 /// water flows into it.

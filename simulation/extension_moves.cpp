@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/world_state.h"
+
+// What only the profile `wide` offers: sitting, lying, plugs, folding and breaking.
+namespace unietp {
+namespace {
+
+constexpr double kSpotPitch_m = 0.05;
+constexpr double kAboveSeat_m = 0.01;
+// A body's place on a seat and on a bed: width, depth and height of what must be free. Curated.
+const Vec3 kSitter_m(0.3, 0.3, 0.5);
+const Vec3 kLier_m(1.4, 0.4, 0.3);
+
+std::optional<std::size_t> seat_of(const WorldState& state) {
+  for (std::size_t i = 0; i < state.scene.nodes.size(); ++i) {
+    const StateSet& states = state.node(i).states;
+    if (states.has(Predicate::SatOn) || states.has(Predicate::LainOn)) return i;
+  }
+  return std::nullopt;
+}
+
+Outcome is_seated(const WorldState& state, std::size_t seat) {
+  const bool lies = state.node(seat).states.has(Predicate::LainOn);
+  return failed(Failure::Seated,
+                std::string("You ") + (lies ? "lie" : "sit") + " on " + state.node(seat).id + "; stand up first.");
+}
+
+/// Nothing movable but the seat itself lies where the body would be. A table over a chair does not count: one pulls the
+/// chair out.
+bool free_for_body(const WorldState& state, std::size_t seat, const Pose& pose, const Vec3& size) {
+  Shape body;
+  body.parts.push_back({Part::Kind::Box, {}, size, -1});
+  std::vector<BodyId> ignore{static_cast<BodyId>(seat)};
+  for (const BodyId id : state.physics.near(bounds_of(pose, size), 0)) {
+    if (id >= state.scene.nodes.size() || !state.node(id).movable) ignore.push_back(id);
+  }
+  return !state.physics.overlap(body, pose, 0, ignore);
+}
+
+bool has_place_for(const WorldState& state, std::size_t seat, const Vec3& body) {
+  const Node& node = state.node(seat);
+  const Shape shape = shape_of(node);
+  for (const Surface& surface : shape.surfaces) {
+    const Pose frame = node.pose * joint_motion(shape, surface.joint, node.opening);
+    for (const bool across : {false, true}) {
+      Vec3 size = across ? Vec3(body.y(), body.x(), body.z()) : body;
+      size.head<2>() = size.head<2>().cwiseMin(2 * surface.half);  // a stool is narrower than its sitter
+      const Vec2 room = surface.half - size.head<2>() / 2;
+      const int nx = static_cast<int>(room.x() / kSpotPitch_m), ny = static_cast<int>(room.y() / kSpotPitch_m);
+      for (int x = -nx; x <= nx; ++x) {
+        for (int y = -ny; y <= ny; ++y) {
+          const Vec3 up(x * kSpotPitch_m, y * kSpotPitch_m, size.z() / 2 + kAboveSeat_m);
+          if (free_for_body(state, seat, frame * Pose{surface.centre + up, Quat::Identity()}, size)) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/// Not in the hand, and the hand gets at it.
+std::optional<Outcome> out_of_the_way(const WorldState& state, std::size_t i) {
+  const std::string& id = state.node(i).id;
+  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand; put it down first.");
+  return out_of_hands_way(state, i);
+}
+
+void turn_to_work(WorldState& state, std::size_t i) {
+  look_at(state, state.node(i).pose.position);
+  state.carry_along();
+}
+
+}  // namespace
+
+std::optional<Outcome> keeps_seat(const WorldState& state, ActionType type) {
+  if (!state.profile->offers(ActionType::SitOn) && !state.profile->offers(ActionType::LieOn)) return std::nullopt;
+  if (type == ActionType::StandUp || type == ActionType::LookUp || type == ActionType::LookDown) return std::nullopt;
+  const auto seat = seat_of(state);
+  return seat ? std::optional(is_seated(state, *seat)) : std::nullopt;
+}
+
+Outcome take_seat(WorldState& state, std::size_t i, Predicate as) {
+  const bool lies = as == Predicate::LainOn;
+  const std::string id = state.node(i).id;
+  if (!state.knowledge->has(state.node(i).category, lies ? "lieable" : "sittable"))
+    return failed(Failure::NotASeat, std::string("One cannot ") + (lies ? "lie" : "sit") + " on " + id + ".");
+  if (const auto seat = seat_of(state)) return is_seated(state, *seat);
+  if (auto blocked = out_of_the_way(state, i)) return *blocked;
+  if (!has_place_for(state, i, lies ? kLier_m : kSitter_m))
+    return failed(Failure::NoFreePlace, "There is no free place on " + id + "; something lies there.");
+  state.node(i).states.set({as, ""});
+  const Vec3 front = state.node(i).pose.rotation * -Vec3::UnitY();
+  if (front.head<2>().norm() > 1e-9) state.scene.agent.yaw = std::atan2(front.y(), front.x());
+  state.scene.agent.pitch = 0;
+  state.carry_along();
+  return succeeded();
+}
+
+Outcome stand_up(WorldState& state) {
+  const auto seat = seat_of(state);
+  if (!seat) return failed(Failure::NotSeated, "You stand already.");
+  state.node(*seat).states.clear(Predicate::SatOn);
+  state.node(*seat).states.clear(Predicate::LainOn);
+  return succeeded();
+}
+
+Outcome plug(WorldState& state, std::size_t i, bool in) {
+  const std::string id = state.node(i).id;
+  const bool plugged = state.node(i).states.has(Predicate::PluggedIn);
+  if (!plugged && !state.node(i).states.has(Predicate::Unplugged))
+    return failed(Failure::NotPluggable, id + " has no plug.");
+  if (auto blocked = out_of_the_way(state, i)) return *blocked;
+  if (in && plugged) return failed(Failure::AlreadyPluggedIn, id + " is already plugged in.");
+  if (!in && !plugged) return failed(Failure::AlreadyUnplugged, id + " is already unplugged.");
+  state.node(i).states.set({in ? Predicate::PluggedIn : Predicate::Unplugged, ""});
+  if (!in && state.node(i).states.has(Predicate::PowerOn)) state.node(i).states.set({Predicate::PowerOff, ""});
+  turn_to_work(state, i);
+  return succeeded();
+}
+
+Outcome fold(WorldState& state, std::size_t i) {
+  const std::string id = state.node(i).id;
+  if (!state.knowledge->has(state.node(i).category, "foldable"))
+    return failed(Failure::NotFoldable, id + " cannot be folded.");
+  if (state.node(i).states.has(Predicate::Folded)) return failed(Failure::AlreadyFolded, id + " is folded already.");
+  if (static_cast<int>(state.scene.agent.held.size()) >= state.profile->hands) {
+    const bool itself = state.held(id);
+    return failed(Failure::HandsFull, itself ? "Put " + id + " down to fold it." : "Folding takes a free hand.");
+  }
+  if (auto blocked = out_of_the_way(state, i)) return *blocked;
+  if (const auto group = state.group_of(i); group.size() > 1)
+    return failed(Failure::Blocked, state.node(group[1]).id + " lies on " + id + ".");
+  state.node(i).states.set({Predicate::Folded, ""});
+  turn_to_work(state, i);
+  return succeeded();
+}
+
+Outcome break_apart(WorldState& state, std::size_t i) {
+  const std::string id = state.node(i).id;
+  if (!state.knowledge->has(state.node(i).category, "breakable"))
+    return failed(Failure::NotBreakable, id + " cannot be broken.");
+  if (state.node(i).states.has(Predicate::Broken)) return failed(Failure::AlreadyBroken, id + " is broken already.");
+  if (auto blocked = out_of_the_way(state, i)) return *blocked;
+  state.node(i).states.set({Predicate::Broken, ""});
+  if (state.node(i).states.has(Predicate::Filled)) state.node(i).states.set({Predicate::Empty, ""});
+  turn_to_work(state, i);
+  return succeeded();
+}
+
+}  // namespace unietp
