@@ -4,7 +4,6 @@
 
 #include "simulation/navigation.h"
 #include "simulation/relations.h"
-#include "simulation/view.h"
 #include "simulation/world.h"
 #include "tests/simulation/kitchen.h"
 
@@ -61,10 +60,6 @@ void Grid(benchmark::State& state) {
   const Fixture f;
   for (auto _ : state) benchmark::DoNotOptimize(NavigationGrid(f.scene, f.profile).free({3, 3}));
 }
-void View(benchmark::State& state) {
-  const Fixture f;
-  for (auto _ : state) benchmark::DoNotOptimize(view_of(f.scene, f.physics, f.profile));
-}
 void CopyWorld(benchmark::State& state) {
   const Fixture f;
   const World world = *World::create(f.scene, f.knowledge, f.profile);
@@ -90,7 +85,6 @@ BENCHMARK(ReadAllRelations)->Unit(benchmark::kMicrosecond);
 BENCHMARK(UpdateRelationsOfOne)->Unit(benchmark::kMicrosecond);
 BENCHMARK(SettleOne)->Unit(benchmark::kMicrosecond);
 BENCHMARK(Grid)->Unit(benchmark::kMicrosecond);
-BENCHMARK(View)->Unit(benchmark::kMicrosecond);
 BENCHMARK(CopyWorld)->Unit(benchmark::kMicrosecond);
 BENCHMARK(FetchAndPlace)->Unit(benchmark::kMicrosecond);
 

@@ -3,15 +3,17 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "simulation/physics.h"
 #include "simulation/profile.h"
+#include "simulation/rays.h"
 #include "simulation/world.h"
 
 namespace unietp {
 
-/// What the agent's camera shows: objects whose box's centre is nearer than the profile's sight and of which at least
-/// one of sight_points lies in the image and is met first by its ray. The pixel box is the projection of the object's
-/// box, clipped to the image: an upper bound of what a renderer would draw. Sorted by id.
-std::vector<VisibleObject> view_of(const Scene& scene, const PhysicsWorld& world, const Profile& profile);
+/// What the agent's camera shows: objects whose box's centre is nearer than the profile's sight and that are what at
+/// least one of the cast rays meets first. Rays go through the middles of pixels: a grid over where each object would
+/// be seen, its salient points, and then lines outwards from what was seen. So an object is listed only if the image
+/// (picture.h) has a pixel of it, its box holds only such pixels' places, and misses at most a few pixels at its rim.
+/// Sorted by id. `rays` is a workplace: what it held before does not matter.
+std::vector<VisibleObject> view_of(const Scene& scene, const Profile& profile, Rays& rays);
 
 }  // namespace unietp

@@ -13,7 +13,7 @@ namespace {
 class Acting : public ::testing::Test {
  protected:
   explicit Acting(Simulator simulator) : knowledge_(testing::kitchen_knowledge(simulator)), simulator_(simulator) {
-    profile_.simulator = simulator;
+    profile_ = testing::kitchen_profile(simulator);
   }
   World start(Scene scene) {
     auto world = World::create(std::move(scene), knowledge_, profile_);

@@ -25,18 +25,21 @@ Knowledge kitchen_knowledge(Simulator simulator) {
   std::vector<Category> categories{
       category("Apple", true, Archetype::Sphere, {0.08, 0.08, 0.08}, 0.2),
       category("AppleSliced", true, Archetype::Box, {0.02, 0.08, 0.08}, 0.05),
+      category("Bulb", true, Archetype::Box, {0.05, 0.05, 0.06}, 0.05),
       category("CounterTop", false, Archetype::Block, {1.4, 0.6, 0.9}, 60),
       category("DiningTable", false, Archetype::Table, {1.2, 0.8, 0.75}, 25),
       category("Dresser", false, Archetype::Drawers, {0.8, 0.45, 0.7}, 30),
       category("Fridge", false, Archetype::Cabinet, {0.7, 0.65, 1.7}, 80),
       category("Ketchup", true, Archetype::Cylinder, {0.06, 0.06, 0.16}, 0.5),
       category("Knife", true, Archetype::Box, {0.22, 0.025, 0.02}, 0.1),
+      category("Lamp", false, Archetype::Fixture, {0.16, 0.16, 0.3}, 2),
       category("Microwave", false, Archetype::Cabinet, {0.5, 0.36, 0.3}, 12),
       category("Mug", true, Archetype::Vessel, {0.09, 0.09, 0.1}, 0.3),
       category("Plate", true, Archetype::Plate, {0.24, 0.24, 0.02}, 0.4),
       category("Potato", true, Archetype::Box, {0.09, 0.06, 0.06}, 0.2),
       category("Sink", false, Archetype::Basin, {0.6, 0.5, 0.9}, 40),
       category("SoapBar", true, Archetype::Box, {0.08, 0.05, 0.03}, 0.1),
+      category("Sofa", false, Archetype::Seat, {1.6, 0.8, 0.8}, 40),
       category("Stove", false, Archetype::Block, {0.6, 0.6, 0.9}, 50),
       category("Towel", true, Archetype::Box, {0.2, 0.15, 0.03}, 0.2),
       category("WineBottle", true, Archetype::Cylinder, {0.08, 0.08, 0.3}, 1.2),
@@ -47,25 +50,29 @@ Knowledge kitchen_knowledge(Simulator simulator) {
   };
   affords("Apple", {"pickupable", "sliceable"});
   affords("AppleSliced", {"pickupable"});
+  affords("Bulb", {"pickupable"});
   affords("CounterTop", {"receptacle"});
   affords("DiningTable", {"receptacle"});
   affords("Dresser", {"container", "openable", "receptacle"});
   affords("Fridge", {"container", "openable", "receptacle"});
   affords("Knife", {"pickupable"});
+  affords("Lamp", {"pluggable", "switchable"});
   affords("Microwave", {"container", "openable", "switchable"});
   affords("Ketchup", {"pickupable"});
-  affords("Mug", {"container", "dirtyable", "fillable", "heatable", "pickupable"});
+  affords("Mug", {"breakable", "container", "dirtyable", "fillable", "heatable", "pickupable"});
   affords("Plate", {"dirtyable", "pickupable", "receptacle"});
   affords("Potato", {"burnable", "cookable", "heatable", "pickupable"});
   affords("Sink", {"container", "drain"});
   affords("SoapBar", {"consumable", "pickupable"});
+  affords("Sofa", {"lieable", "receptacle", "sittable"});
   affords("Stove", {"receptacle", "switchable"});
-  affords("Towel", {"pickupable", "soakable"});
+  affords("Towel", {"foldable", "pickupable", "soakable"});
   affords("WineBottle", {"fillable", "pickupable"});
   std::vector<Effect> effects{
       {"Fridge", "cools", "Mug", "", 0, {"closed", "inside"}, kCurated},
       {"Ketchup", "dispenses", "Plate", "ketchup", 0, {"held"}, kCurated},
       {"Knife", "slices", "Apple", "AppleSliced", 4, {"held"}, kCurated},
+      {"Lamp", "attaches", "Bulb", "", 0, {}, kCurated},
       {"Microwave", "heats", "Mug", "", 0, {"closed", "inside", "power_on"}, kCurated},
       {"Microwave", "heats", "Potato", "", 0, {"closed", "inside", "power_on"}, kCurated},
       {"Sink", "washes", "Mug", "", 0, {"inside", "under_tap"}, kCurated},
@@ -135,6 +142,22 @@ Scene full_kitchen(Simulator simulator) {
   return scene;
 }
 
-Profile kitchen_profile() { return {}; }
+Scene wide_kitchen(Simulator simulator) {
+  const Knowledge knowledge = kitchen_knowledge(simulator);
+  Scene scene = full_kitchen(simulator);
+  add(scene, "sofa_1", knowledge, "Sofa", 4.3, 1.2, 0, -std::numbers::pi / 2);  // its front is turned to -x
+  add(scene, "lamp_1", knowledge, "Lamp", 0.35, 1.5, 0.701);
+  add(scene, "bulb_1", knowledge, "Bulb", 2.95, 1.4, 0.751);
+  scene.edges = read_relations(scene);
+  return scene;
+}
+
+Profile kitchen_profile(Simulator simulator, ActionProfile actions) {
+  Profile profile;
+  profile.simulator = simulator;
+  profile.actions = actions_of(simulator, actions);
+  profile.attaching = profile.power_needs_plug = actions == ActionProfile::Wide;
+  return profile;
+}
 
 }  // namespace unietp::testing

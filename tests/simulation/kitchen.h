@@ -11,11 +11,15 @@ namespace unietp::testing {
 /// the table a mug, an apple, a knife and a plate: what the tests of physics and actions need, built by hand.
 Knowledge kitchen_knowledge(Simulator simulator = Simulator::Ai2thor);
 Scene kitchen();
-Profile kitchen_profile();
+Profile kitchen_profile(Simulator simulator = Simulator::Ai2thor, ActionProfile actions = ActionProfile::Unietp);
 
 /// The same kitchen as another simulator has it, with a stove, and on the counter a towel, a bottle of ketchup, a
 /// bottle of wine and a bar of soap: what the actions on contents need.
 Scene full_kitchen(Simulator simulator);
+
+/// The full kitchen with a sofa, a lamp with a plug on the chest of drawers, and on the table a bulb for it: what the
+/// actions of the profile `wide` need.
+Scene wide_kitchen(Simulator simulator);
 
 /// Adds a movable resting at (x, y) with its lowest side at z.
 Node& add(Scene& scene, const std::string& id, const Knowledge& knowledge, const std::string& category, double x,

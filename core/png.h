@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/result.h"
+
+namespace unietp {
+
+/// The bytes of a PNG file. `rgb`: rows from the top, three bytes a pixel, width * height of them, both greater than 0.
+/// Equal pixels give equal bytes with one version of libpng and zlib. Errors: Io when libpng refuses.
+Result<std::string> png(int width, int height, std::span<const std::uint8_t> rgb);
+
+}  // namespace unietp

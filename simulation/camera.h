@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "scene/scene.h"
+#include "simulation/profile.h"
+
+namespace unietp {
+
+/// The agent's eye: a pinhole at the profile's camera height above the agent's place, turned by its yaw and pitch.
+/// Pixels count from the upper left corner, x to the right, y down; pixel (0, 0) covers [0, 1) x [0, 1).
+struct Camera {
+  Vec3 at = Vec3::Zero();                                                     // W, metres
+  Vec3 ahead = Vec3::UnitX(), right = -Vec3::UnitY(), down = -Vec3::UnitZ();  // unit, W
+  int width = 0, height = 0;                                                  // pixels
+  double focal = 1;                                                           // pixels
+
+  /// Direction from `at` through a point of the image; a way of length t along it lies t metres deep.
+  Vec3 ray(double x, double y) const {
+    return ahead + ((x - width / 2.0) / focal) * right + ((y - height / 2.0) / focal) * down;
+  }
+  double depth(const Vec3& point) const { return (point - at).dot(ahead); }
+  /// Where a point is seen, also outside of the image; nullopt when it lies behind the camera.
+  std::optional<Vec2> pixel(const Vec3& point) const;
+  /// Whether a ball may be seen: it reaches into the pyramid of what the image shows, or nearly so.
+  bool may_show(const Vec3& centre, double radius) const;
+};
+
+Camera camera_of(const Agent& agent, const Profile& profile);
+
+}  // namespace unietp

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "scene/scene.h"
+#include "simulation/profile.h"
+#include "simulation/rays.h"
+
+namespace unietp {
+
+/// Rows from the top, three bytes a pixel: red, green, blue.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// Which node each pixel shows, rows from the top; -1 for walls, floor, ceiling and the open.
+struct Segmentation {
+  int width = 0, height = 0;
+  std::vector<std::int32_t> node;
+};
+
+/// One ray through the middle of every pixel, without a limit of sight. `rays` is a workplace, as in view.h.
+Segmentation segmentation_of(const Scene& scene, const Profile& profile, Rays& rays);
+
+/// What the agent sees: every object in its colour, or that of its material, lit from above with short shadows, rims
+/// drawn dark. Rays through every fourth pixel, more where four of them do not agree on a face. Deterministic.
+Picture picture_of(const Scene& scene, const Profile& profile, Rays& rays);
+
+/// A line of one pixel around a box [x0, y0, x1, y1], both ends included, as World::visible gives them.
+void draw_box(Picture& picture, const std::array<int, 4>& box, const std::array<std::uint8_t, 3>& colour);
+
+}  // namespace unietp

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+#include "simulation/camera.h"
+#include "simulation/rays.h"
+
+namespace unietp {
+
+/// Ids of what no eye sees, sorted: what the agent holds, with what lies on or in it (it carries them below the
+/// picture), and what is inside something closed.
+std::vector<std::string> hidden_from_sight(const Scene& scene);
+
+/// How far the parts of an object may reach from the centre of its box, doors included.
+double sight_radius(const Node& node);
+
+/// The solids at most `farthest` metres away that an image of this camera may show: objects but the hidden ones, in
+/// order of the nodes, then walls. As physics has them; or `rounded`, for the eye: plates, mugs and bowls are round.
+std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
+                             const std::vector<std::string>& hidden, bool rounded = false);
+
+}  // namespace unietp

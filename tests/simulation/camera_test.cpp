@@ -1,0 +1,194 @@
+// What the agent's camera shows: boxes of objects, the segmentation behind them, and the picture.
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "core/png.h"
+#include "core/rng.h"
+#include "simulation/picture.h"
+#include "simulation/relations.h"
+#include "simulation/view.h"
+#include "simulation/world.h"
+#include "tests/simulation/kitchen.h"
+
+namespace unietp {
+namespace {
+
+using Box = std::array<int, 4>;
+
+struct Seen {
+  int pixels = 0;
+  Box box{1 << 20, 1 << 20, -1, -1};
+};
+
+/// The box around the pixels of each node.
+std::vector<Seen> seen_in(const Segmentation& image, std::size_t nodes) {
+  std::vector<Seen> seen(nodes);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto node =
+          image.node[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)];
+      if (node < 0) continue;
+      Seen& one = seen[static_cast<std::size_t>(node)];
+      ++one.pixels;
+      one.box = {std::min(one.box[0], x), std::min(one.box[1], y), std::max(one.box[2], x), std::max(one.box[3], y)};
+    }
+  }
+  return seen;
+}
+
+double area(const Box& box) { return (box[2] - box[0] + 1.0) * (box[3] - box[1] + 1.0); }
+bool within(const Box& inner, const Box& outer) {
+  return inner[0] >= outer[0] && inner[1] >= outer[1] && inner[2] <= outer[2] && inner[3] <= outer[3];
+}
+
+Profile profile_of(Simulator simulator) { return *load_profile(UNIETP_SOURCE_DIR "/data/simulators", simulator); }
+
+/// The kitchen as seen from a drawn place and in a drawn direction.
+Scene drawn_view(Simulator simulator, Rng& rng) {
+  Scene scene = testing::wide_kitchen(simulator);
+  scene.agent.position = {1.0 + 2.7 * rng.unit(), 1.9 + rng.unit()};
+  scene.agent.yaw = 6.28 * rng.unit();
+  scene.agent.pitch = 0.7 * rng.unit() - 0.1;
+  if (rng.chance(0.5)) {
+    Node& fridge = *find_node(scene, "fridge_1");
+    fridge.opening = 1;
+    fridge.states.set({Predicate::Open, ""});
+  }
+  return scene;
+}
+
+class ACamera : public ::testing::TestWithParam<Simulator> {};
+
+TEST_P(ACamera, ListsWhatItsPixelsShowInBoxesThatHoldNoOthers) {
+  const Profile profile = profile_of(GetParam());
+  Rng rng(5);
+  double listed = 0, missed = 0, whole = 0, found = 0;
+  for (int i = 0; i < 12; ++i) {
+    SCOPED_TRACE(i);
+    const Scene scene = drawn_view(GetParam(), rng);
+    Rays rays;
+    const auto visible = view_of(scene, profile, rays);
+    const auto seen = seen_in(segmentation_of(scene, profile, rays), scene.nodes.size());
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
+      const Node& node = scene.nodes[n];
+      const auto told =
+          std::find_if(visible.begin(), visible.end(), [&](const VisibleObject& v) { return v.id == node.id; });
+      if (told != visible.end()) {
+        ASSERT_GT(seen[n].pixels, 0) << node.id << " is told of and has no pixel";
+        EXPECT_TRUE(within(told->box, seen[n].box)) << node.id;
+        whole += area(seen[n].box);
+        found += area(told->box);
+        ++listed;
+        continue;
+      }
+      const Vec3 eye(scene.agent.position.x(), scene.agent.position.y(), profile.camera_height_m);
+      const bool near = (node.pose.position - eye).norm() <= profile.sight_m;
+      if (near && seen[n].pixels > 0) ++missed;
+      EXPECT_LT(near ? seen[n].pixels : 0, 60) << node.id << " shows and is not told of";
+    }
+  }
+  EXPECT_GT(listed, 60);
+  EXPECT_LT(missed, 0.03 * listed);
+  EXPECT_GT(found, 0.95 * whole);
+}
+
+TEST_P(ACamera, GivesTheSameBytesInEveryThread) {
+  const Profile profile = profile_of(GetParam());
+  Rng rng(6);
+  const Scene scene = drawn_view(GetParam(), rng);
+  Rays rays;
+  const auto visible = view_of(scene, profile, rays);
+  const auto picture = picture_of(scene, profile, rays).rgb;
+  std::vector<std::vector<VisibleObject>> views(3);
+  std::vector<std::vector<std::uint8_t>> pictures(3);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    threads.emplace_back([&, i] {
+      Rays own;
+      views[i] = view_of(scene, profile, own);
+      pictures[i] = picture_of(scene, profile, own).rgb;
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    EXPECT_EQ(views[i], visible);
+    EXPECT_EQ(pictures[i], picture);
+  }
+}
+
+TEST_P(ACamera, ShowsWhatLiesAheadInTheMiddleOfAPictureOfTheProfilesSize) {
+  const Profile profile = profile_of(GetParam());
+  const Knowledge knowledge = testing::kitchen_knowledge(GetParam());
+  World world = *World::create(testing::wide_kitchen(GetParam()), knowledge, profile);
+  ASSERT_TRUE(world.step({ActionType::GoTo, {"sofa_1"}}).success);
+  ASSERT_TRUE(world.step({ActionType::TurnTo, {"sofa_1"}}).success);
+  Rays rays;
+  const Segmentation image = segmentation_of(world.scene(), profile, rays);
+  EXPECT_EQ(image.width, profile.image_width);
+  EXPECT_EQ(image.height, profile.image_height);
+  const auto middle = static_cast<std::size_t>(image.height / 2) * static_cast<std::size_t>(image.width) +
+                      static_cast<std::size_t>(image.width / 2);
+  EXPECT_EQ(world.scene().nodes[static_cast<std::size_t>(image.node[middle])].id, "sofa_1");
+  const Picture picture = picture_of(world.scene(), profile, rays);
+  EXPECT_EQ(picture.rgb.size(), 3U * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ACamera, ::testing::ValuesIn(kSimulators),
+                         [](const auto& simulator) { return std::string(name_of(simulator.param)); });
+
+TEST(Camera, DoesNotShowWhatADoorHidesOrTheHandHolds) {
+  const Knowledge knowledge = testing::kitchen_knowledge();
+  const Profile profile = profile_of(Simulator::Ai2thor);
+  Scene scene = testing::kitchen();
+  testing::add(scene, "mug_2", knowledge, "Mug", 4.4, 3.6, 0.022);
+  scene.edges = read_relations(scene);
+  World world = *World::create(scene, knowledge, profile);
+  const auto shows = [&](const char* id) {
+    Rays rays;
+    const auto image = segmentation_of(world.scene(), profile, rays);
+    const auto node = static_cast<std::int32_t>(find_node(world.scene(), id) - world.scene().nodes.data());
+    return std::find(image.node.begin(), image.node.end(), node) != image.node.end();
+  };
+  ASSERT_TRUE(world.step({ActionType::GoTo, {"fridge_1"}}).success);
+  EXPECT_FALSE(shows("mug_2"));
+  ASSERT_TRUE(world.step({ActionType::Open, {"fridge_1"}}).success);
+  ASSERT_TRUE(world.step({ActionType::GoTo, {"mug_2"}}).success);
+  EXPECT_TRUE(shows("mug_2"));
+  ASSERT_TRUE(world.step({ActionType::PickUp, {"mug_2"}}).success);
+  EXPECT_FALSE(shows("mug_2"));
+}
+
+TEST(Rays, MeetSolidsWhereTheFormulasSay) {
+  Rays rays;
+  EXPECT_FALSE(rays.first({0, 0, 0}, {1, 0, 0}, 10)) << "nothing was built";
+  const Pose turned{Vec3(5, 0, 0), Quat(Eigen::AngleAxisd(std::acos(-1) / 4, Vec3::UnitZ()))};
+  rays.build({{Part::Kind::Box, turned, Vec3(1, 1, 1), 0},
+              {Part::Kind::Sphere, {Vec3(0, 4, 0), Quat::Identity()}, Vec3(2, 2, 2), 1},
+              {Part::Kind::Cylinder, {Vec3(0, 0, -3), Quat::Identity()}, Vec3(1, 1, 2), 2}});
+  const auto box = rays.first({0, 0, 0}, {1, 0, 0}, 10), ball = rays.first({0, 0, 0}, {0, 2, 0}, 10);
+  const auto cap = rays.first({0.2, 0, 0}, {0, 0, -1}, 10), side = rays.first({-3, 0, -3}, {1, 0, 0}, 10);
+  ASSERT_TRUE(box && ball && cap && side);
+  EXPECT_NEAR(box->along, 5 - std::sqrt(0.5), 1e-9);
+  EXPECT_NEAR(ball->along, 1.5, 1e-12) << "in lengths of the direction";
+  EXPECT_NEAR(ball->normal.y(), -1, 1e-12);
+  EXPECT_NEAR(cap->along, 2, 1e-12);
+  EXPECT_EQ(cap->normal, Vec3::UnitZ());
+  EXPECT_NEAR(side->along, 2.5, 1e-12);
+  EXPECT_EQ(side->solid, 2U);
+  EXPECT_FALSE(rays.first({0, 0, 0}, {1, 0, 0}, 4)) << "farther than asked";
+  EXPECT_FALSE(rays.first({5, 0, 0}, {1, 0, 0}, 10)) << "from the inside it is looked through";
+}
+
+TEST(Png, BeginsAsAPngFileAndRepeats) {
+  const std::vector<std::uint8_t> rgb(3 * 7 * 5, 90);
+  const auto bytes = png(7, 5, rgb);
+  ASSERT_TRUE(bytes);
+  EXPECT_EQ(bytes->substr(1, 3), "PNG");
+  EXPECT_EQ(*bytes, *png(7, 5, rgb));
+}
+
+}  // namespace
+}  // namespace unietp
