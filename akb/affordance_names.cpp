@@ -1,16 +1,52 @@
+#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "akb/affordance_meanings.h"
 #include "akb/knowledge.h"
 #include "akb/tables.h"
 
 namespace unietp {
 
+namespace {
+
+constexpr std::array<AffordanceMeaning, 23> kAffordances = {{
+    {"burnable", "can be burnt"},
+    {"breakable", "can be broken"},
+    {"consumable", "can be used up"},
+    {"container", "things go into it"},
+    {"cookable", "can be cooked"},
+    {"coverable", "a substance can be spread on it"},
+    {"dirtyable", "can be dirty, and cleaned"},
+    {"drain", "what is poured into it is gone"},
+    {"fillable", "can hold a liquid"},
+    {"foldable", "can be folded"},
+    {"freezable", "can be frozen"},
+    {"heatable", "can be hot or cold"},
+    {"heat_source", "makes other things hot"},
+    {"cold_source", "makes other things cold"},
+    {"lieable", "the agent can lie on it"},
+    {"openable", "can be opened and closed"},
+    {"pickupable", "the agent can carry it"},
+    {"pluggable", "can be plugged in"},
+    {"receptacle", "things stand on it"},
+    {"sittable", "the agent can sit on it"},
+    {"sliceable", "can be cut into slices"},
+    {"soakable", "can be soaked, as cloths and sponges are"},
+    {"switchable", "can be switched on and off"},
+}};
+
+}  // namespace
+
+std::span<const AffordanceMeaning> affordance_meanings() { return kAffordances; }
+
 const std::vector<std::string>& affordance_names() {
-  static const std::vector<std::string> names{
-      "burnable",   "breakable", "consumable", "container", "cookable",    "coverable",   "dirtyable", "drain",
-      "fillable",   "foldable",  "freezable",  "heatable",  "heat_source", "cold_source", "lieable",   "openable",
-      "pickupable", "pluggable", "receptacle", "sittable",  "sliceable",   "soakable",    "switchable"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const auto& affordance : kAffordances) all.emplace_back(affordance.name);
+    return all;
+  }();
   return names;
 }
 
@@ -45,8 +81,8 @@ const std::vector<std::string>& relation_names() {
 }
 
 const std::vector<std::string>& effect_names() {
-  static const std::vector<std::string> names{"heats",  "cools", "freezes", "washes", "cooks",     "burns",
-                                              "slices", "fills", "soaks",   "wipes",  "dispenses", "drains"};
+  static const std::vector<std::string> names{"heats", "cools", "freezes", "washes",    "cooks",  "burns",   "slices",
+                                              "fills", "soaks", "wipes",   "dispenses", "drains", "attaches"};
   return names;
 }
 

@@ -134,7 +134,9 @@ void add_spreading(TableBuilder& builder, const Metadata& metadata, const std::s
       if (!usual.contains(target) || target == tool || !builder.is_kind(target, kinds)) continue;
       if (builder.kind(target) == "meat") builder.afford(target, "coverable", "curated", 0.8);
       if (!builder.has(target, "coverable")) continue;
-      builder.effect({tool, "dispenses", target, substance, 0, {"held"}, {"curated", 0.8}});
+      // One word, as formulas name it: (covered ?x dish_soap).
+      const auto symbol = replace_all(substance, " ", "_");
+      builder.effect({tool, "dispenses", target, symbol, 0, {"held"}, {"curated", 0.8}});
     }
   }
 }

@@ -50,7 +50,7 @@ struct Placement {
 /// What a tool or appliance does to what: `Microwave heats Potato; needs closed,power_on`.
 struct Effect {
   std::string tool;    // category
-  std::string effect;  // heats cools freezes washes cooks burns slices fills soaks wipes dispenses drains
+  std::string effect;  // heats cools freezes washes cooks burns slices fills soaks wipes dispenses drains attaches
   std::string target;  // category
   std::string gives;   // slices: category of the pieces ("AppleSliced"); fills, dispenses: the substance; else ""
   int amount = 0;      // slices: how many pieces

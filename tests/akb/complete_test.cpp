@@ -220,6 +220,7 @@ TEST(Complete, StoppedHalfwayAndRunAgainGivesTheBytesOfOneRun) {
     std::atomic<bool> stop = false;
     int answered = 0;
     auto options = options_for(every_kind());
+    options.ask.at_once = 1;  // else all may be answered before the stop is seen
     options.ask.stop = &stop;
     options.ask.on_answer = [&](std::size_t, const Result<LlmAnswer>&) { stop = ++answered >= stop_after; };
     const auto report = halved.run(endpoint_of(server), options);
