@@ -1,0 +1,157 @@
+#include "symbolic/guide.h"
+
+#include <algorithm>
+#include <climits>
+
+namespace unietp::symbolic {
+namespace {
+
+constexpr std::size_t kMostSteps = 16;  // steps that are worth a try at once
+constexpr std::size_t kMostWays = 3;    // ways that stay open beside the cheapest
+
+const Wish kNothing{};
+const Wish kNever{Wish::kImpossible, {}};
+
+void add_steps(std::vector<Step>& steps, const std::vector<Step>& more) {
+  for (const Step& step : more) {
+    if (steps.size() >= kMostSteps) return;
+    if (std::find(steps.begin(), steps.end(), step) == steps.end()) steps.push_back(step);
+  }
+}
+
+}  // namespace
+
+Wish together(Wish first, const Wish& second) {
+  if (!first.possible() || !second.possible()) return kNever;
+  first.cost += second.cost;
+  add_steps(first.steps, second.steps);
+  return first;
+}
+
+Wish either(const std::vector<Wish>& ways) {
+  std::vector<const Wish*> open;
+  for (const Wish& way : ways) {
+    if (way.possible()) open.push_back(&way);
+  }
+  if (open.empty()) return kNever;
+  std::stable_sort(open.begin(), open.end(), [](const Wish* a, const Wish* b) { return a->cost < b->cost; });
+  Wish best{open.front()->cost, {}};
+  if (best.cost == 0) return best;
+  for (std::size_t i = 0; i < std::min(open.size(), kMostWays); ++i) add_steps(best.steps, open[i]->steps);
+  return best;
+}
+
+Wish Guide::wish(const World& world, const Progress& progress) const {
+  return towards(goal_.root(), true, world, progress);
+}
+
+Wish Guide::towards(std::size_t index, bool wanted, const World& world, const Progress& progress) const {
+  const auto& node = goal_.node(index);
+  switch (node.op) {
+    case Goal::Op::Atom:
+      return symbolic::towards(setting_, world, node.atom, wanted);
+    case Goal::Op::Not:
+      return towards(node.children[0], !wanted, world, progress);
+    case Goal::Op::AtEnd:
+      return towards(node.children[0], wanted, world, progress);
+    case Goal::Op::And:
+    case Goal::Op::Or: {
+      if ((node.op == Goal::Op::And) == wanted) {
+        Wish all;
+        for (const auto child : node.children) all = together(std::move(all), towards(child, wanted, world, progress));
+        return all;
+      }
+      std::vector<Wish> ways;
+      for (const auto child : node.children) ways.push_back(towards(child, wanted, world, progress));
+      return either(ways);
+    }
+    case Goal::Op::Count: {
+      if (wanted) return towards_number(node.children, node.least, node.most, world, progress);
+      std::vector<Wish> ways;
+      if (node.least > 0) ways.push_back(towards_number(node.children, 0, node.least - 1, world, progress));
+      if (node.most < INT_MAX) ways.push_back(towards_number(node.children, node.most + 1, INT_MAX, world, progress));
+      return either(ways);
+    }
+    case Goal::Op::Compare:
+      return towards_comparison(node, wanted, world, progress);
+    default:
+      if (holds(goal_, index, setting_, world, progress) == wanted) return kNothing;
+      return wanted ? towards_moment(node, world, progress) : kNever;
+  }
+}
+
+Wish Guide::towards_number(const std::vector<std::size_t>& children, int least, int most, const World& world,
+                           const Progress& progress) const {
+  std::vector<Wish> yes, no;
+  int number = 0;
+  for (const auto child : children) {
+    const bool now = holds(goal_, child, setting_, world, progress);
+    number += now ? 1 : 0;
+    if (now) {
+      no.push_back(towards(child, false, world, progress));
+    } else {
+      yes.push_back(towards(child, true, world, progress));
+    }
+  }
+  const int missing = number < least ? least - number : 0;
+  const int excess = number > most ? number - most : 0;
+  auto& ways = missing > 0 ? yes : no;
+  const auto needed = static_cast<std::size_t>(missing + excess);
+  if (needed == 0) return kNothing;
+  if (needed > ways.size()) return kNever;
+  std::stable_sort(ways.begin(), ways.end(), [](const Wish& a, const Wish& b) { return a.cost < b.cost; });
+  Wish all;
+  for (std::size_t i = 0; i < needed; ++i) all = together(std::move(all), ways[i]);
+  if (all.possible() && needed < ways.size() && ways[needed].possible()) add_steps(all.steps, ways[needed].steps);
+  return all;
+}
+
+Wish Guide::towards_comparison(const Goal::Node& node, bool wanted, const World& world,
+                               const Progress& progress) const {
+  if (!wanted) return kNothing;  // not asked for by any goal of the library; the search tells what comes of it
+  const auto middle = node.children.begin() + static_cast<std::ptrdiff_t>(node.split);
+  const std::vector<std::size_t> firsts(node.children.begin(), middle), seconds(middle, node.children.end());
+  const auto number = [&](const std::vector<std::size_t>& children) {
+    return static_cast<int>(std::count_if(children.begin(), children.end(), [&](std::size_t child) {
+      return holds(goal_, child, setting_, world, progress);
+    }));
+  };
+  const int a = number(firsts), b = number(seconds);
+  const bool strict = node.comparison == Comparison::Greater || node.comparison == Comparison::Less;
+  const int margin = strict ? 1 : 0;
+  std::vector<Wish> ways;
+  const bool more = node.comparison == Comparison::AtLeast || node.comparison == Comparison::Greater;
+  const bool less = node.comparison == Comparison::AtMost || node.comparison == Comparison::Less;
+  if (more ? a >= b + margin : less ? b >= a + margin : a == b) return kNothing;
+  if (more || (!less && a < b)) {
+    ways.push_back(towards_number(firsts, b + margin, INT_MAX, world, progress));
+    ways.push_back(towards_number(seconds, 0, a - margin, world, progress));
+  } else {
+    ways.push_back(towards_number(seconds, a + margin, INT_MAX, world, progress));
+    ways.push_back(towards_number(firsts, 0, b - margin, world, progress));
+  }
+  return either(ways);
+}
+
+Wish Guide::towards_moment(const Goal::Node& node, const World& world, const Progress& progress) const {
+  const auto part = progress.part(node.memory);
+  if (part == Progress::Part::Broken) return kNever;
+  switch (node.op) {
+    case Goal::Op::Sometime:
+      return towards(node.children[0], true, world, progress);
+    case Goal::Op::Until:
+      return towards(node.children[1], true, world, progress);
+    case Goal::Op::Before: {
+      auto second = towards(node.children[1], true, world, progress);
+      if (part == Progress::Part::FirstDone) return second;
+      auto first = towards(node.children[0], true, world, progress);
+      if (!first.possible() || !second.possible()) return kNever;
+      first.cost += second.cost;  // only the first is to be worked on now
+      return first;
+    }
+    default:
+      return kNever;
+  }
+}
+
+}  // namespace unietp::symbolic

@@ -1,0 +1,226 @@
+#include "symbolic/reach.h"
+
+#include <algorithm>
+
+#include "scene/states.h"
+#include "symbolic/perform.h"
+
+namespace unietp::symbolic {
+namespace {
+
+std::uint64_t bit(Predicate state) { return std::uint64_t{1} << static_cast<unsigned>(state); }
+
+}  // namespace
+
+Reach::Reach(const Setting& setting, const World& start) : setting_(setting), start_(start) {
+  outlooks_.resize(start.things.size());
+  for (std::size_t i = 0; i < outlooks_.size(); ++i) {
+    const Thing& thing = start.things[i];
+    if (!thing.exists) continue;
+    outlooks_[i].exists = true;
+    outlooks_[i].states = thing.states;
+    outlooks_[i].coats = thing.coats;
+    if (thing.has(Predicate::Filled)) outlooks_[i].fillings = std::uint32_t{1} << thing.filling;
+  }
+  spread();
+}
+
+bool Reach::may_have(Id id, Predicate state) const { return (of(id).states & bit(state)) != 0; }
+
+void Reach::spread() {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < outlooks_.size(); ++i) {
+      if (!outlooks_[i].exists) continue;
+      const auto id = static_cast<Id>(i);
+      Outlook next = outlooks_[i];
+      do_alone(id, next);
+      for (std::size_t k = 0; k < outlooks_.size(); ++k) {
+        if (k != i && outlooks_[k].exists) do_with(static_cast<Id>(k), id, next);
+      }
+      changed = changed || !(next == outlooks_[i]);
+      outlooks_[i] = next;
+    }
+    for (std::size_t i = 0; i < outlooks_.size(); ++i) {  // pieces are as their wholes may be
+      const Id whole = setting_.cast.things[i].whole;
+      if (whole == kNobody || !may_have(whole, Predicate::Sliced)) continue;
+      Outlook next = outlooks_[i];
+      next.exists = true;
+      next.states |= of(whole).states & ~(bit(Predicate::Sliced) | bit(Predicate::Whole));
+      next.coats |= of(whole).coats;
+      next.fillings |= of(whole).fillings;
+      changed = changed || !(next == outlooks_[i]);
+      outlooks_[i] = next;
+    }
+  }
+}
+
+void Reach::do_alone(Id id, Outlook& next) const {
+  const Kind& kind = setting_.kind_of(id);
+  const auto add = [&](bool can, ActionType action, Predicate state) {
+    if (can && offered(action)) next.states |= bit(state);
+  };
+  if (kind.pickupable && offered(ActionType::PickUp)) next.held = true;
+  add(kind.openable, ActionType::Open, Predicate::Open);
+  add(kind.openable, ActionType::Close, Predicate::Closed);
+  add(kind.switchable, ActionType::TurnOn, Predicate::PowerOn);
+  add(kind.switchable, ActionType::TurnOff, Predicate::PowerOff);
+  add(kind.sittable, ActionType::SitOn, Predicate::SatOn);
+  add(kind.lieable, ActionType::LieOn, Predicate::LainOn);
+  add(kind.pluggable, ActionType::PlugIn, Predicate::PluggedIn);
+  add(kind.pluggable, ActionType::Unplug, Predicate::Unplugged);
+  if (offered(ActionType::Unplug) && kind.pluggable && kind.switchable) next.states |= bit(Predicate::PowerOff);
+  add(kind.foldable, ActionType::Fold, Predicate::Folded);
+  add(kind.breakable, ActionType::Break, Predicate::Broken);
+  add(kind.breakable && kind.fillable, ActionType::Break, Predicate::Empty);
+  add(kind.consumable, ActionType::UseUp, Predicate::UsedUp);
+}
+
+bool Reach::works(Id tool, Id target, const Reaction& reaction) const {
+  if ((reaction.needs & (kHeld | kUnknown)) != 0) return false;
+  const auto action = action_for(reaction.treatment);
+  const bool composite = action && offered(*action);
+  if ((reaction.needs & kUnderTap) != 0 && !composite) return false;
+  if ((reaction.needs & kPowerOn) != 0 && setting_.kind_of(tool).switchable && !may_have(tool, Predicate::PowerOn))
+    return false;
+  if (holds(setting_, start_, Predicate::On, target, tool, kAnySymbol) ||
+      holds(setting_, start_, Predicate::Inside, target, tool, kAnySymbol))
+    return true;
+  const auto relation = (reaction.needs & kOn) != 0 ? Predicate::On : Predicate::Inside;
+  return may_be_at(target, relation, tool, 0);
+}
+
+void Reach::do_with(Id tool, Id target, Outlook& next) const {
+  const Kind& kind = setting_.kind_of(target);
+  for (const Reaction& reaction : setting_.rules->reactions(setting_.kind_number(tool), setting_.kind_number(target))) {
+    const auto& states = sets(reaction.treatment);
+    if (!states.empty()) {
+      if (!works(tool, target, reaction)) continue;
+      for (const Predicate state : states) next.states |= bit(state);
+      if (reaction.treatment == Treatment::Fills) next.fillings |= std::uint32_t{1} << reaction.symbol;
+      if (reaction.treatment == Treatment::Washes) next.uncovered = true;
+      continue;
+    }
+    const bool by_hand = of(tool).held;
+    if (reaction.treatment == Treatment::Slices && by_hand && offered(ActionType::Slice) && reaction.piece >= 0)
+      next.states |= bit(Predicate::Sliced);
+    if (reaction.treatment == Treatment::Wipes && by_hand && offered(ActionType::Wipe)) {
+      next.uncovered = true;
+      if ((next.states & bit(Predicate::Dirty)) != 0) next.states |= bit(Predicate::Clean);
+    }
+    if (reaction.treatment == Treatment::Dispenses && by_hand && offered(ActionType::SpreadTo))
+      next.coats |= std::uint32_t{1} << reaction.symbol;
+  }
+  if (!offered(ActionType::PourTo)) return;
+  if (kind.fillable && of(tool).held && of(tool).fillings != 0) {
+    next.fillings |= of(tool).fillings;
+    next.states |= bit(Predicate::Filled);
+  }
+  const bool drains =
+      setting_.kind_of(tool).drain || setting_.kind_of(tool).fillable ||
+      setting_.rules->reaction(setting_.kind_number(tool), Treatment::Drains, setting_.kind_number(target)) != nullptr;
+  if (drains && next.held && next.fillings != 0) next.states |= bit(Predicate::Empty);
+}
+
+bool Reach::may_be_at(Id id, Predicate relation, Id place, int depth) const {
+  if (id == place || !of(id).exists || !of(place).exists) return false;
+  if (holds(setting_, start_, relation, id, place, kAnySymbol)) return true;
+  const auto fits = [&](Predicate how, Id where) {
+    return setting_.rules->capacity(setting_.kind_number(id), how, setting_.kind_number(where)) > 0;
+  };
+  const auto action = relation == Predicate::On ? ActionType::PlaceOn : ActionType::PlaceIn;
+  if (of(id).held && fits(relation, place) && offered(action)) return true;
+  if (relation == Predicate::On || depth > 2) return false;
+  for (std::size_t i = 0; i < outlooks_.size(); ++i) {  // by way of something that is inside
+    const auto between = static_cast<Id>(i);
+    if (between == id || between == place || !of(between).exists) continue;
+    const bool there =
+        start_[id].at == between || (of(id).held && (fits(Predicate::On, between) || fits(Predicate::Inside, between)));
+    if (there && may_be_at(between, Predicate::Inside, place, depth + 1)) return true;
+  }
+  return false;
+}
+
+bool Reach::may(const Atom& atom, bool wanted) const {
+  if (holds(setting_, start_, atom.predicate, atom.first, atom.second, atom.symbol) == wanted) return true;
+  if (!wanted) return may_fail(atom);
+  const auto exists = [&](Id id) { return id < 0 || is_room(id) || of(id).exists; };
+  if (!exists(atom.first) || !exists(atom.second)) return false;
+  if (atom.first == kAgent) return atom.predicate == Predicate::InRoom && offered(ActionType::GoTo);
+  if (atom.first < 0 || is_room(atom.first)) return false;
+  const std::uint32_t any = atom.symbol == kAnySymbol ? ~0U : std::uint32_t{1} << (atom.symbol & 31U);
+  switch (atom.predicate) {
+    case Predicate::Held:
+      return of(atom.first).held;
+    case Predicate::On:
+    case Predicate::Inside:
+      return may_be_at(atom.first, atom.predicate, atom.second, 0);
+    case Predicate::Attached:
+      return setting_.rules->offer().attaching && may_be_at(atom.first, Predicate::On, atom.second, 0) &&
+             setting_.rules->reaction(setting_.kind_number(atom.second), Treatment::Attaches,
+                                      setting_.kind_number(atom.first)) != nullptr;
+    case Predicate::OnFloor:
+      return of(atom.first).held && offered(ActionType::Drop);
+    case Predicate::InRoom:
+      return of(atom.first).held;
+    case Predicate::NextTo:
+      return of(atom.first).held || of(atom.second).held;
+    case Predicate::Under:
+      return of(atom.first).held && offered(ActionType::Drop);
+    case Predicate::SliceOf:
+      return setting_.cast.things[static_cast<std::size_t>(atom.first)].whole == atom.second;
+    case Predicate::Nearest:
+      return true;  // things move
+    case Predicate::Filled:
+      return (of(atom.first).fillings & any) != 0;
+    case Predicate::Covered:
+      return (of(atom.first).coats & any) != 0;
+    default:
+      return may_have(atom.first, atom.predicate);
+  }
+}
+
+bool Reach::may_fail(const Atom& atom) const {
+  if (atom.first == kAgent) return setting_.cast.rooms.size() > 1;
+  const auto moves = [&](Id id) {
+    for (Id step = id;; step = start_[step].at) {
+      if (of(step).held) return true;
+      if (start_[step].where != Where::On && start_[step].where != Where::Inside) return false;
+    }
+  };
+  switch (atom.predicate) {
+    case Predicate::Held:
+    case Predicate::Nearest:
+      return true;
+    case Predicate::SatOn:
+    case Predicate::LainOn:
+      return offered(ActionType::StandUp);
+    case Predicate::On:
+    case Predicate::Inside:
+    case Predicate::Attached:
+    case Predicate::OnFloor:
+    case Predicate::InRoom:
+    case Predicate::Under:
+      return moves(atom.first);
+    case Predicate::NextTo:
+      return moves(atom.first) || moves(atom.second);
+    case Predicate::Covered:
+      return of(atom.first).uncovered;
+    case Predicate::SliceOf:
+      return false;
+    default:
+      break;
+  }
+  if (atom.predicate == Predicate::Filled && atom.symbol != kAnySymbol &&
+      (of(atom.first).fillings & ~(std::uint32_t{1} << (atom.symbol & 31U))) != 0)
+    return true;
+  for (const StateGroup* group : setting_.kind_of(atom.first).groups) {
+    const auto& states = group->predicates;
+    if (std::find(states.begin(), states.end(), atom.predicate) == states.end()) continue;
+    return std::any_of(states.begin(), states.end(),
+                       [&](Predicate other) { return other != atom.predicate && may_have(atom.first, other); });
+  }
+  return false;
+}
+
+}  // namespace unietp::symbolic

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "symbolic/goal.h"
+
+namespace unietp::symbolic {
+
+/// What could ever come about from a start by the actions that are offered, when nothing that was once true is lost: an
+/// over-approximation that is cheap, so that what it excludes is truly out of reach.
+class Reach {
+ public:
+  Reach(const Setting& setting, const World& start);
+
+  /// Whether the atom may once hold (`wanted`) or once fail.
+  bool may(const Atom& atom, bool wanted) const;
+
+ private:
+  struct Outlook {
+    std::uint64_t states = 0;
+    std::uint32_t fillings = 0, coats = 0;
+    bool exists = false, held = false, uncovered = false;
+    bool operator==(const Outlook&) const = default;
+  };
+  bool offered(ActionType action) const { return setting_.rules->offer().has(action); }
+  const Outlook& of(Id id) const { return outlooks_[static_cast<std::size_t>(id)]; }
+  bool may_have(Id id, Predicate state) const;
+  void spread();
+  void do_alone(Id id, Outlook& next) const;
+  void do_with(Id tool, Id target, Outlook& next) const;
+  bool works(Id tool, Id target, const Reaction& reaction) const;
+  bool may_be_at(Id id, Predicate relation, Id place, int depth) const;
+  bool may_fail(const Atom& atom) const;
+
+  const Setting& setting_;
+  const World& start_;
+  std::vector<Outlook> outlooks_;
+};
+
+/// A truth of a goal that is out of reach.
+struct OutOfReach {
+  Atom atom;
+  bool wanted = true;
+};
+/// Why the goal cannot be met from the start that `reach` was made for, or nullopt when nothing excludes it.
+std::optional<OutOfReach> out_of_reach(const Goal& goal, const Reach& reach, const Setting& setting,
+                                       const World& start);
+
+}  // namespace unietp::symbolic

@@ -1,0 +1,163 @@
+#include "symbolic/rules.h"
+
+#include <algorithm>
+
+namespace unietp::symbolic {
+namespace {
+
+constexpr std::array<std::string_view, kTreatments> kTreatmentNames{"heats",     "cools",  "freezes", "cooks",  "burns",
+                                                                    "washes",    "soaks",  "fills",   "slices", "wipes",
+                                                                    "dispenses", "drains", "attaches"};
+constexpr std::size_t kMostSymbols = 32;
+
+std::uint8_t needs_of(const Effect& row) {
+  std::uint8_t needs = 0;
+  for (const auto& need : row.needs) {
+    if (need == "closed") {
+      needs |= kClosed;
+    } else if (need == "power_on") {
+      needs |= kPowerOn;
+    } else if (need == "inside") {
+      needs |= kInside;
+    } else if (need == "on") {
+      needs |= kOn;
+    } else if (need == "under_tap") {
+      needs |= kUnderTap;
+    } else {
+      needs |= need == "held" ? kHeld : kUnknown;
+    }
+  }
+  return needs;
+}
+
+}  // namespace
+
+Offer offer_of(Simulator simulator, ActionProfile profile) {
+  Offer offer;
+  offer.actions = actions_of(simulator, profile);
+  offer.power_needs_plug = offer.has(ActionType::PlugIn);
+  offer.attaching = profile == ActionProfile::Wide && simulator == Simulator::Behavior;
+  return offer;
+}
+
+std::string_view name_of(Treatment treatment) { return kTreatmentNames[static_cast<std::size_t>(treatment)]; }
+
+Rules::Rules(const Knowledge& knowledge, const Offer& offer, const std::vector<std::string>& categories)
+    : offer_(offer) {
+  for (const auto& category : categories) add_kind(knowledge, category);
+  const std::size_t given = kinds_.size();
+  for (std::size_t i = 0; i < given; ++i) {
+    if (!kinds_[i].sliceable) continue;
+    for (const Effect* row : knowledge.effects_on(std::string(kinds_[i].category), "slices")) {
+      if (kind_named(row->tool) >= 0) add_kind(knowledge, row->gives.empty() ? row->target : row->gives);
+    }
+  }
+  const std::size_t n = kinds_.size();
+  capacity_.assign(n * n, {0, 0});
+  reactions_.assign(n * n, {});
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto* on = knowledge.placement(kinds_[i].category, "on", kinds_[k].category);
+      const auto* inside = knowledge.placement(kinds_[i].category, "inside", kinds_[k].category);
+      capacity_[i * n + k] = {on == nullptr ? 0 : on->capacity, inside == nullptr ? 0 : inside->capacity};
+    }
+  }
+  read_reactions(knowledge, n, n);
+}
+
+void Rules::add_kind(const Knowledge& knowledge, const std::string& category) {
+  const Category* known = knowledge.find(category);
+  if (known == nullptr || kind_named(category) >= 0) return;
+  Kind kind;
+  kind.category = category;
+  kind.movable = known->movable;
+  kind.colours = known->colours;
+  kind.materials = known->materials;
+  const auto has = [&](std::string_view affordance) { return knowledge.has(category, affordance); };
+  kind.pickupable = known->movable && has("pickupable");
+  kind.openable = has("openable");
+  kind.switchable = has("switchable");
+  kind.sliceable = has("sliceable");
+  kind.fillable = has("fillable");
+  kind.consumable = has("consumable");
+  kind.coverable = has("coverable");
+  kind.drain = has("drain");
+  kind.sittable = has("sittable");
+  kind.lieable = has("lieable");
+  kind.pluggable = has("pluggable");
+  kind.foldable = has("foldable");
+  kind.breakable = has("breakable");
+  kind.shuts_to_run = kind.openable && known->archetype == Archetype::Cabinet;
+  for (const StateGroup& group : state_groups()) {
+    if (has(group.affordance)) kind.groups.push_back(&group);
+  }
+  kinds_.push_back(std::move(kind));
+}
+
+void Rules::read_reactions(const Knowledge& knowledge, std::size_t tools, std::size_t targets) {
+  for (std::size_t target = 0; target < targets; ++target) {
+    for (std::size_t t = 0; t < kTreatments; ++t) {
+      for (const Effect* row : knowledge.effects_on(kinds_[target].category, kTreatmentNames[t])) {
+        const int tool = kind_named(row->tool);
+        if (tool < 0 || static_cast<std::size_t>(tool) >= tools) continue;
+        auto& known = reactions_[cell(tool, static_cast<int>(target))];
+        Reaction reaction{static_cast<Treatment>(t), needs_of(*row), 0, -1, 0};
+        // As everywhere, the first row of a tool, effect and target decides.
+        if (!known.empty() && known.back().treatment == reaction.treatment) continue;
+        if (reaction.treatment == Treatment::Slices) {
+          reaction.piece = kind_named(row->gives.empty() ? row->target : row->gives);
+          reaction.pieces = std::max(2, row->amount) - 1;  // the first piece is the whole itself
+        } else if (!row->gives.empty()) {
+          reaction.symbol = symbol_number(row->gives);
+        }
+        if ((reaction.needs & (kInside | kUnderTap)) != 0) make_room(static_cast<int>(target), 1, tool);
+        if ((reaction.needs & kOn) != 0) make_room(static_cast<int>(target), 0, tool);
+        known.push_back(reaction);
+      }
+    }
+  }
+}
+
+void Rules::make_room(int thing, std::size_t relation, int place) {
+  if (!kind(thing).movable) return;
+  auto& fits = capacity_[cell(thing, place)][relation];
+  fits = std::max(fits, 1);
+}
+
+std::size_t Rules::cell(int first, int second) const {
+  return static_cast<std::size_t>(first) * kinds_.size() + static_cast<std::size_t>(second);
+}
+
+int Rules::kind_named(std::string_view category) const {
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    if (kinds_[i].category == category) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+int Rules::capacity(int thing, Predicate relation, int place) const {
+  return capacity_[cell(thing, place)][relation == Predicate::Inside ? 1 : 0];
+}
+
+const Reaction* Rules::reaction(int tool, Treatment treatment, int thing) const {
+  for (const Reaction& reaction : reactions(tool, thing)) {
+    if (reaction.treatment == treatment) return &reaction;
+  }
+  return nullptr;
+}
+
+const std::vector<Reaction>& Rules::reactions(int tool, int thing) const { return reactions_[cell(tool, thing)]; }
+
+std::optional<std::uint8_t> Rules::symbol_named(std::string_view symbol) const {
+  const auto found = std::find(symbols_.begin(), symbols_.end(), symbol);
+  if (found == symbols_.end()) return std::nullopt;
+  return static_cast<std::uint8_t>(found - symbols_.begin());
+}
+
+std::uint8_t Rules::symbol_number(const std::string& symbol) {
+  if (const auto known = symbol_named(symbol)) return *known;
+  if (symbols_.size() < kMostSymbols) symbols_.push_back(symbol);
+  return static_cast<std::uint8_t>(symbols_.size() - 1);
+}
+
+}  // namespace unietp::symbolic

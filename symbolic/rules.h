@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "scene/action.h"
+#include "scene/states.h"
+
+namespace unietp::symbolic {
+
+/// What a simulator lets its agent do.
+struct Offer {
+  ActionSet actions;
+  bool power_needs_closed = true;    // an appliance with a door runs only when it is shut
+  bool open_needs_power_off = true;  // and does not open while it runs
+  bool power_needs_plug = false;     // what has a plug runs only when it is plugged in
+  bool attaching = false;            // place_on attaches what the tables say attaches
+  bool has(ActionType type) const { return actions[static_cast<std::size_t>(type)]; }
+};
+/// What the action catalogue says of the simulator. The rules are those of data/simulators: all have the two of
+/// appliances; in the profile `wide`, plugs matter where they can be handled, and BEHAVIOR attaches.
+Offer offer_of(Simulator simulator, ActionProfile profile = ActionProfile::Unietp);
+
+/// What tools do to things, as the tables name it.
+enum class Treatment : std::uint8_t {
+  Heats,
+  Cools,
+  Freezes,
+  Cooks,
+  Burns,
+  Washes,
+  Soaks,
+  Fills,
+  Slices,
+  Wipes,
+  Dispenses,
+  Drains,
+  Attaches,
+};
+inline constexpr std::size_t kTreatments = static_cast<std::size_t>(Treatment::Attaches) + 1;
+std::string_view name_of(Treatment treatment);  // "heats"
+
+/// What has to be so before a treatment happens; bits of Reaction::needs.
+enum Need : std::uint8_t { kClosed = 1, kPowerOn = 2, kInside = 4, kOn = 8, kUnderTap = 16, kHeld = 32, kUnknown = 64 };
+
+/// One row of the effect table, between two kinds.
+struct Reaction {
+  Treatment treatment = Treatment::Heats;
+  std::uint8_t needs = 0;
+  std::uint8_t symbol = 0;  // fills, dispenses: the substance, a number of Rules::symbols
+  int piece = -1;           // slices: kind of the pieces
+  int pieces = 0;           // slices: how many
+};
+
+/// A category as far as actions ask about it.
+struct Kind {
+  std::string category;
+  bool movable = false, pickupable = false, openable = false, switchable = false, sliceable = false, fillable = false,
+       consumable = false, coverable = false, drain = false, sittable = false, lieable = false, pluggable = false,
+       foldable = false, breakable = false;
+  bool shuts_to_run = false;              // runs only with its door shut, where the simulator has that rule
+  std::vector<const StateGroup*> groups;  // the state groups that its things have
+  std::vector<std::string> colours, materials;
+};
+
+/// The knowledge base cut down to some categories and turned into numbers, for one simulator: what the symbolic actions
+/// look up. Kinds are numbered in the order of the given categories, then the pieces that slicing them makes.
+class Rules {
+ public:
+  /// Categories that the knowledge base does not have are left out.
+  Rules(const Knowledge& knowledge, const Offer& offer, const std::vector<std::string>& categories);
+
+  const Offer& offer() const { return offer_; }
+  const std::vector<Kind>& kinds() const { return kinds_; }
+  const Kind& kind(int number) const { return kinds_[static_cast<std::size_t>(number)]; }
+  /// -1 when there is none.
+  int kind_named(std::string_view category) const;
+
+  /// How many things of a kind fit on or inside one of another; 0 when they do not go there.
+  int capacity(int thing, Predicate relation, int place) const;
+  /// What a tool does to a thing; nullptr when it does not.
+  const Reaction* reaction(int tool, Treatment treatment, int thing) const;
+  /// All that a tool does to a thing, one of a treatment.
+  const std::vector<Reaction>& reactions(int tool, int thing) const;
+
+  /// Substances, numbered; "any" is none of them.
+  const std::vector<std::string>& symbols() const { return symbols_; }
+  std::optional<std::uint8_t> symbol_named(std::string_view symbol) const;
+  /// The number of a substance, new if need be. At most 32 are told apart; further ones share the last number.
+  std::uint8_t symbol_number(const std::string& symbol);
+
+ private:
+  std::size_t cell(int first, int second) const;
+  void add_kind(const Knowledge& knowledge, const std::string& category);
+  /// A tool that treats a thing on or in it takes at least one, though no row says that such things belong there.
+  void make_room(int thing, std::size_t relation, int place);
+  void read_reactions(const Knowledge& knowledge, std::size_t tools, std::size_t targets);
+
+  Offer offer_;
+  std::vector<Kind> kinds_;
+  std::vector<std::string> symbols_;
+  std::vector<std::array<int, 2>> capacity_;      // by cell: on, inside
+  std::vector<std::vector<Reaction>> reactions_;  // by cell
+};
+
+}  // namespace unietp::symbolic

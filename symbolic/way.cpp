@@ -1,0 +1,187 @@
+#include "symbolic/way.h"
+
+namespace unietp::symbolic {
+namespace {
+
+constexpr std::size_t kMostPlaces = 3;  // places tried where any will do
+const Wish kNever{Wish::kImpossible, {}};
+
+}  // namespace
+
+Wish Way::to(const Atom& atom, bool wanted, int depth) const {
+  if (holds(setting_, world_, atom.predicate, atom.first, atom.second, atom.symbol) == wanted) return {};
+  if (depth > kDeepestNeed) return kNever;
+  if (atom.predicate == Predicate::InRoom && atom.first == kAgent) return to_room(atom.second, wanted);
+  if (atom.first < 0 || is_room(atom.first)) return kNever;
+  if (const auto missing = missing_of(atom); missing != kNobody && wanted) {
+    return after(to_state(setting_.cast.things[static_cast<std::size_t>(missing)].whole, Predicate::Sliced, 0, depth),
+                 2);
+  }
+  switch (atom.predicate) {
+    case Predicate::Held:
+      return wanted ? to_hold(atom.first, depth) : to_free_hand(depth);
+    case Predicate::On:
+    case Predicate::Inside:
+      return wanted ? to_place(atom.first, atom.predicate, atom.second, kNobody, depth) : to_hold(atom.first, depth);
+    case Predicate::Attached:
+      return wanted ? to_attach(atom.first, atom.second, depth) : to_hold(atom.first, depth);
+    case Predicate::SatOn:
+    case Predicate::LainOn:
+      return wanted ? to_state(atom.first, atom.predicate, 0, depth) : then({}, {ActionType::StandUp});
+    case Predicate::OnFloor:
+      return wanted ? to_drop(atom.first, atom.second, depth) : to_hold(atom.first, depth);
+    case Predicate::InRoom:
+      return wanted ? to_bring(atom.first, atom.second, depth) : to_hold(atom.first, depth);
+    case Predicate::NextTo:
+    case Predicate::Under:
+      return wanted ? to_neighbour(atom, depth) : either({to_hold(atom.first, depth), to_hold(atom.second, depth)});
+    case Predicate::Covered:
+      return wanted ? to_cover(atom, depth) : to_clean(atom.first, depth);
+    case Predicate::SliceOf:
+    case Predicate::Nearest:
+      return kNever;
+    default:
+      return wanted ? to_state(atom.first, atom.predicate, atom.symbol, depth) : away_from(atom, depth);
+  }
+}
+
+Id Way::missing_of(const Atom& atom) const {
+  for (const Id id : {atom.first, atom.second}) {
+    if (id >= 0 && !is_room(id) && !world_[id].exists) return id;
+  }
+  return kNobody;
+}
+
+Wish Way::then(Wish need, const Step& step) const {
+  if (!need.possible() || !offered(step.action)) return kNever;
+  if (need.cost == 0) need.steps = {step};
+  need.cost += 1;
+  return need;
+}
+
+Wish Way::to_reach(Id id, int depth) const {
+  if (root_of(world_, id) == world_.held) return to_free_hand(depth + 1);
+  const Id container = closed_around(setting_, world_, id);
+  return container == kNobody ? Wish{} : to_state(container, Predicate::Open, 0, depth + 1);
+}
+
+Wish Way::to_hold(Id id, int depth) const {
+  if (world_.held == id) return {};
+  if (!kind(id).pickupable || depth > kDeepestNeed) return kNever;
+  Wish need = to_reach(id, depth);
+  if (world_.held != kNobody && root_of(world_, id) != world_.held)
+    need = together(std::move(need), to_free_hand(depth + 1));
+  return then(std::move(need), {ActionType::PickUp, id});
+}
+
+bool Way::takes(Id id, Predicate relation, Id place) const {
+  if (place == id || !world_[place].exists || root_of(world_, place) == id) return false;
+  return has_room(setting_, world_, id, relation, place);
+}
+
+Wish Way::to_free_hand(int depth) const {
+  if (world_.held == kNobody) return {};
+  Wish wish{1, {}};
+  if (offered(ActionType::Drop)) wish.steps.push_back({ActionType::Drop});
+  const Id id = world_.held;
+  for (const bool furniture : {true, false}) {
+    for (std::size_t i = 0; i < world_.things.size() && wish.steps.size() <= kMostPlaces; ++i) {
+      const auto place = static_cast<Id>(i);
+      if (kind(place).movable == furniture || closed_around(setting_, world_, place) != kNobody) continue;
+      if (takes(id, Predicate::On, place)) wish.steps.push_back({ActionType::PlaceOn, place});
+      const bool open = !kind(place).openable || world_[place].has(Predicate::Open);
+      if (open && takes(id, Predicate::Inside, place)) wish.steps.push_back({ActionType::PlaceIn, place});
+    }
+  }
+  if (!wish.steps.empty()) return wish;
+  for (std::size_t i = 0; i < world_.things.size() && depth < kDeepestNeed; ++i) {
+    const auto place = static_cast<Id>(i);
+    if (takes(id, Predicate::Inside, place)) return after(to_state(place, Predicate::Open, 0, depth + 1), 1);
+  }
+  return kNever;
+}
+
+Wish Way::to_place(Id id, Predicate relation, Id place, Id beside, int depth) const {
+  const int fits = setting_.rules->capacity(setting_.kind_number(id), relation, setting_.kind_number(place));
+  if (fits == 0 || id == place || depth > kDeepestNeed) return kNever;
+  Wish need;
+  if (!takes(id, relation, place) && root_of(world_, place) != id) need = to_make_room(id, relation, place, depth);
+  const bool into = relation == Predicate::Inside && kind(place).openable && !world_[place].has(Predicate::Open);
+  need = together(std::move(need), into ? to_state(place, Predicate::Open, 0, depth + 1) : to_reach(place, depth));
+  if (world_.held != id) need = together(std::move(need), to_hold(id, depth));
+  const auto action = relation == Predicate::On ? ActionType::PlaceOn : ActionType::PlaceIn;
+  return then(std::move(need), {action, place, beside});
+}
+
+Wish Way::to_attach(Id id, Id place, int depth) const {
+  const bool attaches =
+      setting_.rules->offer().attaching &&
+      setting_.rules->reaction(setting_.kind_number(place), Treatment::Attaches, setting_.kind_number(id)) != nullptr;
+  if (!attaches) return kNever;
+  if (holds(setting_, world_, Predicate::On, id, place, kAnySymbol)) return after(to_hold(id, depth), 1);
+  return to_place(id, Predicate::On, place, kNobody, depth);
+}
+
+Wish Way::to_make_room(Id id, Predicate relation, Id place, int depth) const {
+  const Where where = relation == Predicate::On ? Where::On : Where::Inside;
+  std::vector<Wish> ways;
+  for (std::size_t i = 0; i < world_.things.size(); ++i) {
+    const auto other = static_cast<Id>(i);
+    if (other == id || !world_[other].exists || world_[other].where != where || world_[other].at != place) continue;
+    ways.push_back(after(to_hold(other, depth + 1), 1));
+  }
+  return either(ways);
+}
+
+Wish Way::to_room(Id room, bool wanted) const {
+  if (wanted) return {1, {{ActionType::GoTo, room}}};
+  for (std::size_t r = 0; r < setting_.cast.rooms.size(); ++r) {
+    const auto other = static_cast<Id>(kFirstRoom + static_cast<Id>(r));
+    if (other != room) return {1, {{ActionType::GoTo, other}}};
+  }
+  return kNever;
+}
+
+Wish Way::to_drop(Id id, Id room, int depth) const {
+  Wish need = to_hold(id, depth);
+  if (world_.room != room) need = together(std::move(need), to_room(room, true));
+  return then(std::move(need), {ActionType::Drop});
+}
+
+Wish Way::to_bring(Id id, Id room, int depth) const {
+  std::vector<Wish> ways;
+  for (std::size_t i = 0; i < world_.things.size() && ways.size() < kMostPlaces; ++i) {
+    const auto place = static_cast<Id>(i);
+    if (kind(place).movable || !world_[place].exists || room_of(world_, place) != room) continue;
+    for (const auto relation : {Predicate::On, Predicate::Inside}) {
+      if (takes(id, relation, place)) ways.push_back(to_place(id, relation, place, kNobody, depth));
+    }
+  }
+  ways.push_back(to_drop(id, room, depth));
+  return either(ways);
+}
+
+Wish Way::to_neighbour(const Atom& atom, int depth) const {
+  const bool under = atom.predicate == Predicate::Under;
+  std::vector<Wish> ways;
+  const auto bring = [&](Id id, Id other) {
+    const Thing& host = world_[other];
+    if (host.where == Where::Floor) {
+      Wish need = together(to_hold(id, depth), to_reach(other, depth));
+      if (need.possible() && world_.by != other) need = together(std::move(need), Wish{1, {{ActionType::GoTo, other}}});
+      ways.push_back(then(std::move(need), {ActionType::Drop, kNobody, other, under}));
+    } else if (!under && (host.where == Where::On || host.where == Where::Inside)) {
+      const auto relation = host.where == Where::On ? Predicate::On : Predicate::Inside;
+      ways.push_back(to_place(id, relation, host.at, other, depth));
+    }
+  };
+  bring(atom.first, atom.second);
+  if (!under) bring(atom.second, atom.first);
+  return either(ways);
+}
+
+Wish towards(const Setting& setting, const World& world, const Atom& atom, bool wanted) {
+  return Way(setting, world).to(atom, wanted, 0);
+}
+
+}  // namespace unietp::symbolic

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "symbolic/guide.h"
+
+namespace unietp::symbolic {
+
+inline constexpr int kDeepestNeed = 4;  // needs of needs of needs
+
+/// What has to be done in one world for one truth. Methods named `to_...` give a Wish: cost 0 when it is so already.
+/// `depth`: how many needs of needs led here; deep ones are given up.
+class Way {
+ public:
+  Way(const Setting& setting, const World& world) : setting_(setting), world_(world) {}
+
+  Wish to(const Atom& atom, bool wanted, int depth) const;
+
+ private:
+  bool offered(ActionType action) const { return setting_.rules->offer().has(action); }
+  const Kind& kind(Id id) const { return setting_.kind_of(id); }
+  /// The one of the atom's things that does not exist yet.
+  Id missing_of(const Atom& atom) const;
+  static Wish after(Wish need, int more) {
+    if (need.possible()) need.cost += more;
+    return need;
+  }
+  /// The step, once its needs are met.
+  Wish then(Wish need, const Step& step) const;
+  /// Nothing closed around it, and not in the hand.
+  Wish to_reach(Id id, int depth) const;
+  Wish to_hold(Id id, int depth) const;
+  bool takes(Id id, Predicate relation, Id place) const;
+  Wish to_free_hand(int depth) const;
+  Wish to_place(Id id, Predicate relation, Id place, Id beside, int depth) const;
+  Wish to_attach(Id id, Id place, int depth) const;
+  /// Something that is in the way is taken away.
+  Wish to_make_room(Id id, Predicate relation, Id place, int depth) const;
+  Wish to_room(Id room, bool wanted) const;
+  Wish to_drop(Id id, Id room, int depth) const;
+  Wish to_bring(Id id, Id room, int depth) const;
+  Wish to_neighbour(const Atom& atom, int depth) const;
+  template <class Use>
+  void each_tool(Treatment treatment, Id target, Use use) const {
+    for (std::size_t i = 0; i < world_.things.size(); ++i) {
+      const auto tool = static_cast<Id>(i);
+      if (tool == target || !world_[tool].exists) continue;
+      const Reaction* reaction =
+          setting_.rules->reaction(setting_.kind_number(tool), treatment, setting_.kind_number(target));
+      if (reaction != nullptr) use(tool, *reaction);
+    }
+  }
+  /// With a tool in hand, on something that is not.
+  Wish with_held(Id tool, ActionType action, Id target, Wish need, int depth) const;
+  Wish to_cover(const Atom& atom, int depth) const;
+  /// Wiped or washed: no dirt and nothing that covers it.
+  Wish to_clean(Id id, int depth) const;
+  /// Held and treated with a tool, or put where the tool works by itself.
+  void treated(Id id, Treatment treatment, std::uint8_t symbol, int depth, std::vector<Wish>& ways) const;
+  Wish by_composite(Id id, Id tool, ActionType action, const Reaction& reaction, int depth) const;
+  Wish by_itself(Id id, Id tool, const Reaction& reaction, int depth) const;
+  Wish to_fill(Id id, std::uint8_t symbol, int depth) const;
+  Wish to_empty(Id id, int depth) const;
+  Wish done_to(Id id, ActionType action, Wish need, int depth, bool also_in_hand) const;
+  /// A free hand, and nothing on it.
+  Wish to_fold(Id id, int depth) const;
+  Wish to_state(Id id, Predicate state, std::uint8_t symbol, int depth) const;
+  /// A state ends when another of its group begins.
+  Wish away_from(const Atom& atom, int depth) const;
+
+  const Setting& setting_;
+  const World& world_;
+};
+
+}  // namespace unietp::symbolic

@@ -1,0 +1,204 @@
+#include <algorithm>
+
+#include "symbolic/way.h"
+
+namespace unietp::symbolic {
+namespace {
+
+const Wish kNever{Wish::kImpossible, {}};
+
+}  // namespace
+
+Wish Way::with_held(Id tool, ActionType action, Id target, Wish need, int depth) const {
+  if (!offered(action)) return kNever;
+  need = together(std::move(need), to_hold(tool, depth));
+  if (world_.held != target || tool == target) need = together(std::move(need), to_reach(target, depth));
+  return then(std::move(need), {action, target});
+}
+
+Wish Way::to_cover(const Atom& atom, int depth) const {
+  std::vector<Wish> ways;
+  each_tool(Treatment::Dispenses, atom.first, [&](Id tool, const Reaction& reaction) {
+    if (atom.symbol == kAnySymbol || atom.symbol == reaction.symbol)
+      ways.push_back(with_held(tool, ActionType::SpreadTo, atom.first, {}, depth));
+  });
+  return either(ways);
+}
+
+Wish Way::to_clean(Id id, int depth) const {
+  std::vector<Wish> ways;
+  treated(id, Treatment::Washes, kAnySymbol, depth, ways);
+  each_tool(Treatment::Wipes, id, [&](Id tool, const Reaction&) {
+    const auto dust = setting_.rules->symbol_named("dust");
+    const std::uint32_t stains = world_[id].coats & ~(dust ? std::uint32_t{1} << *dust : 0U);
+    const bool wet = stains != 0 || world_[id].has(Predicate::Dirty);
+    Wish need;
+    if (wet && world_[tool].has(Predicate::Dry)) need = to_state(tool, Predicate::Soaked, 0, depth + 1);
+    ways.push_back(with_held(tool, ActionType::Wipe, id, std::move(need), depth));
+  });
+  return either(ways);
+}
+
+void Way::treated(Id id, Treatment treatment, std::uint8_t symbol, int depth, std::vector<Wish>& ways) const {
+  each_tool(treatment, id, [&](Id tool, const Reaction& reaction) {
+    if ((reaction.needs & (kHeld | kUnknown)) != 0) return;
+    if (treatment == Treatment::Fills && symbol != kAnySymbol && symbol != reaction.symbol) return;
+    const auto action = action_for(treatment);
+    if (action && offered(*action)) ways.push_back(by_composite(id, tool, *action, reaction, depth));
+    if ((reaction.needs & kUnderTap) == 0) ways.push_back(by_itself(id, tool, reaction, depth));
+  });
+}
+
+Wish Way::by_composite(Id id, Id tool, ActionType action, const Reaction& reaction, int depth) const {
+  const bool inside = (reaction.needs & (kInside | kUnderTap)) != 0;
+  const auto relation = inside ? Predicate::Inside : Predicate::On;
+  if (setting_.rules->capacity(setting_.kind_number(id), relation, setting_.kind_number(tool)) == 0) return kNever;
+  Wish need = together(to_hold(id, depth), to_reach(tool, depth));
+  if (!takes(id, relation, tool)) need = together(std::move(need), to_make_room(id, relation, tool, depth));
+  const bool running = inside && kind(tool).openable && world_[tool].has(Predicate::PowerOn);
+  if (running) need = together(std::move(need), to_state(tool, Predicate::PowerOff, 0, depth + 1));
+  return then(std::move(need), {action, tool});
+}
+
+Wish Way::by_itself(Id id, Id tool, const Reaction& reaction, int depth) const {
+  const bool inside = (reaction.needs & kInside) != 0;
+  const auto relation = inside ? Predicate::Inside : Predicate::On;
+  const bool shut = (reaction.needs & kClosed) != 0 && kind(tool).openable;
+  const bool power = (reaction.needs & kPowerOn) != 0 && kind(tool).switchable;
+  const bool is_there = holds(setting_, world_, relation, id, tool, kAnySymbol);
+  const int afterwards = (shut ? 1 : 0) + (power && !world_[tool].has(Predicate::PowerOn) ? 1 : 0);
+  if (!is_there) {
+    Wish need;
+    if (power && shut && world_[tool].has(Predicate::PowerOn)) {
+      need = to_state(tool, Predicate::PowerOff, 0, depth + 1);
+      if (need.cost > 0) return after(std::move(need), 4);
+    }
+    return after(to_place(id, relation, tool, kNobody, depth), afterwards);
+  }
+  if (shut && !world_[tool].has(Predicate::Closed)) return to_state(tool, Predicate::Closed, 0, depth + 1);
+  if (power && !world_[tool].has(Predicate::PowerOn)) return to_state(tool, Predicate::PowerOn, 0, depth + 1);
+  return after(to_hold(id, depth), 2);  // it has been there without effect: once more
+}
+
+Wish Way::to_fill(Id id, std::uint8_t symbol, int depth) const {
+  std::vector<Wish> ways;
+  treated(id, Treatment::Fills, symbol, depth, ways);
+  if (kind(id).fillable && offered(ActionType::PourTo)) {
+    for (std::size_t i = 0; i < world_.things.size(); ++i) {
+      const auto vessel = static_cast<Id>(i);
+      if (vessel == id || !world_[vessel].exists || !kind(vessel).fillable) continue;
+      Wish need;
+      if (world_[id].has(Predicate::Filled)) need = to_state(id, Predicate::Empty, 0, depth + 1);
+      if (!holds(setting_, world_, Predicate::Filled, vessel, kNobody, symbol)) {
+        std::vector<Wish> fillings;
+        if (depth + 2 <= kDeepestNeed) treated(vessel, Treatment::Fills, symbol, depth + 2, fillings);
+        need = together(std::move(need), either(fillings));
+      }
+      ways.push_back(with_held(vessel, ActionType::PourTo, id, std::move(need), depth));
+    }
+  }
+  return either(ways);
+}
+
+Wish Way::to_empty(Id id, int depth) const {
+  std::vector<Wish> drains, vessels;  // what is poured into another vessel fills that one
+  for (std::size_t i = 0; i < world_.things.size(); ++i) {
+    const auto target = static_cast<Id>(i);
+    if (target == id || !world_[target].exists) continue;
+    const bool drain = kind(target).drain || setting_.rules->reaction(setting_.kind_number(target), Treatment::Drains,
+                                                                      setting_.kind_number(id)) != nullptr;
+    const bool takes_it = kind(target).fillable && world_[target].has(Predicate::Empty);
+    if (drain || takes_it) (drain ? drains : vessels).push_back(with_held(id, ActionType::PourTo, target, {}, depth));
+  }
+  const Wish away = either(drains);
+  return away.possible() ? away : either(vessels);
+}
+
+Wish Way::done_to(Id id, ActionType action, Wish need, int depth, bool also_in_hand) const {
+  if (!also_in_hand || world_.held != id) need = together(std::move(need), to_reach(id, depth));
+  return then(std::move(need), {action, id});
+}
+
+Wish Way::to_fold(Id id, int depth) const {
+  if (world_.held != kNobody) return to_free_hand(depth + 1);
+  for (std::size_t i = 0; i < world_.things.size(); ++i) {
+    const auto other = static_cast<Id>(i);
+    if (world_[other].exists && other != id && rests_on(world_, other, id)) return after(to_hold(other, depth + 1), 1);
+  }
+  return {};
+}
+
+Wish Way::to_state(Id id, Predicate state, std::uint8_t symbol, int depth) const {
+  if (depth > kDeepestNeed) return kNever;
+  std::vector<Wish> ways;
+  switch (state) {
+    case Predicate::Open: {
+      if (!kind(id).openable) return kNever;
+      Wish need;
+      if (setting_.rules->offer().open_needs_power_off && world_[id].has(Predicate::PowerOn))
+        need = to_state(id, Predicate::PowerOff, 0, depth + 1);
+      return done_to(id, ActionType::Open, std::move(need), depth, false);
+    }
+    case Predicate::Closed:
+      return kind(id).openable ? done_to(id, ActionType::Close, {}, depth, false) : kNever;
+    case Predicate::PowerOn: {
+      if (!kind(id).switchable) return kNever;
+      Wish need;
+      if (setting_.rules->offer().power_needs_closed && kind(id).shuts_to_run && world_[id].has(Predicate::Open))
+        need = to_state(id, Predicate::Closed, 0, depth + 1);
+      if (setting_.rules->offer().power_needs_plug && world_[id].has(Predicate::Unplugged))
+        need = together(std::move(need), to_state(id, Predicate::PluggedIn, 0, depth + 1));
+      return done_to(id, ActionType::TurnOn, std::move(need), depth, true);
+    }
+    case Predicate::PowerOff:
+      return kind(id).switchable ? done_to(id, ActionType::TurnOff, {}, depth, true) : kNever;
+    case Predicate::UsedUp:
+      return kind(id).consumable ? done_to(id, ActionType::UseUp, {}, depth, true) : kNever;
+    case Predicate::SatOn:
+      return kind(id).sittable ? done_to(id, ActionType::SitOn, {}, depth, false) : kNever;
+    case Predicate::LainOn:
+      return kind(id).lieable ? done_to(id, ActionType::LieOn, {}, depth, false) : kNever;
+    case Predicate::PluggedIn:
+      return kind(id).pluggable ? done_to(id, ActionType::PlugIn, {}, depth, false) : kNever;
+    case Predicate::Unplugged:
+      return kind(id).pluggable ? done_to(id, ActionType::Unplug, {}, depth, false) : kNever;
+    case Predicate::Broken:
+      return kind(id).breakable ? done_to(id, ActionType::Break, {}, depth, false) : kNever;
+    case Predicate::Folded:
+      return kind(id).foldable ? done_to(id, ActionType::Fold, to_fold(id, depth), depth, false) : kNever;
+    case Predicate::Sliced:
+      if (!kind(id).sliceable) return kNever;
+      each_tool(Treatment::Slices, id,
+                [&](Id tool, const Reaction&) { ways.push_back(with_held(tool, ActionType::Slice, id, {}, depth)); });
+      return either(ways);
+    case Predicate::Clean:
+      return to_clean(id, depth);
+    case Predicate::Filled:
+      return to_fill(id, symbol, depth);
+    case Predicate::Empty:
+      return to_empty(id, depth);
+    default:
+      for (std::size_t t = 0; t < kTreatments; ++t) {
+        const auto treatment = static_cast<Treatment>(t);
+        const auto& states = sets(treatment);
+        if (std::find(states.begin(), states.end(), state) != states.end())
+          treated(id, treatment, kAnySymbol, depth, ways);
+      }
+      return either(ways);
+  }
+}
+
+Wish Way::away_from(const Atom& atom, int depth) const {
+  for (const StateGroup* group : kind(atom.first).groups) {
+    const auto& states = group->predicates;
+    if (std::find(states.begin(), states.end(), atom.predicate) == states.end()) continue;
+    std::vector<Wish> ways;
+    for (const Predicate other : states) {
+      if (other != atom.predicate) ways.push_back(to_state(atom.first, other, kAnySymbol, depth));
+    }
+    return either(ways);
+  }
+  return kNever;
+}
+
+}  // namespace unietp::symbolic

@@ -1,0 +1,198 @@
+#include "symbolic/witness.h"
+
+#include <algorithm>
+#include <queue>
+#include <unordered_set>
+
+#include "logic/evaluate.h"
+#include "symbolic/guide.h"
+
+namespace unietp::symbolic {
+namespace {
+
+constexpr int kEagerness = 3;           // an estimated action weighs as much as this many done ones
+constexpr std::size_t kLongestRun = 3;  // of steps that are left out together
+
+/// A world on the way, with the steps that led to it from its parent: the action, and going there first.
+struct Place {
+  World world;
+  Progress progress;
+  std::size_t parent = 0;
+  std::vector<Step> steps;
+  std::size_t length = 0;
+};
+
+struct Entry {
+  int priority = 0;
+  std::size_t order = 0;  // of discovery: ties go to the older
+  std::vector<Step> next;
+  bool operator<(const Entry& other) const {
+    return priority != other.priority ? priority > other.priority : order > other.order;
+  }
+};
+
+std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
+  hash ^= value + 0x9e3779b97f4a7c15U + (hash << 6) + (hash >> 2);
+  return hash * 0xff51afd7ed558ccdU;
+}
+
+std::uint64_t digest(const World& world, const Progress& progress) {
+  std::uint64_t hash = 1;
+  for (const Thing& thing : world.things) {
+    hash = mix(hash, thing.states);
+    hash = mix(hash, (static_cast<std::uint64_t>(thing.coats) << 32) ^
+                         (static_cast<std::uint64_t>(static_cast<std::uint16_t>(thing.at)) << 16) ^
+                         static_cast<std::uint16_t>(thing.beside));
+    hash = mix(hash, static_cast<std::uint64_t>(thing.where) | (static_cast<std::uint64_t>(thing.filling) << 8) |
+                         (thing.under ? 1U << 16 : 0U) | (thing.attached ? 1U << 18 : 0U) |
+                         (thing.exists ? 1U << 17 : 0U));
+  }
+  hash = mix(hash, static_cast<std::uint16_t>(world.held));
+  hash = mix(hash, (static_cast<std::uint64_t>(static_cast<std::uint16_t>(world.room)) << 16) ^
+                       static_cast<std::uint16_t>(world.by));
+  for (const auto part : progress.parts()) hash = mix(hash, static_cast<std::uint64_t>(part));
+  return hash;
+}
+
+bool needs_reach(const World& world, const Step& step) {
+  const auto group = info(step.action).group;
+  if (group != ActionClass::Manipulation && group != ActionClass::Composite) return false;
+  return step.target != kNobody && world.held != step.target && root_of(world, step.target) != world.by;
+}
+
+bool takes_seat(ActionType action) { return action == ActionType::SitOn || action == ActionType::LieOn; }
+
+class Search {
+ public:
+  Search(const Formula& formula, const Setting& setting, const World& start, const SearchOptions& options)
+      : formula_(formula),
+        setting_(setting),
+        start_(start),
+        options_(options),
+        goal_(formula, setting, start),
+        guide_(setting, goal_) {}
+
+  std::optional<std::vector<Step>> run() {
+    Place first{start_, Progress(goal_), 0, {}, 0};
+    first.progress.observe(goal_, setting_, start_);
+    if (met(first)) return std::nullopt;
+    add(std::move(first));
+    while (!open_.empty() && places_.size() < options_.most_worlds) {
+      const Entry entry = open_.top();
+      open_.pop();
+      for (const Step& step : entry.next) {
+        auto reached = after(entry.order, step);
+        if (!reached) continue;
+        if (met(*reached)) {
+          places_.push_back(std::move(*reached));
+          return minimal(plan_to(places_.size() - 1));
+        }
+        if (reached->length < options_.most_steps) add(std::move(*reached));
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool met(const Place& place) const { return holds(goal_, goal_.root(), setting_, place.world, place.progress); }
+
+  void add(Place place) {
+    if (!seen_.insert(digest(place.world, place.progress)).second) return;
+    Wish wish = guide_.wish(place.world, place.progress);
+    if (!wish.possible() || wish.steps.empty()) return;
+    const int done = static_cast<int>(place.length);
+    open_.push({done + kEagerness * wish.cost, places_.size(), std::move(wish.steps)});
+    places_.push_back(std::move(place));
+  }
+
+  bool take(Place& place, const Step& step) const {
+    if (perform(setting_, place.world, step) != Failure::None) return false;
+    place.progress.observe(goal_, setting_, place.world);
+    place.steps.push_back(step);
+    ++place.length;
+    return true;
+  }
+
+  std::optional<Place> after(std::size_t from, const Step& step) const {
+    Place place{places_[from].world, places_[from].progress, from, {}, places_[from].length};
+    const bool leaves = step.action == ActionType::GoTo || needs_reach(place.world, step) ||
+                        step.target == place.world.seat || takes_seat(step.action);
+    if (place.world.seat != kNobody && leaves && !take(place, {ActionType::StandUp})) return std::nullopt;
+    if (needs_reach(place.world, step) && !take(place, {ActionType::GoTo, step.target})) return std::nullopt;
+    if (!take(place, step)) return std::nullopt;
+    return place;
+  }
+
+  std::vector<Step> plan_to(std::size_t index) const {
+    std::vector<const Place*> way;
+    for (std::size_t i = index; i != 0; i = places_[i].parent) way.push_back(&places_[i]);
+    std::vector<Step> plan;
+    for (auto place = way.rbegin(); place != way.rend(); ++place)
+      plan.insert(plan.end(), (*place)->steps.begin(), (*place)->steps.end());
+    return plan;
+  }
+
+  /// How many steps of a plan whose every step succeeds it takes until the goal holds; nullopt when it never does or a
+  /// step fails.
+  std::optional<std::size_t> reaches(const std::vector<Step>& plan) const {
+    Place place{start_, Progress(goal_), 0, {}, 0};
+    place.progress.observe(goal_, setting_, start_);
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+      if (!take(place, plan[i])) return std::nullopt;
+      if (met(place)) return i + 1;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<std::vector<Step>> minimal(std::vector<Step> plan) const {
+    bool shorter = true;
+    while (shorter) {
+      shorter = false;
+      for (std::size_t run = 1; run <= kLongestRun; ++run) {
+        for (std::size_t i = 0; i + run <= plan.size();) {
+          auto without = plan;
+          const auto from = without.begin() + static_cast<std::ptrdiff_t>(i);
+          without.erase(from, from + static_cast<std::ptrdiff_t>(run));
+          if (const auto length = reaches(without)) {
+            without.resize(*length);
+            plan = std::move(without);
+            shorter = true;
+          } else {
+            ++i;
+          }
+        }
+      }
+    }
+    if (!unietp::holds(formula_, trace_of(setting_, replay(setting_, start_, plan)))) return std::nullopt;
+    return plan;
+  }
+
+  const Formula& formula_;
+  const Setting& setting_;
+  const World& start_;
+  const SearchOptions& options_;
+  Goal goal_;
+  Guide guide_;
+  std::vector<Place> places_;
+  std::priority_queue<Entry> open_;
+  std::unordered_set<std::uint64_t> seen_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Step>> find_witness(const Formula& goal, const Setting& setting, const World& start,
+                                              const SearchOptions& options) {
+  return Search(goal, setting, start, options).run();
+}
+
+std::vector<World> replay(const Setting& setting, const World& start, const std::vector<Step>& steps) {
+  std::vector<World> worlds{start};
+  for (const Step& step : steps) {
+    World next = worlds.back();
+    perform(setting, next, step);
+    worlds.push_back(std::move(next));
+  }
+  return worlds;
+}
+
+}  // namespace unietp::symbolic

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "logic/evaluate.h"
+#include "logic/trace.h"
+#include "symbolic/rules.h"
+
+namespace unietp::symbolic {
+
+/// Number of a thing, of a room (from kFirstRoom on), or one of the two below.
+using Id = std::int16_t;
+inline constexpr Id kNobody = -1;
+inline constexpr Id kAgent = -2;
+inline constexpr Id kFirstRoom = 4096;
+inline bool is_room(Id id) { return id >= kFirstRoom; }
+
+/// What never changes about a thing.
+struct Role {
+  std::string id;
+  int kind = 0;
+  Id whole = kNobody;                  // of a piece: what it is cut from
+  std::string colour, material, size;  // "" when not known
+  double spot_m = 0;                   // of furniture: where it stands along its home, for `nearest`
+};
+
+/// Everything that takes part in a symbolic scene: things, among them the pieces that slicing could make, and rooms.
+struct Cast {
+  std::vector<Role> things;
+  struct Room {
+    std::string id, type;
+  };
+  std::vector<Room> rooms;  // room i has the number kFirstRoom + i
+  const Room& room(Id id) const { return rooms[static_cast<std::size_t>(id - kFirstRoom)]; }
+};
+
+enum class Where : std::uint8_t { Floor, On, Inside, Hand };
+
+/// What may change about a thing: 16 bytes.
+struct Thing {
+  std::uint64_t states = 0;  // bit of each state that holds; of a filled thing that of Filled
+  std::uint32_t coats = 0;   // bit of each substance that covers it
+  Id at = kNobody;           // the thing that it is on or in, or the room on whose floor it stands
+  Id beside = kNobody;       // what it was set down next to, or under
+  Where where = Where::Floor;
+  std::uint8_t filling = 0;  // number of the substance
+  bool under = false;        // `beside` is what it lies under
+  bool attached = false;     // to what it is on
+  bool exists = true;
+  bool operator==(const Thing&) const = default;
+  bool has(Predicate state) const { return (states >> static_cast<unsigned>(state) & 1U) != 0; }
+  /// Sets a state and takes away those that exclude it.
+  void set(Predicate state);
+  void clear(Predicate state) { states &= ~(std::uint64_t{1} << static_cast<unsigned>(state)); }
+};
+
+/// One moment: a value, cheap to copy.
+struct World {
+  std::vector<Thing> things;
+  Id held = kNobody;
+  Id room = kNobody;  // the agent's
+  Id by = kNobody;    // what the agent stands by: a thing on a floor; all that rests on or in it is in reach
+  Id seat = kNobody;  // what the agent sits or lies on
+  bool operator==(const World&) const = default;
+  Thing& operator[](Id id) { return things[static_cast<std::size_t>(id)]; }
+  const Thing& operator[](Id id) const { return things[static_cast<std::size_t>(id)]; }
+};
+
+/// A knowledge base and a cast: what stays the same while a world changes.
+struct Setting {
+  const Rules* rules = nullptr;  // outlives the setting
+  Cast cast;
+  bool with_nearest = false;  // facts say which thing is nearest to which; quadratic, so only where a formula asks
+  const Kind& kind_of(Id id) const { return rules->kind(cast.things[static_cast<std::size_t>(id)].kind); }
+  int kind_number(Id id) const { return cast.things[static_cast<std::size_t>(id)].kind; }
+};
+
+/// A thing in the default states of its kind, on no floor yet.
+Thing default_thing(const Kind& kind);
+/// Adds the pieces that slicing could make of each sliceable thing with the tools that the cast has; they do not exist
+/// yet. Call once, when all other things are in.
+void add_pieces(Setting& setting, World& world);
+/// Name of a thing, a room or the agent, for people.
+const std::string& name_of(const Setting& setting, Id id);
+
+/// The lowest thing below, on the floor or in the hand: where one has to stand to reach it.
+Id root_of(const World& world, Id thing);
+/// As physics shows it: inside every enclosing cavity, also by way of what lies in it.
+bool is_inside(const World& world, Id thing, Id container);
+/// Whether `upper` rests on or in `lower`, directly or through others.
+bool rests_on(const World& world, Id upper, Id lower);
+/// The outermost closed container around a thing, or kNobody.
+Id closed_around(const Setting& setting, const World& world, Id thing);
+/// The room whose floor a thing stands on or above, kNobody while it is in the hand.
+Id room_of(const World& world, Id thing);
+/// A truth of one moment. `second` is a thing, a room or kNobody; `symbol` a number, or kAnySymbol.
+inline constexpr std::uint8_t kAnySymbol = 255;
+bool holds(const Setting& setting, const World& world, Predicate predicate, Id first, Id second, std::uint8_t symbol);
+
+/// The states of a sequence of worlds for the evaluators of the logic: entities are the things that exist in one of
+/// them, the rooms, and the agent.
+Trace trace_of(const Setting& setting, const std::vector<World>& worlds);
+/// The same with all things, existing or not, so that entity i is thing i; then come the rooms.
+Trace whole_trace_of(const Setting& setting, const World& world);
+
+}  // namespace unietp::symbolic

@@ -1,0 +1,208 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "naive_scene.h"
+#include "symbolic/perform.h"
+
+namespace unietp {
+
+inline constexpr std::array kOtherRooms = {"hall", "attic"};  // that no specification names
+
+/// One attempt.
+class NaiveDraw {
+  using Id = symbolic::Id;
+  using Goal = symbolic::Goal;
+  using Where = symbolic::Where;
+  static constexpr symbolic::Id kFirstRoom = symbolic::kFirstRoom, kNobody = symbolic::kNobody;
+  static constexpr int kRepairs = 1500;
+
+ public:
+  NaiveDraw(const NaiveScenes& scenes, Rng& rng) : scenes_(scenes), rng_(rng) {
+    auto& setting = scene_.setting;
+    setting.rules = &scenes.rules_;
+    setting.with_nearest = scenes.with_nearest_;
+    for (const auto& type : scenes.room_types_) setting.cast.rooms.push_back({type + "_1", type});
+    for (std::size_t k = 0; k < scenes.categories_.size(); ++k) {
+      const bool movable = scenes.rules_.kind(static_cast<int>(k)).movable;
+      const int least = std::max(scenes.demanded_[k], 1);
+      const auto drawn = least + static_cast<int>(rng_.below(movable ? 4 : 2));
+      const auto number = std::max(scenes.demanded_[k], std::min(drawn, scenes.limits_[k]));
+      for (int n = 0; n < number; ++n) add(static_cast<int>(k), n);
+    }
+    furnish_rooms();
+    for (std::size_t i = 0; i < scene_.start.things.size(); ++i) move(static_cast<Id>(i));
+    for (const auto& [id, room] : for_rooms_) {
+      scene_.start[id].where = Where::Floor;
+      scene_.start[id].at = static_cast<Id>(kFirstRoom + static_cast<Id>(room));
+    }
+    scene_.start.room = random_room();
+  }
+
+  bool repair() {
+    std::vector<Goal> constraints;
+    read(constraints);
+    for (int i = 0; i < kRepairs; ++i) {
+      const auto broken = std::find_if(constraints.begin(), constraints.end(), [&](const Goal& goal) {
+        return !holds(goal, goal.root(), scene_.setting, scene_.start, symbolic::Progress(goal));
+      });
+      if (broken == constraints.end()) return true;
+      const auto& formula = scenes_.specification_.init[static_cast<std::size_t>(broken - constraints.begin())];
+      std::vector<Formula> atoms;
+      read_atoms(formula, atoms);
+      if (atoms.empty()) return false;  // too many or too few of something
+      if (redraw(formula, rng_.pick(atoms))) read(constraints);
+    }
+    return false;
+  }
+
+  NaiveScene take() {
+    add_pieces(scene_.setting, scene_.start);
+    return std::move(scene_);
+  }
+
+ private:
+  static void read_atoms(const Formula& formula, std::vector<Formula>& atoms) {
+    if (formula.op == Formula::Op::Atom) atoms.push_back(formula);
+    for (const auto& child : formula.children) read_atoms(child, atoms);
+  }
+
+  const symbolic::Kind& kind(Id id) const { return scene_.setting.kind_of(id); }
+  Id random_room() { return static_cast<Id>(kFirstRoom + static_cast<Id>(rng_.below(scenes_.room_types_.size()))); }
+
+  void read(std::vector<Goal>& constraints) {
+    constraints.clear();
+    for (const auto& start : scenes_.specification_.init) constraints.emplace_back(start, scene_.setting, scene_.start);
+  }
+
+  void add(int kind_number, int n) {
+    const auto& about = scenes_.rules_.kind(kind_number);
+    symbolic::Role role;
+    role.id = about.category + "_" + std::to_string(n + 1);
+    role.kind = kind_number;
+    role.spot_m = rng_.unit() * 30;
+    dress(role, about);
+    scene_.setting.cast.things.push_back(role);
+    scene_.start.things.push_back(symbolic::default_thing(about));
+    const auto id = static_cast<Id>(scene_.start.things.size() - 1);
+    scene_.start[id].at = random_room();
+    for (const auto* group : about.groups) draw_state(id, *group);
+    if (about.coverable) draw_coat(id);
+  }
+
+  /// Furniture that the goal does not speak of in each room, so that things can be put down everywhere.
+  void furnish_rooms() {
+    for (std::size_t k = scenes_.named_; k < scenes_.categories_.size(); ++k) {
+      if (scenes_.rules_.kind(static_cast<int>(k)).movable) continue;
+      for (std::size_t r = 0; r + kOtherRooms.size() < scenes_.room_types_.size(); ++r) {
+        add(static_cast<int>(k), 10 + static_cast<int>(r));
+        for_rooms_.emplace_back(static_cast<Id>(scene_.start.things.size() - 1), r);
+      }
+    }
+  }
+
+  void dress(symbolic::Role& role, const symbolic::Kind& about) {
+    if (!about.colours.empty()) role.colour = rng_.pick(about.colours);
+    if (!about.materials.empty()) role.material = rng_.pick(about.materials);
+    role.size = rng_.chance(0.5) ? "small" : "large";
+  }
+
+  void draw_state(Id id, const StateGroup& group) {
+    auto& thing = scene_.start[id];
+    thing.set(rng_.pick(group.predicates));
+    thing.filling = static_cast<std::uint8_t>(rng_.below(scenes_.rules_.symbols().size()));
+    if (!thing.has(Predicate::Filled)) thing.filling = 0;
+  }
+
+  void draw_coat(Id id) {
+    if (!scenes_.coats_.empty())
+      scene_.start[id].coats = static_cast<std::uint32_t>(rng_.below(2)) << rng_.pick(scenes_.coats_);
+  }
+
+  void move(Id id) {
+    auto& thing = scene_.start[id];
+    for (auto& other : scene_.start.things) {
+      if (other.beside == id) other.beside = kNobody;
+    }
+    thing.beside = kNobody;
+    thing.under = false;
+    thing.where = Where::Floor;
+    thing.at = random_room();
+    std::vector<std::pair<Where, Id>> places;
+    for (std::size_t i = 0; i < scene_.start.things.size(); ++i) {
+      const auto place = static_cast<Id>(i);
+      if (place == id || rests_on(scene_.start, place, id)) continue;
+      if (has_room(scene_.setting, scene_.start, id, Predicate::On, place)) places.emplace_back(Where::On, place);
+      if (has_room(scene_.setting, scene_.start, id, Predicate::Inside, place))
+        places.emplace_back(Where::Inside, place);
+    }
+    if (places.empty() || rng_.chance(0.15)) return;
+    std::tie(thing.where, thing.at) = rng_.pick(places);
+  }
+
+  void sit_beside(Id id, bool under) {
+    move(id);
+    const auto other = static_cast<Id>(rng_.below(scene_.start.things.size()));
+    auto& thing = scene_.start[id];
+    const auto& host = scene_.start[other];
+    const bool same = thing.where == host.where && thing.at == host.at;
+    if (other == id || !same || (under && host.where != Where::Floor)) return;
+    thing.beside = other;
+    thing.under = under;
+  }
+
+  /// Draws something of one object anew; true when the constraints have to be read again.
+  bool redraw(const Formula& broken, const Formula& atom) {
+    if (atom.terms[0].kind == Term::Kind::Agent) {
+      scene_.start.room = random_room();
+      return false;
+    }
+    std::vector<Id> concerned;
+    for (std::size_t i = 0; i < scene_.start.things.size(); ++i) {
+      for (const auto& name : categories_of(broken)) {
+        if (kind(static_cast<Id>(i)).category == name) concerned.push_back(static_cast<Id>(i));
+      }
+    }
+    if (concerned.empty()) return false;
+    const Id id = rng_.pick(concerned);
+    switch (atom.predicate) {
+      case Predicate::Covered:
+        draw_coat(id);
+        return false;
+      case Predicate::Colour:
+      case Predicate::Material:
+      case Predicate::Size:
+        dress(scene_.setting.cast.things[static_cast<std::size_t>(id)], kind(id));
+        return true;
+      case Predicate::Nearest:
+        move(id);
+        scene_.setting.cast.things[static_cast<std::size_t>(root_of(scene_.start, id))].spot_m = rng_.unit() * 30;
+        return false;
+      case Predicate::NextTo:
+      case Predicate::Under:
+        sit_beside(id, atom.predicate == Predicate::Under);
+        return false;
+      case Predicate::On:
+      case Predicate::Inside:
+      case Predicate::InRoom:
+      case Predicate::OnFloor:
+        move(id);
+        return false;
+      default:
+        for (const auto* group : kind(id).groups) {
+          const auto& states = group->predicates;
+          if (std::find(states.begin(), states.end(), atom.predicate) != states.end()) draw_state(id, *group);
+        }
+        return false;
+    }
+  }
+
+  const NaiveScenes& scenes_;
+  Rng& rng_;
+  NaiveScene scene_;
+  std::vector<std::pair<Id, std::size_t>> for_rooms_;
+};
+
+}  // namespace unietp

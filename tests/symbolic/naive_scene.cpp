@@ -1,0 +1,140 @@
+#include "naive_scene.h"
+
+#include <algorithm>
+#include <set>
+
+#include "naive_draw.h"
+
+namespace unietp {
+namespace {
+
+using namespace symbolic;
+
+constexpr int kMany = 1000;
+constexpr int kDraws = 200;
+
+std::set<std::string> names_of(const Specification& specification, const Knowledge& knowledge) {
+  std::set<std::string> names;
+  for (const auto& [placeholder, category] : specification.binding) {
+    if (knowledge.find(category) != nullptr) names.insert(category);  // not a colour or a material
+  }
+  for (const auto& name : categories_of(specification.goal)) names.insert(name);
+  for (const auto& start : specification.init) {
+    for (const auto& name : categories_of(start)) names.insert(name);
+  }
+  return names;
+}
+
+/// Furniture on which things can be put aside, and a movable category more.
+std::vector<std::string> bystanders(const std::set<std::string>& names, const Knowledge& knowledge, Rng& rng) {
+  std::vector<std::string> more;
+  const auto is_new = [&](const std::string& name) {
+    return names.count(name) == 0 && std::find(more.begin(), more.end(), name) == more.end();
+  };
+  for (const auto& name : names) {
+    std::vector<std::string> places;
+    for (const auto* row : knowledge.placements_of(name, "on")) {
+      const auto* place = knowledge.find(row->receptacle);
+      if (place != nullptr && !place->movable && !knowledge.has(row->receptacle, "openable"))
+        places.push_back(row->receptacle);
+    }
+    std::erase_if(places, [&](const std::string& place) { return names.count(place) > 0; });
+    const bool has_one = std::any_of(places.begin(), places.end(), [&](const auto& place) { return !is_new(place); });
+    if (!places.empty() && !has_one) more.push_back(rng.pick(places));
+  }
+  const auto movables = knowledge.with_affordance("pickupable");
+  for (int i = 0; i < 2 && !movables.empty(); ++i) {
+    const auto& name = rng.pick(movables);
+    if (is_new(name) && !knowledge.placements_of(name, "on").empty()) more.push_back(name);
+  }
+  return more;
+}
+
+void read_substances(const Formula& formula, Rules& rules, bool& nearest) {
+  for (const auto& term : formula.terms) {
+    const bool substance = formula.predicate == Predicate::Filled || formula.predicate == Predicate::Covered;
+    if (substance && term.kind == Term::Kind::Symbol && term.name != "any") rules.symbol_number(term.name);
+  }
+  nearest = nearest || (formula.op == Formula::Op::Atom && formula.predicate == Predicate::Nearest);
+  for (const auto& where : formula.domain.where) read_substances(where, rules, nearest);
+  for (const auto& child : formula.children) read_substances(child, rules, nearest);
+}
+
+/// Substances that a formula speaks of as covering something.
+void read_coats(const Formula& formula, const Rules& rules, std::vector<std::uint8_t>& coats) {
+  if (formula.op == Formula::Op::Atom && formula.predicate == Predicate::Covered) {
+    if (const auto number = rules.symbol_named(formula.terms[1].name)) coats.push_back(*number);
+  }
+  for (const auto& child : formula.children) read_coats(child, rules, coats);
+}
+
+bool all_are_meant(const Formula& formula, const std::string& category) {
+  const auto& members = formula.domain.members;
+  const bool speaks =
+      std::any_of(members.begin(), members.end(), [&](const auto& m) { return m.category == category; });
+  return (formula.op == Formula::Op::Forall && speaks) ||
+         std::any_of(formula.children.begin(), formula.children.end(),
+                     [&](const Formula& child) { return all_are_meant(child, category); });
+}
+
+/// How many of a category fit into the smallest place that any of them has.
+int room_for(const Rules& rules, const std::string& category) {
+  int least = kMany;
+  for (std::size_t place = 0; place < rules.kinds().size(); ++place) {
+    for (const auto relation : {Predicate::On, Predicate::Inside}) {
+      const int fits = rules.capacity(rules.kind_named(category), relation, static_cast<int>(place));
+      if (fits > 0) least = std::min(least, fits);
+    }
+  }
+  return least;
+}
+
+std::vector<std::string> sorted_names(const Specification& specification, const Knowledge& knowledge, Rng& rng,
+                                      bool rooms) {
+  const auto names = names_of(specification, knowledge);
+  std::vector<std::string> found;
+  for (const auto& name : names) {
+    if ((knowledge.find(name) == nullptr) == rooms) found.push_back(name);
+  }
+  if (!rooms) {
+    for (auto& name : bystanders(names, knowledge, rng)) found.push_back(std::move(name));
+  }
+  return found;
+}
+
+}  // namespace
+
+NaiveScenes::NaiveScenes(const Specification& specification, const Knowledge& knowledge, Rng rng, ActionProfile profile)
+    : specification_(specification),
+      categories_(sorted_names(specification, knowledge, rng, false)),
+      room_types_(sorted_names(specification, knowledge, rng, true)),
+      rules_(knowledge, offer_of(knowledge.simulator(), profile), categories_) {
+  for (named_ = 0; named_ < categories_.size() && names_of(specification, knowledge).count(categories_[named_]) > 0;)
+    ++named_;
+  for (const char* type : kOtherRooms) room_types_.emplace_back(type);
+  read_substances(specification.goal, rules_, with_nearest_);
+  for (const auto& start : specification.init) read_substances(start, rules_, with_nearest_);
+  if (rules_.symbols().empty()) rules_.symbol_number("water");
+  read_coats(specification.goal, rules_, coats_);
+  for (const auto& start : specification.init) read_coats(start, rules_, coats_);
+  for (const auto& category : categories_) {
+    int most = 0;
+    for (const auto& start : specification.init) {
+      const bool speaks = start.domain.members.size() == 1 && start.domain.members[0].category == category;
+      if (speaks && start.op == Formula::Op::Count) most = std::max(most, start.number);
+    }
+    demanded_.push_back(most);
+    limits_.push_back(all_are_meant(specification.goal, category) ? room_for(rules_, category) : kMany);
+  }
+}
+
+std::optional<NaiveScene> NaiveScenes::draw(Rng rng) const {
+  for (int i = 0; i < kDraws; ++i) {
+    NaiveDraw draw(*this, rng);
+    if (!draw.repair()) continue;
+    return draw.take();
+  }
+  return std::nullopt;
+}
+
+}  // namespace unietp

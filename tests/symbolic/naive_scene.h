@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "core/rng.h"
+#include "generator/specification.h"
+#include "symbolic/goal.h"
+#include "symbolic/world.h"
+
+namespace unietp {
+
+struct NaiveScene {
+  symbolic::Setting setting;
+  symbolic::World start;
+};
+
+/// Random symbolic scenes that meet a specification's `init`, by blind trial: states and places are drawn at random,
+/// and one of an object that a broken constraint ranges over is drawn again until all hold. Several objects of each
+/// category, two that the goal does not speak of, and places to put things aside. Shares no code with StartSampler.
+class NaiveScenes {
+ public:
+  NaiveScenes(const Specification& specification, const Knowledge& knowledge, Rng rng,
+              ActionProfile profile = ActionProfile::Unietp);
+  std::optional<NaiveScene> draw(Rng rng) const;
+
+ private:
+  friend class NaiveDraw;
+  const Specification& specification_;
+  std::vector<std::string> categories_, room_types_;
+  std::vector<std::uint8_t> coats_;
+  std::size_t named_ = 0;      // the first so many categories are the specification's
+  std::vector<int> limits_;    // by category: no more than fit, where the goal is about all of them
+  std::vector<int> demanded_;  // by category: objects that some constraint asks for
+  symbolic::Rules rules_;
+  bool with_nearest_ = false;
+};
+
+}  // namespace unietp
