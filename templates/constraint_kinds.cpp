@@ -1,14 +1,17 @@
 #include "templates/constraint_kinds.h"
 
 #include <array>
+#include <cctype>
 #include <charconv>
+
+#include "templates/word_meanings.h"
 
 namespace unietp {
 namespace {
 
 using enum ConstraintKind::Meaning;
 
-constexpr std::array<ConstraintKind, 17> kKinds = {{
+constexpr std::array<ConstraintKind, 22> kKinds = {{
     {"distinct", Distinct, "", "(distinct A B ...)", "the placeholders get different categories"},
     {"fits-on", Placement, "on", "(fits-on A B [n])", "a B carries at least n A at once (1 when left out)"},
     {"fits-inside", Placement, "inside", "(fits-inside A B [n])", "a B holds at least n A at once (1 when left out)"},
@@ -26,6 +29,23 @@ constexpr std::array<ConstraintKind, 17> kKinds = {{
     {"fills", Effect, "fills", "(fills T A substance)", "a T fills an A with the substance"},
     {"dispenses", Effect, "dispenses", "(dispenses T A substance)", "a T spreads the substance over an A"},
     {"drains", Effect, "drains", "(drains T A)", "an A is emptied into a T"},
+    {"attaches", Effect, "attaches", "(attaches B A)", "an A can be attached to a B"},
+    {"found-in", Usual, "", "(found-in A R)", "an A is usual in an R, a type of room"},
+    {"comes-in", Value, "", "(comes-in A K)",
+     "an A may be K, a colour or material, or be something told apart from it"},
+    {"comes-in-sizes", Sizes, "", "(comes-in-sizes A)", "one A may be 1.3 times as large as another"},
+    {"has-words", Words, "", "(has-words A synonym|function|context)", "the knowledge base has such words for an A"},
+}};
+
+constexpr std::array<WordMeaning, 8> kPseudoAffordances = {{
+    {"furniture", "a category that stays where it is"},
+    {"movable", "a category that is no furniture"},
+    {"countable", "comes in pieces: \"two mugs\", not \"some bread\""},
+    {"room", "a type of room, such as kitchen; stands alone"},
+    {"colour", "a colour, such as red; stands alone"},
+    {"material", "a material, such as wood; stands alone"},
+    {"substance", "what a vessel holds or a bottle dispenses, one word such as dish_soap; stands alone"},
+    {"any", "whatever the constraints allow; stands alone"},
 }};
 
 bool is_number(std::string_view text) {
@@ -55,7 +75,11 @@ std::vector<PlaceholderUse> placeholders_of(const DomainConstraint& constraint) 
   const auto* kind = constraint_kind(constraint.kind);
   std::vector<PlaceholderUse> uses;
   for (std::size_t i = 0; i < constraint.arguments.size(); ++i) {
-    if (kind != nullptr && kind->meaning != Distinct && i >= 2) break;
+    const auto& argument = constraint.arguments[i];
+    const bool substance = kind != nullptr && kind->meaning == Effect && !argument.empty() &&
+                           std::isupper(static_cast<unsigned char>(argument.front())) != 0;
+    if (kind != nullptr && kind->meaning != Distinct && i >= 2 && !substance) break;
+    if (kind != nullptr && kind->meaning == Words && i >= 1) break;
     uses.push_back(placeholder_use(constraint.arguments[i]));
   }
   return uses;
@@ -77,8 +101,19 @@ std::string substance_of(const DomainConstraint& constraint) {
 }
 
 const std::vector<std::string>& pseudo_affordances() {
-  static const std::vector<std::string> kNames = {"furniture", "movable", "countable", "room", "any"};
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names;
+    for (const auto& meaning : kPseudoAffordances) names.emplace_back(meaning.word);
+    return names;
+  }();
   return kNames;
 }
+
+const std::vector<std::string>& word_kinds() {
+  static const std::vector<std::string> kNames = {"synonym", "function", "context"};
+  return kNames;
+}
+
+std::span<const WordMeaning> pseudo_affordance_meanings() { return kPseudoAffordances; }
 
 }  // namespace unietp

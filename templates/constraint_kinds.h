@@ -14,7 +14,11 @@ struct ConstraintKind {
   enum class Meaning {
     Distinct,   // the placeholders get different categories
     Placement,  // a row of `relation`: (kind object receptacle [capacity])
-    Effect,     // a row of `effect`: (kind tool target [substance]); `dispenses` has no target
+    Effect,     // a row of `effect`: (kind tool target [substance])
+    Usual,      // the rooms of `category`: (kind category room)
+    Value,      // colours and materials of `category`: (kind category value)
+    Sizes,      // `size` and the models: (kind category)
+    Words,      // a row of `alias`: (kind category synonym|function|context)
   };
   std::string_view name;  // "fits-on"
   Meaning meaning = Meaning::Distinct;
@@ -33,16 +37,18 @@ struct PlaceholderUse {
   bool slice = false;  // written `A/slice`
 };
 PlaceholderUse placeholder_use(std::string_view argument);
-/// The placeholders that a well-formed constraint speaks of, in order; not its number or substance.
+/// The placeholders that a well-formed constraint speaks of, in order; not its number, nor a substance that it names.
 std::vector<PlaceholderUse> placeholders_of(const DomainConstraint& constraint);
 /// The capacity that a placement constraint asks for; 1 when it gives none.
 int capacity_of(const DomainConstraint& constraint);
-/// The substance that an effect constraint asks for; "" when it gives none.
+/// The kinds of words that `has-words` may ask for.
+const std::vector<std::string>& word_kinds();
+/// The substance that an effect constraint asks for, or the placeholder for one; "" when it gives none.
 std::string substance_of(const DomainConstraint& constraint);
 
 /// What a parameter may be asked to be besides an affordance of the AKB.
 /// `furniture`: stays where it is; `movable`: not furniture; `countable`: "two mugs", not "some bread"; `room`: a type
-/// of room; `any`: the constraints decide.
+/// of room; `colour`, `material`, `substance`: a word for one; `any`: the constraints decide.
 const std::vector<std::string>& pseudo_affordances();
 
 }  // namespace unietp

@@ -19,13 +19,20 @@ bool is_state_of(const Formula& formula, const std::string& variable) {
   return unary && formula.terms[0].kind == Term::Kind::Variable && formula.terms[0].name == variable;
 }
 
+/// `(in_room agent ?r)`, of a room.
+bool is_where_the_agent_is(const Formula& formula, const std::string& variable) {
+  return formula.op == Op::Atom && formula.predicate == Predicate::InRoom &&
+         formula.terms[0].kind == Term::Kind::Agent && formula.terms[1].name == variable;
+}
+
 bool is_relation_of(const Formula& formula, const std::string& variable) {
   if (formula.op != Op::Exists || formula.children.front().op != Op::Atom) return false;
   if (!formula.domain.where.empty()) return false;
   const auto& inner = formula.children.front();
   using enum Predicate;
   const bool known = inner.predicate == On || inner.predicate == Inside || inner.predicate == OnFloor ||
-                     inner.predicate == InRoom || inner.predicate == NextTo || inner.predicate == Under;
+                     inner.predicate == InRoom || inner.predicate == NextTo || inner.predicate == Under ||
+                     inner.predicate == Nearest;
   return known && inner.terms.size() == 2 && inner.terms[0].kind == Term::Kind::Variable &&
          inner.terms[0].name == variable && inner.terms[1].kind == Term::Kind::Variable &&
          inner.terms[1].name == formula.variable;
@@ -47,10 +54,13 @@ std::optional<std::string> init_shape_problem(const Formula& formula) {
   if (!formula.domain.where.empty()) return "a start constraint takes no ':where'; put the condition into the body";
   for (const auto& literal : literals_of(formula)) {
     const auto& inner = without_not(literal);
-    if (is_state_of(inner, formula.variable) || is_relation_of(inner, formula.variable)) continue;
+    const auto& variable = formula.variable;
+    if (is_state_of(inner, variable) || is_relation_of(inner, variable) || is_where_the_agent_is(inner, variable)) {
+      continue;
+    }
     return "the body of a start constraint is made of states of ?" + formula.variable + " such as (open ?" +
            formula.variable + "), of relations such as (exists (?y - B) (on ?" + formula.variable +
-           " ?y)), and of (not ...) of these; got " + to_text(literal);
+           " ?y)), of (in_room agent ?" + formula.variable + "), and of (not ...) of these; got " + to_text(literal);
   }
   return std::nullopt;
 }
@@ -65,7 +75,8 @@ std::vector<StartLiteral> start_literals(const Formula& formula) {
     const auto& part = read.relation ? inner.children.front() : inner;
     read.predicate = part.predicate;
     if (read.relation) read.other = inner.domain;
-    if (!read.relation && part.terms.size() == 2) read.symbol = part.terms[1].name;
+    const bool symbol = part.terms.size() == 2 && part.terms[1].kind == Term::Kind::Symbol;
+    if (symbol) read.symbol = part.terms[1].name;
     literals.push_back(std::move(read));
   }
   return literals;

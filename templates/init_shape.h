@@ -13,8 +13,8 @@ namespace unietp {
 ///   (exists (?x - D) body)   (forall (?x - D) body)   (count >= n (?x - D) body)   (count = n (?x - D) body)
 ///
 /// where body is a literal, an `(and ...)` of literals, or `(and)`; and a literal is a state of ?x, `(not state)`,
-/// `(exists (?y - E) (on ?x ?y))` or `(not (exists (?y - E) (on ?x ?y)))`, with inside, on_floor, in_room, next_to or
-/// under in place of on.
+/// `(exists (?y - E) (on ?x ?y))` or `(not (exists (?y - E) (on ?x ?y)))`, with inside, on_floor, in_room, next_to,
+/// under or nearest in place of on; or, of a room ?x, `(in_room agent ?x)` or its `not`.
 /// What is wrong with a formula, or nullopt when it has one of these shapes.
 std::optional<std::string> init_shape_problem(const Formula& formula);
 

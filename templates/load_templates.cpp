@@ -4,40 +4,45 @@
 #include <system_error>
 
 #include "core/files.h"
-#include "templates/template.h"
+#include "templates/template_files.h"
 
 namespace unietp {
-namespace {
 
-void append(std::vector<Error>& to, std::vector<Error> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(to));
-}
-
-}  // namespace
-
-TemplateReading load_templates(const std::filesystem::path& folder) {
+TemplateFiles template_files(const std::filesystem::path& place, const std::string& library) {
   namespace fs = std::filesystem;
   std::error_code failure;
-  std::vector<fs::path> files;
-  for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
-       entry.increment(failure)) {
-    if (entry->is_regular_file() && entry->path().extension() == ".template") files.push_back(entry->path());
+  std::vector<fs::path> paths;
+  if (fs::is_regular_file(place, failure)) {
+    paths.push_back(place);
+  } else {
+    failure.clear();
+    for (fs::recursive_directory_iterator entry(place, failure), end; !failure && entry != end;
+         entry.increment(failure)) {
+      if (entry->is_regular_file() && entry->path().extension() == ".template") paths.push_back(entry->path());
+    }
   }
   if (failure) {
-    return {{}, {{Error::Kind::Io, folder.string(), {}, "cannot list the folder of templates: " + failure.message()}}};
+    return {{}, {{Error::Kind::Io, place.string(), {}, "cannot list the folder of templates: " + failure.message()}}};
   }
-  std::sort(files.begin(), files.end());
+  std::sort(paths.begin(), paths.end());
+  TemplateFiles found;
+  for (const auto& path : paths) {
+    auto text = read_file(path);
+    if (text) {
+      found.files.push_back({path.string(), std::move(*text), library});
+    } else {
+      found.errors.push_back(text.error());
+    }
+  }
+  return found;
+}
 
+TemplateReading parse_files(const std::vector<TemplateFile>& files) {
   TemplateReading all;
   std::map<std::string, std::string> file_of;  // name -> file that holds it
   for (const auto& file : files) {
-    const auto text = read_file(file);
-    if (!text) {
-      all.errors.push_back(text.error());
-      continue;
-    }
-    auto reading = parse_template(file.string(), *text);
-    append(all.errors, std::move(reading.errors));
+    auto reading = parse_template(file.path, file.text);
+    std::move(reading.errors.begin(), reading.errors.end(), std::back_inserter(all.errors));
     for (auto& source : reading.templates) {
       const auto [first, added] = file_of.emplace(source.name, source.file);
       if (added) {
@@ -50,6 +55,13 @@ TemplateReading load_templates(const std::filesystem::path& folder) {
       }
     }
   }
+  return all;
+}
+
+TemplateReading load_templates(const std::filesystem::path& folder) {
+  auto found = template_files(folder, "library");
+  auto all = parse_files(found.files);
+  all.errors.insert(all.errors.begin(), found.errors.begin(), found.errors.end());
   return all;
 }
 

@@ -7,15 +7,27 @@
 
 #include "akb/knowledge.h"
 #include "core/text.h"
+#include "logic/formula_reading.h"
+#include "templates/bracket_hint.h"
 #include "templates/constraint_kinds.h"
+#include "templates/idle_parts.h"
+#include "templates/refinement_kinds.h"
+#include "templates/sections.h"
 #include "templates/template.h"
 #include "templates/template_checks.h"
 
 namespace unietp {
 namespace {
 
-const std::vector<std::string> kSections = {"name",        "split", "simulators", "parameters",
-                                            "constraints", "init",  "goal",       "instruction"};
+std::vector<std::string> section_names(bool all) {
+  std::vector<std::string> names;
+  for (const auto& section : template_sections()) {
+    if (all || !section.required) names.emplace_back(section.name);
+  }
+  return names;
+}
+
+const std::vector<std::string> kSections = section_names(true);
 
 bool is_template_name(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
@@ -47,7 +59,11 @@ class TemplateReader {
 
   TemplateReading read() {
     auto expressions = read_sexprs(file_, text_);
-    if (!expressions) return {{}, {expressions.error()}};
+    if (!expressions) {
+      auto unread = expressions.error();
+      unread.message += bracket_hint(text_);
+      return {{}, {std::move(unread)}};
+    }
     if (expressions->empty()) {
       error({1, 1}, "the file holds no template; expected (template name (name \"...\") (split ...) ...)");
     } else {
@@ -107,11 +123,13 @@ class TemplateReader {
         read_section(word, *found->second);
       } else if (word == "simulators") {
         source_.value.simulators.assign(kSimulators.begin(), kSimulators.end());
-      } else if (word != "constraints" && word != "init") {
-        error(top.pos, "section '" + word + "' is missing; only simulators, constraints and init may be left out");
+      } else if (const auto optional = section_names(false);
+                 std::find(optional.begin(), optional.end(), word) == optional.end()) {
+        error(top.pos, "section '" + word + "' is missing; only " + join(optional, ", ") + " may be left out");
       }
     }
     for (auto& problem : check_template(source_)) errors_.push_back(std::move(problem));
+    for (auto& problem : idle_parts(source_)) errors_.push_back(std::move(problem));
   }
 
   void check_name() {
@@ -130,6 +148,7 @@ class TemplateReader {
     const std::vector<Sexpr> items(section.children.begin() + 1, section.children.end());
     if (word == "name") read_title(section, items);
     if (word == "split") read_split(section, items);
+    if (word == "refinement") read_refinement(section, items);
     if (word == "simulators") read_simulators(section, items);
     if (word == "parameters") read_parameters(section, items);
     if (word == "constraints") read_constraints(items);
@@ -148,8 +167,7 @@ class TemplateReader {
   }
 
   void read_split(const Sexpr& section, const std::vector<Sexpr>& items) {
-    static const std::vector<std::string> kNames = {"atomic", "compositional", "logical", "instance_grounding",
-                                                    "linguistic"};
+    static const std::vector<std::string> kNames = {"atomic", "compositional", "logical"};
     if (items.size() != 1 || !items[0].is_atom()) {
       error(section.pos, "expected one word, such as (split atomic); accepted: " + join(kNames, ", "));
       return;
@@ -160,11 +178,31 @@ class TemplateReader {
             "unknown split '" + items[0].text + "'; accepted: " + join(kNames, ", ") + hint(items[0].text, kNames));
       return;
     }
+    if (std::find(kNames.begin(), kNames.end(), items[0].text) == kNames.end()) {
+      error(items[0].pos, "'" + items[0].text +
+                              "' is the split of refined tasks; accepted is the class of the goal itself: " +
+                              join(kNames, ", ") + "; what refines it goes into a section (refinement ...)");
+      return;
+    }
     source_.value.split = *split;
     const auto folder = std::filesystem::path(file_).parent_path().filename().string();
     if (split_named(folder) && folder != items[0].text) {
       schema_error(items[0].pos, "a template of split '" + items[0].text + "' stands in the folder '" + folder + "'");
     }
+  }
+
+  void read_refinement(const Sexpr& section, const std::vector<Sexpr>& items) {
+    std::vector<std::string> names;
+    for (const auto& kind : refinement_kinds()) names.emplace_back(kind.name);
+    if (items.size() != 1 || !items[0].is_atom()) {
+      error(section.pos, "expected one word, such as (refinement referring); accepted: " + join(names, ", "));
+      return;
+    }
+    source_.refinement = items[0];
+    source_.value.refinement = items[0].text;
+    if (refinement_kind(items[0].text) != nullptr) return;
+    error(items[0].pos,
+          "unknown refinement '" + items[0].text + "'; accepted: " + join(names, ", ") + hint(items[0].text, names));
   }
 
   void read_simulators(const Sexpr& section, const std::vector<Sexpr>& items) {
@@ -219,9 +257,11 @@ class TemplateReader {
       }
       parameter.affordances.push_back(word.text);
     }
-    if (parameter.affordances.size() > 1 &&
-        std::find(parameter.affordances.begin(), parameter.affordances.end(), "room") != parameter.affordances.end()) {
-      schema_error(parameter.pos, "a room has no other affordance; write (" + parameter.name + " - room)");
+    for (const char* alone : {"room", "colour", "material", "substance"}) {
+      const auto& words = parameter.affordances;
+      if (words.size() < 2 || std::find(words.begin(), words.end(), alone) == words.end()) continue;
+      schema_error(parameter.pos, std::string("a ") + alone + " has no other affordance; write (" + parameter.name +
+                                      " - " + alone + ")");
     }
     source_.value.parameters.push_back(std::move(parameter));
   }
@@ -263,13 +303,20 @@ class TemplateReader {
 
   static bool has_right_arguments(const ConstraintKind& kind, const std::vector<std::string>& arguments) {
     using enum ConstraintKind::Meaning;
-    const std::size_t places = kind.meaning == Distinct ? arguments.size() : std::min<std::size_t>(2, arguments.size());
+    std::size_t places = kind.meaning == Distinct ? arguments.size() : std::min<std::size_t>(2, arguments.size());
+    if (kind.meaning == Words) places = std::min<std::size_t>(1, places);
     for (std::size_t i = 0; i < places; ++i) {
       const auto use = placeholder_use(arguments[i]);
       if (!is_placeholder_name(use.name)) return false;
     }
+    if (kind.meaning == Sizes) return arguments.size() == 1;
     if (arguments.size() < 2) return false;
     if (kind.meaning == Distinct) return true;
+    if (kind.meaning == Value || kind.meaning == Usual) return arguments.size() == 2;
+    if (kind.meaning == Words) {
+      return arguments.size() == 2 &&
+             std::find(word_kinds().begin(), word_kinds().end(), arguments[1]) != word_kinds().end();
+    }
     if (kind.meaning == Placement)
       return arguments.size() == 2 || (arguments.size() == 3 && is_positive_number(arguments[2]));
     return arguments.size() == (kind.usage.find("substance") == std::string_view::npos ? 2U : 3U);
@@ -278,13 +325,10 @@ class TemplateReader {
   void read_init(const std::vector<Sexpr>& items) {
     for (const auto& item : items) {
       source_.init.push_back(item);
-      auto formula = parse_formula(file_, item, FormulaUse::State);
-      source_.init_read.push_back(static_cast<bool>(formula));
-      if (formula) {
-        source_.value.init.push_back(std::move(*formula));
-      } else {
-        errors_.push_back(formula.error());
-      }
+      auto reading = read_formula(file_, item, FormulaUse::State);
+      source_.init_read.push_back(reading.formula.has_value());
+      if (reading.formula) source_.value.init.push_back(std::move(*reading.formula));
+      errors_.insert(errors_.end(), reading.errors.begin(), reading.errors.end());
     }
   }
 
@@ -294,13 +338,10 @@ class TemplateReader {
       return;
     }
     source_.goal.push_back(items[0]);
-    auto formula = parse_formula(file_, items[0], FormulaUse::Goal);
-    source_.goal_read = static_cast<bool>(formula);
-    if (formula) {
-      source_.value.goal = std::move(*formula);
-    } else {
-      errors_.push_back(formula.error());
-    }
+    auto reading = read_formula(file_, items[0], FormulaUse::Goal);
+    source_.goal_read = reading.formula.has_value();
+    if (reading.formula) source_.value.goal = std::move(*reading.formula);
+    errors_.insert(errors_.end(), reading.errors.begin(), reading.errors.end());
   }
 
   void read_instructions(const Sexpr& section, const std::vector<Sexpr>& items) {

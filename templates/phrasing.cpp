@@ -32,7 +32,7 @@ struct Words {
 
 Words words_of(const std::string& category, const Knowledge& knowledge) {
   if (const auto* known = knowledge.find(category)) return {known->display, known->plural, known->countable};
-  const auto name = lower(category);
+  const auto name = replace_all(lower(category), "_", " ");
   return {name, name + "s", true};
 }
 

@@ -1,31 +1,29 @@
 #include <array>
-#include <utility>
 
 #include "templates/template.h"
+#include "templates/word_meanings.h"
 
 namespace unietp {
 namespace {
 
-constexpr std::array<std::pair<Split, std::string_view>, 5> kNames = {{
-    {Split::Atomic, "atomic"},
-    {Split::Compositional, "compositional"},
-    {Split::Logical, "logical"},
-    {Split::InstanceGrounding, "instance_grounding"},
-    {Split::Linguistic, "linguistic"},
+constexpr std::array<WordMeaning, 5> kSplits = {{
+    {"atomic", "one thing is asked of one object"},
+    {"compositional", "several things together or one after the other"},
+    {"logical", "counts, all, none, either, if, order and what must not happen"},
+    {"instance_grounding", "the objects meant are told apart from others of their category: the dirty mug"},
+    {"linguistic", "the same goal in other words: a synonym, what a thing is for, a need that implies it"},
 }};
+static_assert(kSplits.size() == static_cast<std::size_t>(Split::Linguistic) + 1);
 
 }  // namespace
 
-std::string_view name_of(Split split) {
-  for (const auto& [value, name] : kNames) {
-    if (value == split) return name;
-  }
-  return "";
-}
+std::span<const WordMeaning> split_meanings() { return kSplits; }
+
+std::string_view name_of(Split split) { return kSplits.at(static_cast<std::size_t>(split)).word; }
 
 std::optional<Split> split_named(std::string_view name) {
-  for (const auto& [value, text] : kNames) {
-    if (text == name) return value;
+  for (std::size_t i = 0; i < kSplits.size(); ++i) {
+    if (kSplits.at(i).word == name) return static_cast<Split>(i);
   }
   return std::nullopt;
 }

@@ -16,10 +16,12 @@ enum class Split { Atomic, Compositional, Logical, InstanceGrounding, Linguistic
 std::string_view name_of(Split split);  // "instance_grounding"
 std::optional<Split> split_named(std::string_view name);
 
-/// A placeholder and what a category must afford to fill it; `room` as the only affordance: a room type.
+/// A placeholder and what a category must afford to fill it. With `room` as the only affordance a room type fills it,
+/// with `colour` or `material` a word for one.
 struct Parameter {
-  std::string name;                      // "A"
-  std::vector<std::string> affordances;  // of the AKB, or one of pseudo_affordances()
+  std::string name;  // "A"
+  std::vector<std::string>
+      affordances;  // of the AKB, or one of pseudo_affordances(); `room`, `colour`, `material` alone
   SourcePos pos;
 };
 
@@ -35,9 +37,10 @@ struct DomainConstraint {
 /// A parameterised task as its file says it (docs/templates.md). Formulas name placeholders where an instance of the
 /// template names categories.
 struct Template {
-  std::string name;   // "place-two-one-inside", equal to the file's stem
-  std::string title;  // "place two <A> and one <B> inside <C>"
-  Split split = Split::Atomic;
+  std::string name;             // "place-two-one-inside", equal to the file's stem
+  std::string title;            // "place two <A> and one <B> inside <C>"
+  Split split = Split::Atomic;  // the base class
+  std::string refinement;       // how its tasks are made harder by default (refinement_kinds()); "" when they are not
   std::vector<Simulator> simulators;
   std::vector<Parameter> parameters;
   std::vector<DomainConstraint> constraints;
@@ -46,6 +49,9 @@ struct Template {
   std::vector<std::string> instructions;  // reference phrasings with {A}, {A:plural}, {A:indefinite}, …
   std::string file;
 };
+
+/// The split that a template's tasks fall in: that of its refinement, or its base class.
+Split split_of_tasks(const Template& source);
 
 /// Errors: every problem found, each with file, line, column and what is accepted.
 struct TemplateReading {

@@ -1,12 +1,15 @@
 #include "templates/template_checks.h"
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
 #include <set>
 
 #include "core/text.h"
 #include "templates/constraint_kinds.h"
 #include "templates/init_shape.h"
 #include "templates/phrasing.h"
+#include "templates/refinement_kinds.h"
 
 namespace unietp {
 namespace {
@@ -53,12 +56,63 @@ std::vector<Binder> binders_of(const Sexpr& expression) {
   return binders;
 }
 
-void collect_quantifiers(const Formula& formula, std::vector<const Formula*>& found) {
-  if (!formula.variable.empty()) {
-    found.push_back(&formula);
-    for (const auto& where : formula.domain.where) collect_quantifiers(where, found);
+/// A quantifier and those around it, outermost first.
+struct Quantifier {
+  const Formula* formula;
+  std::vector<const Formula*> outer;
+};
+
+void collect_quantifiers(const Formula& formula, std::vector<const Formula*>& outer, std::vector<Quantifier>& found) {
+  const bool binds = !formula.variable.empty();
+  if (binds) {
+    found.push_back({&formula, outer});
+    outer.push_back(&formula);
+    for (const auto& where : formula.domain.where) collect_quantifiers(where, outer, found);
   }
-  for (const auto& child : formula.children) collect_quantifiers(child, found);
+  for (const auto& child : formula.children) collect_quantifiers(child, outer, found);
+  if (binds) outer.pop_back();
+}
+
+/// `(in_room ?a ?r)` as `(exists (?r - R) (in_room ?a ?r))`, where ?r is bound outside over a domain that `single` says
+/// has one member; what speaks of no outer variable stays as it is.
+Formula closed_over(const Formula& where, const std::vector<const Formula*>& outer,
+                    const std::function<bool(const Domain&)>& single) {
+  if (where.op == Op::And) {
+    Formula all = where;
+    for (auto& child : all.children) child = closed_over(child, outer, single);
+    return all;
+  }
+  if (where.op != Op::Atom || where.terms.size() != 2 || where.terms[1].kind != Term::Kind::Variable) return where;
+  for (const auto* binder : outer) {
+    if (binder->variable == where.terms[1].name && single(binder->domain)) {
+      return exists(binder->variable, binder->domain, where);
+    }
+  }
+  return where;
+}
+
+/// The second arguments of these predicates.
+std::vector<const Sexpr*> words_of(const Sexpr& expression, const std::vector<std::string_view>& predicates) {
+  std::vector<const Sexpr*> words;
+  if (!expression.is_list()) return words;
+  for (const auto& child : expression.children) {
+    for (const auto* word : words_of(child, predicates)) words.push_back(word);
+  }
+  const bool one = std::any_of(predicates.begin(), predicates.end(),
+                               [&](std::string_view name) { return expression.is_form(name); });
+  if (one && expression.children.size() == 3 && expression.children[2].is_atom()) {
+    words.push_back(&expression.children[2]);
+  }
+  return words;
+}
+
+/// The placeholders for a colour, material or substance: words that start with a capital letter.
+std::vector<const Sexpr*> values_in(const Sexpr& expression) {
+  auto words = words_of(expression, {"colour", "material", "covered", "filled"});
+  std::erase_if(words, [](const Sexpr* word) {
+    return word->text.empty() || std::isupper(static_cast<unsigned char>(word->text.front())) == 0;
+  });
+  return words;
 }
 
 bool is_fixed_domain(const std::string& name) { return name == "object" || name == "room" || name == "agent"; }
@@ -93,6 +147,7 @@ class Checker {
     check_placeholders();
     check_init_shapes();
     check_never_vacuous();
+    check_refinement();
     check_phrasings();
     check_title();
     return std::move(errors_);
@@ -121,7 +176,35 @@ class Checker {
         const auto name = placeholder_use(atom->text).name;
         used.insert(name);
         require_declared(name, atom->pos);
+        if (is_value_placeholder(name)) {
+          error(atom->pos, "placeholder '" + name + "' stands for a word and is no category; write (colour ?x " + name +
+                               "), (material ?x " + name + "), (covered ?x " + name + ") or (filled ?x " + name + ")");
+        }
       }
+    }
+    use_values(expression, used);
+  }
+
+  bool is_value_placeholder(const std::string& name) const {
+    return std::any_of(value_.parameters.begin(), value_.parameters.end(), [&](const Parameter& parameter) {
+      if (parameter.name != name || parameter.affordances.size() != 1) return false;
+      const auto& word = parameter.affordances.front();
+      return word == "colour" || word == "material" || word == "substance";
+    });
+  }
+
+  void use_values(const Sexpr& expression, std::set<std::string>& used) {
+    for (const auto* word : values_in(expression)) {
+      used.insert(word->text);
+      require_declared(word->text, word->pos);
+      if (is_declared(word->text) && !is_value_placeholder(word->text)) {
+        error(word->pos, "placeholder '" + word->text + "' stands for a category; declare (" + word->text +
+                             " - colour), (" + word->text + " - material) or (" + word->text + " - substance)");
+      }
+    }
+    for (const auto* word : words_of(expression, {"size"})) {
+      if (word->text == "large" || word->text == "small") continue;
+      error(word->pos, "unknown size '" + word->text + "'; accepted: large, small");
     }
   }
 
@@ -140,6 +223,7 @@ class Checker {
       for (const auto& binder : binders_of(expression)) {
         for (const auto* atom : binder.names) in_goal_.insert(placeholder_use(atom->text).name);
       }
+      for (const auto* word : values_in(expression)) in_goal_.insert(word->text);
     }
     if (!source_.constraints_read || !source_.parameters_read) return;
     for (const auto& parameter : value_.parameters) {
@@ -163,11 +247,23 @@ class Checker {
     }
   }
 
-  bool never_empty(const Domain& domain, const std::string& variable) const {
+  /// The start has exactly one object of the domain.
+  bool has_one(const Domain& domain) const {
+    return std::any_of(starts_.begin(), starts_.end(), [&](const Formula* start) {
+      return start->op == Op::Count && start->comparison == Comparison::Equal && start->number == 1 &&
+             start->domain == domain && start_literals(*start).empty();
+    });
+  }
+
+  bool never_empty(const Quantifier& quantifier) const {
+    const auto& domain = quantifier.formula->domain;
+    const auto& variable = quantifier.formula->variable;
     if (domain.kind != Domain::Kind::Categories) return true;
     std::vector<StartLiteral> wanted;
     if (!domain.where.empty()) {
-      const auto condition = exists(variable, of_category("?"), domain.where.front());
+      const auto where =
+          closed_over(domain.where.front(), quantifier.outer, [this](const Domain& d) { return has_one(d); });
+      const auto condition = exists(variable, of_category("?"), where);
       if (init_shape_problem(condition)) return false;
       wanted = start_literals(condition);
     }
@@ -180,17 +276,36 @@ class Checker {
   void check_never_vacuous() {
     if (!source_.goal_read) return;
     const auto binders = binders_of(source_.goal.front());
-    std::vector<const Formula*> quantifiers;
-    collect_quantifiers(value_.goal, quantifiers);
+    std::vector<Quantifier> quantifiers;
+    std::vector<const Formula*> outer;
+    collect_quantifiers(value_.goal, outer, quantifiers);
     for (std::size_t i = 0; i < quantifiers.size() && i < binders.size(); ++i) {
-      const auto& quantifier = *quantifiers[i];
-      if (quantifier.op == Op::Exists || never_empty(quantifier.domain, quantifier.variable)) continue;
+      const auto& quantifier = *quantifiers[i].formula;
+      if (quantifier.op == Op::Exists || never_empty(quantifiers[i])) continue;
       const auto& domain = quantifier.domain;
       const auto name = domain.members.empty() ? "A" : domain.members.front().category;
       const auto body = domain.where.empty() ? "(and)" : to_text(domain.where.front());
       error(binders[i].pos, "this " + binders[i].quantifier + " may range over nothing: no init constraint says that " +
                                 to_text(domain) + " is not empty; add for instance (count >= 1 (?" +
                                 quantifier.variable + " - " + name + ") " + body + ") to init");
+    }
+  }
+
+  /// A goal that is said to refer does, and one that gets its reference from the generator has none.
+  void check_refinement() {
+    const auto* kind = refinement_kind(value_.refinement);
+    if (kind == nullptr || kind->split != Split::InstanceGrounding || !source_.goal_read || !source_.refinement) return;
+    std::vector<const Formula*> outer;
+    std::vector<Quantifier> quantifiers;
+    collect_quantifiers(value_.goal, outer, quantifiers);
+    const bool refers = std::any_of(quantifiers.begin(), quantifiers.end(), [](const Quantifier& quantifier) {
+      return !quantifier.formula->domain.where.empty();
+    });
+    if (kind->written && !refers) {
+      error(source_.refinement->pos,
+            "the goal refers to no object: none of its domains has a ':where', such as (?a - (A :where (dirty ?a)))");
+    } else if (!kind->written && refers) {
+      error(source_.refinement->pos, "the goal has a ':where' of its own; write (refinement referring)");
     }
   }
 

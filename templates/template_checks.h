@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/sexpr.h"
@@ -11,6 +12,7 @@ namespace unietp {
 struct TemplateSource {
   Template value;
   Sexpr name, title;
+  std::optional<Sexpr> refinement;
   std::vector<Sexpr> init;      // every expression of the section, also one that is no formula
   std::vector<bool> init_read;  // of each: whether it became the next entry of value.init
   std::vector<Sexpr> goal;      // none or one

@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "templates/constraint_kinds.h"
 #include "templates/phrasing.h"
+#include "templates/refinement_kinds.h"
 #include "templates/template.h"
 
 namespace unietp {
@@ -47,6 +48,9 @@ TEST(Docs, NameEveryWordOfTheLanguage) {
   for (const auto& word : affordance_names()) EXPECT_TRUE(has(std::string("`").append(word).append("`"))) << word;
   for (const auto& word : pseudo_affordances()) EXPECT_TRUE(has(std::string("`").append(word).append("`"))) << word;
   for (const auto& form : slot_forms()) EXPECT_TRUE(has(std::string(":").append(form.name).append("}"))) << form.name;
+  for (const auto& kind : refinement_kinds()) {
+    EXPECT_TRUE(has(std::string("`").append(kind.name).append("`"))) << kind.name;
+  }
   for (const auto simulator : kSimulators) EXPECT_TRUE(has(name_of(simulator)));
 }
 
