@@ -1,7 +1,8 @@
 #include <algorithm>
+#include <span>
 
 #include "generator/domain_constraints.h"
-#include "generator/specification.h"
+#include "generator/weighted_binding.h"
 
 namespace unietp {
 namespace {
@@ -26,10 +27,13 @@ class BindingSearch {
 
   void enumerate(std::size_t limit, std::vector<Binding>& found) { extend(limit, nullptr, found); }
   void sample(Rng& rng, std::vector<Binding>& found) { extend(1, &rng, found); }
+  void fix(const Binding& fixed) { fixed_ = &fixed; }
+  void weigh(const CategoryWeight& weight) { weight_ = &weight; }
 
  private:
   bool is_offered(const Parameter& parameter, const std::string& category) const {
-    if (offered_.empty() || (is_room(parameter) && !offers_rooms_)) return true;
+    if (const auto* given = fixed_ == nullptr ? nullptr : bound_to(*fixed_, parameter.name)) return category == *given;
+    if (offered_.empty() || is_value(parameter) || (is_room(parameter) && !offers_rooms_)) return true;
     return std::binary_search(offered_.begin(), offered_.end(), category);
   }
 
@@ -44,8 +48,15 @@ class BindingSearch {
     const auto& parameter = source_.parameters[binding_.size()];
     auto choices = candidates_for(parameter, source_.constraints, binding_, knowledge_);
     std::erase_if(choices, [&](const std::string& name) { return !is_offered(parameter, name); });
-    if (rng != nullptr) rng->shuffle(choices);
-    for (const auto& choice : choices) {
+    std::vector<double> weights;
+    if (weight_ != nullptr) {
+      for (const auto& choice : choices) weights.push_back((*weight_)(parameter, choice));
+    } else if (rng != nullptr) {
+      rng->shuffle(choices);
+    }
+    for (std::size_t next = 0; next < choices.size(); ++next) {
+      if (!weights.empty()) bring_forward(next, choices, weights, *rng);
+      const auto choice = choices[next];
       binding_.emplace_back(parameter.name, choice);
       extend(limit, rng, found);
       binding_.pop_back();
@@ -53,8 +64,18 @@ class BindingSearch {
     }
   }
 
+  /// Draws which of the choices from `next` on comes first.
+  static void bring_forward(std::size_t next, std::vector<std::string>& choices, std::vector<double>& weights,
+                            Rng& rng) {
+    const auto drawn = next + rng.weighted(std::span(weights).subspan(next));
+    std::swap(choices[next], choices[drawn]);
+    std::swap(weights[next], weights[drawn]);
+  }
+
   const Template& source_;
   const Knowledge& knowledge_;
+  const Binding* fixed_ = nullptr;
+  const CategoryWeight* weight_ = nullptr;
   std::vector<std::string> offered_;
   bool offers_rooms_ = false;
   Binding binding_;
@@ -75,6 +96,20 @@ std::optional<Binding> sample_binding(const Template& source, const Knowledge& k
   std::vector<Binding> found;
   BindingSearch search(source, knowledge);
   search.restrict_to(offered);
+  search.sample(rng, found);
+  if (found.empty()) return std::nullopt;
+  return found.front();
+}
+
+std::optional<Binding> sample_binding(const Template& source, const Knowledge& knowledge,
+                                      const std::vector<std::string>& offered, const Binding& fixed,
+                                      const CategoryWeight& weight, Rng rng) {
+  if (!is_meant_for(source, knowledge.simulator())) return std::nullopt;
+  std::vector<Binding> found;
+  BindingSearch search(source, knowledge);
+  search.restrict_to(offered);
+  search.fix(fixed);
+  search.weigh(weight);
   search.sample(rng, found);
   if (found.empty()) return std::nullopt;
   return found.front();

@@ -6,8 +6,6 @@
 
 #include "generator/domain_constraints.h"
 #include "generator/goal_parts.h"
-#include "generator/start_sampler.h"
-#include "logic/evaluate.h"
 #include "scene/states.h"
 #include "templates/init_shape.h"
 
@@ -16,11 +14,25 @@ namespace {
 
 using Op = Formula::Op;
 
+constexpr char kMark = '#';  // between a variable and the number of its quantifier
+
+/// A formula as the goal has it, without the numbers of renamed variables.
+std::string text_of(const Formula& formula) {
+  std::string text;
+  bool number = false;
+  for (const char c : to_text(formula)) {
+    number = c == kMark || (number && c >= '0' && c <= '9');
+    if (!number) text += c;
+  }
+  return text;
+}
+
 bool is_place(const Formula& literal) {
   return literal.op == Op::Atom && (literal.predicate == Predicate::On || literal.predicate == Predicate::Inside);
 }
 
-/// A literal that must hold in the end, with what is known of its variables.
+/// A literal that must hold in the end, with what is known of its variables. Those are renamed so that equal names mean
+/// equal objects: two `forall` over one domain speak of the same ones, two `exists` may not.
 struct Demand {
   Formula literal;
   int count = 1;                          // how many objects must satisfy it with the same second argument
@@ -32,7 +44,7 @@ class GoalReader {
   GoalReader(const Specification& specification, const Knowledge& knowledge)
       : specification_(specification), knowledge_(knowledge) {}
 
-  std::optional<std::string> contradiction() {
+  std::optional<GateRefusal> contradiction() {
     collect(specification_.goal, false, 1);
     for (std::size_t i = 0; i < demands_.size(); ++i) {
       if (auto problem = impossible_alone(demands_[i])) return problem;
@@ -53,13 +65,14 @@ class GoalReader {
         collect(formula.children.front(), true, count);
         break;
       case Op::Exists:
-        domains_[formula.variable] = formula.domain;
-        collect(formula.children.front(), at_the_end, count);
+        collect(body_of(formula, new_name(formula.variable)), at_the_end, count);
         break;
-      case Op::Forall:
-        domains_[formula.variable] = formula.domain;
-        collect(formula.children.front(), at_the_end, std::max(count, least_number(formula.domain)));
+      case Op::Forall: {
+        const auto domain = to_text(normal_form(forall(formula.variable, formula.domain, Formula{})));
+        const auto& name = all_of_.emplace(domain, new_name(formula.variable)).first->second;
+        collect(body_of(formula, name), at_the_end, std::max(count, least_number(formula.domain)));
         break;
+      }
       case Op::Count:
         collect_count(formula, at_the_end);
         break;
@@ -70,6 +83,14 @@ class GoalReader {
       default:
         break;
     }
+  }
+
+  std::string new_name(const std::string& variable) { return variable + kMark + std::to_string(++scopes_); }
+
+  /// The body of a quantifier with its variable renamed.
+  Formula body_of(const Formula& quantifier, const std::string& name) {
+    domains_[name] = quantifier.domain;
+    return rename_variable(quantifier.children.front(), quantifier.variable, name);
   }
 
   void collect_count(const Formula& formula, bool at_the_end) {
@@ -87,12 +108,11 @@ class GoalReader {
     bounds->second.first = std::max(bounds->second.first, low);
     bounds->second.second = std::min(bounds->second.second, high);
     if (bounds->second.first > bounds->second.second) {
-      impossible_counts_ = "the goal asks for two different numbers of the same thing: " + to_text(formula);
+      impossible_counts_ = GateRefusal{Gate::Counts, text_of(formula),
+                                       "the goal asks for two different numbers of the same thing: " + text_of(formula),
+                                       "counts in the template's goal that agree"};
     }
-    if (low >= 1) {
-      domains_[formula.variable] = formula.domain;
-      collect(formula.children.front(), at_the_end, low);
-    }
+    if (low >= 1) collect(body_of(formula, new_name(formula.variable)), at_the_end, low);
   }
 
   /// How many objects of a domain every start has.
@@ -118,7 +138,7 @@ class GoalReader {
     return names;
   }
 
-  std::optional<std::string> impossible_alone(const Demand& demand) const {
+  std::optional<GateRefusal> impossible_alone(const Demand& demand) const {
     if (is_place(demand.literal)) return no_room(demand);
     if (demand.literal.op != Op::Atom || demand.literal.terms.empty()) return std::nullopt;
     for (const auto& group : state_groups()) {
@@ -130,12 +150,16 @@ class GoalReader {
                               return knowledge_.find(name) == nullptr || knowledge_.has(name, group.affordance);
                             });
       if (possible) return std::nullopt;
-      return "the goal asks for " + to_text(demand.literal) + ", but " + names.front() + " is not " + group.affordance;
+      const auto text = text_of(demand.literal);
+      return GateRefusal{Gate::StateOfCategory, text,
+                         "the goal asks for " + text + ", but " + names.front() + " is not " + group.affordance,
+                         "a category that is " + group.affordance + ", or an override that makes " + names.front() +
+                             " " + group.affordance};
     }
     return std::nullopt;
   }
 
-  std::optional<std::string> no_room(const Demand& demand) const {
+  std::optional<GateRefusal> no_room(const Demand& demand) const {
     const auto objects = categories(demand, demand.literal.terms[0]);
     const auto places = categories(demand, demand.literal.terms[1]);
     if (objects.empty() || places.empty()) return std::nullopt;
@@ -149,9 +173,17 @@ class GoalReader {
     }
     if (best >= demand.count) return std::nullopt;
     const auto what = objects.front() + " " + std::string(relation) + " " + places.front();
-    if (best == 0) return "the goal asks for " + what + ", which the knowledge base does not allow";
-    return "the goal asks for " + std::to_string(demand.count) + " " + what + ", but at most " + std::to_string(best) +
-           " fit";
+    const auto text = text_of(demand.literal);
+    if (best == 0) {
+      return GateRefusal{Gate::Capacity, text,
+                         "the goal asks for " + what + ", which the knowledge base does not allow",
+                         "another place, or a placement " + what + " in the knowledge base"};
+    }
+    return GateRefusal{Gate::Capacity, text,
+                       "the goal asks for " + std::to_string(demand.count) + " " + what + ", but at most " +
+                           std::to_string(best) + " fit",
+                       "a place where " + std::to_string(demand.count) + " fit, or a constraint (fits-" +
+                           std::string(relation) + " ... " + std::to_string(demand.count) + ") in the template"};
   }
 
   bool is_furniture(const Demand& demand, const Term& term) const {
@@ -162,50 +194,53 @@ class GoalReader {
     });
   }
 
-  std::optional<std::string> impossible_together(const Demand& one, const Demand& other) const {
+  /// Whether the places of two literals may be one and the same object.
+  bool may_be_equal(const Demand& one, const Demand& other) const {
+    const auto names = categories(one, one.literal.terms[1]);
+    const auto others = categories(other, other.literal.terms[1]);
+    if (names.empty() || others.empty()) return true;
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      return std::find(others.begin(), others.end(), name) != others.end();
+    });
+  }
+
+  std::optional<GateRefusal> impossible_together(const Demand& one, const Demand& other) const {
     const auto& first = one.literal;
     const auto& second = other.literal;
-    const auto both = to_text(first) + " and " + to_text(second);
-    if (exclude_each_other(first, second)) return "the goal asks for exclusive states: " + both;
+    const auto both = text_of(first) + " and " + text_of(second);
+    if (exclude_each_other(first, second)) {
+      return GateRefusal{Gate::ExclusiveStates, both, "the goal asks for exclusive states: " + both,
+                         "a goal that asks for one of them, or for both of different objects or at different times"};
+    }
     if ((first.op == Op::Not && first.children.front() == second) ||
         (second.op == Op::Not && second.children.front() == first)) {
-      return "the goal asks for a thing and its opposite: " + both;
+      return GateRefusal{Gate::ExclusiveStates, both, "the goal asks for a thing and its opposite: " + both,
+                         "a goal that asks for one of them"};
     }
     if (!is_place(first) || !is_place(second) || !(first.terms[0] == second.terms[0])) return std::nullopt;
     const bool same_place = first.terms[1] == second.terms[1];
-    if (same_place && first.predicate == second.predicate) return std::nullopt;
+    if (same_place ? first.predicate == second.predicate : may_be_equal(one, other)) return std::nullopt;
     const bool fixed = is_furniture(one, first.terms[1]) && is_furniture(other, second.terms[1]);
     const bool on_both = first.predicate == Predicate::On && second.predicate == Predicate::On;
-    if (same_place || fixed || on_both) return "the goal asks for one object in two places: " + both;
-    return std::nullopt;
+    if (!same_place && !fixed && !on_both) return std::nullopt;
+    return GateRefusal{Gate::OnePlace, both, "the goal asks for one object in two places: " + both,
+                       "a goal that asks for one of them, or for two objects"};
   }
 
   const Specification& specification_;
   const Knowledge& knowledge_;
-  std::map<std::string, Domain> domains_;  // of the variables met so far
+  std::map<std::string, Domain> domains_;      // of the variables met so far
+  std::map<std::string, std::string> all_of_;  // domain of a `forall` -> name of its variable
+  int scopes_ = 0;
   std::vector<Demand> demands_;
   std::map<std::string, std::pair<int, int>> bounds_;  // counted thing -> least and most
-  std::optional<std::string> impossible_counts_;
+  std::optional<GateRefusal> impossible_counts_;
 };
 
 }  // namespace
 
-std::optional<std::string> contradiction(const Specification& specification, const Knowledge& knowledge) {
+std::optional<GateRefusal> contradiction(const Specification& specification, const Knowledge& knowledge) {
   return GoalReader(specification, knowledge).contradiction();
-}
-
-std::optional<std::string> bad_start(const Specification& specification, const Knowledge& knowledge, int samples) {
-  const StartSampler sampler(specification, knowledge);
-  const auto parts = goal_parts(specification.goal);
-  for (int i = 0; i < samples; ++i) {
-    const auto start = sampler.sample(Rng(0).fork("start", static_cast<std::uint64_t>(i)));
-    if (!start) return "no start was found that meets all of init";
-    if (holds(specification.goal, *start)) return "the goal already holds in a start that meets init";
-    for (const auto& part : parts) {
-      if (holds(part, *start)) return "a part of the goal already holds in a start that meets init: " + to_text(part);
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace unietp

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "akb/attributes.h"
 #include "core/text.h"
 #include "templates/constraint_kinds.h"
 
@@ -40,7 +41,8 @@ bool placement_holds(const DomainConstraint& constraint, const ConstraintKind& k
 
 bool effect_holds(const DomainConstraint& constraint, const ConstraintKind& kind, const Binding& binding,
                   const Knowledge& knowledge) {
-  const auto substance = substance_of(constraint);
+  auto substance = substance_of(constraint);
+  if (const auto* bound = bound_to(binding, substance)) substance = *bound;
   for (const auto& tool : meant_by(constraint.arguments[0], binding, knowledge)) {
     for (const auto& target : meant_by(constraint.arguments[1], binding, knowledge)) {
       // A tool may have several effects of one kind, one for each substance.
@@ -68,7 +70,7 @@ bool all_distinct(const DomainConstraint& constraint, const Binding& binding) {
 std::optional<std::vector<std::string>> narrowed(const DomainConstraint& constraint, const std::string& placeholder,
                                                  const Binding& binding, const Knowledge& knowledge) {
   const auto* kind = constraint_kind(constraint.kind);
-  if (kind == nullptr || kind->meaning == Meaning::Distinct || constraint.arguments.size() < 2) return std::nullopt;
+  if (kind == nullptr || (kind->meaning != Meaning::Placement && kind->meaning != Meaning::Effect)) return std::nullopt;
   const auto& first = constraint.arguments[0];
   const auto& second = constraint.arguments[1];
   const auto first_bound = meant_by(first, binding, knowledge);
@@ -93,8 +95,27 @@ std::optional<std::vector<std::string>> narrowed(const DomainConstraint& constra
   return std::nullopt;
 }
 
+std::vector<std::string> substances(const Knowledge& knowledge) {
+  std::vector<std::string> names;
+  for (const auto& effect : knowledge.effects()) {
+    if (effect.effect == "fills" || effect.effect == "dispenses") names.push_back(effect.gives);
+  }
+  return sorted_unique(std::move(names));
+}
+
+std::vector<std::string> words_for(const Parameter& parameter, const Knowledge& knowledge) {
+  if (parameter.affordances.front() == "substance") return substances(knowledge);
+  std::vector<std::string> words;
+  for (const auto& category : knowledge.categories()) {
+    const auto& own = parameter.affordances.front() == "colour" ? category.colours : category.materials;
+    words.insert(words.end(), own.begin(), own.end());
+  }
+  return sorted_unique(std::move(words));
+}
+
 std::vector<std::string> all_names(const Parameter& parameter, const Knowledge& knowledge) {
   if (parameter.affordances == std::vector<std::string>{"room"}) return room_types(knowledge);
+  if (is_value(parameter)) return words_for(parameter, knowledge);
   for (const auto& affordance : parameter.affordances) {
     const auto& pseudo = pseudo_affordances();
     if (std::find(pseudo.begin(), pseudo.end(), affordance) != pseudo.end()) continue;
@@ -103,6 +124,26 @@ std::vector<std::string> all_names(const Parameter& parameter, const Knowledge& 
   std::vector<std::string> names;
   for (const auto& category : knowledge.categories()) names.push_back(category.name);
   return sorted_unique(std::move(names));
+}
+
+bool usual_holds(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
+  const auto* name = bound_to(binding, constraint.arguments[0]);
+  const auto* room = bound_to(binding, constraint.arguments[1]);
+  const auto* category = name == nullptr ? nullptr : knowledge.find(*name);
+  return category != nullptr && room != nullptr &&
+         std::find(category->rooms.begin(), category->rooms.end(), *room) != category->rooms.end();
+}
+
+bool value_holds(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
+  const auto* category = bound_to(binding, constraint.arguments[0]);
+  const auto* value = bound_to(binding, constraint.arguments[1]);
+  const auto* known = category == nullptr ? nullptr : knowledge.find(*category);
+  if (known == nullptr || value == nullptr) return false;
+  for (const auto* list : {&known->colours, &known->materials}) {
+    if (std::find(list->begin(), list->end(), *value) == list->end()) continue;
+    return std::any_of(list->begin(), list->end(), [&](const auto& other) { return told_apart(*value, other); });
+  }
+  return false;
 }
 
 bool is_complete(const DomainConstraint& constraint, const Binding& binding) {
@@ -131,6 +172,10 @@ bool affords(const Parameter& parameter, const std::string& category, const Know
     const auto types = room_types(knowledge);
     return std::binary_search(types.begin(), types.end(), category);
   }
+  if (is_value(parameter)) {
+    const auto words = words_for(parameter, knowledge);
+    return std::binary_search(words.begin(), words.end(), category);
+  }
   const auto* known = knowledge.find(category);
   if (known == nullptr) return false;
   return std::all_of(parameter.affordances.begin(), parameter.affordances.end(), [&](const std::string& affordance) {
@@ -140,6 +185,12 @@ bool affords(const Parameter& parameter, const std::string& category, const Know
     if (affordance == "countable") return known->countable;
     return knowledge.has(category, affordance);
   });
+}
+
+bool is_value(const Parameter& parameter) {
+  return parameter.affordances == std::vector<std::string>{"colour"} ||
+         parameter.affordances == std::vector<std::string>{"material"} ||
+         parameter.affordances == std::vector<std::string>{"substance"};
 }
 
 std::vector<std::string> slices_of(const std::string& category, const Knowledge& knowledge) {
@@ -162,7 +213,15 @@ bool satisfies(const DomainConstraint& constraint, const Binding& binding, const
   const auto* kind = constraint_kind(constraint.kind);
   if (kind == nullptr) return false;
   if (kind->meaning == Meaning::Distinct) return all_distinct(constraint, binding);
+  const auto* first = bound_to(binding, placeholder_use(constraint.arguments[0]).name);
+  const auto* category = first == nullptr ? nullptr : knowledge.find(*first);
+  if (kind->meaning == Meaning::Sizes) return category != nullptr && comes_in_sizes(*category, knowledge);
   if (constraint.arguments.size() < 2) return false;
+  if (kind->meaning == Meaning::Usual) return usual_holds(constraint, binding, knowledge);
+  if (kind->meaning == Meaning::Value) return value_holds(constraint, binding, knowledge);
+  if (kind->meaning == Meaning::Words) {
+    return category != nullptr && !knowledge.aliases_of(category->name, constraint.arguments[1]).empty();
+  }
   return kind->meaning == Meaning::Placement ? placement_holds(constraint, *kind, binding, knowledge)
                                              : effect_holds(constraint, *kind, binding, knowledge);
 }

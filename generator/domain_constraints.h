@@ -12,8 +12,12 @@ namespace unietp {
 /// The types of room that the knowledge base names, sorted: what a placeholder `(R - room)` may become.
 std::vector<std::string> room_types(const Knowledge& knowledge);
 
-/// Whether a category (or a room type, for `room`) has everything that the parameter asks for.
+/// Whether a category (a room type, for `room`; a word, for `colour`, `material`, `substance`) has everything that the
+/// parameter asks for.
 bool affords(const Parameter& parameter, const std::string& category, const Knowledge& knowledge);
+
+/// Whether the parameter stands for a colour, material or substance, not for a category.
+bool is_value(const Parameter& parameter);
 
 /// The categories of the pieces that slicing makes, sorted; the category itself when its slices have none of their own.
 std::vector<std::string> slices_of(const std::string& category, const Knowledge& knowledge);

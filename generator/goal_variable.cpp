@@ -24,19 +24,32 @@ void collect_outer(const Formula& formula, std::vector<GoalVariable>& found) {
   const auto& domain = formula.domain;
   if (domain.kind == Domain::Kind::Categories && domain.members.size() == 1 && !domain.members[0].slice &&
       domain.where.empty()) {
-    found.push_back({formula.variable, domain.members[0].category});
+    found.push_back({formula.variable, domain.members[0].category, Op::Exists, 1});
   }
   collect_outer(formula.children.front(), found);
 }
 
-bool set_domain(Formula& formula, const std::string& variable, const Domain& domain) {
-  if (formula.op == Op::Exists && formula.variable == variable) {
-    formula.domain = domain;
-    return true;
+/// Each one needed: `forall`, `count =` and `count >=`; under no negation, which would turn them round.
+void collect_counted(const Formula& formula, std::vector<GoalVariable>& found) {
+  const auto& domain = formula.domain;
+  const bool plain = domain.kind == Domain::Kind::Categories && domain.members.size() == 1 &&
+                     !domain.members[0].slice && domain.where.empty();
+  const bool count = formula.op == Op::Count && formula.number >= 1 &&
+                     (formula.comparison == Comparison::Equal || formula.comparison == Comparison::AtLeast);
+  if (plain && (count || formula.op == Op::Forall)) {
+    found.push_back({formula.variable, domain.members[0].category, formula.op, count ? formula.number : 2});
   }
-  if (formula.op != Op::And && formula.op != Op::Exists) return false;
-  return std::any_of(formula.children.begin(), formula.children.end(),
-                     [&](Formula& child) { return set_domain(child, variable, domain); });
+  if (formula.op == Op::Not || formula.op == Op::Imply || formula.op == Op::CountCompare) return;
+  for (const auto& child : formula.children) collect_counted(child, found);
+}
+
+void set_domain(Formula& formula, const GoalVariable& variable, const Domain& domain) {
+  const bool same = formula.op == variable.quantifier && formula.variable == variable.variable;
+  if (same && formula.domain == of_category(variable.category)) {
+    formula.domain = domain;
+    return;
+  }
+  for (auto& child : formula.children) set_domain(child, variable, domain);
 }
 
 void collect_bound(const Formula& formula, std::vector<std::string>& names) {
@@ -68,7 +81,16 @@ std::vector<GoalVariable> singular_variables(const Formula& goal) {
   return found;
 }
 
-Formula with_domain(const Formula& goal, const std::string& variable, const Domain& domain) {
+std::vector<GoalVariable> counted_variables(const Formula& goal) {
+  std::map<std::string, int> uses;
+  count_categories(goal, uses);
+  std::vector<GoalVariable> found;
+  collect_counted(goal, found);
+  std::erase_if(found, [&](const GoalVariable& variable) { return uses[variable.category] != 1; });
+  return found;
+}
+
+Formula with_domain(const Formula& goal, const GoalVariable& variable, const Domain& domain) {
   auto changed = goal;
   set_domain(changed, variable, domain);
   return changed;

@@ -71,9 +71,11 @@ std::optional<Specification> by_function(const Specification& plain, const Knowl
 
 }  // namespace
 
-std::optional<Specification> refine_linguistic(const Specification& plain, const Knowledge& knowledge, Rng rng) {
+std::optional<Specification> refine_linguistic(const Specification& plain, const Knowledge& knowledge,
+                                               std::string_view style_asked, Rng rng) {
   if (plain.style != "direct" || plain.split == Split::InstanceGrounding) return std::nullopt;
   std::vector<std::string> styles = {"alias", "function", "context"};
+  if (!style_asked.empty()) styles = {std::string(style_asked)};
   rng.shuffle(styles);
   for (const auto& style : styles) {
     if (style == "function") {

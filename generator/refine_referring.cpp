@@ -1,184 +1,209 @@
 #include <algorithm>
-#include <array>
 
 #include "generator/consistency.h"
-#include "generator/domain_constraints.h"
 #include "generator/goal_variable.h"
-#include "generator/specification.h"
-#include "scene/states.h"
+#include "generator/reference.h"
+#include "generator/refinement.h"
 #include "templates/init_shape.h"
+#include "templates/refinement_kinds.h"
 
 namespace unietp {
 namespace {
 
 using Op = Formula::Op;
 
-constexpr int kStarts = 6;
+constexpr int kMostTried = 24;
 
-/// States that tell one object from another at a glance and stay as they are until the agent changes them.
-constexpr std::array kTellingStates = {Predicate::Open,   Predicate::PowerOn, Predicate::Dirty, Predicate::Hot,
-                                       Predicate::Cool,   Predicate::Cooked,  Predicate::Burnt, Predicate::Frozen,
-                                       Predicate::Soaked, Predicate::Folded};
-
-/// VirtualHome and Habitat keep few states; a task must not refer to one that the simulator cannot show.
-bool shows(Simulator simulator, Predicate state) {
-  if (simulator == Simulator::Habitat) return state == Predicate::Open;
-  if (simulator == Simulator::Virtualhome) return state == Predicate::Open || state == Predicate::PowerOn;
-  return true;
+std::vector<Formula> tests_of(const std::vector<Reference>& references) {
+  std::vector<Formula> tests;
+  for (const auto& reference : references) tests.push_back(reference.test);
+  return tests;
 }
 
-struct Reference {
-  GoalVariable variable;
-  Formula where;  // with the variable free
-  std::string name;
+/// How many objects the reference is to pick out: one for "a mug", two for "both mugs", one more than "two of the
+/// mugs".
+struct Wanted {
+  Comparison comparison = Comparison::Equal;
+  int number = 1;
 };
 
-bool in_group(const StateGroup& group, Predicate predicate) {
-  return std::find(group.predicates.begin(), group.predicates.end(), predicate) != group.predicates.end();
-}
-
-bool concerns(const Formula& start, const std::string& category) {
-  return std::any_of(start.domain.members.begin(), start.domain.members.end(),
-                     [&](const Domain::Member& member) { return !member.slice && member.category == category; });
-}
-
-/// A group of states is free when neither the goal nor the start speaks of it for this category.
-bool is_free(const StateGroup& group, const GoalVariable& variable, const Specification& plain) {
-  for (const auto predicate : predicates_of(plain.goal, variable.variable)) {
-    if (in_group(group, predicate)) return false;
-  }
-  return std::none_of(plain.init.begin(), plain.init.end(), [&](const Formula& start) {
-    if (!concerns(start, variable.category)) return false;
-    const auto literals = start_literals(start);
-    return std::any_of(literals.begin(), literals.end(),
-                       [&](const StartLiteral& l) { return in_group(group, l.predicate); });
-  });
-}
-
-std::vector<Reference> by_state(const Specification& plain, const Knowledge& knowledge) {
-  std::vector<Reference> found;
-  for (const auto& variable : singular_variables(plain.goal)) {
-    for (const auto& group : state_groups()) {
-      if (!knowledge.has(variable.category, group.affordance) || !is_free(group, variable, plain)) continue;
-      for (const auto state : kTellingStates) {
-        if (!in_group(group, state) || !shows(plain.simulator, state)) continue;
-        found.push_back({variable, atom(state, {variable.variable}), "by-state"});
-      }
-    }
-  }
-  return found;
-}
-
-std::string fresh_variable(const Specification& plain) {
-  auto taken = bound_variables(plain.goal);
+Wanted wanted_for(const GoalVariable& variable, const Specification& plain, Rng& rng) {
+  if (variable.quantifier == Op::Exists) return {};
+  if (variable.quantifier == Op::Count) return {Comparison::AtLeast, variable.number + (variable.number < 3 ? 1 : 0)};
+  int least = 2;
   for (const auto& start : plain.init) {
-    for (auto& name : bound_variables(start)) taken.push_back(std::move(name));
+    if (concerns(start, variable.category)) least = std::max(least, demanded_count(start));
   }
-  std::string name = "p";
-  for (int i = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++i)
-    name = std::string("p").append(std::to_string(i));
-  return name;
+  return {least == 2 && rng.chance(0.5) ? Comparison::Equal : Comparison::AtLeast, least};
 }
 
-bool start_needs_place(const Specification& plain, const std::string& category) {
-  return std::any_of(plain.init.begin(), plain.init.end(), [&](const Formula& start) {
-    if (!concerns(start, category)) return false;
-    const auto literals = start_literals(start);
-    return std::any_of(literals.begin(), literals.end(),
-                       [](const StartLiteral& l) { return l.positive && l.relation; });
-  });
+std::optional<Specification> refined_by(const Specification& plain, const Knowledge& knowledge,
+                                        const GoalVariable& variable, const std::vector<Reference>& references,
+                                        std::string_view kind, const Wanted& wanted) {
+  auto refined = plain;
+  auto domain = of_category(variable.category);
+  domain.where = {conjunction(tests_of(references))};
+  refined.goal = with_domain(plain.goal, variable, domain);
+  refined.split = Split::InstanceGrounding;
+  refined.refinement = kind;
+  const auto tests = tests_of(references);
+  if (!demand_referents(refined, variable, tests, wanted.comparison, wanted.number)) return std::nullopt;
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    // Each test excludes something that passes the others: without it the words would pick out more.
+    auto others = tests;
+    others[i] = negation(others[i]);
+    refined.init.push_back(counted(variable, Comparison::AtLeast, 1, conjunction(std::move(others))));
+  }
+  for (const auto& reference : references) {
+    for (const auto& start : reference.start) {
+      if (std::find(refined.init.begin(), refined.init.end(), start) == refined.init.end())
+        refined.init.push_back(start);
+    }
+  }
+  if (contradiction(refined, knowledge) || bad_start(refined, knowledge, kStartsDrawn)) return std::nullopt;
+  return refined;
 }
 
-/// One place a movable object is likely to be found at, drawn by how likely it is; none that the task speaks of, so
-/// that nobody has to guess whether the place or the target is meant.
-std::vector<Reference> by_place(const Specification& plain, const Knowledge& knowledge, Rng rng) {
-  std::vector<Reference> found;
-  auto named = categories_of(plain.goal);
-  for (const auto& [placeholder, category] : plain.binding) named.push_back(category);
-  const auto place_variable = fresh_variable(plain);
-  for (const auto& variable : singular_variables(plain.goal)) {
-    const auto* category = knowledge.find(variable.category);
-    if (category == nullptr || !category->movable || start_needs_place(plain, variable.category)) continue;
-    std::vector<std::pair<Predicate, const Placement*>> places;
-    std::vector<double> weights;
-    for (const auto relation : {Predicate::On, Predicate::Inside}) {
-      for (const auto* row : knowledge.placements_of(variable.category, info(relation).name)) {
-        const auto* receptacle = knowledge.find(row->receptacle);
-        const bool taken = std::find(named.begin(), named.end(), row->receptacle) != named.end();
-        if (receptacle == nullptr || receptacle->movable || taken || row->likelihood <= 0) continue;
-        places.emplace_back(relation, row);
-        weights.push_back(row->likelihood);
+const std::vector<std::string_view>& single_kinds() {
+  static const std::vector<std::string_view> kKinds = {"by-state",    "by-relation", "by-room",
+                                                       "by-nearness", "by-size",     "by-attribute"};
+  return kKinds;
+}
+
+/// Only these say of several objects which are meant: one alone is the nearest or the largest.
+bool picks_several(std::string_view kind) { return kind != "by-nearness" && kind != "by-size"; }
+
+class Refiner {
+ public:
+  Refiner(const Specification& plain, const Knowledge& knowledge, const SceneOffer& offer, Rng rng)
+      : plain_(plain), knowledge_(knowledge), offer_(offer), rng_(rng) {
+    variables_ = singular_variables(plain.goal);
+    for (auto& variable : counted_variables(plain.goal)) variables_.push_back(std::move(variable));
+    rng_.shuffle(variables_);
+    // Movable objects first: a scene can be given one more of them as distractor, seldom one more fridge.
+    std::stable_partition(variables_.begin(), variables_.end(),
+                          [&](const GoalVariable& variable) { return is_movable(variable); });
+  }
+
+  std::optional<Specification> refined(std::string_view kind) {
+    if (kind == "each-its-own") return refine_each_its_own(plain_, knowledge_, offer_, rng_.fork("each", 0));
+    for (const auto& variable : variables_) {
+      if (auto found = kind == "by-two" ? by_two(variable) : by_one(variable, kind)) return found;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool is_movable(const GoalVariable& variable) const {
+    const auto* category = knowledge_.find(variable.category);
+    return category != nullptr && category->movable;
+  }
+
+  std::vector<Reference> offered(const GoalVariable& variable, std::string_view kind) const {
+    if (variable.quantifier != Op::Exists && !picks_several(kind)) return {};
+    auto found = references(kind, variable, plain_, knowledge_, offer_, rng_.fork(kind, 0));
+    if (variable.quantifier == Op::Exists || is_movable(variable) || offer_.now.states.empty()) return found;
+    // Of what cannot be moved the home must have enough already.
+    std::erase_if(found, [&](const Reference& one) {
+      const bool of_body = one.kind == "by-state" || one.kind == "by-attribute";
+      return !of_body && picked_by(one.test, variable, offer_).in < std::max(2, variable.number);
+    });
+    return found;
+  }
+
+  bool spent() { return ++tried_ > kMostTried; }
+
+  std::optional<Specification> by_one(const GoalVariable& variable, std::string_view kind) {
+    for (const auto& reference : offered(variable, kind)) {
+      if (spent()) break;
+      if (auto found = refined_by(plain_, knowledge_, variable, {reference}, kind, wanted_for(variable, plain_, rng_)))
+        return found;
+    }
+    return std::nullopt;
+  }
+
+  /// Of different kinds; only for what can be moved, since the start needs three of them.
+  std::optional<Specification> by_two(const GoalVariable& variable) {
+    if (!is_movable(variable) || variable.quantifier != Op::Exists) return std::nullopt;
+    auto kinds = single_kinds();
+    std::erase_if(kinds, [](std::string_view kind) { return !picks_several(kind); });
+    rng_.shuffle(kinds);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto first = offered(variable, kinds[i]), second = offered(variable, kinds[j]);
+        if (first.empty() || second.empty() || places(kinds[i]) + places(kinds[j]) > 1) continue;
+        if (spent()) return std::nullopt;
+        // A state or attribute comes before a place: "the dirty mug on the desk".
+        const bool turned = places(kinds[i]) > 0;
+        const std::vector<Reference> both{turned ? second.front() : first.front(),
+                                          turned ? first.front() : second.front()};
+        if (auto found = refined_by(plain_, knowledge_, variable, both, "by-two", {})) return found;
       }
     }
-    if (places.empty()) continue;
-    const auto& [relation, row] = places[rng.weighted(weights)];
-    found.push_back(
-        {variable,
-         exists(place_variable, of_category(row->receptacle), atom(relation, {variable.variable, place_variable})),
-         "by-place"});
+    return std::nullopt;
   }
-  return found;
+
+  static int places(std::string_view kind) { return kind == "by-relation" || kind == "by-room" ? 1 : 0; }
+
+  const Specification& plain_;
+  const Knowledge& knowledge_;
+  const SceneOffer& offer_;
+  Rng rng_;
+  std::vector<GoalVariable> variables_;
+  int tried_ = 0;
+};
+
+}  // namespace
+
+Formula counted(const GoalVariable& variable, Comparison comparison, int number, Formula body) {
+  Formula count;
+  count.op = Op::Count;
+  count.comparison = comparison;
+  count.number = number;
+  count.variable = variable.variable;
+  count.domain = of_category(variable.category);
+  count.children = {std::move(body)};
+  return count;
 }
 
-/// Exactly one object that the reference picks out and at least one that it excludes. What is thereby implied goes;
-/// what says that there is just one object leaves no room for a distractor.
-bool demand_distractor(Specification& refined, const Reference& reference) {
-  const auto& [variable, category] = reference.variable;
+bool demand_referents(Specification& refined, const GoalVariable& variable, const std::vector<Formula>& tests,
+                      Comparison comparison, int number) {
   std::vector<Formula> kept;
   for (auto& start : refined.init) {
-    const bool bare =
-        demanded_count(start) >= 1 && start.domain == of_category(category) && start_literals(start).empty();
-    if (bare && start.op == Op::Count && start.comparison == Comparison::Equal && start.number < 2) return false;
-    if (bare && start.comparison != Comparison::Equal && demanded_count(start) <= 2) continue;
-    if (bare && start.op == Op::Exists) continue;
+    if (start.domain != of_category(variable.category) || demanded_count(start) < 1) {
+      kept.push_back(std::move(start));
+      continue;
+    }
+    const auto literals = start_literals(start).size();
+    const bool exactly = start.op == Op::Count && start.comparison == Comparison::Equal;
+    // What says that there are no more leaves no room for a distractor.
+    if (exactly && literals == 0 && start.number <= number) return false;
+    if (!exactly && literals == 0 && demanded_count(start) <= number + 1) continue;  // implied by what follows
+    if (!exactly && literals > 0) {  // what the task is about is what is referred to
+      std::vector<Formula> body = tests;
+      for (auto& test : body) test = rename_variable(test, variable.variable, start.variable);
+      const auto own = start.children.front();
+      body.insert(body.begin(), own.op == Op::And ? own.children.begin() : start.children.begin(),
+                  own.op == Op::And ? own.children.end() : start.children.end());
+      start.children = {conjunction(std::move(body))};
+    }
     kept.push_back(std::move(start));
   }
-  Formula one;
-  one.op = Op::Count;
-  one.comparison = Comparison::Equal;
-  one.number = 1;
-  one.variable = variable;
-  one.domain = of_category(category);
-  one.children = {reference.where};
-  Formula others = one;
-  others.comparison = Comparison::AtLeast;
-  others.children = {negation(reference.where)};
-  kept.push_back(std::move(one));
-  kept.push_back(std::move(others));
+  kept.push_back(counted(variable, comparison, number, conjunction(tests)));
   refined.init = std::move(kept);
   return true;
 }
 
-std::optional<Specification> refined_by(const Specification& plain, const Knowledge& knowledge,
-                                        const Reference& reference) {
-  auto refined = plain;
-  auto domain = of_category(reference.variable.category);
-  domain.where = {reference.where};
-  refined.goal = with_domain(plain.goal, reference.variable.variable, domain);
-  refined.split = Split::InstanceGrounding;
-  refined.refinement = reference.name;
-  if (!demand_distractor(refined, reference)) return std::nullopt;
-  if (contradiction(refined, knowledge) || bad_start(refined, knowledge, kStarts)) return std::nullopt;
-  return refined;
-}
-
-}  // namespace
-
-std::optional<Specification> refine_referring(const Specification& plain, const Knowledge& knowledge, Rng rng) {
-  if (!plain.refinement.empty()) return std::nullopt;
-  std::vector<std::vector<Reference>> kinds = {by_state(plain, knowledge),
-                                               by_place(plain, knowledge, rng.fork("place", 0))};
+std::optional<Specification> refine_referring(const Specification& plain, const Knowledge& knowledge,
+                                              const SceneOffer& offer, std::string_view kind, Rng rng) {
+  if (!plain.refinement.empty() || plain.split == Split::Linguistic) return std::nullopt;
+  std::vector<std::string_view> kinds = single_kinds();
+  kinds.push_back("by-two");
+  kinds.push_back("each-its-own");
+  if (!kind.empty()) kinds = {kind};
   rng.shuffle(kinds);
-  for (auto& references : kinds) rng.shuffle(references);
-  // Movable objects first: a scene can be given one more of them as distractor, seldom one more fridge.
-  for (const bool movable : {true, false}) {
-    for (const auto& references : kinds) {
-      for (const auto& reference : references) {
-        const auto* category = knowledge.find(reference.variable.category);
-        if (category == nullptr || category->movable != movable) continue;
-        if (auto refined = refined_by(plain, knowledge, reference)) return refined;
-      }
-    }
+  for (const auto one : kinds) {
+    if (auto refined = Refiner(plain, knowledge, offer, rng.fork(one, 0)).refined(one)) return refined;
   }
   return std::nullopt;
 }

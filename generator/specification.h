@@ -6,6 +6,7 @@
 
 #include "akb/knowledge.h"
 #include "core/rng.h"
+#include "generator/scene_offer.h"
 #include "logic/formula.h"
 #include "templates/template.h"
 
@@ -14,7 +15,7 @@ namespace unietp {
 /// Categories for the placeholders, in the order of the template's parameters.
 using Binding = std::vector<std::pair<std::string, std::string>>;
 
-/// How an instruction is to be worded: `direct`, or one of the linguistic styles (`alias`, `function`, `context`, …).
+/// How an instruction is to be worded: `direct`, or one of the linguistic styles (`alias`, `function`, …).
 using Style = std::string;
 
 /// A template on a simulator with categories filled in: what grounding has to find a start for.
@@ -26,7 +27,7 @@ struct Specification {
   Formula goal;
   std::vector<Formula> init;  // state formulas over categories, all to hold in the start
   Style style = "direct";
-  std::string refinement;  // "", or the name of the referring constraint ("by-state", "by-place", …)
+  std::string refinement;  // "", or the name of the referring constraint ("referring", "by-state", …)
 };
 
 /// All bindings that satisfy a template's constraints over a knowledge base, in sorted order, at most `limit`.
@@ -42,11 +43,18 @@ std::optional<Binding> sample_binding(const Template& source, const Knowledge& k
 /// in every start that meets `init`.
 Result<Specification> instantiate(const Template& source, const Knowledge& knowledge, const Binding& binding);
 
-/// Refinements. Each gives the specification in another split, or nullopt when it does not apply.
-/// Referring: one placeholder's domain gets a `:where` by state ("the dirty mug"), place ("the mug on the desk") or
-/// colour, and the start gets the distractor that the constraint excludes.
-std::optional<Specification> refine_referring(const Specification& plain, const Knowledge& knowledge, Rng rng);
+/// Refinements. Each gives the specification in another split, or nullopt when it does not apply. `kind` is one of
+/// refinement_kinds(); "" lets the generator choose among all that fit.
+/// Referring: a placeholder's domain gets a `:where` that singles out what is meant, and the start the objects that it
+/// excludes ("the dirty mug", "both mugs in the kitchen"). What `offer` shows of the home decides what can be said of
+/// things that stay where they are.
+std::optional<Specification> refine_referring(const Specification& plain, const Knowledge& knowledge,
+                                              const SceneOffer& offer, std::string_view kind, Rng rng);
+/// Whether a home has what a specification refers to, as far as no edit of a start brings it about: numbers of
+/// furniture and rooms, and where furniture stands. True when nothing is known of the home.
+bool can_refer(const Specification& specification, const Knowledge& knowledge, const SceneOffer& offer);
 /// Linguistic: the same goal, another style of wording that the AKB has material for.
-std::optional<Specification> refine_linguistic(const Specification& plain, const Knowledge& knowledge, Rng rng);
+std::optional<Specification> refine_linguistic(const Specification& plain, const Knowledge& knowledge,
+                                               std::string_view kind, Rng rng);
 
 }  // namespace unietp

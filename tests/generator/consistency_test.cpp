@@ -22,7 +22,7 @@ Specification with(const std::string& goal_text, const std::vector<std::string>&
 }
 
 std::string why_not(const std::string& goal_text, const std::vector<std::string>& init = {}) {
-  return contradiction(with(goal_text, init), small_home(Simulator::Ai2thor)).value_or("");
+  return contradiction(with(goal_text, init), small_home(Simulator::Ai2thor)).value_or(GateRefusal{}).reason;
 }
 
 TEST(Contradiction, OneObjectInTwoExclusiveStates) {
@@ -45,6 +45,21 @@ TEST(Contradiction, OneObjectInTwoPlaces) {
   EXPECT_NE(why_not("(exists (?a - Mug) (exists (?b - Table) (exists (?c - Fridge) (at-end (and (on ?a ?b) (inside ?a "
                     "?c))))))"),
             "");
+}
+
+TEST(Contradiction, DifferentObjectsMayBeInDifferentPlacesAndStates) {
+  EXPECT_EQ(why_not("(and (forall (?a - (Bread :where (cooked ?a))) (at-end (exists (?b - Table) (on ?a ?b)))) "
+                    "(forall (?a - (Bread :where (raw ?a))) (at-end (exists (?c - Shelf) (on ?a ?c)))))"),
+            "");
+  EXPECT_EQ(why_not("(and (exists (?a - Mug) (at-end (hot ?a))) (exists (?a - Mug) (at-end (cool ?a))))"), "");
+}
+
+TEST(Contradiction, AllObjectsInTwoPlacesOrStates) {
+  EXPECT_NE(why_not("(and (forall (?a - Mug) (at-end (exists (?b - Table) (on ?a ?b)))) "
+                    "(forall (?x - Mug) (at-end (exists (?c - Shelf) (on ?x ?c)))))")
+                .find("two places: (on ?a ?b) and (on ?a ?c)"),
+            std::string::npos);
+  EXPECT_NE(why_not("(and (forall (?a - Mug) (at-end (hot ?a))) (forall (?b - Mug) (at-end (cool ?b))))"), "");
 }
 
 TEST(Contradiction, MoreObjectsThanFit) {
@@ -88,7 +103,9 @@ TEST(BadStart, LooksAtEachPartAndNotOnlyAtTheWhole) {
 TEST(BadStart, SaysSoWhenNoStartExists) {
   const auto spec = with("(exists (?a - Mug) (at-end (held ?a)))",
                          {"(forall (?a - Mug) (dirty ?a))", "(exists (?a - Mug) (clean ?a))"});
-  EXPECT_EQ(bad_start(spec, small_home(Simulator::Ai2thor), 1), "no start was found that meets all of init");
+  const auto refusal = bad_start(spec, small_home(Simulator::Ai2thor), 1);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->gate, Gate::Start);
 }
 
 TEST(GoalParts, AreTheConjunctsWithTheirQuantifiers) {

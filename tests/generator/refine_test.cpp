@@ -35,36 +35,158 @@ std::pair<std::size_t, std::size_t> picked_and_excluded(const Formula& quantifie
   return {picked, all - picked};
 }
 
-TEST(RefineReferring, PicksOutOneObjectAndExcludesADistractorInEveryStart) {
+/// What the referring domain of a quantifier has to pick out: one for `exists`; of a `forall` or count several.
+bool enough(const Formula& quantifier, std::size_t picked) {
+  return quantifier.op == Formula::Op::Exists ? picked == 1 : picked >= 2;
+}
+
+/// Those whose `:where` speaks of no outer variable.
+void collect_referring(const Formula& formula, std::vector<const Formula*>& found) {
+  const auto& where = formula.domain.where;
+  if (!where.empty() && free_variables(where.front()) == std::vector{formula.variable}) found.push_back(&formula);
+  for (const auto& child : formula.children) collect_referring(child, found);
+}
+
+/// A home in which there is something to refer by: rooms and landmarks that it has once, and what a start asks for.
+SceneOffer offer_with(const std::vector<std::string>& categories) {
+  SceneOffer offer;
+  Facts facts;
+  const auto add = [&](const std::string& name, Entity::Kind kind) {
+    facts.set_exists(static_cast<EntityIndex>(offer.now.entities.size()));
+    offer.now.entities.push_back({kind, name + std::to_string(offer.now.entities.size()), name, ""});
+  };
+  for (const auto* room : {"Kitchen", "LivingRoom"}) add(room, Entity::Kind::Room);
+  for (const auto& name : categories) add(name, Entity::Kind::Object);
+  offer.now.states.push_back(facts);
+  return offer;
+}
+
+SceneOffer small_offer() {
+  return offer_with({"Lamp", "Television", "Counter", "Table", "Shelf", "Sink", "Fridge", "Cabinet", "Bowl", "Book"});
+}
+
+class ReferringKind : public testing::TestWithParam<std::string> {};
+
+TEST_P(ReferringKind, SinglesOutWhatIsMeantAndLeavesADistractorInEveryStart) {
   const auto knowledge = small_home(Simulator::Ai2thor);
-  int refined_templates = 0;
+  std::size_t starts = 0, refined_goals = 0;
   for (const auto& source : library()) {
+    if (!is_meant_for(source, Simulator::Ai2thor) || !source.refinement.empty()) continue;
     SCOPED_TRACE(source.name);
-    std::size_t starts = 0;
-    bool any = false;
-    for (std::uint64_t seed = 0; seed < 5; ++seed) {
-      const auto plain = instantiate(source, knowledge, *sample_binding(source, knowledge, {}, Rng(seed)));
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+      const auto binding = sample_binding(source, knowledge, {}, Rng(seed).fork(source.name, 0));
+      if (!binding) break;
+      const auto plain = instantiate(source, knowledge, *binding);
       ASSERT_TRUE(plain);
-      const auto refined = refine_referring(*plain, knowledge, Rng(seed));
+      const auto refined = refine_referring(*plain, knowledge, small_offer(), GetParam(), Rng(seed));
       if (!refined) continue;
-      any = true;
+      ++refined_goals;
       EXPECT_EQ(refined->split, Split::InstanceGrounding);
-      EXPECT_TRUE(refined->refinement == "by-state" || refined->refinement == "by-place");
-      const auto* quantifier = referring(refined->goal);
-      ASSERT_NE(quantifier, nullptr);
-      for (const auto& start : starts_by_rejection(*refined, knowledge, Rng(seed).fork("starts", 1), 2500)) {
+      EXPECT_EQ(refined->refinement, GetParam());
+      std::vector<const Formula*> quantifiers;
+      collect_referring(refined->goal, quantifiers);
+      ASSERT_EQ(quantifiers.size(), GetParam() == "each-its-own" ? 2U : 1U) << to_text(refined->goal);
+      for (const auto& start : starts_by_rejection(*refined, knowledge, Rng(seed).fork("starts", 1), 300)) {
         ++starts;
-        const auto [picked, excluded] = picked_and_excluded(*quantifier, start);
-        ASSERT_EQ(picked, 1U) << to_text(refined->goal);
-        ASSERT_GE(excluded, 1U) << to_text(refined->goal);
+        for (const auto* quantifier : quantifiers) {
+          const auto [picked, excluded] = picked_and_excluded(*quantifier, start);
+          ASSERT_TRUE(enough(*quantifier, picked)) << picked << " of " << to_text(refined->goal);
+          ASSERT_GE(excluded, 1U) << to_text(refined->goal);
+        }
         ASSERT_FALSE(holds(refined->goal, start));
         for (const auto& part : goal_parts(refined->goal)) ASSERT_FALSE(holds(part, start)) << to_text(part);
       }
     }
-    refined_templates += any ? 1 : 0;
-    EXPECT_TRUE(!any || starts >= 5U) << "too few random starts met the constraints for the test to say anything";
   }
-  EXPECT_GE(refined_templates, 20);
+  EXPECT_GE(refined_goals, 5U);
+  EXPECT_GE(starts, 5U) << "too few random starts met the constraints for the test to say anything";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ReferringKind,
+                         testing::Values("by-state", "by-relation", "by-room", "by-nearness", "by-size", "by-attribute",
+                                         "by-two", "each-its-own"),
+                         [](const auto& parameter) {
+                           std::string name = parameter.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(RefineReferring, ChoosesAmongAllKindsWhenNoneIsAskedFor) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}});
+  std::set<std::string> kinds;
+  for (std::uint64_t seed = 0; seed < 80; ++seed) {
+    if (const auto refined = refine_referring(plain, knowledge, small_offer(), "", Rng(seed))) {
+      kinds.insert(refined->refinement);
+    }
+  }
+  EXPECT_EQ(kinds, (std::set<std::string>{"by-attribute", "by-nearness", "by-relation", "by-room", "by-size",
+                                          "by-state", "by-two"}));
+}
+
+TEST(RefineReferring, AColourLeavesNothingThatCouldBeTakenForIt) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}});
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto refined = refine_referring(plain, knowledge, {}, "by-attribute", Rng(seed));
+    ASSERT_TRUE(refined);
+    const auto said = to_text(referring(refined->goal)->domain.where.front());
+    std::set<std::string> starts;
+    for (const auto& start : refined->init) starts.insert(to_text(start));
+    EXPECT_TRUE(starts.contains("(forall (?a - Mug) (colour ?a any))"));
+    EXPECT_EQ(starts.contains("(forall (?a - Mug) (not (colour ?a orange)))"), said == "(colour ?a red)") << said;
+  }
+}
+
+TEST(RefineReferring, WhatCannotBeMovedIsReferredToOnlyAsTheHomeHasIt) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto plain = made("open-one", {{"A", "Fridge"}});
+  EXPECT_FALSE(refine_referring(plain, knowledge, offer_with({"Fridge", "Table"}), "by-room", Rng(1)));
+  auto two = offer_with({"Fridge", "Fridge", "Table"});
+  two.now.states[0].set(Predicate::InRoom, 2, 0);
+  two.now.states[0].set(Predicate::InRoom, 3, 1);
+  const auto refined = refine_referring(plain, knowledge, two, "by-room", Rng(1));
+  ASSERT_TRUE(refined);
+  EXPECT_EQ(referring(refined->goal)->domain.where.front().domain.members.size(), 1U);
+}
+
+TEST(CanRefer, AsksTheHomeForFurnitureAndLeavesTheRestToGrounding) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  Specification specification;
+  const auto needs = [&](const char* start) {
+    const auto formula = parse_formula("test", start, FormulaUse::State);
+    EXPECT_TRUE(formula) << start;
+    specification.init = {*formula};
+  };
+  auto two = offer_with({"Fridge", "Fridge", "Table", "Mug"});
+  two.now.states[0].set(Predicate::InRoom, 2, 0);
+  two.now.states[0].set(Predicate::InRoom, 3, 1);
+  needs("(count = 1 (?a - Fridge) (exists (?r - Kitchen) (in_room ?a ?r)))");
+  EXPECT_TRUE(can_refer(specification, knowledge, two));
+  EXPECT_FALSE(can_refer(specification, knowledge, offer_with({"Table"})));
+  EXPECT_TRUE(can_refer(specification, knowledge, {})) << "nothing is known of the home";
+  needs("(count = 1 (?a - Fridge) (and))");
+  EXPECT_FALSE(can_refer(specification, knowledge, two));
+  needs("(count = 1 (?a - Fridge) (open ?a))");
+  EXPECT_TRUE(can_refer(specification, knowledge, two)) << "grounding opens and closes";
+  needs("(count = 1 (?a - Mug) (exists (?b - Shelf) (on ?a ?b)))");
+  EXPECT_TRUE(can_refer(specification, knowledge, two)) << "grounding moves mugs";
+}
+
+TEST(RefineReferring, BothAndTwoOfAreAboutAsManyAsTheStartHas) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  const auto all = made("wash-all", {{"A", "Mug"}, {"T", "Sink"}});
+  bool both = false;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto refined = refine_referring(all, knowledge, small_offer(), "by-attribute", Rng(seed));
+    ASSERT_TRUE(refined);
+    const auto* quantifier = referring(refined->goal);
+    EXPECT_EQ(quantifier->op, Formula::Op::Forall);
+    for (const auto& start : refined->init) {
+      both = both || (start.op == Formula::Op::Count && start.comparison == Comparison::Equal && start.number == 2);
+    }
+  }
+  EXPECT_TRUE(both);
 }
 
 TEST(RefineReferring, NeverRefersByAStateThatTheGoalChanges) {
@@ -72,7 +194,7 @@ TEST(RefineReferring, NeverRefersByAStateThatTheGoalChanges) {
   const auto plain = made("wash-one", {{"A", "Mug"}, {"T", "Sink"}});
   std::set<std::string> wheres;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const auto refined = refine_referring(plain, knowledge, Rng(seed));
+    const auto refined = refine_referring(plain, knowledge, {}, "", Rng(seed));
     ASSERT_TRUE(refined);
     wheres.insert(to_text(referring(refined->goal)->domain.where.front()));
   }
@@ -85,10 +207,9 @@ TEST(RefineReferring, NeverNamesThePlaceThatTheGoalIsAbout) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   const auto plain = made("place-one-on", {{"A", "Book"}, {"B", "Table"}});
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const auto refined = refine_referring(plain, knowledge, Rng(seed));
+    const auto refined = refine_referring(plain, knowledge, small_offer(), "by-relation", Rng(seed));
     ASSERT_TRUE(refined);
-    EXPECT_EQ(refined->refinement, "by-place");  // a Book has no states here
-    EXPECT_EQ(referring(refined->goal)->domain.where.front().domain.members[0].category == "Table", false);
+    EXPECT_NE(referring(refined->goal)->domain.where.front().domain.members[0].category, "Table");
   }
 }
 
@@ -97,35 +218,33 @@ TEST(RefineReferring, KeepsToStatesThatTheSimulatorShows) {
     const auto knowledge = small_home(simulator);
     const auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}}, simulator);
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      const auto refined = refine_referring(plain, knowledge, Rng(seed));
-      ASSERT_TRUE(refined);
-      EXPECT_EQ(refined->refinement, "by-place");
+      EXPECT_FALSE(refine_referring(plain, knowledge, small_offer(), "by-state", Rng(seed)));
     }
   }
 }
 
-TEST(RefineReferring, LeavesGoalsAboutAllOrCountedObjectsAlone) {
+TEST(RefineReferring, LeavesNumbersWithAnUpperLimitAlone) {
   const auto knowledge = small_home(Simulator::Ai2thor);
-  for (const auto* name : {"wash-all", "open-all", "place-exactly-two-on", "place-one-on-each"}) {
-    const auto& source = library_template(name);
-    const auto plain = instantiate(source, knowledge, *sample_binding(source, knowledge, {}, Rng(1)));
-    ASSERT_TRUE(plain);
-    const auto refined = refine_referring(*plain, knowledge, Rng(1));
-    if (refined) {  // then it refers to the receptacle, never to the counted objects
-      EXPECT_NE(referring(refined->goal)->domain.members[0].category, plain->binding[0].second) << name;
-    }
+  const auto& source = library_template("two-and-at-most-one-on");
+  const auto plain = instantiate(source, knowledge, *sample_binding(source, knowledge, {}, Rng(1)));
+  ASSERT_TRUE(plain);
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const auto refined = refine_referring(*plain, knowledge, small_offer(), "", Rng(seed));
+    if (!refined) continue;
+    const auto* quantifier = referring(refined->goal);
+    EXPECT_FALSE(quantifier->op == Formula::Op::Count && quantifier->comparison == Comparison::AtMost);
   }
 }
 
 TEST(RefineReferring, IsDeterministicAndDoesNotRefineTwice) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   const auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}});
-  const auto first = refine_referring(plain, knowledge, Rng(5));
-  const auto second = refine_referring(plain, knowledge, Rng(5));
+  const auto first = refine_referring(plain, knowledge, {}, "", Rng(5));
+  const auto second = refine_referring(plain, knowledge, {}, "", Rng(5));
   ASSERT_TRUE(first && second);
   EXPECT_EQ(first->goal, second->goal);
   EXPECT_EQ(first->init, second->init);
-  EXPECT_FALSE(refine_referring(*first, knowledge, Rng(5)));
+  EXPECT_FALSE(refine_referring(*first, knowledge, {}, "", Rng(5)));
 }
 
 TEST(RefineLinguistic, FunctionAcceptsEveryCategoryThatServes) {
@@ -133,7 +252,7 @@ TEST(RefineLinguistic, FunctionAcceptsEveryCategoryThatServes) {
   const auto plain = made("place-one-on", {{"A", "Mug"}, {"B", "Table"}});
   bool seen = false;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    const auto refined = refine_linguistic(plain, knowledge, Rng(seed));
+    const auto refined = refine_linguistic(plain, knowledge, "", Rng(seed));
     ASSERT_TRUE(refined);
     EXPECT_EQ(refined->split, Split::Linguistic);
     if (refined->style != "function") {
@@ -154,7 +273,7 @@ TEST(RefineLinguistic, FunctionAcceptsEveryCategoryThatServes) {
 TEST(RefineLinguistic, ContextAndAliasKeepTheGoal) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   const auto plain = made("place-one-on", {{"A", "Apple"}, {"B", "Table"}});
-  const auto refined = refine_linguistic(plain, knowledge, Rng(1));
+  const auto refined = refine_linguistic(plain, knowledge, "", Rng(1));
   ASSERT_TRUE(refined);
   EXPECT_EQ(refined->style, "context");
   EXPECT_EQ(refined->goal, plain.goal);
@@ -162,8 +281,8 @@ TEST(RefineLinguistic, ContextAndAliasKeepTheGoal) {
 
 TEST(RefineLinguistic, DoesNotApplyWithoutWordsForIt) {
   const auto knowledge = small_home(Simulator::Ai2thor);
-  EXPECT_FALSE(refine_linguistic(made("place-one-on", {{"A", "Plate"}, {"B", "Table"}}), knowledge, Rng(1)));
-  EXPECT_FALSE(refine_linguistic(made("open-one", {{"A", "Fridge"}}), knowledge, Rng(1)));
+  EXPECT_FALSE(refine_linguistic(made("place-one-on", {{"A", "Plate"}, {"B", "Table"}}), knowledge, "", Rng(1)));
+  EXPECT_FALSE(refine_linguistic(made("open-one", {{"A", "Fridge"}}), knowledge, "", Rng(1)));
 }
 
 }  // namespace

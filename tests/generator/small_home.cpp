@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
@@ -46,12 +47,17 @@ Knowledge small_home(Simulator simulator) {
     afford(name, {"pickupable"});
   }
   for (const auto& name : furniture) categories.push_back(category(name, false));
+  for (auto& known : categories) {
+    if (known.name == "Mug" || known.name == "Book") known.colours = {"blue", "orange", "red"};
+    if (known.name == "Table" || known.name == "Shelf") known.materials = {"glass", "wood"};
+  }
   for (const auto* name : {"Bowl", "Mug", "Plate", "Pot"}) afford(name, {"dirtyable", "heatable"});
   for (const auto* name : {"Apple", "Bread"}) afford(name, {"sliceable", "heatable", "cookable"});
   for (const auto* name : {"Cabinet", "Drawer", "Fridge", "Microwave"}) afford(name, {"container", "openable"});
   for (const auto* name : {"Counter", "Shelf", "Table"}) afford(name, {"receptacle"});
   for (const auto* name : {"Lamp", "Microwave", "Television"}) afford(name, {"switchable"});
   afford("Sink", {"container"});
+  for (const auto* name : {"Bowl", "Mug", "Pot"}) afford(name, {"fillable"});
 
   std::vector<Placement> placements;
   std::vector<Effect> effects;
@@ -68,13 +74,19 @@ Knowledge small_home(Simulator simulator) {
     effects.push_back({"Microwave", "heats", name, "", 0, {"closed", "power_on"}, kCurated});
     effects.push_back({"Fridge", "cools", name, "", 0, {"closed"}, kCurated});
   }
+  for (const auto* name : {"Bowl", "Mug", "Pot"}) effects.push_back({"Sink", "fills", name, "water", 0, {}, kCurated});
+  for (const auto* name : {"Bowl", "Pot"}) {
+    for (const auto* top : {"Counter", "Table"}) placements.push_back({name, "next_to", top, 0.5, 1, kCurated});
+  }
+  placements.push_back({"Lamp", "on", "Table", 0.5, 1, kCurated});
   effects.push_back({"Knife", "slices", "Apple", "AppleSliced", 4, {"held"}, kCurated});
   effects.push_back({"Knife", "slices", "Bread", "BreadSliced", 6, {"held"}, kCurated});
   std::vector<Alias> aliases = {{"Mug", "something to drink from", "function", kCurated},
                                 {"Bowl", "something to drink from", "function", kCurated},
                                 {"Mug", "coffee cup", "synonym", kCurated},
                                 {"Book", "reading matter", "synonym", kCurated},
-                                {"Apple", "I am hungry for fruit.", "context", kCurated}};
+                                {"Apple", "I am hungry for fruit.", "context", kCurated},
+                                {"Pot", "I want to cook soup.", "context", kCurated}};
   return Knowledge(simulator, std::move(categories), std::move(affordances), std::move(placements), std::move(effects),
                    std::move(aliases));
 }
@@ -90,6 +102,10 @@ const Template& library_template(const std::string& name) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Template& t) { return t.name == name; });
   if (found == all.end()) throw std::runtime_error("no template " + name);
   return *found;
+}
+
+bool is_meant_for(const Template& source, Simulator simulator) {
+  return std::find(source.simulators.begin(), source.simulators.end(), simulator) != source.simulators.end();
 }
 
 bool fits_by_scan(const Template& source, const Binding& binding, const Knowledge& knowledge) {
@@ -110,11 +126,27 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
   for (const auto& parameter : source.parameters) {
     const auto name = category_of(parameter.name);
     for (const auto& wanted : parameter.affordances) {
-      if (wanted == "any" || wanted == "countable") continue;  // all of small_home is countable
+      if (wanted == "room" || wanted == "colour" || wanted == "material") {
+        bool word = false;
+        for (const auto& known : knowledge.categories()) {
+          const auto& words = wanted == "room" ? known.rooms : wanted == "colour" ? known.colours : known.materials;
+          word = word || std::find(words.begin(), words.end(), name) != words.end();
+        }
+        if (!word) return false;
+        continue;
+      }
+      if (wanted == "substance") {
+        bool word = false;
+        for (const auto& effect : knowledge.effects()) word = word || (!name.empty() && effect.gives == name);
+        if (!word) return false;
+        continue;
+      }
+      if (wanted == "any") continue;
       bool found = false;
       for (const auto& known : knowledge.categories()) {
         found = found || (known.name == name &&
-                          ((wanted == "furniture" && !known.movable) || (wanted == "movable" && known.movable)));
+                          ((wanted == "furniture" && !known.movable) || (wanted == "movable" && known.movable) ||
+                           (wanted == "countable" && known.countable)));
       }
       for (const auto& fact : knowledge.affordances()) {
         found = found || (fact.category == name && fact.affordance == wanted);
@@ -130,17 +162,35 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
       if (names.size() != arguments.size()) return false;
       continue;
     }
-    bool found = false;
-    if (constraint.kind.starts_with("fits-")) {
+    bool found = constraint.kind == "comes-in-sizes";  // nothing has models here, so all may be scaled
+    if (constraint.kind == "comes-in") {
+      const auto* known = knowledge.find(category_of(arguments[0]));
+      auto words = known->colours;
+      words.insert(words.end(), known->materials.begin(), known->materials.end());
+      const auto value = category_of(arguments[1]);
+      const auto alike = value == "red" ? "orange" : value == "orange" ? "red" : "";
+      found = std::count(words.begin(), words.end(), value) == 1 &&
+              words.size() > 1 + static_cast<std::size_t>(std::count(words.begin(), words.end(), alike));
+    } else if (constraint.kind == "found-in") {
+      const auto& rooms = knowledge.find(category_of(arguments[0]))->rooms;
+      found = std::count(rooms.begin(), rooms.end(), category_of(arguments[1])) > 0;
+    } else if (constraint.kind == "has-words") {
+      for (const auto& alias : knowledge.aliases()) {
+        found = found || (alias.category == category_of(arguments[0]) && alias.kind == arguments[1]);
+      }
+    } else if (constraint.kind.starts_with("fits-")) {
       const int wanted = arguments.size() > 2 ? std::stoi(arguments[2]) : 1;
+      const auto relation = replace_all(constraint.kind.substr(5), "-", "_");
       for (const auto& row : knowledge.placements()) {
         found = found || (row.object == category_of(arguments[0]) && row.receptacle == category_of(arguments[1]) &&
-                          row.relation == constraint.kind.substr(5) && row.capacity >= wanted);
+                          row.relation == relation && row.capacity >= wanted);
       }
-    } else {
+    } else if (!found) {
       for (const auto& row : knowledge.effects()) {
-        found = found || (row.tool == category_of(arguments[0]) && row.target == category_of(arguments[1]) &&
-                          row.effect == constraint.kind);
+        found =
+            found || (row.tool == category_of(arguments[0]) && row.target == category_of(arguments[1]) &&
+                      row.effect == constraint.kind &&
+                      (arguments.size() < 3 || row.gives == arguments[2] || row.gives == category_of(arguments[2])));
       }
     }
     if (!found) return false;
@@ -148,12 +198,54 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
   return true;
 }
 
+namespace {
+
+/// Rooms, neighbours, colours, materials, and sizes and nearness from volumes and places along a line.
+void draw_comparisons(const std::vector<Entity>& entities, const Knowledge& knowledge, Rng& rng, Facts& facts) {
+  using enum Predicate;
+  std::vector<int> volume, place;
+  for (std::size_t i = 0; i < entities.size(); ++i) {
+    volume.push_back(static_cast<int>(10 + 4 * rng.below(8)));
+    place.push_back(static_cast<int>(rng.below(40)));
+  }
+  for (EntityIndex x = 0; x < entities.size(); ++x) {
+    const auto* category = knowledge.find(entities[x].category);
+    if (category == nullptr) continue;
+    if (!category->colours.empty()) facts.set(Colour, x, rng.pick(category->colours));
+    if (!category->materials.empty()) facts.set(Material, x, rng.pick(category->materials));
+    int others = 0;
+    bool large = true, small = true;
+    for (EntityIndex y = 0; y < entities.size(); ++y) {
+      if (entities[y].kind == Entity::Kind::Room && rng.chance(0.5)) facts.set(InRoom, x, y);
+      if (entities[y].kind == Entity::Kind::Room || x == y) continue;
+      if (rng.chance(0.1)) facts.set(NextTo, x, y);
+      if (entities[y].category == entities[x].category) {
+        ++others;
+        large = large && 10 * volume[x] >= 13 * volume[y];
+        small = small && 10 * volume[y] >= 13 * volume[x];
+      }
+      bool nearest = true;  // in tenths of a metre
+      for (EntityIndex z = 0; z < entities.size(); ++z) {
+        if (z == x || z == y || entities[z].category != entities[x].category) continue;
+        const int own = std::abs(place[x] - place[y]), more = std::abs(place[z] - place[y]) - own;
+        nearest = nearest && 2 * more >= 5 && 5 * more >= own;
+      }
+      if (nearest) facts.set(Nearest, x, y);
+    }
+    if (others > 0 && large) facts.set(Size, x, std::string("large"));
+    if (others > 0 && small) facts.set(Size, x, std::string("small"));
+  }
+}
+
+}  // namespace
+
 std::vector<Trace> starts_by_rejection(const Specification& specification, const Knowledge& knowledge, Rng rng,
                                        int tries) {
   using enum Predicate;
   const std::vector<std::pair<std::string, std::vector<Predicate>>> groups = {
       {"openable", {Closed, Open}},   {"switchable", {PowerOff, PowerOn}}, {"dirtyable", {Clean, Dirty}},
-      {"sliceable", {Whole, Sliced}}, {"cookable", {Raw, Cooked}},         {"heatable", {RoomTemperature, Hot, Cool}}};
+      {"sliceable", {Whole, Sliced}}, {"cookable", {Raw, Cooked}},         {"heatable", {RoomTemperature, Hot, Cool}},
+      {"fillable", {Empty}}};
   std::set<std::string> names;
   for (const auto& name : categories_of(specification.goal)) names.insert(name);
   for (const auto& start : specification.init) {
@@ -166,10 +258,14 @@ std::vector<Trace> starts_by_rejection(const Specification& specification, const
     for (const auto& name : names) {
       const auto number = 1 + rng.below(3);
       for (std::uint64_t n = 0; n < number; ++n) {
+        const bool room = knowledge.find(name) == nullptr;
+        if (room && n > 0) break;
         facts.set_exists(static_cast<EntityIndex>(trace.entities.size()));
-        trace.entities.push_back({Entity::Kind::Object, name + std::to_string(n), name, ""});
+        trace.entities.push_back(
+            {room ? Entity::Kind::Room : Entity::Kind::Object, name + std::to_string(n), name, ""});
       }
     }
+    draw_comparisons(trace.entities, knowledge, rng, facts);
     // Objects of one category mostly share a state or a place, else hardly any start would meet `forall` constraints.
     const bool alike = rng.chance(0.5);
     for (const auto& name : names) {

@@ -9,12 +9,14 @@
 
 namespace unietp {
 
-/// A knowledge base of some twenty categories, written by hand, that can fill every template of the library.
+/// A knowledge base of some twenty categories, written by hand.
 Knowledge small_home(Simulator simulator);
 
 /// The templates of the library; fails the test when one does not load.
 const std::vector<Template>& library();
 const Template& library_template(const std::string& name);
+
+bool is_meant_for(const Template& source, Simulator simulator);
 
 /// An independent reading of the constraints of a template over the tables of `knowledge`, by scanning their rows.
 bool fits_by_scan(const Template& source, const Binding& binding, const Knowledge& knowledge);

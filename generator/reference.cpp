@@ -1,0 +1,156 @@
+#include "generator/reference.h"
+
+#include <algorithm>
+#include <array>
+
+#include "akb/attributes.h"
+#include "logic/evaluate.h"
+#include "scene/states.h"
+#include "templates/init_shape.h"
+
+namespace unietp {
+namespace {
+
+/// States that tell one object from another at a glance and stay as they are until the agent changes them.
+constexpr std::array kTellingStates = {Predicate::Open,   Predicate::PowerOn, Predicate::Dirty, Predicate::Hot,
+                                       Predicate::Cool,   Predicate::Cooked,  Predicate::Burnt, Predicate::Frozen,
+                                       Predicate::Soaked, Predicate::Folded};
+
+/// VirtualHome and Habitat keep few states; a task must not refer to one that the simulator cannot show.
+bool shows(Simulator simulator, Predicate state) {
+  if (simulator == Simulator::Habitat) return state == Predicate::Open;
+  if (simulator == Simulator::Virtualhome) return state == Predicate::Open || state == Predicate::PowerOn;
+  return true;
+}
+
+bool in_group(const StateGroup& group, Predicate predicate) {
+  return std::find(group.predicates.begin(), group.predicates.end(), predicate) != group.predicates.end();
+}
+
+/// A group of states is free when neither the goal nor the start speaks of it for this category.
+bool is_free(const StateGroup& group, const GoalVariable& variable, const Specification& plain) {
+  for (const auto predicate : predicates_of(plain.goal, variable.variable)) {
+    if (in_group(group, predicate)) return false;
+  }
+  return std::none_of(plain.init.begin(), plain.init.end(), [&](const Formula& start) {
+    if (!concerns(start, variable.category)) return false;
+    const auto literals = start_literals(start);
+    return std::any_of(literals.begin(), literals.end(),
+                       [&](const StartLiteral& l) { return in_group(group, l.predicate); });
+  });
+}
+
+std::vector<Reference> by_state(const GoalVariable& variable, const Specification& plain, const Knowledge& knowledge) {
+  std::vector<Reference> found;
+  for (const auto& group : state_groups()) {
+    if (!knowledge.has(variable.category, group.affordance) || !is_free(group, variable, plain)) continue;
+    for (const auto state : kTellingStates) {
+      if (!in_group(group, state) || !shows(plain.simulator, state)) continue;
+      found.push_back({"by-state", atom(state, {variable.variable}), {}});
+    }
+  }
+  return found;
+}
+
+std::vector<Reference> by_size(const GoalVariable& variable, const Knowledge& knowledge) {
+  const auto* category = knowledge.find(variable.category);
+  std::vector<Reference> found;
+  if (category == nullptr || !category->countable || !comes_in_sizes(*category, knowledge)) return found;
+  for (const char* size : {"large", "small"}) {
+    found.push_back({"by-size", atom_with_symbol(Predicate::Size, variable.variable, size), {}});
+  }
+  return found;
+}
+
+/// A colour is said of objects that all have one, and none of which has one that could be taken for it.
+void add_values(const GoalVariable& variable, Predicate predicate, const std::vector<std::string>& values,
+                std::vector<Reference>& found) {
+  const auto of_all = [&](Formula body) {
+    return forall(variable.variable, of_category(variable.category), std::move(body));
+  };
+  for (const auto& value : values) {
+    const bool another =
+        std::any_of(values.begin(), values.end(), [&](const auto& other) { return told_apart(value, other); });
+    if (!another) continue;
+    Reference reference{"by-attribute", atom_with_symbol(predicate, variable.variable, value), {}};
+    reference.start.push_back(of_all(atom_with_symbol(predicate, variable.variable, "any")));
+    for (const auto& other : values) {
+      if (other == value || told_apart(value, other)) continue;
+      reference.start.push_back(of_all(negation(atom_with_symbol(predicate, variable.variable, other))));
+    }
+    found.push_back(std::move(reference));
+  }
+}
+
+std::vector<Reference> by_attribute(const GoalVariable& variable, const Knowledge& knowledge) {
+  std::vector<Reference> found;
+  const auto* category = knowledge.find(variable.category);
+  if (category == nullptr) return found;
+  add_values(variable, Predicate::Colour, category->colours, found);
+  add_values(variable, Predicate::Material, category->materials, found);
+  return found;
+}
+
+}  // namespace
+
+bool concerns(const Formula& start, const std::string& category) {
+  return std::any_of(start.domain.members.begin(), start.domain.members.end(),
+                     [&](const Domain::Member& member) { return !member.slice && member.category == category; });
+}
+
+bool can_refer(const Specification& specification, const Knowledge& knowledge, const SceneOffer& offer) {
+  if (offer.now.states.empty()) return true;
+  return std::all_of(specification.init.begin(), specification.init.end(), [&](const Formula& start) {
+    if (start.op != Formula::Op::Count || start.domain.members.empty()) return true;
+    const auto* category = knowledge.find(start.domain.members.front().category);
+    if (category != nullptr && category->movable) return true;
+    const auto literals = start_literals(start);
+    const bool fixed = std::all_of(literals.begin(), literals.end(), [&](const StartLiteral& literal) {
+      const auto* other = literal.other.members.empty() ? nullptr : knowledge.find(literal.other.members[0].category);
+      return literal.relation && (literal.predicate != Predicate::NextTo || other == nullptr || !other->movable);
+    });
+    // Of what stands where it stands there have to be enough at least, whatever else is asked of it.
+    auto wanted = start;
+    if (!fixed) wanted.children = {Formula{}}, wanted.comparison = Comparison::AtLeast;
+    return holds_in(wanted, offer.now, 0);
+  });
+}
+
+Picked picked_by(const Formula& test, const GoalVariable& variable, const SceneOffer& offer) {
+  auto domain = of_category(variable.category);
+  const int all = number_in(offer, domain, variable.variable);
+  domain.where = {test};
+  const int in = number_in(offer, domain, variable.variable);
+  return {in, all - in};
+}
+
+std::vector<Reference> references(std::string_view kind, const GoalVariable& variable, const Specification& plain,
+                                  const Knowledge& knowledge, const SceneOffer& offer, Rng rng) {
+  std::vector<Reference> found;
+  if (kind == "by-state") {
+    found = by_state(variable, plain, knowledge);
+  } else if (kind == "by-size") {
+    found = by_size(variable, knowledge);
+  } else if (kind == "by-attribute") {
+    found = by_attribute(variable, knowledge);
+  } else {
+    found = references_to_others(kind, variable, plain, knowledge, offer, rng.fork("others", 0));
+  }
+  const auto* category = knowledge.find(variable.category);
+  const bool fixed = category == nullptr || !category->movable;
+  const bool known = !offer.now.states.empty();
+  // What stands where it stands: there is no giving it another place or size.
+  if (fixed && known) {
+    const bool of_body = kind == "by-state" || kind == "by-attribute";
+    std::erase_if(found, [&](const Reference& reference) {
+      const auto picked = picked_by(reference.test, variable, offer);
+      return of_body ? picked.in + picked.out < 2 : picked.in == 0 || picked.out == 0;
+    });
+  } else if (fixed) {
+    if (kind != "by-state" && kind != "by-attribute") found.clear();
+  }
+  rng.shuffle(found);
+  return found;
+}
+
+}  // namespace unietp
