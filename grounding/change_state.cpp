@@ -35,11 +35,12 @@ bool SceneEditor::set_state(const std::string& id, Predicate predicate, const st
   const std::string said =
       std::string(truth ? "" : "not ") + std::string(info(predicate).name) + (symbol.empty() ? "" : " " + symbol);
   const auto impossible = [&] { return fail(GroundingReason::StateNotPossible, node.category + " cannot be " + said); };
+  if (predicate == Predicate::Size) return resize(id, symbol, truth);
   if (predicate == Predicate::Colour || predicate == Predicate::Material) {
     std::string& field = predicate == Predicate::Colour ? node.colour : node.material;
     const auto& values = predicate == Predicate::Colour ? category->colours : category->materials;
     const std::string value = choose(values, symbol, truth);
-    if (value.empty() && truth) return impossible();
+    if (value.empty()) return impossible();
     field = value;
   } else if (predicate == Predicate::Covered) {
     if (!knowledge.has(node.category, "coverable")) return impossible();

@@ -117,6 +117,7 @@ bool tells_apart(const Specification& specification) {
 
 std::optional<GroundingFailure> check_referring(const Specification& specification, const Trace& trace) {
   for (const QuantifiedDomain& one : quantified_domains(specification.goal)) {
+    if (!one.certain) continue;
     if (one.domain.where.empty() || !free_variables(one.domain.where.front()).empty()) {
       const auto free =
           one.domain.where.empty() ? std::vector<std::string>{} : free_variables(one.domain.where.front());
@@ -185,7 +186,7 @@ std::optional<GroundingFailure> check_reach(const Specification& specification, 
   }
   for (const Formula& constraint : specification.init) {
     if (constraint.op != Op::Exists && constraint.op != Op::Count) continue;
-    const QuantifiedDomain one{constraint.op, constraint.variable, constraint.domain};
+    const QuantifiedDomain one{constraint.op, constraint.variable, constraint.domain, true};
     const auto members = members_of(constraint.domain, constraint.variable, trace);
     if (auto problem = check(one, std::min<std::size_t>(1, members.size()), members)) return problem;
   }
@@ -215,9 +216,9 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   const PhysicsWorld world = physics_of(start);
   Scene read = start;
   read.edges = read_relations(start, world);
-  bool nearest = mentions(specification.goal, Predicate::Nearest);
-  for (const Formula& constraint : specification.init) nearest = nearest || mentions(constraint, Predicate::Nearest);
-  const Trace trace = to_logic(read, {}, nearest);
+  bool compared = reads_comparisons(specification.goal);
+  for (const Formula& constraint : specification.init) compared = compared || reads_comparisons(constraint);
+  const Trace trace = to_logic(read, {}, compared);
   if (auto problem = check_formulas(specification, trace)) return problem;
   if (auto problem = check_referring(specification, trace)) return problem;
   if (auto problem = check_calm(read, touched, world)) return problem;

@@ -13,6 +13,7 @@ using Op = Formula::Op;
 
 constexpr int kDeepest = 12;
 constexpr int kMostAdded = 40;
+constexpr double kFar_m = 2.5;  // what is not to be nearest goes at least so far away
 constexpr int kAny = std::numeric_limits<int>::max();
 
 /// How many may satisfy a count for it to be true (or false).
@@ -36,13 +37,13 @@ bool is_empty(const Formula& body) { return body.op == Op::And && body.children.
 
 }  // namespace
 
-Enforcer::Enforcer(SceneEditor& editor, bool with_nearest, Rng rng)
-    : editor_(editor), with_nearest_(with_nearest), rng_(rng) {}
+Enforcer::Enforcer(SceneEditor& editor, bool with_comparisons, Rng rng)
+    : editor_(editor), with_comparisons_(with_comparisons), rng_(rng) {}
 
 const Trace& Enforcer::now() {
   const bool changed = editor_.refresh();
   if (changed || !fresh_) {
-    trace_ = to_logic(editor_.workspace().scene(), {}, with_nearest_);
+    trace_ = to_logic(editor_.workspace().scene(), {}, with_comparisons_);
     fresh_ = true;
   }
   return trace_;
@@ -174,7 +175,11 @@ bool Enforcer::make_for_all(const Formula& formula, const Names& names, bool tru
 bool Enforcer::has_member_to_change(const Formula& formula, const Names& names, bool truth, int depth) {
   auto candidates = satisfying(formula, names, !truth);
   // Only what a constraint itself speaks of is left alone; a table may hold what several constraints put on it.
-  if (depth == 0) std::erase_if(candidates, [&](const std::string& id) { return editor_.reserved().contains(id); });
+  // Its size is a thing's own: changing that undoes nothing else that was asked of it.
+  const Formula& body = formula.children.front();
+  const bool of_size = body.op == Op::Atom && body.predicate == Predicate::Size;
+  if (depth == 0 && !of_size)
+    std::erase_if(candidates, [&](const std::string& id) { return editor_.reserved().contains(id); });
   rng_.shuffle(candidates);
   constexpr std::size_t kMostTried = 4;
   for (std::size_t i = 0; i < std::min(candidates.size(), kMostTried); ++i) {
@@ -292,6 +297,11 @@ bool Enforcer::make_atom(const Formula& formula, const Names& names, bool truth)
   const Node* host = find_node(scene, other);
   const Room* room = find_room(scene, other);
   if (truth) {
+    if (predicate == Nearest && host != nullptr) return editor_.bring_near(subject, other);
+    const Node* moved = find_node(scene, subject);
+    if (predicate == NextTo && host != nullptr && moved != nullptr && !moved->movable && host->movable) {
+      return editor_.put(other, NextTo, subject);
+    }
     if ((predicate == On || predicate == Inside || predicate == NextTo || predicate == Under) && host != nullptr) {
       return editor_.put(subject, predicate, other);
     }
@@ -310,6 +320,12 @@ bool Enforcer::make_atom(const Formula& formula, const Names& names, bool truth)
       const Room* around = room_at(editor_.workspace().scene(), there.pose.position.head<2>());
       return around != nullptr && around->type != type;
     });
+  } else if (predicate == Nearest && host != nullptr) {
+    const Vec3 from = host->pose.position;
+    return editor_.relocate(subject, [&](const Node& there) { return (there.pose.position - from).norm() > kFar_m; });
+  } else if (predicate == NextTo && host != nullptr && host->movable && find_node(scene, subject) != nullptr &&
+             !find_node(scene, subject)->movable) {
+    return editor_.relocate(other, [&](const Node& there) { return there.id != subject; });
   } else if (predicate == OnFloor || predicate == NextTo || predicate == Under) {
     return editor_.relocate(subject, [&](const Node& there) { return there.id != other; });
   }

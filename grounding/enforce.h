@@ -16,7 +16,7 @@ namespace unietp {
 /// are reserved, so that the next does not undo them but takes or adds others.
 class Enforcer {
  public:
-  Enforcer(SceneEditor& editor, bool with_nearest, Rng rng);
+  Enforcer(SceneEditor& editor, bool with_comparisons, Rng rng);
 
   /// Tries to make a closed state formula true; false when it is not afterwards (SceneEditor::failure says why).
   bool make_true(const Formula& formula);
@@ -44,7 +44,7 @@ class Enforcer {
   std::string id_of(const Term& term, const Names& names) const;
 
   SceneEditor& editor_;
-  bool with_nearest_;
+  bool with_comparisons_;
   Rng rng_;
   Trace trace_;
   bool fresh_ = false;

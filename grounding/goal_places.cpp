@@ -37,9 +37,10 @@ void collect(const Formula& formula, Scope& scope, GoalPlaces& places) {
   if (binds(formula.op)) scope.pop_back();
 }
 
-void collect(const Formula& formula, std::vector<QuantifiedDomain>& domains) {
-  if (binds(formula.op)) domains.push_back({formula.op, formula.variable, formula.domain});
-  for (const Formula& child : formula.children) collect(child, domains);
+void collect(const Formula& formula, bool certain, std::vector<QuantifiedDomain>& domains) {
+  if (binds(formula.op)) domains.push_back({formula.op, formula.variable, formula.domain, certain});
+  const bool still = certain && formula.op != Op::Or && formula.op != Op::Not && formula.op != Op::Imply;
+  for (const Formula& child : formula.children) collect(child, still, domains);
 }
 
 }  // namespace
@@ -51,16 +52,9 @@ GoalPlaces goal_places(const Formula& goal) {
   return places;
 }
 
-bool mentions(const Formula& formula, Predicate predicate) {
-  if (formula.op == Op::Atom && formula.predicate == predicate) return true;
-  const auto one = [&](const Formula& child) { return mentions(child, predicate); };
-  return std::any_of(formula.children.begin(), formula.children.end(), one) ||
-         std::any_of(formula.domain.where.begin(), formula.domain.where.end(), one);
-}
-
 std::vector<QuantifiedDomain> quantified_domains(const Formula& formula) {
   std::vector<QuantifiedDomain> domains;
-  collect(formula, domains);
+  collect(formula, true, domains);
   return domains;
 }
 

@@ -13,14 +13,12 @@ namespace unietp {
 using GoalPlaces = std::map<std::string, std::set<std::string>>;
 GoalPlaces goal_places(const Formula& goal);
 
-/// True when the formula or one of its domains uses the predicate.
-bool mentions(const Formula& formula, Predicate predicate);
-
 /// Every domain of a quantifier in the formula with its variable, outside of `:where`, outermost first.
 struct QuantifiedDomain {
   Formula::Op op;  // Forall, Exists, Count or Number
   std::string variable;
   Domain domain;
+  bool certain = true;  // false below `or`, `imply` and `not`: the goal may not need it, and it may be empty
 };
 std::vector<QuantifiedDomain> quantified_domains(const Formula& formula);
 

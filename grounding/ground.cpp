@@ -6,6 +6,7 @@
 #include "grounding/reachability.h"
 #include "grounding/scene_editor.h"
 #include "logic/evaluate.h"
+#include "scene/trace.h"
 #include "simulation/navigation.h"
 
 namespace unietp {
@@ -28,7 +29,7 @@ std::vector<Formula> referring_constraints(const Specification& specification) {
   std::vector<Formula> constraints;
   const bool tells_apart = specification.split == Split::InstanceGrounding || !specification.refinement.empty();
   for (const QuantifiedDomain& one : quantified_domains(specification.goal)) {
-    if (one.domain.where.empty()) continue;
+    if (one.domain.where.empty() || !one.certain) continue;
     const Formula& where = one.domain.where.front();
     if (free_variables(where) != std::vector<std::string>{one.variable}) continue;
     Domain all = one.domain;
@@ -86,9 +87,9 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
   std::vector<Formula> constraints = specification.init;
   const auto referring = referring_constraints(specification);
   constraints.insert(constraints.end(), referring.begin(), referring.end());
-  bool nearest = mentions(specification.goal, Predicate::Nearest);
-  for (const Formula& constraint : constraints) nearest = nearest || mentions(constraint, Predicate::Nearest);
-  Enforcer enforcer(editor, nearest, rng.fork("choices", 0));
+  bool compared = reads_comparisons(specification.goal);
+  for (const Formula& constraint : constraints) compared = compared || reads_comparisons(constraint);
+  Enforcer enforcer(editor, compared, rng.fork("choices", 0));
   const auto parts = goal_parts(specification.goal);
   std::optional<GroundingFailure> problem;
   for (int attempt = 0; attempt < kRepairs; ++attempt) {

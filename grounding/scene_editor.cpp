@@ -256,33 +256,6 @@ bool SceneEditor::put(const std::string& id, Predicate relation, const std::stri
               category + " finds no place " + std::string(info(relation).name) + " " + receptacle + ": it " + obstacle);
 }
 
-bool SceneEditor::place_near(const std::string& id, const std::string& other) {
-  refresh();
-  const Node object = workspace_.scene().nodes[*index_of(id)];
-  const Node beside = workspace_.scene().nodes[*index_of(other)];
-  Bounds area = bounds_of(beside.pose, beside.size);
-  area.low.head<2>().array() -= 0.35 + object.size.head<2>().maxCoeff();
-  area.high.head<2>().array() += 0.35 + object.size.head<2>().maxCoeff();
-  for (const Edge& edge : workspace_.scene().edges) {
-    if (edge.from != other || (edge.relation != Predicate::On && edge.relation != Predicate::Inside)) continue;
-    const auto host = index_of(edge.to);
-    if (!host) continue;
-    const auto place = find_place(workspace_, object, *index_of(id), edge.relation, *host,
-                                  {.draws = 4 * draws_, .within = area}, next_rng());
-    if (!place.pose) continue;
-    edits_.push_back("put " + id + " next to " + other);
-    return move_to(id, *place.pose);
-  }
-  if (bounds_of(beside.pose, beside.size).low.z() < kTouch_m) {
-    const auto place = find_place_on_floor(workspace_, object, *index_of(id), area, {.draws = 2 * draws_}, next_rng());
-    if (place.pose) {
-      edits_.push_back("put " + id + " on the floor next to " + other);
-      return move_to(id, *place.pose);
-    }
-  }
-  return fail(GroundingReason::NoFreePlace, object.category + " finds no place next to " + other);
-}
-
 bool SceneEditor::place_under(const std::string& id, const std::string& other) {
   const Node object = workspace_.scene().nodes[*index_of(id)];
   const Node above = workspace_.scene().nodes[*index_of(other)];

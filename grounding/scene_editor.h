@@ -33,7 +33,11 @@ class SceneEditor {
   /// Elsewhere: on or in a receptacle that `accept` likes; away from the goal's places where there is a choice.
   bool relocate(const std::string& id, const std::function<bool(const Node& receptacle)>& accept);
 
-  /// Sets a state of an exclusive group, `covered`, colour or material; doors and lids move with `open` and `closed`.
+  /// To a place that is clearly nearer to `other` than every thing of its category (clearly_nearer of scene/trace.h).
+  bool bring_near(const std::string& id, const std::string& other);
+
+  /// Sets a state of an exclusive group, `covered`, colour, material or size; doors and lids move with `open` and
+  /// `closed`; what becomes larger or smaller is put back where it was.
   bool set_state(const std::string& id, Predicate predicate, const std::string& symbol, bool truth);
   bool move_agent(const std::string& room, bool into);
 
@@ -55,6 +59,8 @@ class SceneEditor {
   bool clear_off(const std::string& id);
   bool move_to(const std::string& id, const Pose& pose);
   bool open_or_close(const std::string& id, double opening);
+  bool give_box(const std::string& id, const Vec3& size, const std::string& asset);
+  bool resize(const std::string& id, const std::string& size, bool truth);
   bool place_near(const std::string& id, const std::string& other);
   bool place_under(const std::string& id, const std::string& other);
   bool settle_somewhere(Node node, const std::function<bool(const Node&)>& accept, std::string& where);
