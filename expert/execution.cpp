@@ -6,7 +6,7 @@
 namespace unietp {
 
 bool goal_holds(const Formula& goal, const Scene& start, const std::vector<Delta>& changes) {
-  return holds(goal, to_logic(start, changes, reads_predicate(goal, Predicate::Nearest)));
+  return holds(goal, to_logic(start, changes, reads_comparisons(goal)));
 }
 
 void perform(World& world, const std::vector<Action>& actions, std::vector<Delta>& changes) {

@@ -85,7 +85,7 @@ void learn(Experience& experience, const Situation& situation, const Attempt& at
 
 std::string missing_after(const Formula& goal, const Scene& start, const Demonstration& demonstration) {
   Monitor monitor(goal);
-  FactReader reader(reads_predicate(goal, Predicate::Nearest));
+  FactReader reader(reads_comparisons(goal));
   Scene scene = start;
   Facts facts = reader.read(scene);
   monitor.observe(reader.entities(), facts);

@@ -101,9 +101,11 @@ class Reader {
     return achievable(literal, situation_) ? choices_.single(std::move(literal)) : choices_.none();
   }
 
-  /// A state goes away when another of its group comes: `not hot` is reached by cooling.
+  /// A state goes away when another of its group comes: `not hot` is reached by cooling. What covers a thing has no
+  /// such group, and is wiped off.
   List undo(const Literal& unwanted) {
     List list;
+    if (unwanted.predicate == Predicate::Covered && achievable(unwanted, situation_)) return choices_.single(unwanted);
     for (const StateGroup& group : state_groups()) {
       if (std::find(group.predicates.begin(), group.predicates.end(), unwanted.predicate) == group.predicates.end()) {
         continue;

@@ -25,9 +25,9 @@ bool depends_on_standing(Failure failure) {
   }
 }
 
-/// The backend does not run the action at all, so no other tool helps.
+/// The simulator does not offer the action at all, so no other tool helps.
 bool not_run_here(const std::optional<Attempt::Trouble>& trouble) {
-  return !trouble || trouble->failure == Failure::NotReady || trouble->failure == Failure::NotOffered;
+  return !trouble || trouble->failure == Failure::NotOffered;
 }
 
 }  // namespace
@@ -49,9 +49,15 @@ bool Methods::achieve(const Literal& literal) {
   } else if (is_placement(literal.predicate)) {
     done = literal.positive ? place(literal) : take_away(literal);
   } else {
-    done = literal.positive && change_state(literal);
+    done = literal.positive ? change_state(literal) : wipe_off(literal);
   }
   return done && attempt_.holds(literal);
+}
+
+bool Methods::wipe_off(const Literal& literal) {
+  Literal whatever = literal;
+  whatever.symbol.clear();
+  return literal.predicate == Predicate::Covered && with_held_tool(whatever, ActionType::Wipe, "wipes");
 }
 
 bool Methods::change_state(const Literal& literal) {
@@ -107,12 +113,25 @@ bool Methods::with_held_tool(const Literal& literal, ActionType action, std::str
     if (!hold(tool)) continue;
     if (do_at(action, id)) return true;
     if (attempt_.exhausted() || not_run_here(attempt_.trouble())) return false;
+    if (attempt_.trouble()->failure == Failure::NotReady) continue;  // a dry cloth; another may be wet
+    if (attempt_.trouble()->failure == Failure::AlreadyFull && pour_away(literal.subject) && hold(tool)) {
+      if (do_at(action, id)) return true;
+      continue;
+    }
     // Not where it lies now: bring it into the open and come back with the tool.
     if (find(id) != nullptr && find(id)->movable && hold(id) && put_aside(id) && hold(tool) && do_at(action, id)) {
       return true;
     }
   }
   return false;
+}
+
+/// Of something else: what was washed under a tap is full of water.
+bool Methods::pour_away(EntityIndex vessel) {
+  Literal empty;
+  empty.predicate = Predicate::Empty;
+  empty.subject = vessel;
+  return change_state(empty) && put_aside(attempt_.id_of(vessel));
 }
 
 bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::string_view effect) {
@@ -167,6 +186,7 @@ bool Methods::place(const Literal& literal) {
   if (target.empty()) return false;
   switch (literal.predicate) {
     case Predicate::On:
+    case Predicate::Attached:  // what the tables say attaches does so where it is put
       return put(id, ActionType::PlaceOn, target);
     case Predicate::Inside:
       return put(id, ActionType::PlaceIn, target);
@@ -247,7 +267,7 @@ bool Methods::put_aside(const std::string& id) {
     if (do_at(ActionType::PlaceOn, std::get<4>(spot))) return true;
     if (attempt_.exhausted()) return false;
   }
-  return offers(info(ActionType::Drop), attempt_.situation().profile->simulator) && attempt_.act(ActionType::Drop);
+  return attempt_.situation().profile->offers(ActionType::Drop) && attempt_.act(ActionType::Drop);
 }
 
 bool Methods::put(const std::string& id, ActionType action, const std::string& target) {
@@ -263,6 +283,15 @@ bool Methods::put(const std::string& id, ActionType action, const std::string& t
   return do_at(action, target);
 }
 
+/// From a seat nothing can be done but to leave it.
+bool Methods::stand_up() {
+  const auto& nodes = attempt_.scene().nodes;
+  const bool seated = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) {
+    return node.states.has(Predicate::SatOn) || node.states.has(Predicate::LainOn);
+  });
+  return !seated || attempt_.act(ActionType::StandUp);
+}
+
 bool Methods::open_around(const std::string& id) {
   for (std::string container = attempt_.world().closed_around(id); !container.empty();
        container = attempt_.world().closed_around(id)) {
@@ -275,20 +304,26 @@ bool Methods::reach(const std::string& id) {
   return attempt_.world().in_reach(id) || attempt_.act(ActionType::GoTo, id);
 }
 
-/// Opening, closing and switching, with what they need first: no power while opening, shut while running.
+/// What is done to a thing itself, with what it needs first: no power while opening, shut and plugged in while running,
+/// put down and a free hand for folding.
 bool Methods::device(ActionType action, const std::string& id) {
   const Profile& profile = *attempt_.situation().profile;
-  const bool moves = action == ActionType::Open || action == ActionType::Close;
+  const bool moves = action == ActionType::Open || action == ActionType::Close || action == ActionType::Fold ||
+                     action == ActionType::Break || action == ActionType::PlugIn || action == ActionType::Unplug;
   if (moves && attempt_.is_held(id) && !put_aside(id)) return false;
   const bool power_first = action == ActionType::Open && profile.open_needs_power_off && is(id, Predicate::PowerOn);
   if (power_first && !do_at(ActionType::TurnOff, id)) return false;
   const bool shut_first = action == ActionType::TurnOn && profile.power_needs_closed && is(id, Predicate::Open);
   if (shut_first && !do_at(ActionType::Close, id)) return false;
+  const bool plug_first = action == ActionType::TurnOn && profile.power_needs_plug && is(id, Predicate::Unplugged);
+  if (plug_first && !do_at(ActionType::PlugIn, id)) return false;
+  if (action == ActionType::Fold && !free_hand(id)) return false;
   return do_at(action, id);
 }
 
 /// The action where the object can be reached and seen; walks only when it has to.
 bool Methods::do_at(ActionType action, const std::string& id) {
+  if (!stand_up()) return false;
   if (!open_around(id)) return false;
   if (attempt_.world().in_reach(id)) {
     if (attempt_.act(action, id)) return true;

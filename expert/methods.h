@@ -19,6 +19,8 @@ class Methods {
   bool achieve(const Literal& literal);
 
  private:
+  bool wipe_off(const Literal& literal);
+  bool pour_away(EntityIndex vessel);
   bool change_state(const Literal& literal);
   bool with_held_tool(const Literal& literal, ActionType action, std::string_view effect);
   bool with_tool_on_held(const Literal& literal, ActionType action, std::string_view effect);
@@ -33,6 +35,7 @@ class Methods {
   bool put(const std::string& id, ActionType action, const std::string& target);
   bool reach(const std::string& id);
   bool open_around(const std::string& id);
+  bool stand_up();
   bool device(ActionType action, const std::string& id);
   bool do_at(ActionType action, const std::string& id);
   bool is(const std::string& id, Predicate state) const;

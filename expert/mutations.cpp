@@ -128,7 +128,7 @@ std::vector<std::string> needless_steps(const Formula& goal, const Scene& start,
   std::vector<std::string> surviving;
   mutator.drop_each(actions, surviving);
   mutator.swap_neighbours(actions, surviving);
-  mutator.use_distractors(goal, to_logic(start, {}, reads_predicate(goal, Predicate::Nearest)), actions, surviving);
+  mutator.use_distractors(goal, to_logic(start, {}, reads_comparisons(goal)), actions, surviving);
   return surviving;
 }
 

@@ -8,7 +8,18 @@
 namespace unietp {
 namespace {
 
-enum Stage { kBeforeCutting, kCutting, kClearing, kMoving, kFixedDevices, kHolding, kClosing, kSwitchingOn, kWalking };
+enum Stage {
+  kBeforeCutting,
+  kCutting,
+  kClearing,
+  kMoving,
+  kFixedDevices,
+  kHolding,
+  kClosing,
+  kSwitchingOn,
+  kWalking,
+  kSitting
+};
 
 class Ranker {
  public:
@@ -36,6 +47,7 @@ class Ranker {
 
   Stage stage(const Literal& literal) const {
     if (literal.predicate == Predicate::Sliced) return kCutting;
+    if (literal.predicate == Predicate::SatOn || literal.predicate == Predicate::LainOn) return kSitting;
     if (!movable(literal.subject)) {
       switch (literal.predicate) {
         case Predicate::InRoom:

@@ -50,13 +50,6 @@ void imagine_slices(Situation& situation) {
 
 }  // namespace
 
-bool reads_predicate(const Formula& formula, Predicate predicate) {
-  if (formula.op == Formula::Op::Atom && formula.predicate == predicate) return true;
-  const auto in = [predicate](const Formula& part) { return reads_predicate(part, predicate); };
-  return std::any_of(formula.domain.where.begin(), formula.domain.where.end(), in) ||
-         std::any_of(formula.children.begin(), formula.children.end(), in);
-}
-
 bool has_operator(const Formula& formula, std::initializer_list<Formula::Op> operators) {
   return std::find(operators.begin(), operators.end(), formula.op) != operators.end() ||
          std::any_of(formula.children.begin(), formula.children.end(),
@@ -69,7 +62,7 @@ Situation look_around(const World& world, const Scene& start, const Formula& goa
   situation.start = &start;
   situation.knowledge = &knowledge;
   situation.profile = &profile;
-  situation.trace = to_logic(start, {}, reads_predicate(goal, Predicate::Nearest));
+  situation.trace = to_logic(start, {}, reads_comparisons(goal));
   situation.first_imagined = static_cast<EntityIndex>(situation.trace.entities.size());
   for (const Entity& entity : situation.trace.entities) {
     const Node* node = find_node(start, entity.id);

@@ -44,8 +44,6 @@ struct Situation {
 Situation look_around(const World& world, const Scene& start, const Formula& goal, const Knowledge& knowledge,
                       const Profile& profile);
 
-/// True when the formula, or the condition of one of its domains, reads the predicate.
-bool reads_predicate(const Formula& formula, Predicate predicate);
 /// True when the formula has one of the operators, at any depth.
 bool has_operator(const Formula& formula, std::initializer_list<Formula::Op> operators);
 

@@ -25,11 +25,20 @@ constexpr std::array kWays{
     StateWay{Predicate::Clean, Way::HeldToolOn, ActionType::Wipe, "wipes"},
     StateWay{Predicate::Filled, Way::HeldToolOn, ActionType::PourTo, "fills"},
     StateWay{Predicate::Covered, Way::HeldToolOn, ActionType::SpreadTo, "dispenses"},
+    StateWay{Predicate::SatOn, Way::Direct, ActionType::SitOn, "sittable"},
+    StateWay{Predicate::LainOn, Way::Direct, ActionType::LieOn, "lieable"},
+    StateWay{Predicate::PluggedIn, Way::Direct, ActionType::PlugIn, "pluggable"},
+    StateWay{Predicate::Unplugged, Way::Direct, ActionType::Unplug, "pluggable"},
+    StateWay{Predicate::Folded, Way::Direct, ActionType::Fold, "foldable"},
+    StateWay{Predicate::Broken, Way::Direct, ActionType::Break, "breakable"},
     StateWay{Predicate::Hot, Way::Appliance, ActionType::PlaceIn, "heats"},
     StateWay{Predicate::Cool, Way::Appliance, ActionType::PlaceIn, "cools"},
     StateWay{Predicate::Frozen, Way::Appliance, ActionType::PlaceIn, "freezes"},
     StateWay{Predicate::Cooked, Way::Appliance, ActionType::PlaceIn, "cooks"},
 };
+
+/// What covers a thing comes off, whatever it is.
+constexpr StateWay kWipeOff{Predicate::Covered, Way::HeldToolOn, ActionType::Wipe, "wipes"};
 
 bool state_achievable(const Literal& literal, const Situation& situation) {
   const Node* node = situation.nodes[literal.subject];
@@ -52,7 +61,7 @@ bool state_achievable(const Literal& literal, const Situation& situation) {
 std::vector<StateWay> ways_to(Predicate predicate, const Profile& profile) {
   std::vector<StateWay> ways;
   for (const StateWay& way : kWays) {
-    if (way.predicate == predicate && offers(info(way.action), profile.simulator)) ways.push_back(way);
+    if (way.predicate == predicate && profile.offers(way.action)) ways.push_back(way);
   }
   return ways;
 }
@@ -76,6 +85,7 @@ bool is_placement(Predicate predicate) {
     case Predicate::OnFloor:
     case Predicate::InRoom:
     case Predicate::NextTo:
+    case Predicate::Attached:
       return true;
     default:
       return false;
@@ -98,7 +108,10 @@ bool achievable(const Literal& literal, const Situation& situation) {
   if (is_placement(literal.predicate) || literal.predicate == Predicate::Held) {
     return node != nullptr && (node->movable || situation.is_imagined(literal.subject));
   }
-  return literal.positive && state_achievable(literal, situation);
+  if (literal.positive) return state_achievable(literal, situation);
+  return literal.predicate == Predicate::Covered && node != nullptr && situation.profile->offers(kWipeOff.action) &&
+         !rules_for(kWipeOff, situation.entity(literal.subject).category, "", *situation.start, *situation.knowledge)
+              .empty();
 }
 
 }  // namespace unietp

@@ -215,7 +215,7 @@ const Case kCases[] = {
     {"slice_the_one_inside",
      "(exists (?x - (Apple :where (exists (?b - Fridge) (inside ?x ?b)))) (at-end (sliced ?x)))",
      [](Scene& s) { move_to(s, "apple_1", 4.4, 3.55, 0.9); }},
-    {"the_nearest", "(exists (?x - (Mug :where (exists (?b - Laptop) (nearest ?x ?b)))) (at-end (held ?x)))"},
+    {"the_nearest", "(exists (?x - (Mug :where (exists (?b - Fridge) (nearest ?x ?b)))) (at-end (held ?x)))"},
     {"swap",
      "(exists (?x - (Mug :where (exists (?b - CounterTop) (on ?x ?b)))) (exists (?y - (Plate :where (exists (?c - "
      "SideTable) (on ?y ?c)))) (exists (?b - CounterTop) (exists (?c - (SideTable :where (exists (?l - Lamp) (on ?l "

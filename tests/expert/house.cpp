@@ -241,8 +241,7 @@ std::string replay(const Formula& goal, const Scene& start, const Demonstration&
     if (changes.back() != step.changes) return to_text(step.action) + " changes something else than recorded";
   }
   if (!world->stopped()) return "does not stop";
-  return holds(goal, to_logic(start, changes, reads_predicate(goal, Predicate::Nearest))) ? ""
-                                                                                          : "the goal does not hold";
+  return holds(goal, to_logic(start, changes, reads_comparisons(goal))) ? "" : "the goal does not hold";
 }
 
 }  // namespace unietp::testing
