@@ -35,7 +35,9 @@ struct NounPhrase {
   int number = 0;
   Domain noun;                        // without `where`
   bool by_function = false;           // "something to drink from"; named again as "that object"
+  bool two = false;                   // the writer's: the start has two such objects: "both mugs", "the larger mug"
   std::vector<Complement> modifiers;  // all true in the start state ("that is dirty")
+  std::vector<Complement> done;       // to be brought about ("that you put a mug into"); each a converse relation
   std::string variable;               // the writer's: which variable of the goal; "" when read
   int column = 0;                     // the reader's: where it stood
 };
@@ -46,6 +48,7 @@ struct Complement {
   bool negated = false;
   std::string symbol;
   std::vector<NounPhrase> object;  // none or one
+  bool converse = false;           // of a relation: the object comes first, "where a plate is kept"
 };
 
 struct Clause {
@@ -58,12 +61,14 @@ struct Clause {
   bool removal = false;                       // Simple: "remove every A from B", subject No
   Comparison comparison = Comparison::Equal;  // Compare: Equal, Greater or AtLeast
   std::vector<Clause> parts;                  // And, Or
+  std::vector<NounPhrase> given;              // of a part of Or: only where such things are at the start
 };
 
 struct Requirement {
   enum class Kind {
     Choose,    // introduces the subject of clause 0, asks nothing
     Final,     // clause 0 at the end
+    Need,      // the same, said as what someone wants: one subject, a state and a place
     Sometime,  // clause 0 at some point
     Always,    // clause 0 all the time
     Until,     // clause 0 until clause 1
@@ -74,6 +79,7 @@ struct Requirement {
   };
   Kind kind = Kind::Final;
   std::vector<Clause> clauses;
+  bool inverted = false;  // Then, ThenKept: clause 1 stands first, "before you …, …"
 };
 
 using Message = std::vector<Requirement>;

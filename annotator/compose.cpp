@@ -82,10 +82,12 @@ class Composer {
     }
     std::vector<Formula> said;
     for (const Clause& clause : requirement.clauses) said.push_back(state(clause, text));
+    if (requirement.inverted) std::swap(said[0], said[1]);
     switch (requirement.kind) {
       case Requirement::Kind::Choose:
         break;
       case Requirement::Kind::Final:
+      case Requirement::Kind::Need:
         parts.push_back(at_end(said[0]));
         break;
       case Requirement::Kind::Sometime:
@@ -264,6 +266,7 @@ class Composer {
     f.predicate = complement.predicate;
     f.terms.push_back(subject);
     if (object != nullptr) f.terms.push_back(object->term);
+    if (complement.converse) std::reverse(f.terms.begin(), f.terms.end());
     if (!complement.symbol.empty()) f.terms.push_back({Term::Kind::Symbol, complement.symbol});
     if (object != nullptr && object->local) f = quantify(*object, std::move(f));
     return complement.negated ? negation(std::move(f)) : f;
@@ -281,6 +284,7 @@ class Composer {
         for (const Clause& part : clause.parts) {
           Box own;
           const std::size_t before = referents_.size();
+          for (const NounPhrase& there : part.given) introduced(there, own);
           Formula f = state(part, own);
           parts.push_back(boxed(own, std::move(f)));
           leave(before);
@@ -358,8 +362,18 @@ class Composer {
       Formula f = clause.any_complement ? any_of_parts(std::move(said)) : all_of(std::move(said));
       if (subjects[i].local) f = quantify(subjects[i], std::move(f));
       parts.push_back(boxed(own[i], std::move(f)));
+      for (const Complement& done : clause.subjects[i].done)
+        parts.push_back(brought_about(done, subjects[i], clause, box));
     }
     return clause.any_subject ? any_of_parts(std::move(parts)) : all_of(std::move(parts));
+  }
+
+  /// "that you put a mug into": another thing that the text asks for.
+  Formula brought_about(const Complement& done, const Slot& subject, const Clause& clause, Box& box) {
+    const NounPhrase& phrase = done.object[0];
+    const Slot object = resolve(phrase, box);
+    if (subject.local || object.local || clause.any_subject) fail(phrase.column, "which ones are meant is not clear");
+    return said_of(done, subject.term, &object);
   }
 
   std::vector<Referent> referents_;

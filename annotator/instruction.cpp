@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "annotator/meaning.h"
 #include "annotator/noun_table.h"
 #include "annotator/parse.h"
 #include "annotator/plan.h"
 #include "annotator/realise.h"
+#include "annotator/style.h"
 #include "core/text.h"
 #include "generator/consistency.h"
 
@@ -57,8 +59,11 @@ bool holds_member(const Domain& domain, const Domain::Member& member) {
 
 /// "something to drink from" means, in this task, the categories that could ever satisfy the goal: when the goal ranges
 /// over these alone, that is what the phrase says.
-void narrow_functions(const Specification& specification, const Knowledge& knowledge, NounTable& nouns) {
-  if (specification.style != "function") return;
+/// nullopt: the phrases mean what they always do.
+std::optional<NounTable> narrowed_for(const Specification& specification, const Knowledge& knowledge,
+                                      const NounTable& usual) {
+  if (specification.style != "function") return std::nullopt;
+  NounTable nouns = usual;
   std::vector<Domain> domains;
   collect_domains(specification.goal, domains);
   const auto phrases = nouns.function_phrases();
@@ -79,24 +84,7 @@ void narrow_functions(const Specification& specification, const Knowledge& knowl
       break;
     }
   }
-}
-
-/// Whether the style's own promise is kept.
-std::string style_fault(const std::string& text, const Specification& specification, const NounTable& lexicon) {
-  const std::vector<Token> tokens = tokens_of(text);
-  if (specification.style == "function") {
-    for (const auto& [phrase, served] : lexicon.function_phrases())
-      if (says(tokens, phrase)) return "";
-    return "the function style names no object by what it is for";
-  }
-  if (specification.style != "alias") return "";
-  for (const std::string& category : categories_of(specification.goal)) {
-    const auto* name = lexicon.display(category);
-    if (name == nullptr || lexicon.synonyms(category).empty()) continue;
-    if (says(tokens, name->singular) || says(tokens, name->plural))
-      return "the alias style calls '" + name->singular + "' by its own name";
-  }
-  return "";
+  return nouns;
 }
 
 std::vector<std::string> faults(const std::string& text, const Specification& specification, const Knowledge& knowledge,
@@ -132,8 +120,13 @@ bool has_material(const Specification& specification, const NounTable& lexicon) 
 }  // namespace
 
 Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge, Rng rng) {
-  NounTable lexicon(knowledge);
-  narrow_functions(specification, knowledge, lexicon);
+  return write_instruction(specification, knowledge, NounTable(knowledge), rng);
+}
+
+Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge,
+                                      const NounTable& nouns, Rng rng) {
+  const auto narrowed = narrowed_for(specification, knowledge, nouns);
+  const NounTable& lexicon = narrowed ? *narrowed : nouns;
   std::string last = "no form was drawn";
   std::vector<std::string> styles{specification.style};
   if (specification.style != "direct") styles.push_back("direct");
@@ -143,8 +136,9 @@ Result<Instruction> write_instruction(const Specification& specification, const 
     if (!has_material(asked, lexicon)) continue;
     for (int draw = 0; draw < kDraws; ++draw) {
       Rng own = rng.fork(style, static_cast<std::uint64_t>(draw));
-      const auto plan = plan_message(asked.goal, draw >= kPlainDraws, own.fork("plan", 0));
+      auto plan = plan_message(asked.goal, asked.init, draw >= kPlainDraws, own.fork("plan", 0));
       if (!plan) return plan.error();
+      if (!turn_to_style(*plan, style)) continue;
       const auto text = realise(*plan, lexicon, style, own.fork("words", 0));
       if (!text) continue;
       std::string whole = *text;
@@ -154,7 +148,8 @@ Result<Instruction> write_instruction(const Specification& specification, const 
         whole = sentence + " " + whole;
       }
       auto wrong = faults(whole, asked, knowledge, lexicon);
-      if (std::string fault = style_fault(whole, asked, lexicon); !fault.empty()) wrong.push_back(std::move(fault));
+      if (std::string fault = style_fault(whole, style, asked.goal, lexicon); !fault.empty())
+        wrong.push_back(std::move(fault));
       if (wrong.empty()) return Instruction{whole, "grammar", style, {"parses-back", "no-ids", "style"}};
       last = "\"" + whole + "\": " + wrong.front();
     }
@@ -178,9 +173,13 @@ Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowle
 
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge) {
-  NounTable nouns(knowledge);
-  narrow_functions(specification, knowledge, nouns);
-  return faults(text, specification, knowledge, nouns);
+  return check_instruction(text, specification, knowledge, NounTable(knowledge));
+}
+
+std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
+                                           const Knowledge& knowledge, const NounTable& nouns) {
+  const auto narrowed = narrowed_for(specification, knowledge, nouns);
+  return faults(text, specification, knowledge, narrowed ? *narrowed : nouns);
 }
 
 }  // namespace unietp

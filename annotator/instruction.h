@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "akb/knowledge.h"
+#include "annotator/noun_table.h"
 #include "core/result.h"
 #include "core/rng.h"
 #include "generator/specification.h"
@@ -20,7 +21,10 @@ struct Instruction {
 };
 
 /// Words a goal in English: every object, count, quantifier, order and referring constraint, and nothing else.
-/// Deterministic in rng. Errors: Unsatisfiable when the grammar has no words for a part of the goal (names the part).
+/// Deterministic in rng. `nouns` is made of `knowledge`; without it, it is made for this text alone, which costs more
+/// than the writing. Errors: Unsatisfiable when the grammar has no words for a part of the goal (names the part).
+Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge,
+                                      const NounTable& nouns, Rng rng);
 Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge, Rng rng);
 
 /// Reads an instruction of the grammar back into a goal formula: an independent reading of the words with the knowledge
@@ -29,6 +33,8 @@ Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowle
 
 /// The checks every instruction must pass, whoever wrote it: it parses back to a formula equivalent to the goal (same
 /// normal form), and no object id leaks. Empty when it passes, else what is wrong.
+std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
+                                           const Knowledge& knowledge, const NounTable& nouns);
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge);
 

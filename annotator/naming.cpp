@@ -3,116 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "annotator/state_words.h"
 #include "core/text.h"
 
 namespace unietp {
-namespace {
-
-/// The word for a state of one object, after "is".
-std::string state_word(Predicate predicate) {
-  using P = Predicate;
-  switch (predicate) {
-    case P::Open:
-      return "open";
-    case P::Closed:
-      return "closed";
-    case P::PowerOn:
-      return "switched on";
-    case P::PowerOff:
-      return "switched off";
-    case P::Clean:
-      return "clean";
-    case P::Dirty:
-      return "dirty";
-    case P::Hot:
-      return "hot";
-    case P::Cool:
-      return "cold";
-    case P::RoomTemperature:
-      return "at room temperature";
-    case P::Cooked:
-      return "cooked";
-    case P::Raw:
-      return "raw";
-    case P::Burnt:
-      return "burnt";
-    case P::Unburnt:
-      return "unburnt";
-    case P::Frozen:
-      return "frozen";
-    case P::Thawed:
-      return "thawed";
-    case P::Sliced:
-      return "sliced";
-    case P::Whole:
-      return "whole";
-    case P::Empty:
-      return "empty";
-    case P::Soaked:
-      return "soaked";
-    case P::Dry:
-      return "dry";
-    case P::UsedUp:
-      return "used up";
-    case P::Unused:
-      return "unused";
-    case P::Broken:
-      return "broken";
-    case P::Intact:
-      return "intact";
-    case P::Folded:
-      return "folded";
-    case P::Unfolded:
-      return "unfolded";
-    case P::PluggedIn:
-      return "plugged in";
-    case P::Unplugged:
-      return "unplugged";
-    case P::Held:
-      return "in your hand";
-    case P::SatOn:
-      return "sat on";
-    case P::LainOn:
-      return "lain on";
-    default:
-      return "";
-  }
-}
-
-std::string before_object(Predicate predicate) {
-  using P = Predicate;
-  switch (predicate) {
-    case P::On:
-      return "on";
-    case P::Inside:
-    case P::InRoom:
-      return "in";
-    case P::NextTo:
-      return "next to";
-    case P::Under:
-      return "under";
-    case P::SliceOf:
-      return "cut from";
-    case P::Attached:
-      return "attached to";
-    case P::Nearest:
-      return "nearest to";
-    case P::OnFloor:
-      return "on the floor of";
-    default:
-      return "";
-  }
-}
-
-bool is_adjective(const Complement& modifier, const NounTable& lexicon) {
-  if (modifier.negated || !modifier.object.empty()) return false;
-  if (modifier.predicate == Predicate::Colour) return lexicon.is_colour(modifier.symbol);
-  if (modifier.predicate == Predicate::Size) return modifier.symbol == "large" || modifier.symbol == "small";
-  const std::string word = state_word(modifier.predicate);
-  return modifier.symbol.empty() && word.find(' ') == std::string::npos;
-}
-
-}  // namespace
 
 std::string number_word(int number) {
   static constexpr std::array kWords{"zero",  "one",   "two",  "three", "four",   "five",  "six",
@@ -189,7 +83,7 @@ std::optional<std::string> Naming::complement(const Complement& said, Place plac
     case Predicate::Material:
       return text + "made of " + symbol;
     case Predicate::Colour:
-      return text + "of the colour " + symbol;
+      return text + (lexicon_.is_colour(said.symbol) ? symbol : "of the colour " + symbol);
     case Predicate::Size:
       return text + "of the size " + symbol;
     default:
@@ -213,25 +107,10 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
   if (!said.variable.empty() && (place.inside_description || place.beside_none)) return std::nullopt;
   if (bare->function && (said.determiner != Determiner::New || !said.modifiers.empty())) return std::nullopt;
 
-  std::string before, after;
-  if (said.modifiers.size() == 1 && is_adjective(said.modifiers[0], lexicon_) && rng_.chance(0.7)) {
-    const Complement& modifier = said.modifiers[0];
-    before = (modifier.symbol.empty() ? state_word(modifier.predicate) : modifier.symbol) + " ";
-  } else if (!said.modifiers.empty()) {
-    const bool now = rng_.chance(0.4);
-    for (std::size_t i = 0; i < said.modifiers.size(); ++i) {
-      const auto text = complement(said.modifiers[i], Place{.inside_description = true});
-      if (!text) return std::nullopt;
-      after += (i == 0 ? "" : " and ") + *text;
-    }
-    after = (now ? "now " : "") + after;
-  }
-  bool plural = false;
-  if (said.determiner != Determiner::New) {
-    auto words = counted(said, *bare, before, after, plural);
-    return words;
-  }
-  return first(said, *bare, place, before, after);
+  const auto description = describe(said, place);
+  if (!description) return std::nullopt;
+  if (said.determiner != Determiner::New) return counted(said, *bare, *description);
+  return first(said, *bare, place, *description);
 }
 
 std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun) {
@@ -256,8 +135,9 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun) {
   return Words{article + " " + word};
 }
 
-std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Place place, const std::string& before,
-                                   const std::string& after) {
+std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Place place,
+                                   const Description& description) {
+  const std::string& before = description.before;
   std::size_t alike = 0, distinct = 0;
   for (const Named& other : named_) {
     if (other.noun != said.noun) continue;
@@ -265,25 +145,29 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
     distinct += plan_.distinct.contains({other.variable, said.variable}) ? 1 : 0;
   }
   if (!said.variable.empty() && distinct != 0 && distinct != alike) return std::nullopt;
-  const std::string tail = after.empty() ? "" : " that is " + after;
+  const std::string tail = description.tail(false);
   const bool another = distinct > 0;
   // Inside a description the object is any of its kind and stays unnamed.
   if (!said.variable.empty())
     named_.push_back({said.variable, said.noun, noun.function || said.noun.kind == Domain::Kind::Object});
   if (noun.function) return another || place.beside_every ? std::nullopt : std::optional(Words{noun.singular});
+  if (description.of_two) return Words{"the " + before + "of the two " + noun.plural + tail};
   if (another) {
     const std::string word = before + (noun.countable ? noun.singular : "piece of " + noun.singular);
     return Words{(rng_.chance(0.7) ? "another " : "a different ") + word + tail};
   }
   if (!noun.countable) {
     if (place.beside_every) return Words{"a single " + before + "piece of " + noun.singular + tail};
-    const bool marked = !said.modifiers.empty() && rng_.chance(0.8);
+    const bool marked = !said.modifiers.empty() && !place.wanted && rng_.chance(0.9);
     return Words{(marked ? "the " : "some ") + before + noun.singular + tail};
   }
+  // What is described is meant alone: "the mug nearest to the sink", not one of several.
+  const bool described = (!said.modifiers.empty() || !said.done.empty()) && !place.wanted;
+  if (described && !place.inside_description && rng_.chance(0.97)) return Words{"the " + before + noun.singular + tail};
   if (place.beside_every)
     return Words{pick({"one", "a single", "one and the same"}) + " " + before + noun.singular + tail};
+  if (place.unique) return Words{"the " + before + noun.singular + tail};
   if (place.inside_description && rng_.chance(0.7)) return Words{with_article(before + noun.singular) + tail};
-  if (!said.modifiers.empty() && rng_.chance(0.8)) return Words{"the " + before + noun.singular + tail};
   const bool room = !said.noun.members.empty() && lexicon_.is_room_type(said.noun.members[0].category);
   // "The mug" would promise that there is one only; of rooms there mostly is.
   if (room && alike == 0 && rng_.chance(0.7)) return Words{"the " + before + noun.singular + tail};
@@ -291,8 +175,9 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   return Words{with_article(before + noun.singular) + tail};
 }
 
-std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, const std::string& before,
-                                     const std::string& after, bool& plural) {
+std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, const Description& description) {
+  const std::string& before = description.before;
+  bool plural = false;
   const std::string one = before + (noun.countable ? noun.singular : "piece of " + noun.singular);
   const std::string many = before + (noun.countable ? noun.plural : "pieces of " + noun.singular);
   const std::string number = number_word(said.number);
@@ -312,6 +197,10 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, c
       } else {
         text = plural ? pick({"all", "all the", "all of the"}) + " " + many : pick({"every", "each"}) + " " + one;
       }
+      if (said.two && noun.countable && rng_.chance(0.8)) {
+        plural = true;
+        text = pick({"both", "both", "both of the"}) + " " + many;
+      }
       break;
     case Determiner::No:
       plural = noun.countable && rng_.chance(0.4);
@@ -321,6 +210,8 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, c
       text = pick({"exactly", "exactly", "precisely"}) + " " + number;
       break;
     case Determiner::AtLeast:
+      if (style_ == "vague-quantity" && noun.countable && (said.number == 2 || said.number == 3))
+        return Words{(said.number == 2 ? "a couple of " : "a few ") + many + description.tail(true), true};
       text = pick({"at least ", "no fewer than "}) + number;
       break;
     case Determiner::AtMost:
@@ -330,10 +221,13 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, c
       return std::nullopt;
   }
   if (said.determiner == Determiner::Exactly || said.determiner == Determiner::AtLeast ||
-      said.determiner == Determiner::AtMost)
-    text += " " + (plural ? many : one);
-  if (!after.empty()) text += (plural ? " that are " : " that is ") + after;
-  return Words{text, plural};
+      said.determiner == Determiner::AtMost) {
+    // "two of the mugs": there are more that the description picks out.
+    const bool of_the = noun.countable && !said.modifiers.empty() && rng_.chance(0.5);
+    text += of_the ? " of the " + many : " " + (plural ? many : one);
+    plural = plural || of_the;
+  }
+  return Words{text + description.tail(plural), plural};
 }
 
 }  // namespace unietp

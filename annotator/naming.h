@@ -22,6 +22,9 @@ struct Place {
   bool beside_every = false;  // "put every mug on …": a bare "a table" would have two readings
   bool beside_none = false;   // "no mug is on …": nothing new can be named
   bool inside_description = false;
+  bool unique = false;  // the home has one only: "nearest to the sink"
+  bool wanted = false;  // some such thing, not one that is there: "someone wants a hot potato"
+  bool bare = false;    // no place follows that the phrase could be torn apart by: "open the drawer in the kitchen"
 };
 
 /// Names the objects of one text as it goes: which were named before, and by which words.
@@ -54,10 +57,20 @@ class Naming {
   std::optional<Noun> noun(const Domain& domain);
   std::optional<std::string> name_of(const Domain::Member& member, bool plural, bool& countable);
   std::optional<Words> again(const NounPhrase& phrase, const Noun& noun);
-  std::optional<Words> first(const NounPhrase& phrase, const Noun& noun, Place place, const std::string& before,
-                             const std::string& after);
-  std::optional<Words> counted(const NounPhrase& phrase, const Noun& noun, const std::string& before,
-                               const std::string& after, bool& plural);
+  /// What stands around a noun: "dirty", "that is on a desk", "nearest to the sink".
+  struct Description {
+    std::string before;    // an adjective with a blank, or ""
+    std::string is;        // what follows "that is", or ""
+    std::string directly;  // what follows at once, with a blank before it, or ""
+    bool of_two = false;   // "the larger of the two mugs"
+    std::string tail(bool plural) const {
+      return directly + (is.empty() ? "" : (plural ? " that are " : " that is ") + is);
+    }
+  };
+  std::optional<Description> describe(const NounPhrase& phrase, Place place);
+  std::string adjective(const Complement& modifier, bool two);
+  std::optional<Words> first(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description);
+  std::optional<Words> counted(const NounPhrase& phrase, const Noun& noun, const Description& description);
   std::string pick(std::initializer_list<const char*> choices);
 
   const Plan& plan_;

@@ -120,6 +120,19 @@ class TextReader {
       say(Kind::Sometime, {command()});
       return end_sentence();
     }
+    for (const std::string_view need : {"someone wants", "someone would like", "somebody needs"})
+      if (words_.accept(need)) {
+        say(Kind::Need, {needed()});
+        return end_sentence();
+      }
+    if (words_.accept("before you")) {
+      Clause later = command();
+      words_.expect(", please");  // "…, open a fridge" could go on about what is open
+      Clause sooner = command();
+      say(kept() ? Kind::ThenKept : Kind::Then, {std::move(later), std::move(sooner)});
+      message_.back().inverted = true;
+      return end_sentence();
+    }
     if (words_.accept("first")) {
       words_.accept(",");
       in_order();
@@ -134,9 +147,25 @@ class TextReader {
     Clause before = command();
     then();
     Clause after = command();
-    const bool kept = words_.accept_one({", and leave both that way", ", with both still so at the end",
-                                         ", and keep both that way"}) >= 0;
-    say(kept ? Kind::ThenKept : Kind::Then, {std::move(before), std::move(after)});
+    const bool both = kept();
+    say(both ? Kind::ThenKept : Kind::Then, {std::move(before), std::move(after)});
+  }
+
+  bool kept() {
+    return words_.accept_one(
+               {", and leave both that way", ", with both still so at the end", ", and keep both that way"}) >= 0;
+  }
+
+  /// "a hot potato on a table": of what is wanted the adjective is wanted, too.
+  Clause needed() {
+    Clause clause;
+    clause.subjects.push_back(words_.phrase());
+    auto& wanted = clause.subjects[0].modifiers;
+    if (wanted.size() != 1) words_.fail("expected one state that is wanted, such as 'a hot potato', before this");
+    clause.complements = std::move(wanted);
+    wanted.clear();
+    if (words_.complement_comes()) clause.complements.push_back(words_.complement());
+    return clause;
   }
 
   void then() {
@@ -211,10 +240,25 @@ class TextReader {
     if (!words_.accept("either")) return statement_list();
     Clause either;
     either.kind = Clause::Kind::Or;
-    either.parts.push_back(statement_list());
-    while (!words_.failed() && words_.accept_one({", or", "or"}) >= 0) either.parts.push_back(statement_list());
+    do {
+      either.parts.push_back(given(statement_list()));
+    } while (!words_.failed() && words_.accept_one({", or", "or"}) >= 0);
     if (either.parts.size() < 2) words_.fail("expected 'or' after 'either'");
     return either;
+  }
+
+  /// "… if a fridge is open": the condition of an alternative, read at the start.
+  Clause given(Clause part) {
+    if (!words_.accept("if")) return part;
+    NounPhrase there = words_.phrase();
+    if (there.determiner != Determiner::New) words_.fail("expected 'a …' before this");
+    be();
+    Clause said;
+    words_.complements(said);
+    if (said.any_complement) words_.fail("a condition says all of its object that it asks for");
+    there.modifiers = std::move(said.complements);
+    part.given.push_back(std::move(there));
+    return part;
   }
 
   Clause statement_list() {
@@ -278,8 +322,9 @@ class TextReader {
       words_.accept("either");
       Clause either;
       either.kind = Clause::Kind::Or;
-      either.parts.push_back(command_list());
-      while (!words_.failed() && words_.accept_one({", or", "or"}) >= 0) either.parts.push_back(command_list());
+      do {
+        either.parts.push_back(given(command_list()));
+      } while (!words_.failed() && words_.accept_one({", or", "or"}) >= 0);
       if (either.parts.size() < 2) words_.fail("expected 'or' after 'either'");
       return either;
     }
@@ -407,7 +452,9 @@ class TextReader {
     }
     for (const Verb& verb : kVerbs) {
       if (!words_.accept(verb.words)) continue;
+      words_.set_bare_places(verb.after.empty());
       clause.subjects = words_.phrases(clause.any_subject);
+      words_.set_bare_places(false);
       const bool optional = verb.after.ends_with('?');
       const std::string_view after = optional ? verb.after.substr(0, verb.after.size() - 1) : verb.after;
       if (!after.empty() && !words_.accept(after) && !optional) words_.fail("expected '" + std::string(after) + "'");

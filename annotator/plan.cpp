@@ -14,7 +14,12 @@ using Scope = std::map<std::string, Domain>;
 
 class Planner {
  public:
-  Planner(bool choosing, Rng rng) : choosing_(choosing), rng_(rng) {}
+  Planner(const std::vector<Formula>& start, bool choosing, Rng rng) : choosing_(choosing), rng_(rng) {
+    for (const Formula& f : start) {
+      if (f.op != Op::Count || f.comparison != Comparison::Equal || f.number != 2) continue;
+      pairs_.insert(pair_key(f.variable, f.domain, f.children[0]));
+    }
+  }
 
   Result<Plan> plan(const Formula& goal) {
     Formula body = expanded(goal);
@@ -130,11 +135,38 @@ class Planner {
     phrase.noun = domain;
     phrase.noun.where.clear();
     if (domain.where.empty()) return;
-    for (const Formula& part : conjuncts(domain.where[0])) {
-      const auto modifier = complement(part, variable, Determiner::New);
+    const bool size = std::any_of(domain.where.begin(), domain.where.end(), [](const Formula& where) {
+      return where.op == Op::Atom && where.predicate == Predicate::Size;
+    });
+    phrase.two = pairs_.contains(pair_key(variable, phrase.noun, size ? Formula{} : domain.where[0]));
+    for (const Formula& part : scattered(domain.where[0], variable)) {
+      auto modifier = complement(part, variable, Determiner::New);
+      if (!modifier) modifier = converse(part, variable);
       if (!modifier) fail(part);
       if (modifier) phrase.modifiers.push_back(*modifier);
     }
+  }
+
+  /// What is said of the variable, one by one: `expanded` has pulled the quantifiers to the front.
+  static std::vector<Formula> scattered(const Formula& f, const std::string& variable) {
+    if (f.op != Op::And && f.op != Op::Exists) return {f};
+    std::vector<Formula> parts;
+    for (const Formula& child : f.children) {
+      for (Formula& part : scattered(child, variable)) {
+        const bool bound = f.op == Op::Exists && mentions(part, f.variable);
+        parts.push_back(bound ? exists(f.variable, f.domain, std::move(part)) : std::move(part));
+      }
+    }
+    return parts;
+  }
+
+  /// "where a plate is kept": what is said of the variable by something else.
+  std::optional<Complement> converse(const Formula& f, const std::string& variable) {
+    if (f.op != Op::Exists || f.children[0].op != Op::Atom || f.children[0].terms.size() != 2) return std::nullopt;
+    const Formula& body = f.children[0];
+    const bool held = body.predicate == Predicate::Inside || body.predicate == Predicate::On;
+    if (!held || !is(body.terms[0], f.variable) || !is(body.terms[1], variable)) return std::nullopt;
+    return Complement{body.predicate, false, "", {quantified(f, Determiner::New)}, true};
   }
 
   NounPhrase quantified(const Formula& binder, Determiner determiner) {
@@ -305,13 +337,19 @@ class Planner {
     }
     said = {};
     Scope outer = scope_;
+    bool same = true;
     for (const Formula& part : f.children) {  // objects of an alternative are New in it
       const Formula* body = &part;
-      for (; body->op == Op::Exists; body = &body->children[0]) scope_[body->variable] = body->domain;
+      std::vector<NounPhrase> given;
+      for (; body->op == Op::Exists; body = &body->children[0]) {
+        scope_[body->variable] = body->domain;
+        if (only_given(*body)) given.push_back(reference(body->variable, *body));
+      }
       said.parts.push_back(clause(*body));
+      same = same && given.empty();
+      said.parts.back().given = std::move(given);
     }
     scope_ = outer;
-    bool same = true;
     for (const Clause& part : said.parts)
       same = same && part.kind == Clause::Kind::Simple && part.subjects.size() == 1 && same_saying(part, said.parts[0]);
     for (const Clause& part : said.parts)
@@ -326,6 +364,12 @@ class Planner {
     for (std::size_t i = 1; i < said.parts.size(); ++i) merged.subjects.push_back(said.parts[i].subjects[0]);
     merged.any_subject = true;
     return merged;
+  }
+
+  /// Something that has to be there, and of which nothing else is said: "if a fridge is open".
+  static bool only_given(const Formula& binder) {
+    const auto free = free_variables(binder.children[0]);
+    return !binder.domain.where.empty() && std::find(free.begin(), free.end(), binder.variable) == free.end();
   }
 
   static const std::string* subject_of(const Formula& f) {
@@ -376,8 +420,14 @@ class Planner {
     plan_.message.insert(plan_.message.begin(), {Requirement::Kind::Choose, {said}});
   }
 
+  /// Of which objects there are two, whatever the variables are called.
+  static std::string pair_key(const std::string& variable, const Domain& domain, const Formula& body) {
+    return to_text(normal_form(exists(variable, domain, body)));
+  }
+
   bool choosing_;
   Rng rng_;
+  std::set<std::string> pairs_;  // pair_key of what the start has exactly two of
   Scope scope_;
   Plan plan_;
   std::optional<Error> error_;
@@ -385,6 +435,8 @@ class Planner {
 
 }  // namespace
 
-Result<Plan> plan_message(const Formula& goal, bool choosing, Rng rng) { return Planner(choosing, rng).plan(goal); }
+Result<Plan> plan_message(const Formula& goal, const std::vector<Formula>& start, bool choosing, Rng rng) {
+  return Planner(start, choosing, rng).plan(goal);
+}
 
 }  // namespace unietp

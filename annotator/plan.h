@@ -2,6 +2,7 @@
 
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "annotator/clause.h"
 #include "core/result.h"
@@ -17,8 +18,9 @@ struct Plan {
 };
 
 /// Deterministic in rng, which chooses among equal orders and groupings. `choosing`: may open with "Choose a kitchen.",
-/// which clears up the scope of what follows.
+/// which clears up the scope of what follows. `start`: the start constraints; where they say that there are exactly two
+/// of something, the text may say "both".
 /// Errors: Unsatisfiable, naming the part of the goal that no clause can say.
-Result<Plan> plan_message(const Formula& goal, bool choosing, Rng rng);
+Result<Plan> plan_message(const Formula& goal, const std::vector<Formula>& start, bool choosing, Rng rng);
 
 }  // namespace unietp

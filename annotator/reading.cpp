@@ -81,6 +81,12 @@ constexpr StateWords kSymbols[] = {{"filled with", P::Filled}, {"covered with", 
 constexpr std::array<std::string_view, 13> kNumbers{"zero",  "one",   "two",  "three", "four",   "five",  "six",
                                                     "seven", "eight", "nine", "ten",   "eleven", "twelve"};
 
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kOfTwo = {
+    {{"the larger of the two", "large"}, {"the bigger of the two", "large"}, {"the smaller of the two", "small"}}};
+constexpr std::array<std::string_view, 6> kBarePlaces{"on", "inside", "in", "next to", "beside", "on top of"};
+constexpr std::array<std::string_view, 6> kLarge{"large", "larger", "largest", "big", "bigger", "biggest"};
+constexpr std::array<std::string_view, 3> kSmall{"small", "smaller", "smallest"};
+
 std::optional<int> number_in(const std::string& word) {
   const auto found = std::find(kNumbers.begin(), kNumbers.end(), word);
   if (found != kNumbers.end()) return static_cast<int>(found - kNumbers.begin());
@@ -131,8 +137,8 @@ void PhraseReader::expect(std::string_view words) {
 }
 
 bool PhraseReader::phrase_comes() const {
-  for (const char* start : {"a", "an", "one", "the", "that", "some", "any", "every", "each", "all", "no", "exactly",
-                            "precisely", "another", "it", "you"})
+  for (const char* start : {"a", "an", "one", "the", "that", "some", "any", "every", "each", "all", "both", "no",
+                            "exactly", "precisely", "another", "it", "you"})
     if (peek() == start) return true;
   for (const char* start : {"at least", "at most"})
     if (comes(start)) return number_in(peek(2)).has_value();
@@ -177,7 +183,17 @@ NounPhrase PhraseReader::phrase() {
   if (accept_one({"one and the same", "one"}) >= 0) return as(Determiner::Single);
   if (accept_one({"that", "the same"}) >= 0) return as(Determiner::Known);
   if (accept_one({"another", "a different"}) >= 0) return as(Determiner::Another);
+  for (const auto& [words, size] : kOfTwo) {
+    if (!accept(words)) continue;
+    read.modifiers.push_back({P::Size, false, std::string(size), {}});
+    return as(Determiner::The, true);
+  }
   if (accept("the")) return as(Determiner::The);
+  for (const auto& [words, number] : {std::pair{"a couple of", 2}, std::pair{"a few", 3}}) {
+    if (!accept(words)) continue;
+    read.number = number;
+    return as(Determiner::AtLeast, true);
+  }
   if (accept_one({"an", "a"}) >= 0) return as(Determiner::New);
   if (accept("any")) return as(Determiner::Any);
   if (accept("some")) {  // "some bread" is a mass, "some mug or other" any
@@ -186,7 +202,8 @@ NounPhrase PhraseReader::phrase() {
     return read;
   }
   if (accept_one({"every", "each"}) >= 0) return as(Determiner::Every);
-  if (accept_one({"all of the", "all the", "all"}) >= 0) return as(Determiner::Every, true);
+  if (accept_one({"all of the", "all the", "all", "both of the", "both the", "both"}) >= 0)
+    return as(Determiner::Every, true);
   static constexpr std::pair<Determiner, std::string_view> kCounts[] = {
       {Determiner::Exactly, "exactly"},       {Determiner::Exactly, "precisely"}, {Determiner::AtLeast, "at least"},
       {Determiner::AtLeast, "no fewer than"}, {Determiner::AtMost, "at most"},    {Determiner::AtMost, "no more than"}};
@@ -199,7 +216,8 @@ NounPhrase PhraseReader::phrase() {
     }
     ++at_;
     read.number = *number;
-    return as(determiner, *number != 1);
+    const bool of_the = accept("of the");  // "one of the mugs"
+    return as(determiner, of_the || *number != 1);
   }
   if (accept("no")) {
     const auto noun = lexicon_.noun_at(tokens_, at_);
@@ -243,6 +261,8 @@ NounPhrase PhraseReader::noun_after(NounPhrase read, bool plural) {
   }
   std::sort(read.noun.members.begin(), read.noun.members.end(),
             [](const auto& a, const auto& b) { return std::tie(a.category, a.slice) < std::tie(b.category, b.slice); });
+  direct_description(read);
+  if (failed()) return read;
   if (accept_one({"that is", "that are", "which is", "which are"}) >= 0) {
     accept_one({"now", "currently"});
     do {
@@ -258,11 +278,42 @@ NounPhrase PhraseReader::noun_after(NounPhrase read, bool plural) {
   return read;
 }
 
+/// What follows a noun at once: "nearest to the sink", "where a plate is kept", "that you put a mug into", and, where
+/// no place can be meant otherwise, "in the kitchen".
+void PhraseReader::direct_description(NounPhrase& read) {
+  if (comes("nearest to") || comes("closest to")) {
+    read.modifiers.push_back(complement());
+  } else if (accept("where")) {
+    read.modifiers.push_back({P::Inside, false, "", {phrase()}, true});
+    expect("is kept");
+  } else if (accept("on which")) {
+    read.modifiers.push_back({P::On, false, "", {phrase()}, true});
+    expect("stands");
+  } else if (bare_places_ &&
+             std::any_of(kBarePlaces.begin(), kBarePlaces.end(), [&](auto words) { return comes(words); })) {
+    bare_places_ = false;
+    read.modifiers.push_back(complement());
+    bare_places_ = true;
+  }
+  while (!failed() && accept("that you put")) {
+    Complement done{P::Inside, false, "", {phrase()}, true};
+    if (accept("on")) {
+      done.predicate = P::On;
+    } else {
+      expect("into");
+    }
+    read.done.push_back(std::move(done));
+  }
+}
+
 std::optional<Complement> PhraseReader::adjective() const {
   for (const StateWords& state : kStates)
     if (peek() == state.words) return Complement{state.predicate, false, "", {}};
   if (lexicon_.is_colour(peek())) return Complement{P::Colour, false, peek(), {}};
-  if (peek() == "large" || peek() == "small") return Complement{P::Size, false, peek(), {}};
+  if (peek() == "wooden") return Complement{P::Material, false, "wood", {}};
+  if (lexicon_.is_material(peek())) return Complement{P::Material, false, peek(), {}};
+  if (std::find(kLarge.begin(), kLarge.end(), peek()) != kLarge.end()) return Complement{P::Size, false, "large", {}};
+  if (std::find(kSmall.begin(), kSmall.end(), peek()) != kSmall.end()) return Complement{P::Size, false, "small", {}};
   return std::nullopt;
 }
 
@@ -285,7 +336,7 @@ std::vector<NounPhrase> PhraseReader::phrases(bool& any) {
 }
 
 bool PhraseReader::complement_comes() const {
-  if (peek() == "not") return true;
+  if (peek() == "not" || lexicon_.is_colour(peek())) return true;
   for (const StateWords& words : kStates)
     if (comes(words.words)) return true;
   for (const StateWords& words : kPrepositions)
@@ -321,6 +372,7 @@ Complement PhraseReader::complement() {
     if (accept(words.words)) return {words.predicate, false, "", {}};
   for (const StateWords& words : kSymbols)
     if (accept(words.words)) return {words.predicate, false, symbol(), {}};
+  if (lexicon_.is_colour(peek())) return {P::Colour, false, tokens_[at_++].text, {}};
   if (const auto predicate = preposition()) return relation(*predicate);
   fail("expected a state or a place, such as 'clean' or 'on a table'");
   return {};
@@ -348,7 +400,7 @@ std::string PhraseReader::symbol() {
   while (!done() && !failed()) {
     bool stop = false;
     for (const char* end : {",", ".", "?", "!", ";", "and", "or", "before", "until", "then", "on", "in", "over", "off",
-                            "at", "again", "the", "is"})
+                            "at", "again", "the", "is", "if"})
       stop |= peek() == end;
     if (stop) break;
     words.push_back(peek());

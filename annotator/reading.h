@@ -40,6 +40,8 @@ class PhraseReader {
   std::vector<NounPhrase> phrases(bool& any);
   bool complement_comes() const;
   Complement complement();
+  /// From here on a place after a noun describes it: "open the drawer in the kitchen".
+  void set_bare_places(bool bare) { bare_places_ = bare; }
   /// "clean and on that table", "either in a box or on a table"
   void complements(Clause& into);
   /// Words up to a place where a clause can go on, joined by "_": "tomato_sauce".
@@ -50,7 +52,7 @@ class PhraseReader {
     return tokens_.empty() ? 1 : tokens_.back().column + static_cast<int>(tokens_.back().text.size());
   }
   NounPhrase noun_after(NounPhrase phrase, bool plural);
-  void description(NounPhrase& phrase, bool pronoun);
+  void direct_description(NounPhrase& phrase);
   std::optional<Complement> adjective() const;
   std::optional<Predicate> preposition();
   Complement relation(Predicate predicate);
@@ -58,6 +60,7 @@ class PhraseReader {
   const std::vector<Token>& tokens_;
   const NounTable& lexicon_;
   std::size_t at_ = 0;
+  bool bare_places_ = false;
   std::optional<Error> error_;
 };
 

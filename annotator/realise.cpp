@@ -94,6 +94,8 @@ class Realiser {
   }
 
   std::string asked(const std::string& command, bool is_first) {
+    const bool forbids = command.starts_with("do not ") || command.find(" do not ") != std::string::npos;
+    if (forbids) return sentence((rng_.chance(0.3) ? "please " : "") + command, '.');  // "could you do not" is wrong
     switch (rng_.below(12)) {
       case 0:
         return sentence("please " + command, '.');
@@ -149,6 +151,10 @@ class Realiser {
       }
       case Kind::Before:
         return linked("make sure that ", clauses, " before ");
+      case Kind::Need: {
+        const Text wanted = needed(clauses[0]);
+        return framed(pick({"someone wants ", "someone would like ", "somebody needs "}), wanted, "");
+      }
       case Kind::Then:
       case Kind::ThenKept: {
         const Text first = command(clauses[0]);
@@ -158,6 +164,7 @@ class Realiser {
             said.kind == Kind::Then
                 ? ""
                 : pick({", and leave both that way", ", with both still so at the end", ", and keep both that way"});
+        if (said.inverted) return framed("before you ", Text(*first + ", please " + *second), kept);
         return framed(pick({"first ", "first, ", "please first "}),
                       Text(*first + pick({", then ", " and then ", ", and after that "}) + *second), kept);
       }
@@ -169,6 +176,16 @@ class Realiser {
       }
     }
     return std::nullopt;
+  }
+
+  /// "a hot potato on a table"
+  Text needed(const Clause& clause) {
+    NounPhrase wanted = clause.subjects[0];
+    if (!wanted.modifiers.empty() || naming_.was_named(wanted.variable)) return std::nullopt;
+    wanted.modifiers = {clause.complements[0]};
+    const auto thing = naming_.phrase(wanted, {.wanted = true});
+    const Text where = naming_.complement(clause.complements[1], {});
+    return thing && where ? Text(thing->text + " " + *where) : std::nullopt;
   }
 
   static Text framed(const std::string& before, const Text& body, const std::string& after) {
@@ -204,12 +221,12 @@ class Realiser {
     return place;
   }
 
-  std::optional<Words> subjects_of(const Clause& clause) {
+  std::optional<Words> subjects_of(const Clause& clause, Place place = {}) {
     std::vector<std::string> texts;
     bool plural = clause.subjects.size() > 1 && !clause.any_subject;
     for (const NounPhrase& subject : clause.subjects) {
       const std::size_t before = naming_.named_count();
-      const auto words = naming_.phrase(subject, {});
+      const auto words = naming_.phrase(subject, place);
       if (!words) return std::nullopt;
       if (clause.any_subject && naming_.named_count() > before) naming_.forget_after(before);
       texts.push_back(words->text);
@@ -250,11 +267,31 @@ class Realiser {
       if (part.kind == Clause::Kind::Or || (!either && part.kind != Clause::Kind::Simple)) return std::nullopt;
       const std::size_t before = naming_.named_count();
       const Text said = say(part);
-      if (!said) return std::nullopt;
+      const Text condition = said ? given(part) : std::nullopt;
+      if (!condition) return std::nullopt;
       if (either) naming_.forget_after(before);
-      parts.push_back(*said);
+      parts.push_back(*said + *condition);
     }
     return (either ? "either " : "") + listed(parts, either ? "or" : "and");
+  }
+
+  /// " if a fridge is open", or nothing.
+  Text given(const Clause& part) {
+    std::string text;
+    for (const NounPhrase& there : part.given) {
+      NounPhrase bare = there;
+      bare.modifiers.clear();
+      const auto subject = naming_.phrase(bare, {});
+      if (!subject) return std::nullopt;
+      std::vector<std::string> states;
+      for (const Complement& modifier : there.modifiers) {
+        const Text said = naming_.complement(modifier, {});
+        if (!said) return std::nullopt;
+        states.push_back(*said);
+      }
+      text += (text.empty() ? " if " : " and ") + subject->text + " is " + listed(states, "and");
+    }
+    return text;
   }
 
   Text comparison(const Clause& clause, const std::string& be) {
@@ -368,7 +405,9 @@ class Realiser {
 
   Text filled(const std::string& pattern, const Clause& clause) {
     if (described_by_place(clause) && !pattern.starts_with("attach")) return taken_first(clause);
-    const auto subjects = subjects_of(clause);
+    // Only where the reader expects no place: verbs that end with what they are done to.
+    const bool bare = clause.complements[0].object.empty() && pattern.ends_with(" {s}");
+    const auto subjects = subjects_of(clause, {.bare = bare});
     if (!subjects) return std::nullopt;
     std::string text = smooth(pattern, subjects->text, clause.complements[0]);
     text = replace_all(text, "{m}", replace_all(clause.complements[0].symbol, "_", " "));

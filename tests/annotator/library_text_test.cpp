@@ -53,6 +53,7 @@ TEST(WriteInstruction, EveryTemplateOfTheLibraryReadsBackAndItsNeighboursDoNot) 
   for (const Simulator simulator : kSimulators) {
     const auto knowledge = load_knowledge(database(), simulator);
     ASSERT_TRUE(knowledge) << format(knowledge.error());
+    const NounTable nouns(*knowledge);
     for (const Template& source : library.templates) {
       SCOPED_TRACE(source.name);
       for (std::uint64_t seed = 0; seed < 3; ++seed) {
@@ -61,14 +62,15 @@ TEST(WriteInstruction, EveryTemplateOfTheLibraryReadsBackAndItsNeighboursDoNot) 
                                            : Result<Specification>(Error{Error::Kind::Unsatisfiable, "", {}, "none"});
         if (!specification) continue;
         for (std::uint64_t draw = 0; draw < 20; ++draw) {
-          const auto text = write_instruction(*specification, *knowledge, Rng(draw));
+          const auto text = write_instruction(*specification, *knowledge, nouns, Rng(draw));
           ASSERT_TRUE(text) << format(text.error());
           ++written;
           if (draw > 0) continue;
           for (const Formula& wrong : mutations(specification->goal)) {
             Specification other = *specification;
             other.goal = wrong;
-            EXPECT_FALSE(check_instruction(text->text, other, *knowledge).empty()) << text->text << to_text(wrong);
+            EXPECT_FALSE(check_instruction(text->text, other, *knowledge, nouns).empty())
+                << text->text << to_text(wrong);
             ++refused;
           }
         }
@@ -91,7 +93,7 @@ TEST(WriteInstruction, RefinedGoalsReadBack) {
       const auto plain = instantiate(source, *knowledge, *binding);
       if (!plain) continue;
       for (const auto& refined :
-           {refine_referring(*plain, *knowledge, Rng(1)), refine_linguistic(*plain, *knowledge, Rng(1))}) {
+           {refine_referring(*plain, *knowledge, {}, "", Rng(1)), refine_linguistic(*plain, *knowledge, "", Rng(1))}) {
         if (!refined) continue;
         const auto text = write_instruction(*refined, *knowledge, Rng(2));
         ASSERT_TRUE(text) << format(text.error());

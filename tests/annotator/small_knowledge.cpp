@@ -11,6 +11,7 @@ Knowledge small_knowledge() {
     c.countable = countable;
     c.rooms = {"kitchen", "living_room"};
     c.colours = {"red"};
+    c.materials = {"wood"};
     return c;
   };
   std::vector<Category> categories{

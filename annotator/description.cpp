@@ -1,0 +1,78 @@
+#include "annotator/naming.h"
+#include "annotator/state_words.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+bool is_direct(const Complement& modifier, bool bare) {
+  if (modifier.negated || modifier.object.empty()) return false;
+  using P = Predicate;
+  const bool place = modifier.predicate == P::On || modifier.predicate == P::Inside ||
+                     modifier.predicate == P::InRoom || modifier.predicate == P::NextTo;
+  return modifier.converse || modifier.predicate == P::Nearest || (bare && place);
+}
+
+}  // namespace
+
+/// The modifier as a word before the noun, or "" when it is none.
+std::string Naming::adjective(const Complement& modifier, bool two) {
+  using P = Predicate;
+  if (modifier.negated || !modifier.object.empty()) return "";
+  if (modifier.predicate == P::Colour) return lexicon_.is_colour(modifier.symbol) ? modifier.symbol : "";
+  if (modifier.predicate == P::Material) {
+    if (!lexicon_.is_material(modifier.symbol)) return "";
+    return modifier.symbol == "wood" ? "wooden" : modifier.symbol;
+  }
+  if (modifier.predicate == P::Size) {
+    const bool large = modifier.symbol == "large";
+    if (!large && modifier.symbol != "small") return "";
+    if (two) return large ? pick({"larger", "bigger"}) : "smaller";
+    return large ? pick({"largest", "biggest"}) : "smallest";
+  }
+  const std::string word = state_word(modifier.predicate);
+  return modifier.symbol.empty() && word.find(' ') == std::string::npos ? word : "";
+}
+
+std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Place place) {
+  Description description;
+  std::vector<const Complement*> rest;
+  for (const Complement& modifier : said.modifiers) {
+    const std::string word = description.before.empty() ? adjective(modifier, said.two) : "";
+    const bool size = modifier.predicate == Predicate::Size;
+    if (!word.empty() && (size || rng_.chance(0.7))) {
+      description.before = word + " ";
+      description.of_two = size && said.two && rng_.chance(0.4);
+    } else {
+      rest.push_back(&modifier);
+    }
+  }
+  for (const Complement* modifier : rest) {
+    Place inside{.inside_description = true};
+    inside.unique = modifier->predicate == Predicate::Nearest || modifier->predicate == Predicate::InRoom;
+    if (modifier->converse) {
+      const auto object = phrase(modifier->object[0], inside);
+      if (!object || rest.size() > 1) return std::nullopt;
+      const bool held = modifier->predicate == Predicate::Inside;
+      description.directly = (held ? " where " : " on which ") + object->text + (held ? " is kept" : " stands");
+      continue;
+    }
+    const auto text = complement(*modifier, inside);
+    if (!text) return std::nullopt;
+    const bool direct = rest.size() == 1 && is_direct(*modifier, place.bare);
+    if (direct && (modifier->predicate == Predicate::Nearest || rng_.chance(0.7))) {
+      description.directly = " " + *text;
+    } else {
+      description.is += (description.is.empty() ? "" : " and ") + *text;
+    }
+  }
+  if (!description.is.empty() && rng_.chance(0.3)) description.is.insert(0, "now ");
+  for (const Complement& done : said.done) {
+    const auto object = phrase(done.object[0], {});
+    if (!object) return std::nullopt;
+    description.directly += " that you put " + object->text + (done.predicate == Predicate::On ? " on" : " into");
+  }
+  return description;
+}
+
+}  // namespace unietp

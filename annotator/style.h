@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "annotator/noun_table.h"
+#include "annotator/plan.h"
+
+namespace unietp {
+
+/// Turns a plan so that it can be worded in a style that orders or joins what is said differently: `inverted-order`,
+/// `relative-clause`, `implicit-need`. False when the plan has nothing that could be said that way; another draw may.
+bool turn_to_style(Plan& plan, std::string_view style);
+
+/// What a text of this style lacks of the style, in words; "" when it keeps the style's promise.
+std::string style_fault(const std::string& text, std::string_view style, const Formula& goal, const NounTable& lexicon);
+
+}  // namespace unietp
