@@ -1,0 +1,17 @@
+#pragma once
+
+#include "pipeline/commands.h"
+
+namespace unietp {
+
+// Each adds one subcommand of `unietp template`.
+void add_template_coverage_command(CLI::App& group, CommandLine& program);
+void add_template_lint_command(CLI::App& group, CommandLine& program);
+void add_template_list_command(CLI::App& group, CommandLine& program);
+void add_template_new_command(CLI::App& group, CommandLine& program);
+void add_template_show_command(CLI::App& group, CommandLine& program);
+void add_template_try_command(CLI::App& group, CommandLine& program);
+void add_template_vocabulary_command(CLI::App& group, CommandLine& program);
+void add_template_why_not_command(CLI::App& group, CommandLine& program);
+
+}  // namespace unietp

@@ -1,0 +1,51 @@
+#include "pipeline/template_choice.h"
+
+#include <algorithm>
+
+#include "core/text.h"
+#include "pipeline/template_library.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool same_file(const fs::path& one, const fs::path& other) {
+  std::error_code code;
+  return fs::equivalent(one, other, code) && !code;
+}
+
+bool is_in(const std::vector<Template>& templates, const fs::path& file) {
+  return std::any_of(templates.begin(), templates.end(),
+                     [&](const Template& source) { return same_file(source.file, file); });
+}
+
+}  // namespace
+
+TemplateChoice choose_template(const DataFolders& folders, const std::string& name_or_file) {
+  std::error_code code;
+  const bool file = fs::is_regular_file(name_or_file, code);
+  auto wide = folders;
+  if (file && !is_in(library_of(folders).templates, name_or_file)) wide.templates.emplace_back(name_or_file);
+  auto reading = load_resources(wide);
+  TemplateChoice choice{std::move(reading.resources), 0, std::move(reading.errors)};
+  if (!choice.errors.empty()) return choice;
+
+  std::vector<std::string> names;
+  const auto& templates = choice.resources.templates;
+  for (const auto& source : templates) {
+    if (file ? same_file(source.file, name_or_file) : source.name == name_or_file) return choice;
+    names.push_back(source.name);
+    ++choice.position;
+  }
+  const auto near = nearest_name(name_or_file, names);
+  choice.errors.push_back({Error::Kind::Usage,
+                           "template",
+                           {},
+                           "there is no template or file \"" + name_or_file + "\"" +
+                               (near.empty() ? "" : ", did you mean \"" + near + "\"") +
+                               "; `unietp template list` shows all names"});
+  return choice;
+}
+
+}  // namespace unietp

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace unietp {
+
+/// A word of the template language.
+struct VocabularyWord {
+  std::string word;     // "fits-on"
+  std::string usage;    // "(fits-on A B [n])"
+  std::string meaning;  // one line for people
+};
+
+/// A branch of the tree of words.
+struct VocabularyGroup {
+  std::string name;   // "constraints", for programs
+  std::string title;  // "Constraints", for people
+  std::string says;   // where these words stand
+  std::vector<VocabularyWord> words;
+  std::vector<VocabularyGroup> groups;
+};
+
+/// Every word that a template may use, each from the table that its reader looks it up in, so that none is forgotten.
+std::vector<VocabularyGroup> template_vocabulary();
+
+/// {"format": "unietp-vocabulary/1", "groups": [{name, title, says, words: [{word, usage, meaning}], groups: […]}]}
+nlohmann::ordered_json vocabulary_json(const std::vector<VocabularyGroup>& groups);
+/// docs/vocabulary.md
+std::string vocabulary_page(const std::vector<VocabularyGroup>& groups);
+
+}  // namespace unietp
