@@ -32,19 +32,30 @@ void fill_slots(benchmark::State& state) {
   double tasks = 0, candidates = 0, bytes = 0;
   for (auto _ : state) {
     LayoutPool layouts(configuration, reading.resources);
-    for (const auto& slot : *slots) {
-      for (int attempt = 0; attempt < configuration.attempts; ++attempt) {
-        const auto candidate = make_task(configuration, reading.resources, layouts, slot, attempt, &costs);
+    CandidatePlanner planner(configuration, reading.resources, layouts, *slots);
+    Frequencies taken;
+    std::vector<int> open;
+    for (const auto& slot : *slots) open.push_back(slot.index);
+    for (int attempt = 0; attempt < configuration.attempts && !open.empty(); ++attempt) {
+      std::vector<int> still_open;
+      for (const auto& plan : planner.round(open, attempt, taken)) {
+        const auto& slot = (*slots)[static_cast<std::size_t>(plan.slot)];
+        const auto candidate =
+            make_task(configuration, reading.resources, layouts, slot, plan, planner.counts(), &costs);
         const auto start = std::chrono::steady_clock::now();
         const auto record = record_of(candidate);
         costs.seconds[static_cast<std::size_t>(Stage::Writer)] +=
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         ++candidates;
         bytes += static_cast<double>(record.task.size() + record.demonstration.size() + record.scene.size());
-        if (!record.accepted) continue;
-        ++tasks;
-        break;
+        if (record.accepted) {
+          ++tasks;
+          taken.add(traits_from(record.traits));
+        } else {
+          still_open.push_back(plan.slot);
+        }
       }
+      open = still_open;
     }
   }
   state.counters["tasks/s"] = benchmark::Counter(tasks, benchmark::Counter::kIsRate);

@@ -124,6 +124,7 @@ CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate
   record.demonstration = demonstration_line(task);
   record.scene = gzip(scene_to_json(task.episode.start));
   record.start_key = start_key(task);
+  record.traits = to_text(task.traits);
   record.text_key = sha256(task.episode.layout + "\n" + normalised_text(task.instruction.text));
   return record;
 }

@@ -18,6 +18,7 @@ struct CandidateRecord {
   std::string scene;          // gzip of the start scene's JSON
   std::string start_key;      // equal for equal (template, binding, start)
   std::string text_key;       // equal for equal (layout, normalised instruction)
+  std::string traits;         // text of its traits (balance.h)
   // of a rejected one
   std::string rejection;  // line of rejections.jsonl
   bool operator==(const CandidateRecord&) const = default;

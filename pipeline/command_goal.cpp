@@ -7,6 +7,7 @@
 
 #include "core/text.h"
 #include "logic/formula.h"
+#include "pipeline/action_page.h"
 #include "pipeline/commands.h"
 #include "pipeline/configuration.h"
 #include "pipeline/formula_json.h"
@@ -17,7 +18,7 @@ namespace {
 
 struct Options {
   std::string text, simulators;
-  bool json = false;
+  bool json = false, page = false;
 };
 
 /// A category that a goal names must be known to the simulator it is asked of.
@@ -57,7 +58,21 @@ Exit parse(const Options& options, const CommandLine& program) {
   return Exit::Ok;
 }
 
-Exit list_actions(const Options& options) {
+Exit print_action_page(const DataFolders& folders) {
+  std::vector<Profile> plain, wide;
+  for (const auto simulator : kSimulators) {
+    for (const auto actions : {ActionProfile::Unietp, ActionProfile::Wide}) {
+      const auto profile = load_profile(folders.profiles(), simulator, actions);
+      if (!profile) return refuse(profile.error());
+      (actions == ActionProfile::Wide ? wide : plain).push_back(*profile);
+    }
+  }
+  std::fputs(action_page(plain, wide).c_str(), stdout);
+  return Exit::Ok;
+}
+
+Exit list_actions(const Options& options, const DataFolders& folders) {
+  if (options.page) return print_action_page(folders);
   std::vector<Simulator> simulators(kSimulators.begin(), kSimulators.end());
   if (!options.simulators.empty()) {
     const auto asked = parse_simulators("--simulators", options.simulators);
@@ -96,7 +111,9 @@ void add_actions_command(CLI::App& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = app.add_subcommand("actions", "List the actions, the modes that offer them, and what they do");
   command->add_option("--simulators", options->simulators, "Only those that one of these offers");
-  command->callback([options, &program] { program.exit = list_actions(*options); });
+  command->add_flag("--page", options->page,
+                    "Print docs/action-table.md: every action, simulator, mode and profile, needs and limits");
+  command->callback([options, &program] { program.exit = list_actions(*options, program.folders); });
 }
 
 }  // namespace unietp

@@ -1,57 +1,81 @@
-#include <cstdio>
+#include <array>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/png.h"
 #include "core/text.h"
 #include "grounding/scene_svg.h"
 #include "pipeline/commands.h"
 #include "scene/scene_json.h"
 #include "simulation/navigation.h"
+#include "simulation/picture.h"
+#include "simulation/view.h"
 
 namespace unietp {
 namespace {
 
 constexpr const char* kHelp =
-    "Draw a task of a data set from above as SVG: its start, with the way that its demonstration goes.\n"
+    "Draw a task of a data set: from above as SVG, its start and the way that its demonstration goes; or as PNG\n"
+    "what the agent sees before a step of it.\n"
     "\n"
     "  unietp render out/first ai2thor-00001 --out task.svg\n"
+    "  unietp render out/first ai2thor-00001 --out seen.png --step 3 --boxes\n"
     "\n"
     "`unietp scene show` draws a home without a task.";
 
 struct Options {
   std::filesystem::path dataset, out;
   std::string task;
+  std::size_t step = 1;
+  bool boxes = false;
 };
 
 using Legs = std::vector<std::vector<Vec2>>;
 
-/// How the agent of a task's demonstration walks, one leg for each time that it changes its place.
-Result<Legs> way_of(const std::filesystem::path& file, const std::string& task, const Scene& start,
-                    const Profile& profile) {
+/// The scenes of a task's demonstration: its start, then the one after each step.
+Result<std::vector<Scene>> scenes_of(const std::filesystem::path& file, const std::string& task, const Scene& start) {
   const auto text = read_file(file);
   if (!text) return text.error();
   for (const auto& line : split(*text, '\n')) {
     if (line.empty()) continue;
     const auto json = nlohmann::ordered_json::parse(line, nullptr, false);
     if (!json.is_object() || json.value("task", "") != task) continue;
-    Legs legs;
-    Scene scene = start;
+    std::vector<Scene> scenes{start};
     for (const auto& step : json.value("steps", nlohmann::ordered_json::array())) {
       const auto changes = delta_from_json(file.string(), step.value("changes", nlohmann::ordered_json::object()));
       if (!changes) return changes.error();
-      const Scene before = scene;
-      scene = apply(std::move(scene), *changes);
-      if (scene.agent.position == before.agent.position) continue;
-      auto leg = NavigationGrid(before, profile).walk(before.agent.position, scene.agent.position);
-      if (leg.empty()) leg = {before.agent.position, scene.agent.position};
-      legs.push_back(std::move(leg));
+      scenes.push_back(apply(scenes.back(), *changes));
     }
-    return legs;
+    return scenes;
   }
   return Error{Error::Kind::Usage, file.string(), {}, "has no task \"" + task + "\"; tasks.jsonl lists the ids"};
+}
+
+/// How the agent walks, one leg for each time that it changes its place.
+Legs way_through(const std::vector<Scene>& scenes, const Profile& profile) {
+  Legs legs;
+  for (std::size_t i = 1; i < scenes.size(); ++i) {
+    const Vec2 from = scenes[i - 1].agent.position, to = scenes[i].agent.position;
+    if (from == to) continue;
+    auto leg = NavigationGrid(scenes[i - 1], profile).walk(from, to);
+    if (leg.empty()) leg = {from, to};
+    legs.push_back(std::move(leg));
+  }
+  return legs;
+}
+
+/// What the agent sees, as PNG; with a frame around each object that it is told of.
+Result<std::string> seen(const Scene& scene, const Profile& profile, bool boxes) {
+  Rays rays;
+  Picture picture = picture_of(scene, profile, rays);
+  constexpr std::array<std::uint8_t, 3> kFrame{255, 60, 20};
+  if (boxes) {
+    for (const VisibleObject& object : view_of(scene, profile, rays)) draw_box(picture, object.box, kFrame);
+  }
+  return png(picture.width, picture.height, picture.rgb);
 }
 
 Exit render(const Options& options, const DataFolders& folders) {
@@ -67,9 +91,15 @@ Exit render(const Options& options, const DataFolders& folders) {
   if (!scene) return refuse(scene.error());
   const auto profile = load_profile(folders.profiles(), scene->simulator);
   if (!profile) return refuse(profile.error());
-  const auto way = way_of(options.dataset / "demonstrations" / "M1.jsonl", options.task, *scene, *profile);
-  if (!way) return refuse(way.error());
-  if (const auto written = write_file(options.out, scene_svg(*scene, *way)); !written) return refuse(written.error());
+  const auto scenes = scenes_of(options.dataset / "demonstrations" / "M1.jsonl", options.task, *scene);
+  if (!scenes) return refuse(scenes.error());
+  const bool as_seen = options.out.extension() == ".png";
+  if (options.step < 1 || options.step > scenes->size())
+    return refuse({Error::Kind::Usage, "--step", {}, "expected 1 to " + std::to_string(scenes->size())});
+  const auto drawn = as_seen ? seen((*scenes)[options.step - 1], *profile, options.boxes)
+                             : Result<std::string>(scene_svg(*scene, way_through(*scenes, *profile)));
+  if (!drawn) return refuse(drawn.error());
+  if (const auto written = write_file(options.out, *drawn); !written) return refuse(written.error());
   return Exit::Ok;
 }
 
@@ -80,7 +110,9 @@ void add_render_command(CLI::App& app, CommandLine& program) {
   auto* command = app.add_subcommand("render", kHelp);
   command->add_option("dataset", options->dataset, "A finished data set")->required();
   command->add_option("task", options->task, "A task of the data set")->required();
-  command->add_option("--out", options->out, "The SVG file to write")->required();
+  command->add_option("--out", options->out, "The file to write: .png for the agent's view, else SVG")->required();
+  command->add_option("--step", options->step, "PNG: before which step of the demonstration; one more: after the last");
+  command->add_flag("--boxes", options->boxes, "PNG: frame what the agent is told to see");
   command->callback([options, &program] { program.exit = render(*options, program.folders); });
 }
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "core/files.h"
 #include "pipeline/commands.h"
 #include "validator/validate.h"
 
@@ -27,6 +28,16 @@ struct Options {
   bool json = false;
 };
 
+/// Whether a data set was made with the extended library, and so by agents of the profile `wide`. A manifest that does
+/// not read is told by the validator.
+bool is_extended(const std::filesystem::path& folder) {
+  const auto text = read_file(folder / "manifest.json");
+  if (!text) return false;
+  const auto manifest = nlohmann::json::parse(*text, nullptr, false);
+  const nlohmann::json::json_pointer extended("/configuration/extended");
+  return manifest.is_object() && manifest.contains(extended) && manifest[extended] == true;
+}
+
 void print_json(const ValidationReport& report) {
   auto problems = nlohmann::ordered_json::array();
   for (const auto& problem : report.problems) {
@@ -47,9 +58,11 @@ void print_json(const ValidationReport& report) {
 Exit validate(const Options& options, const CommandLine& program) {
   if (std::error_code code; !std::filesystem::is_directory(options.folder, code))
     return refuse({Error::Kind::Usage, options.folder.string(), {}, "is no folder; a finished data set is expected"});
-  const auto reading = load_backends(program.folders);
+  auto folders = program.folders;
+  folders.extended_library = is_extended(options.folder);
+  const auto reading = load_backends(folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
-  const auto digest = knowledge_digest(program.folders);
+  const auto digest = knowledge_digest(folders);
   if (!digest) return refuse(digest.error());
   std::vector<ValidationBackend> backends;
   for (const auto& backend : reading.backends) backends.push_back({&backend.knowledge, &backend.profile});

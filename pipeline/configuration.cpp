@@ -46,6 +46,12 @@ nlohmann::ordered_json to_json(const RunConfiguration& configuration) {
                               {"splits", std::move(splits)},        {"templates", configuration.templates},
                               {"attempts", configuration.attempts}, {"rooms", configuration.rooms},
                               {"objects", configuration.objects}};
+  if (configuration.extended) json["extended"] = true;
+  if (!configuration.own.empty()) json["own"] = configuration.own;
+  if (!configuration.binding.empty()) {
+    auto& binding = json["binding"] = nlohmann::ordered_json::array();
+    for (const auto& [placeholder, category] : configuration.binding) binding.push_back(placeholder + "=" + category);
+  }
   if (!configuration.scenes.empty()) json["scenes"] = configuration.scenes;
   return json;
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/result.h"
+#include "generator/specification.h"
 #include "scene/simulator.h"
 #include "templates/template.h"
 
@@ -21,6 +22,9 @@ struct RunConfiguration {
   std::vector<Simulator> simulators{kSimulators.begin(), kSimulators.end()};
   std::vector<Split> splits;           // empty: every split that some template can fill
   std::vector<std::string> templates;  // names; empty: all that the library has
+  bool extended = false;               // the library holds the extended templates too
+  std::vector<std::string> own;        // the user's own templates in it, "<name> <sha256>"
+  Binding binding;                     // placeholders that are not drawn, of the one template named
   int attempts = 40;                   // candidates tried for one task before it is given up
   int rooms = 6;                       // of a home
   int objects = 60;                    // movable ones asked for in a home

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/result.h"
+#include "pipeline/balance.h"
 #include "pipeline/candidate.h"
 #include "pipeline/configuration.h"
 #include "pipeline/dataset_database.h"
@@ -19,6 +20,7 @@ struct DatasetCounts {
   int tasks = 0;
   std::map<std::string, int> by_split, by_simulator, by_template;
   std::map<std::string, std::map<std::string, int>> rejections;  // stage, reason
+  Frequencies traits;                                            // of the tasks
 };
 
 /// Writes a data set's folder (docs/files.md), task by task. Equal input gives equal bytes.

@@ -14,19 +14,19 @@
 namespace unietp {
 namespace {
 
-std::string progress_text(std::size_t done, std::size_t count, double seconds) {
+std::string progress_text(std::size_t done, std::size_t count, double seconds, const std::string& unit) {
   const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0;
   const auto left = rate > 0 ? clock_text(static_cast<double>(count - done) / rate) : std::string("-:--");
   std::array<char, 96> text{};
-  (void)std::snprintf(text.data(), text.size(), "%zu of %zu homes  %.2f homes/s  %s left", done, count, rate,
-                      left.c_str());
+  (void)std::snprintf(text.data(), text.size(), "%zu of %zu %s  %.2f %s/s  %s left", done, count, unit.c_str(), rate,
+                      unit.c_str(), left.c_str());
   return text.data();
 }
 
 }  // namespace
 
 bool for_each_home(std::size_t count, int threads, const CommandLine& program,
-                   const std::function<bool(std::size_t)>& work) {
+                   const std::function<bool(std::size_t)>& work, std::string_view unit) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   ProgressLine line(program.terminal && count > 1);
@@ -44,7 +44,8 @@ bool for_each_home(std::size_t count, int threads, const CommandLine& program,
         const std::scoped_lock lock(mutex);
         ++done;
         if (!go_on) ended = true, next = count;
-        line.draw(progress_text(done, count, std::chrono::duration<double>(Clock::now() - start).count()));
+        line.draw(
+            progress_text(done, count, std::chrono::duration<double>(Clock::now() - start).count(), std::string(unit)));
       } catch (...) {  // a broken invariant: carried to the caller's thread
         const std::scoped_lock lock(mutex);
         thrown = std::current_exception();

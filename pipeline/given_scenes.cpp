@@ -1,12 +1,12 @@
 #include "pipeline/given_scenes.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "core/digest.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "pipeline/wanted_homes.h"
 #include "scene/scene_json.h"
 
 namespace unietp {
@@ -41,6 +41,46 @@ void check_categories(const fs::path& file, const Scene& scene, const Knowledge&
   }
 }
 
+struct IdentifiedScene {
+  fs::path file;
+  Scene scene;
+  std::string digest;
+};
+
+/// In order of id, each once.
+void keep(std::vector<IdentifiedScene> found, GivenScenes& given) {
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.scene.id < b.scene.id; });
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (i > 0 && found[i].scene.id == found[i - 1].scene.id) {
+      given.errors.push_back(usage(found[i].file, "has the id \"" + found[i].scene.id + "\" of " +
+                                                      found[i - 1].file.string() + "; expected one scene an id"));
+      continue;
+    }
+    given.names.push_back(found[i].scene.id + " " + found[i].digest);
+  }
+  for (auto& one : found) given.scenes.push_back(std::move(one.scene));
+}
+
+std::vector<IdentifiedScene> read_files(const std::vector<fs::path>& paths, const std::vector<Backend>& backends,
+                                        std::vector<Error>& errors) {
+  std::vector<IdentifiedScene> found;
+  for (const fs::path& file : scene_files_of(paths, errors)) {
+    const auto bytes = read_maybe_gzip(file);
+    if (!bytes) {
+      errors.push_back(bytes.error());
+      continue;
+    }
+    auto scene = scene_from_json(file.string(), *bytes);
+    if (!scene) {
+      errors.push_back(scene.error());
+      continue;
+    }
+    check_categories(file, *scene, backends[static_cast<std::size_t>(scene->simulator)].knowledge, errors);
+    found.push_back({file, std::move(*scene), sha256(*bytes)});
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<fs::path> scene_files_of(const std::vector<fs::path>& paths, std::vector<Error>& errors) {
@@ -64,32 +104,46 @@ std::vector<fs::path> scene_files_of(const std::vector<fs::path>& paths, std::ve
 
 GivenScenes read_given_scenes(const std::vector<fs::path>& paths, const std::vector<Backend>& backends) {
   GivenScenes given;
-  std::map<std::string, std::pair<fs::path, Scene>> by_id;
-  std::map<std::string, std::string> digests;
-  for (const fs::path& file : scene_files_of(paths, given.errors)) {
-    const auto bytes = read_maybe_gzip(file);
-    if (!bytes) {
-      given.errors.push_back(bytes.error());
-      continue;
+  keep(read_files(paths, backends, given.errors), given);
+  return given;
+}
+
+GivenScenes given_homes(const std::vector<fs::path>& paths_or_ids, const Resources& resources,
+                        const DataFolders& folders) {
+  GivenScenes given;
+  std::vector<fs::path> paths;
+  std::vector<std::string> ids;
+  for (const auto& one : paths_or_ids) {
+    std::error_code code;
+    if (fs::exists(one, code) || one.has_extension() || one.has_parent_path()) {
+      paths.push_back(one);
+    } else {
+      ids.push_back(one.string());
     }
-    auto scene = scene_from_json(file.string(), *bytes);
+  }
+  auto found = read_files(paths, resources.backends, given.errors);
+  if (ids.empty()) {
+    keep(std::move(found), given);
+    return given;
+  }
+  const Makings makings{resources.backends, resources.recipes};
+  const auto homes = benchmark_homes(makings, folders, false, ids);
+  if (!homes) {
+    auto error = homes.error();
+    error.where = "--scenes";
+    given.errors.push_back(std::move(error));
+    return given;
+  }
+  for (const auto& home : *homes) {
+    auto scene = home.make();
     if (!scene) {
       given.errors.push_back(scene.error());
       continue;
     }
-    check_categories(file, *scene, backends[static_cast<std::size_t>(scene->simulator)].knowledge, given.errors);
-    const std::string id = scene->id;
-    const auto [at, fresh] = by_id.try_emplace(id, file, std::move(*scene));
-    if (!fresh) {
-      given.errors.push_back(
-          usage(file, "has the id \"" + id + "\" of " + at->second.first.string() + "; expected one scene an id"));
-    }
-    digests[id] = sha256(*bytes);
+    auto digest = sha256(scene_to_json(*scene));
+    found.push_back({home.id, std::move(*scene), std::move(digest)});
   }
-  for (auto& [id, scene] : by_id) {
-    given.scenes.push_back(std::move(scene.second));
-    given.names.push_back(id + " " + digests[id]);
-  }
+  keep(std::move(found), given);
   return given;
 }
 

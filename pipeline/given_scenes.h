@@ -27,4 +27,9 @@ struct GivenScenes {
 /// knowledge base lacks.
 GivenScenes read_given_scenes(const std::vector<std::filesystem::path>& paths, const std::vector<Backend>& backends);
 
+/// As above, where a path that does not exist may be the id of a home of the benchmark, which is then made anew.
+/// Errors: also Usage for what is neither, with the nearest id.
+GivenScenes given_homes(const std::vector<std::filesystem::path>& paths_or_ids, const Resources& resources,
+                        const DataFolders& folders);
+
 }  // namespace unietp

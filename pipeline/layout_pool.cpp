@@ -3,6 +3,7 @@
 #include <set>
 
 #include "pipeline/slots.h"
+#include "scene/trace.h"
 
 namespace unietp {
 namespace {
@@ -28,8 +29,8 @@ Result<Layout> make_layout(const RunConfiguration& configuration, const Resource
                                  layout_id(simulator, index),
                                  stream.fork("home", static_cast<std::uint64_t>(index) * kTriesPerLayout + attempt));
     if (scene) {
-      auto offered = offered_categories(*scene, backend.knowledge);
-      return Layout{std::move(*scene), std::move(offered)};
+      auto offer = offer_of(*scene, backend.knowledge);
+      return Layout{std::move(*scene), std::move(offer)};
     }
     last = scene.error();
   }
@@ -39,6 +40,9 @@ Result<Layout> make_layout(const RunConfiguration& configuration, const Resource
 }  // namespace
 
 LayoutPool::LayoutPool(const RunConfiguration& configuration, const Resources& resources)
+    : LayoutPool(configuration, resources, layouts_per_simulator(configuration)) {}
+
+LayoutPool::LayoutPool(const RunConfiguration& configuration, const Resources& resources, int homes)
     : configuration_(configuration), resources_(resources) {
   for (const Scene& home : resources.homes) {
     auto& own = entries_[static_cast<std::size_t>(home.simulator)];
@@ -47,7 +51,7 @@ LayoutPool::LayoutPool(const RunConfiguration& configuration, const Resources& r
   }
   if (!resources.homes.empty()) return;
   for (auto& own : entries_) {
-    for (int i = 0; i < layouts_per_simulator(configuration); ++i) own.push_back(std::make_unique<Entry>());
+    for (int i = 0; i < homes; ++i) own.push_back(std::make_unique<Entry>());
   }
 }
 
@@ -56,11 +60,15 @@ const Result<Layout>& LayoutPool::layout(Simulator simulator, int index) {
   std::call_once(entry.once, [&] {
     const auto made = [&]() -> Result<Layout> {
       if (entry.given == nullptr) return make_layout(configuration_, resources_, simulator, index);
-      return Layout{*entry.given, offered_categories(*entry.given, resources_.backend(simulator).knowledge)};
+      return Layout{*entry.given, offer_of(*entry.given, resources_.backend(simulator).knowledge)};
     };
     entry.layout = std::make_unique<Result<Layout>>(made());
   });
   return *entry.layout;
+}
+
+SceneOffer offer_of(const Scene& scene, const Knowledge& knowledge) {
+  return {offered_categories(scene, knowledge), to_logic(scene, {}, true)};
 }
 
 std::vector<std::string> offered_categories(const Scene& scene, const Knowledge& knowledge) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "generator/scene_offer.h"
 #include "pipeline/configuration.h"
 #include "pipeline/resources.h"
 
@@ -15,7 +16,7 @@ namespace unietp {
 /// A home and what can be asked about in it.
 struct Layout {
   Scene scene;
-  std::vector<std::string> offered;  // categories that it has, or that can be put somewhere in it; and its room types
+  SceneOffer offer;  // categories: those that it has, or that can be put somewhere in it; and its room types
 };
 
 /// The homes of a run: the given ones of Resources::homes, or else each is drawn when it is first asked for and then
@@ -24,6 +25,8 @@ struct Layout {
 class LayoutPool {
  public:
   LayoutPool(const RunConfiguration& configuration, const Resources& resources);
+  /// With so many homes drawn for each simulator, when none are given.
+  LayoutPool(const RunConfiguration& configuration, const Resources& resources, int homes);
 
   /// How many homes a simulator has, > 0.
   int size(Simulator simulator) const { return static_cast<int>(of(simulator).size()); }
@@ -45,6 +48,8 @@ class LayoutPool {
   std::array<std::vector<std::unique_ptr<Entry>>, kSimulators.size()> entries_;
 };
 
+/// What a scene offers: offered_categories and its state as physics shows it.
+SceneOffer offer_of(const Scene& scene, const Knowledge& knowledge);
 /// Categories that a scene has, and movable ones whose usual receptacles it has; and the types of its rooms. Sorted.
 std::vector<std::string> offered_categories(const Scene& scene, const Knowledge& knowledge);
 

@@ -11,7 +11,7 @@ PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;
 CREATE TABLE IF NOT EXISTS run(identity TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS candidate(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, accepted INTEGER NOT NULL,
   template TEXT NOT NULL, task TEXT NOT NULL, demonstration TEXT NOT NULL, scene TEXT NOT NULL, start_key TEXT NOT NULL,
-  text_key TEXT NOT NULL, rejection TEXT NOT NULL, PRIMARY KEY(slot, attempt));
+  text_key TEXT NOT NULL, traits TEXT NOT NULL, rejection TEXT NOT NULL, PRIMARY KEY(slot, attempt));
 )";
 
 Error failure(std::string_view what, const std::exception& reason) {
@@ -49,13 +49,13 @@ Result<Ledger> Ledger::open(const std::filesystem::path& path, const std::string
 
 Result<Done> Ledger::add(const CandidateRecord& record) {
   try {
-    auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?)");
+    auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?,?)");
     insert.bind(1, std::int64_t{record.slot});
     insert.bind(2, std::int64_t{record.attempt});
     insert.bind(3, std::int64_t{record.accepted});
     int column = 3;
     for (const auto* text : {&record.template_name, &record.task, &record.demonstration, &record.scene,
-                             &record.start_key, &record.text_key, &record.rejection})
+                             &record.start_key, &record.text_key, &record.traits, &record.rejection})
       insert.bind(++column, std::string_view(*text));
     insert.step();
     return Done{};
@@ -68,7 +68,7 @@ Result<std::vector<CandidateRecord>> Ledger::outlines() {
   try {
     std::vector<CandidateRecord> records;
     auto query = file_.prepare(
-        "SELECT slot, attempt, accepted, template, start_key, text_key FROM candidate ORDER BY attempt, slot");
+        "SELECT slot, attempt, accepted, template, start_key, text_key, traits FROM candidate ORDER BY attempt, slot");
     while (query.step()) {
       CandidateRecord record;
       record.slot = static_cast<int>(query.integer(0));
@@ -77,6 +77,7 @@ Result<std::vector<CandidateRecord>> Ledger::outlines() {
       record.template_name = query.text(3);
       record.start_key = query.text(4);
       record.text_key = query.text(5);
+      record.traits = query.text(6);
       records.push_back(std::move(record));
     }
     return records;
@@ -88,7 +89,7 @@ Result<std::vector<CandidateRecord>> Ledger::outlines() {
 Result<CandidateRecord> Ledger::read(int slot, int attempt) {
   try {
     auto query = file_.prepare(
-        "SELECT accepted, template, task, demonstration, scene, start_key, text_key, rejection FROM candidate "
+        "SELECT accepted, template, task, demonstration, scene, start_key, text_key, traits, rejection FROM candidate "
         "WHERE slot = ? AND attempt = ?");
     query.bind(1, std::int64_t{slot});
     query.bind(2, std::int64_t{attempt});
@@ -103,7 +104,7 @@ Result<CandidateRecord> Ledger::read(int slot, int attempt) {
     record.accepted = query.integer(0) != 0;
     int column = 0;
     for (auto* text : {&record.template_name, &record.task, &record.demonstration, &record.scene, &record.start_key,
-                       &record.text_key, &record.rejection})
+                       &record.text_key, &record.traits, &record.rejection})
       *text = query.text(++column);
     return record;
   } catch (const std::exception& reason) {

@@ -21,7 +21,8 @@ class Ledger {
 
   Result<Done> add(const CandidateRecord& record);
 
-  /// All candidates in order of (attempt, slot), without their texts: only slot, attempt, accepted, template and keys.
+  /// All candidates in order of (attempt, slot), without their texts: only slot, attempt, accepted, template, keys and
+  /// traits.
   Result<std::vector<CandidateRecord>> outlines();
   /// One candidate, whole. Errors: Io also when there is none.
   Result<CandidateRecord> read(int slot, int attempt);

@@ -3,7 +3,9 @@
 #include <chrono>
 
 #include "core/text.h"
+#include "generator/weighted_binding.h"
 #include "grounding/ground.h"
+#include "pipeline/given_binding.h"
 #include "scene/scene_json.h"
 
 namespace unietp {
@@ -41,41 +43,60 @@ std::string task_id(const TaskSlot& slot) {
   return std::string(name_of(slot.simulator)) + "-" + digits;
 }
 
-std::string binding_text(const Binding& binding) {
-  std::vector<std::string> parts;
-  for (const auto& [placeholder, category] : binding) parts.push_back(placeholder + "=" + category);
-  return join(parts, ", ");
-}
-
-/// The specification in the slot's split, or why there is none.
-std::variant<Specification, Rejection> specify(const Template& source, const Layout& layout, const Knowledge& knowledge,
-                                               Split split, const Rng& rng) {
-  const auto binding = sample_binding(source, knowledge, layout.offered, rng.fork("binding", 0));
+/// The specification in the slot's split, or why there is none. `as_it_is`: what a template refers to must be among the
+/// home's furniture already; else grounding may still find a place for what lacks.
+std::variant<Specification, Rejection> specify_once(const Template& source, const Layout& layout,
+                                                    const Knowledge& knowledge, const std::optional<Binding>& binding,
+                                                    Split split, bool as_it_is, const Rng& rng) {
   if (!binding)
     return Rejection{"generator", "no-binding",
                      "no categories that " + layout.scene.id + " can offer meet the constraints of " + source.name};
   auto plain = instantiate(source, knowledge, *binding);
-  if (!plain) return Rejection{"generator", "unsatisfiable", binding_text(*binding) + ": " + plain.error().message};
+  if (!plain) return Rejection{"generator", "unsatisfiable", to_text(*binding) + ": " + plain.error().message};
+  if (as_it_is && plain->split == Split::InstanceGrounding && !can_refer(*plain, knowledge, layout.offer))
+    return Rejection{"generator", "no-referring-constraint", to_text(*binding)};
+  if (plain->split == split) return *plain;  // also one that its template has refined
   if (split == Split::InstanceGrounding) {
-    auto refined = refine_referring(*plain, knowledge, rng.fork("referring", 0));
-    if (!refined) return Rejection{"generator", "no-referring-constraint", binding_text(*binding)};
+    auto refined = refine_referring(*plain, knowledge, layout.offer, source.refinement, rng.fork("referring", 0));
+    if (!refined) return Rejection{"generator", "no-referring-constraint", to_text(*binding)};
     return *refined;
   }
   if (split == Split::Linguistic) {
-    auto refined = refine_linguistic(*plain, knowledge, rng.fork("linguistic", 0));
-    if (!refined) return Rejection{"generator", "no-wording", binding_text(*binding)};
+    auto refined = refine_linguistic(*plain, knowledge, source.refinement, rng.fork("linguistic", 0));
+    if (!refined) return Rejection{"generator", "no-wording", to_text(*binding)};
     return *refined;
   }
   return *plain;
 }
 
-std::variant<Instruction, Rejection> instruct(const Specification& specification, const Knowledge& knowledge,
+/// Most categories cannot be referred to in every home, nor said in every style: a few further bindings, with what is
+/// `fixed`, are looked at before a candidate is given up.
+std::variant<Specification, Rejection> specify(const Template& source, const Layout& layout, const Knowledge& knowledge,
+                                               const std::optional<Binding>& planned, const Binding& fixed, Split split,
+                                               const CategoryWeight& weight, const Rng& rng) {
+  constexpr std::uint64_t kBindings = 32;
+  auto specified = specify_once(source, layout, knowledge, planned, split, true, rng);
+  for (std::uint64_t i = 1; i < kBindings; ++i) {
+    const auto* why = std::get_if<Rejection>(&specified);
+    if (why == nullptr || (why->reason != "no-referring-constraint" && why->reason != "no-wording")) break;
+    const auto again = rng.fork("again", i);
+    const auto binding =
+        sample_binding(source, knowledge, layout.offer.categories, fixed, weight, again.fork("binding", 0));
+    specified = specify_once(source, layout, knowledge, binding, split, true, again);
+  }
+  const auto* why = std::get_if<Rejection>(&specified);
+  if (why != nullptr && why->reason == "no-referring-constraint" && split_of_tasks(source) == split)
+    specified = specify_once(source, layout, knowledge, planned, split, false, rng);
+  return specified;
+}
+
+std::variant<Instruction, Rejection> instruct(const Specification& specification, const Backend& backend,
                                               const Rng& rng) {
-  auto instruction = write_instruction(specification, knowledge, rng);
+  auto instruction = write_instruction(specification, backend.knowledge, backend.nouns, rng);
   if (!instruction) return Rejection{"annotator", "no-words", instruction.error().message};
   if (instruction->style != specification.style)
     return Rejection{"annotator", "no-words", "no words in the style " + specification.style};
-  const auto problems = check_instruction(instruction->text, specification, knowledge);
+  const auto problems = check_instruction(instruction->text, specification, backend.knowledge, backend.nouns);
   if (!problems.empty())
     return Rejection{"annotator", "check-failed", "\"" + instruction->text + "\": " + join(problems, "; ")};
   return std::move(*instruction);
@@ -90,23 +111,28 @@ std::string_view name_of(Stage stage) {
 }
 
 std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configuration, const Resources& resources,
-                                                LayoutPool& layouts, const TaskSlot& slot, int attempt,
-                                                StageCosts* costs) {
-  const Template& source = resources.templates[slot.template_for(attempt)];
+                                                LayoutPool& layouts, const TaskSlot& slot, const CandidatePlan& plan,
+                                                const Frequencies& counts, StageCosts* costs) {
+  const Template& source = resources.templates[plan.source];
   const Backend& backend = resources.backend(slot.simulator);
   const auto rejected = [&](Rejection why) {
-    return RejectedCandidate{std::move(why), source.name, slot.simulator, slot.split, slot.index, attempt};
+    return RejectedCandidate{std::move(why), source.name, slot.simulator, slot.split, slot.index, plan.attempt};
   };
   // One stream a stage and candidate: a stage that draws more moves nothing in the others.
-  const auto item = static_cast<std::uint64_t>(slot.index) * 1024 + static_cast<std::uint64_t>(attempt);
+  const auto item = static_cast<std::uint64_t>(slot.index) * 1024 + static_cast<std::uint64_t>(plan.attempt);
   const Rng root(configuration.seed);
 
   StageTimer timer(costs, Stage::Layout);
-  const auto& layout = layouts.layout(slot.simulator, (slot.number + attempt) % layouts.size(slot.simulator));
+  const auto& layout = layouts.layout(slot.simulator, plan.home);
   if (!layout) return rejected({"grounding", "no-layout", layout.error().message});
 
   timer.enter(Stage::Generator);
-  auto specified = specify(source, *layout, backend.knowledge, slot.split, root.fork("generator", item));
+  const auto simulator = std::string(name_of(slot.simulator)) + "/";
+  const CategoryWeight weight = [&](const Parameter& parameter, const std::string& category) {
+    return counts.weight(dimension_of(parameter, source), simulator + category);
+  };
+  auto specified = specify(source, *layout, backend.knowledge, plan.binding, configuration.binding, slot.split, weight,
+                           root.fork("generator", item));
   if (auto* why = std::get_if<Rejection>(&specified)) return rejected(std::move(*why));
   const auto& specification = std::get<Specification>(specified);
 
@@ -114,7 +140,8 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   auto grounded =
       ground(specification, layout->scene, backend.knowledge, backend.profile, {}, root.fork("grounding", item));
   if (auto* why = std::get_if<Rejection>(&grounded)) return rejected(std::move(*why));
-  Task task{task_id(slot), std::move(std::get<Episode>(grounded)), {}, {}, configuration.seed, slot.index, attempt};
+  Task task{task_id(slot), std::move(std::get<Episode>(grounded)), {}, {}, {}, configuration.seed, slot.index,
+            plan.attempt};
 
   // What is demonstrated is what a reader of the file will rebuild: the start goes through its own text form.
   task.episode.layout = layout->scene.id;
@@ -135,9 +162,10 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   if (!needless.empty()) return rejected({"expert", "mutation-succeeds", join(needless, "; ")});
 
   timer.enter(Stage::Annotator);
-  auto instruction = instruct(specification, backend.knowledge, root.fork("annotator", item));
+  auto instruction = instruct(specification, backend, root.fork("annotator", item));
   if (auto* why = std::get_if<Rejection>(&instruction)) return rejected(std::move(*why));
   task.instruction = std::move(std::get<Instruction>(instruction));
+  task.traits = traits_of(source, task.episode, task.demonstration);
   return task;
 }
 

@@ -8,7 +8,7 @@
 #include "annotator/instruction.h"
 #include "expert/expert.h"
 #include "grounding/episode.h"
-#include "pipeline/layout_pool.h"
+#include "pipeline/candidate_planner.h"
 #include "pipeline/resources.h"
 #include "pipeline/slots.h"
 
@@ -20,7 +20,8 @@ struct Task {
   Episode episode;
   Demonstration demonstration;  // mode M1
   Instruction instruction;
-  std::uint64_t seed = 0;  // of the run
+  std::vector<Trait> traits;  // what it is among the tasks of a data set
+  std::uint64_t seed = 0;     // of the run
   int slot = 0, attempt = 0;
 };
 
@@ -43,10 +44,12 @@ struct StageCosts {
   std::array<double, kStageCount> seconds{};
 };
 
-/// The whole path of one candidate: template → binding → specification → refinement → episode → demonstration →
-/// must-fail mutations → instruction. Deterministic in (configuration, resources, slot, attempt); `costs` may be null.
+/// The whole path of one candidate: template and binding → specification → refinement → episode → demonstration →
+/// must-fail mutations → instruction. Deterministic in (configuration, resources, slot, plan, counts); `costs` may be
+/// null. `counts`: how often categories were used, for a binding that has to be drawn anew because no refinement
+/// applies to it.
 std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configuration, const Resources& resources,
-                                                LayoutPool& layouts, const TaskSlot& slot, int attempt,
-                                                StageCosts* costs);
+                                                LayoutPool& layouts, const TaskSlot& slot, const CandidatePlan& plan,
+                                                const Frequencies& counts, StageCosts* costs);
 
 }  // namespace unietp

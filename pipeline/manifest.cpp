@@ -93,6 +93,12 @@ Result<std::string> manifest_of(const fs::path& folder, const RunConfiguration& 
     rejections[stage] = counts_json(reasons);
     for (const auto& [reason, count] : reasons) candidates += count;
   }
+  Json balance = Json::array();
+  for (const auto& spread : counts.traits.spreads())
+    balance.push_back({{"dimension", name_of(spread.dimension)},
+                       {"values", spread.values},
+                       {"effective", spread.effective},
+                       {"variation", spread.variation}});
   Json licences = Json::array();
   for (const auto& source : sources)
     licences.push_back({{"source", source.source}, {"origin", source.origin}, {"licence", source.licence}});
@@ -107,6 +113,7 @@ Result<std::string> manifest_of(const fs::path& folder, const RunConfiguration& 
                         {"by_split", counts_json(counts.by_split)},
                         {"by_simulator", counts_json(counts.by_simulator)},
                         {"by_template", list_json("template", counts.by_template)},
+                        {"balance", std::move(balance)},
                         {"rejections", std::move(rejections)}}},
                       {"files", std::move(files)},
                       {"sources", std::move(licences)}};

@@ -7,6 +7,7 @@
 #include "core/digest.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "pipeline/template_library.h"
 
 namespace unietp {
 namespace {
@@ -55,11 +56,15 @@ SourcePos place_of(const fs::path& file, const std::string& name) {
 }  // namespace
 
 CompiledKnowledge compiled_knowledge(const DataFolders& folders) {
-  const auto digest = digest_of_tables(folders.tables(), folders.overrides);
-  if (!digest) return {{}, {digest.error()}};
-  // The format's number is part of the name, so that a newer program never reads an older one's compilation.
-  const fs::path database = folders.cache / ("knowledge-4-" + digest->substr(0, 32) + ".sqlite");
-  if (const auto stored = digest_of_database(database); stored && *stored == *digest) return {database, {}};
+  const auto tables = digest_of_tables(folders.tables(), folders.overrides);
+  if (!tables) return {{}, {tables.error()}};
+  const auto templates = built_in_templates(folders);
+  if (!templates.errors.empty()) return {{}, templates.errors};
+  const auto digest = sha256(*tables + digest_of(templates.files, folders.root));
+  // The format's number is part of the name, so that a newer program never reads an older one's compilation. The name
+  // alone vouches for the templates: the file is renamed into place when all of it is written.
+  const fs::path database = folders.cache / ("knowledge-5-" + digest.substr(0, 32) + ".sqlite");
+  if (const auto stored = digest_of_database(database); stored && *stored == *tables) return {database, {}};
   std::error_code code;
   fs::create_directories(folders.cache, code);
   if (code) return {{}, {io_error(folders.cache, "cannot make the cache folder: " + code.message())}};
@@ -67,6 +72,7 @@ CompiledKnowledge compiled_knowledge(const DataFolders& folders) {
   aside += "." + std::to_string(::getpid());
   auto errors = compile_knowledge(folders.tables(), aside, folders.overrides);
   if (!errors.empty()) return {{}, std::move(errors)};
+  if (const auto put = store_templates(aside, folders.root, templates.files); !put) return {{}, {put.error()}};
   fs::rename(aside, database, code);
   if (code) return {{}, {io_error(database, "cannot rename the compiled knowledge into place: " + code.message())}};
   return {database, {}};
@@ -76,16 +82,19 @@ BackendsReading load_backends(const DataFolders& folders) {
   BackendsReading reading;
   auto compiled = compiled_knowledge(folders);
   reading.errors = std::move(compiled.errors);
+  reading.database = std::move(compiled.database);
+  const auto actions = folders.extended_library ? ActionProfile::Wide : ActionProfile::Unietp;
   for (const auto simulator : kSimulators) {
-    auto profile = load_profile(folders.profiles(), simulator);
+    auto profile = load_profile(folders.profiles(), simulator, actions);
     if (!profile) reading.errors.push_back(profile.error());
     if (!reading.errors.empty()) continue;
-    auto knowledge = load_knowledge(compiled.database, simulator);
+    auto knowledge = load_knowledge(reading.database, simulator);
     if (!knowledge) {
       reading.errors.push_back(knowledge.error());
       continue;
     }
-    reading.backends.push_back({std::move(*knowledge), *profile});
+    NounTable nouns(*knowledge);
+    reading.backends.push_back({std::move(*knowledge), *profile, std::move(nouns)});
   }
   return reading;
 }
@@ -97,10 +106,11 @@ ResourcesReading load_resources(const DataFolders& folders) {
   resources.backends = std::move(backends.backends);
   reading.errors = std::move(backends.errors);
 
-  auto library = load_templates(folders.library());
-  resources.templates = std::move(library.templates);
-  reading.errors.insert(reading.errors.end(), library.errors.begin(), library.errors.end());
   if (resources.backends.size() != kSimulators.size()) return reading;
+  auto library = library_in(backends.database, folders);
+  resources.templates = std::move(library.templates);
+  resources.own = std::move(library.own);
+  reading.errors.insert(reading.errors.end(), library.errors.begin(), library.errors.end());
 
   for (const auto& source : resources.templates) {
     const auto unknown = unknown_categories(source, resources.backends);
@@ -125,7 +135,9 @@ ResourcesReading load_resources(const DataFolders& folders) {
 
 Result<std::string> knowledge_digest(const DataFolders& folders) {
   std::string listing;
-  for (const auto& folder : {folders.tables(), folders.profiles(), folders.layouts(), folders.library()}) {
+  std::vector<fs::path> covered{folders.tables(), folders.profiles(), folders.layouts(), folders.library()};
+  if (std::error_code code; fs::exists(folders.extended(), code)) covered.push_back(folders.extended());
+  for (const auto& folder : covered) {
     const auto files = files_below(folder);
     if (!files) return files.error();
     for (const auto& file : *files) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "akb/knowledge.h"
+#include "annotator/noun_table.h"
 #include "core/result.h"
 #include "grounding/layout.h"
 #include "simulation/profile.h"
@@ -17,21 +18,26 @@ struct DataFolders {
   std::filesystem::path root;                         // holds data/ and templates/library/
   std::filesystem::path cache;                        // compiled knowledge is kept here, named by its digest
   std::vector<std::filesystem::path> overrides = {};  // the user's own facts, over data/akb/override.csv
+  std::vector<std::filesystem::path> templates = {};  // the user's own, files or folders, beside the built-in ones
+  bool extended_library = false;                      // take the extended templates too
 
   std::filesystem::path tables() const { return root / "data" / "akb"; }
   std::filesystem::path profiles() const { return root / "data" / "simulators"; }
   std::filesystem::path layouts() const { return root / "data" / "layouts"; }
   std::filesystem::path licences() const { return root / "data" / "licences.csv"; }
   std::filesystem::path library() const { return root / "templates" / "library"; }
+  std::filesystem::path extended() const { return root / "templates" / "extended"; }  // need not exist
 };
 
 /// A simulator as the stages see it: what is known of its categories and how it limits its agent.
 struct Backend {
   Knowledge knowledge;
   Profile profile;
+  NounTable nouns;  // of the knowledge base
 };
 
-/// The database that the tables compile to, made when the cache lacks it. Safe when several processes start at once.
+/// The database that the tables and the built-in templates compile to, made when the cache lacks it. Safe when several
+/// processes start at once. Templates with errors are in it too: who reads them from there is told.
 /// Errors: those of compile_knowledge, all of them; Io when the cache folder cannot be written.
 struct CompiledKnowledge {
   std::filesystem::path database;
@@ -39,9 +45,11 @@ struct CompiledKnowledge {
 };
 CompiledKnowledge compiled_knowledge(const DataFolders& folders);
 
-/// The four backends in the order of kSimulators. Errors: as above, and those of the profiles.
+/// The four backends in the order of kSimulators; with the extended library their agents act by the profile `wide`.
+/// Errors: as above, and those of the profiles.
 struct BackendsReading {
   std::vector<Backend> backends;
+  std::filesystem::path database;  // that they were read from
   std::vector<Error> errors;
 };
 BackendsReading load_backends(const DataFolders& folders);
@@ -50,7 +58,8 @@ BackendsReading load_backends(const DataFolders& folders);
 struct Resources {
   std::vector<Backend> backends;      // in the order of kSimulators
   std::vector<LayoutRecipe> recipes;  // likewise
-  std::vector<Template> templates;    // in order of file name
+  std::vector<Template> templates;    // the library's, the extended ones, the user's; each in order of file name
+  std::vector<std::string> own;       // of the user's: "<name> <sha256 of its file>", as the manifest records them
   std::vector<Scene> homes;           // that a run is to use (given_scenes.h); empty: it draws its own
   std::string digest;                 // knowledge_digest of the folders
 
@@ -64,8 +73,8 @@ struct ResourcesReading {
 };
 ResourcesReading load_resources(const DataFolders& folders);
 
-/// SHA-256 over the names and bytes of tables, profiles, layout recipes and templates, in order of path, and of the
-/// override files.
+/// SHA-256 over the names and bytes of tables, profiles, layout recipes and built-in templates, in order of path, and
+/// of the override files. A user's templates are named by the configuration: a data set made of them is proven without.
 /// Errors: Io.
 Result<std::string> knowledge_digest(const DataFolders& folders);
 

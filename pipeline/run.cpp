@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/candidate_planner.h"
 #include "pipeline/dataset_writer.h"
 #include "pipeline/ledger.h"
 #include "pipeline/manifest.h"
@@ -31,6 +32,7 @@ class Run {
         ledger_(ledger),
         slots_(std::move(slots)),
         layouts_(configuration, resources),
+        planner_(configuration, resources, layouts_, slots_),
         selection_(slots_.size()),
         duplicates_(slots_.size()) {}
 
@@ -41,8 +43,12 @@ class Run {
 
  private:
   bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
-  /// Tries the given slots, several at a time, and adds what comes of it to `found`.
-  Result<Done> try_slots(const std::vector<int>& slots, int attempt, std::vector<CandidateRecord>& found);
+  /// Calls `work(i)` for each i below `count`, several at a time, until stopped.
+  void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work);
+  /// Plans need all homes; drawing them one by one would leave threads idle.
+  void draw_homes();
+  /// Makes the planned candidates, several at a time, and adds what comes of it to `found`.
+  Result<Done> try_plans(const std::vector<CandidatePlan>& plans, std::vector<CandidateRecord>& found);
   void keep(CandidateRecord record, std::vector<CandidateRecord>& found);
   std::string duplicate_line(const CandidateRecord& record, Selection::Verdict verdict) const;
   void tell();
@@ -53,6 +59,8 @@ class Run {
   Ledger& ledger_;
   std::vector<TaskSlot> slots_;
   LayoutPool layouts_;
+  CandidatePlanner planner_;
+  Frequencies taken_;
   Selection selection_;
   std::vector<std::vector<std::pair<int, std::string>>> duplicates_;  // by slot: attempt, line of rejections.jsonl
 
@@ -84,25 +92,39 @@ void Run::keep(CandidateRecord record, std::vector<CandidateRecord>& found) {
   tell();
 }
 
-Result<Done> Run::try_slots(const std::vector<int>& slots, int attempt, std::vector<CandidateRecord>& found) {
+void Run::in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < slots.size() && !stopped(); i = next++) {
+  const auto take = [&] {
+    for (std::size_t i = next++; i < count && !stopped(); i = next++) {
       try {
-        const auto& slot = slots_[static_cast<std::size_t>(slots[i])];
-        keep(record_of(make_task(configuration_, resources_, layouts_, slot, attempt, nullptr)), found);
+        work(i);
       } catch (...) {  // a broken invariant: carried to the caller's thread
         const std::scoped_lock lock(mutex_);
         thrown_ = std::current_exception();
-        next = slots.size();
+        next = count;
       }
     }
   };
   std::vector<std::thread> threads;
-  for (int i = 1; i < options_.threads; ++i) threads.emplace_back(work);
-  work();
+  for (int i = 1; i < options_.threads; ++i) threads.emplace_back(take);
+  take();
   for (auto& thread : threads) thread.join();
   if (thrown_) std::rethrow_exception(thrown_);
+}
+
+void Run::draw_homes() {
+  std::vector<std::pair<Simulator, int>> homes;
+  for (const auto simulator : configuration_.simulators) {
+    for (int home = 0; home < layouts_.size(simulator); ++home) homes.emplace_back(simulator, home);
+  }
+  in_parallel(homes.size(), [&](std::size_t i) { (void)layouts_.layout(homes[i].first, homes[i].second); });
+}
+
+Result<Done> Run::try_plans(const std::vector<CandidatePlan>& plans, std::vector<CandidateRecord>& found) {
+  in_parallel(plans.size(), [&](std::size_t i) {
+    const auto& slot = slots_[static_cast<std::size_t>(plans[i].slot)];
+    keep(record_of(make_task(configuration_, resources_, layouts_, slot, plans[i], planner_.counts(), nullptr)), found);
+  });
   if (failure_) return *failure_;
   return Done{};
 }
@@ -115,29 +137,33 @@ Result<bool> Run::fill_slots() {
     ++candidates_;
     by_attempt[static_cast<std::size_t>(outline.attempt)].push_back(std::move(outline));
   }
+  draw_homes();
   for (int attempt = 0; attempt < configuration_.attempts; ++attempt) {
     const auto open = selection_.open_slots();
+    if (open.empty() || stopped()) break;
     auto& found = by_attempt[static_cast<std::size_t>(attempt)];
-    std::vector<int> missing;
-    for (const int slot : open) {
-      const bool known = std::any_of(found.begin(), found.end(), [&](const auto& one) { return one.slot == slot; });
-      if (!known) missing.push_back(slot);
-    }
+    // Plans are made for all open slots, also those whose candidate an earlier process made: they count for the others.
+    auto plans = planner_.round(open, attempt, taken_);
+    std::erase_if(plans, [&](const CandidatePlan& plan) {
+      return std::any_of(found.begin(), found.end(), [&](const auto& one) { return one.slot == plan.slot; });
+    });
     accepted_in_round_ = static_cast<int>(
         std::count_if(found.begin(), found.end(), [](const CandidateRecord& record) { return record.accepted; }));
-    if (auto tried = try_slots(missing, attempt, found); !tried) return tried.error();
+    if (auto tried = try_plans(plans, found); !tried) return tried.error();
     if (stopped()) return false;
     std::sort(found.begin(), found.end(),
               [](const CandidateRecord& a, const CandidateRecord& b) { return a.slot < b.slot; });
     for (const auto& record : found) {
       if (!record.accepted) continue;
       const auto verdict = selection_.offer(record);
-      if (verdict != Selection::Verdict::Taken)
+      if (verdict == Selection::Verdict::Taken)
+        taken_.add(traits_from(record.traits));
+      else
         duplicates_[static_cast<std::size_t>(record.slot)].emplace_back(attempt, duplicate_line(record, verdict));
     }
     accepted_in_round_ = 0;
   }
-  return true;
+  return !stopped();
 }
 
 std::string Run::duplicate_line(const CandidateRecord& record, Selection::Verdict verdict) const {
@@ -180,6 +206,7 @@ RunReport Run::report() const {
   RunReport report;
   report.tasks = selection_.taken();
   report.candidates = candidates_;
+  report.balance = taken_.spreads();
   report.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   for (const int open : selection_.open_slots()) {
     const auto& slot = slots_[static_cast<std::size_t>(open)];
@@ -208,7 +235,7 @@ Result<RunReport> run_generation(const RunConfiguration& configuration, const Re
   if (!slots) return slots.error();
   auto work = RunFolder::enter(options.out, options.resume);
   if (!work) return work.error();
-  if (work->already_published()) return RunReport{false, configuration.count, 0, 0, {}};
+  if (work->already_published()) return RunReport{false, configuration.count, 0, 0, {}, {}};
   auto ledger = Ledger::open(work->ledger(), identity_of(configuration, resources));
   if (!ledger) return ledger.error();
 

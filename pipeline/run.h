@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/balance.h"
 #include "pipeline/configuration.h"
 #include "pipeline/resources.h"
 
@@ -40,6 +41,7 @@ struct RunReport {
   bool interrupted = false;  // nothing was written but the ledger
   int tasks = 0, candidates = 0;
   double seconds = 0;
+  std::vector<Spread> balance;  // of the tasks taken
   std::vector<UnfilledSlot> unfilled;
 };
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 
-#include "core/rng.h"
 #include "core/text.h"
 
 namespace unietp {
 namespace {
 
-/// A refinement takes any template; the other splits take their own.
+/// A refinement takes any template that has none of its own; the other splits take their own.
 bool fits(const Template& source, Simulator simulator, Split split) {
   const bool refined = split == Split::InstanceGrounding || split == Split::Linguistic;
-  return (refined || source.split == split) &&
+  return ((refined && source.refinement.empty()) || split_of_tasks(source) == split) &&
          std::find(source.simulators.begin(), source.simulators.end(), simulator) != source.simulators.end();
 }
 
@@ -20,15 +19,13 @@ bool asked_for(const RunConfiguration& configuration, const Template& source) {
                                                       source.name) != configuration.templates.end();
 }
 
-std::vector<std::size_t> shuffled_templates(const RunConfiguration& configuration, const Resources& resources,
-                                            Simulator simulator, Split split) {
+std::vector<std::size_t> templates_for(const RunConfiguration& configuration, const Resources& resources,
+                                       Simulator simulator, Split split) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < resources.templates.size(); ++i) {
     const auto& source = resources.templates[i];
     if (asked_for(configuration, source) && fits(source, simulator, split)) found.push_back(i);
   }
-  const auto item = static_cast<std::uint64_t>(simulator) * 16 + static_cast<std::uint64_t>(split);
-  Rng(configuration.seed).fork("template-order", item).shuffle(found);
   return found;
 }
 
@@ -41,7 +38,7 @@ Result<std::vector<Group>> groups_of(const RunConfiguration& configuration, cons
                                      Simulator simulator) {
   std::vector<Group> groups;
   for (const Split split : configuration.splits.empty() ? all_splits() : configuration.splits) {
-    auto templates = shuffled_templates(configuration, resources, simulator, split);
+    auto templates = templates_for(configuration, resources, simulator, split);
     if (!templates.empty()) {
       groups.push_back({split, std::move(templates)});
     } else if (!configuration.splits.empty()) {
@@ -54,7 +51,7 @@ Result<std::vector<Group>> groups_of(const RunConfiguration& configuration, cons
   }
   if (groups.empty())
     return Error{Error::Kind::Usage,
-                 "--templates",
+                 "--template",
                  {},
                  "none of the templates asked for fits " + std::string(name_of(simulator)) +
                      "; `unietp template list` shows what each can make"};
@@ -74,7 +71,7 @@ Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, 
   for (const auto& source : resources.templates) known.push_back(source.name);
   for (const auto& name : configuration.templates) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      return unknown_name_error("--templates", name, known);
+      return unknown_name_error("--template", name, known);
   }
   std::vector<std::vector<Group>> groups;
   for (const auto simulator : configuration.simulators) {
@@ -96,11 +93,7 @@ Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, 
     const int number = i / static_cast<int>(groups.size());
     const auto& own = groups[share];
     const Group& group = own[static_cast<std::size_t>(number) % own.size()];
-    TaskSlot slot{i, configuration.simulators[share], group.split, number, group.templates};
-    const auto turn = static_cast<std::size_t>(number) / own.size() % slot.templates.size();
-    std::rotate(slot.templates.begin(), slot.templates.begin() + static_cast<std::ptrdiff_t>(turn),
-                slot.templates.end());
-    slots.push_back(std::move(slot));
+    slots.push_back({i, configuration.simulators[share], group.split, group.templates});
   }
   return slots;
 }

@@ -27,8 +27,11 @@ class GivenScenesTest : public testing::Test {
     Category mug;
     mug.name = "Mug";
     mug.movable = true;
-    for (const auto simulator : kSimulators)
-      backends_.push_back({Knowledge(simulator, {mug}, {}, {}, {}, {}), Profile{}});
+    for (const auto simulator : kSimulators) {
+      Knowledge knowledge(simulator, {mug}, {}, {}, {}, {});
+      NounTable nouns(knowledge);
+      backends_.push_back({std::move(knowledge), Profile{}, std::move(nouns)});
+    }
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
@@ -71,9 +74,9 @@ TEST_F(GivenScenesTest, EveryProblemOfEveryFileIsTold) {
   const auto given = read_given_scenes({folder_, folder_ / "none.scene.json"}, backends_);
   ASSERT_EQ(given.errors.size(), 4U);
   EXPECT_THAT(format(given.errors[0]), HasSubstr("no category \"Mugg\", did you mean \"Mug\""));
-  EXPECT_THAT(format(given.errors[1]), HasSubstr("has the id \"home\""));
-  EXPECT_THAT(format(given.errors[2]), HasSubstr("c.scene.json:1:2"));
-  EXPECT_THAT(format(given.errors[3]), HasSubstr("none.scene.json"));
+  EXPECT_THAT(format(given.errors[1]), HasSubstr("c.scene.json:1:2"));
+  EXPECT_THAT(format(given.errors[2]), HasSubstr("none.scene.json"));
+  EXPECT_THAT(format(given.errors[3]), HasSubstr("has the id \"home\""));
 }
 
 TEST_F(GivenScenesTest, AFolderWithoutScenesIsRefused) {
@@ -92,7 +95,7 @@ TEST_F(GivenScenesTest, ARunUsesThemInPlaceOfDrawnHomes) {
   const auto& layout = pool.layout(Simulator::Habitat, 1);
   ASSERT_TRUE(layout);
   EXPECT_EQ(layout->scene, resources.homes[1]);
-  EXPECT_THAT(layout->offered, testing::Contains("Mug"));
+  EXPECT_THAT(layout->offer.categories, testing::Contains("Mug"));
   const auto slots = plan_slots(configuration, resources);
   ASSERT_FALSE(slots);
   EXPECT_THAT(slots.error().message, HasSubstr("none of the scenes given is one of ai2thor"));

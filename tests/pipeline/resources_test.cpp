@@ -17,7 +17,7 @@ TEST(Resources, TheCommittedDataLoadsWithoutAnError) {
   for (const auto& error : reading.errors) ADD_FAILURE() << format(error);
   EXPECT_EQ(reading.resources.backends.size(), 4U);
   EXPECT_EQ(reading.resources.recipes.size(), 4U);
-  EXPECT_GE(reading.resources.templates.size(), 24U);
+  EXPECT_EQ(reading.resources.templates.size(), 138U);
   EXPECT_EQ(reading.resources.digest.size(), 64U);
 }
 
@@ -42,8 +42,24 @@ TEST(LayoutPool, GivesEqualHomesWhoeverAsksFirst) {
   const auto& again = backwards.layout(Simulator::Ai2thor, 0);
   ASSERT_TRUE(first && again);
   EXPECT_EQ(first->scene, again->scene);
-  EXPECT_EQ(first->offered, again->offered);
+  EXPECT_EQ(first->offer.categories, again->offer.categories);
   EXPECT_NE(first->scene, forwards.layout(Simulator::Ai2thor, 1)->scene);
+}
+
+TEST(LoadBackends, GivesAgentsOfTheProfileWideWithTheExtendedLibraryOnly) {
+  auto folders = own_folders();
+  for (const bool extended : {false, true}) {
+    folders.extended_library = extended;
+    const auto reading = load_backends(folders);
+    ASSERT_TRUE(reading.errors.empty());
+    const auto offers = [&](Simulator simulator, ActionType action) {
+      return reading.backends[static_cast<std::size_t>(simulator)].profile.offers(action);
+    };
+    EXPECT_EQ(offers(Simulator::Virtualhome, ActionType::SitOn), extended);
+    EXPECT_EQ(offers(Simulator::Behavior, ActionType::Fold), extended);
+    EXPECT_EQ(offers(Simulator::Ai2thor, ActionType::Break), extended);
+    EXPECT_TRUE(offers(Simulator::Behavior, ActionType::PickUp));
+  }
 }
 
 TEST(UnknownCategories, ANameThatIsNoPlaceholderMustBeKnownToASimulator) {

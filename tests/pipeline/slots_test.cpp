@@ -50,18 +50,19 @@ TEST(PlanSlots, SharesSimulatorsAndSplitsEquallyForAnySeed) {
   }
 }
 
-TEST(PlanSlots, GoesRoundTheTemplatesAndFallsBackToTheOthers) {
+TEST(PlanSlots, ARefinedSplitTakesAnyTemplateAndTheOthersTheirOwn) {
   RunConfiguration configuration;
   configuration.count = 4;
-  configuration.simulators = {Simulator::Habitat};
-  configuration.splits = {Split::Atomic};
+  configuration.simulators = {Simulator::Ai2thor};
   const auto slots = plan_slots(configuration, three_templates());
   ASSERT_TRUE(slots);
-  EXPECT_NE((*slots)[0].template_for(0), (*slots)[1].template_for(0));
-  EXPECT_EQ((*slots)[0].template_for(0), (*slots)[2].template_for(0));
-  const auto& slot = slots->front();
-  EXPECT_EQ(slot.template_for(0), slot.template_for(TaskSlot::kAttemptsPerTemplate - 1));
-  EXPECT_NE(slot.template_for(0), slot.template_for(TaskSlot::kAttemptsPerTemplate));
+  for (const auto& slot : *slots) {
+    const std::map<Split, std::vector<std::size_t>> expected{{Split::Atomic, {0, 1}},
+                                                             {Split::Logical, {2}},
+                                                             {Split::InstanceGrounding, {0, 1, 2}},
+                                                             {Split::Linguistic, {0, 1, 2}}};
+    EXPECT_EQ(slot.templates, expected.at(slot.split)) << name_of(slot.split);
+  }
 }
 
 TEST(PlanSlots, EqualSeedsPlanEqually) {

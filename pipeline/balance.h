@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "expert/expert.h"
+#include "generator/specification.h"
+#include "grounding/episode.h"
+
+namespace unietp {
+
+/// What a data set is kept level over.
+enum class Dimension { Template, Category, Receptacle, Room, Scene };
+inline constexpr std::size_t kDimensionCount = static_cast<std::size_t>(Dimension::Scene) + 1;
+std::string_view name_of(Dimension dimension);  // "receptacle"
+
+/// Whether a placeholder is a place for others: second in a placement constraint, or asked to be a receptacle or a
+/// container; `Room` for one that is a type of room.
+Dimension dimension_of(const Parameter& parameter, const Template& source);
+
+/// What a task is in one dimension. Names that differ by simulator begin with it: "ai2thor/Mug", "ai2thor/kitchen".
+struct Trait {
+  Dimension dimension = Dimension::Template;
+  std::string value;
+  bool operator==(const Trait&) const = default;
+};
+
+/// Template, home, each category that is bound (a colour or a material is none), and the types of room where what the
+/// demonstration handles stands at the start; each once, sorted.
+std::vector<Trait> traits_of(const Template& source, const Episode& episode, const Demonstration& demonstration);
+
+/// One a line: "room ai2thor/kitchen". The second gives back what the first was given, and leaves out what it cannot
+/// read.
+std::string to_text(const std::vector<Trait>& traits);
+std::vector<Trait> traits_from(std::string_view text);
+
+/// How evenly the tasks lie over the values of a dimension.
+struct Spread {
+  Dimension dimension = Dimension::Template;
+  int values = 0;        // that some task has
+  double effective = 0;  // 1 / sum of squared shares: as many equally frequent values would be as diverse
+  double variation = 0;  // standard deviation of the counts over their mean; 0 when all are equal
+};
+
+/// How often each value was used.
+class Frequencies {
+ public:
+  void add(const Trait& trait, double share = 1) { counts_[index(trait.dimension)][trait.value] += share; }
+  void add(const std::vector<Trait>& traits) {
+    for (const auto& trait : traits) add(trait);
+  }
+  double count(Dimension dimension, const std::string& value) const;
+  /// How much a value is wanted: 1 for a new one, falling with the square of how often it was used.
+  double weight(Dimension dimension, const std::string& value) const;
+  /// In the order of the enum; dimensions without any value are left out.
+  std::vector<Spread> spreads() const;
+
+ private:
+  static std::size_t index(Dimension dimension) { return static_cast<std::size_t>(dimension); }
+  std::array<std::map<std::string, double>, kDimensionCount> counts_;
+};
+
+}  // namespace unietp

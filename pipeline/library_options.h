@@ -1,0 +1,10 @@
+#pragma once
+
+#include "pipeline/commands.h"
+
+namespace unietp {
+
+/// Adds `--templates DIR` and `--extended`: which templates a command works with, besides the default library.
+void add_library_options(CLI::App& command, CommandLine& program);
+
+}  // namespace unietp
