@@ -157,11 +157,14 @@ std::vector<Error> prove_task(const TaskRecord& task, const Scene& start, const 
   const auto changes = replay(std::move(*world), demonstration, findings);
   if (!goal) return findings.take();
 
-  const bool with_nearest = task.goal_text.find("(nearest ") != std::string::npos;
-  const auto at_start = to_logic(start, {}, with_nearest);
+  const bool compares = std::any_of(task.start_constraints.begin(), task.start_constraints.end(), [](const auto& text) {
+    return text.find("(nearest ") != std::string::npos || text.find("(size ") != std::string::npos;
+  });
+  const bool with_comparisons = compares || reads_comparisons(*goal);
+  const auto at_start = to_logic(start, {}, with_comparisons);
   check_start_constraints(task, at_start, files, findings);
   if (holds(*goal, at_start)) findings.scene("its goal holds before anything is done");
-  const auto trace = to_logic(start, changes, with_nearest);
+  const auto trace = to_logic(start, changes, with_comparisons);
   for (const auto& domain : empty_domains(*goal, trace))
     findings.task("its goal speaks of all or a number of " + domain + ", of which the scene has none");
   if (!holds(*goal, trace)) findings.demonstration("its replay does not reach the goal " + task.goal_text);

@@ -92,7 +92,7 @@ TEST_F(BadTemplate, ASoundOneIsTaken) {
   ASSERT_TRUE(write_file(file, template_with("put-one", "put-one")));
   const auto ended = run_program({"template", "lint", file});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_EQ(ended.out, "1 sound\n");
+  EXPECT_EQ(ended.out, "1 sound, 0 errors, 0 warnings\n");
 }
 
 TEST_F(OwnData, ATableWithAWrongColumnIsPlaced) {
@@ -145,7 +145,9 @@ TEST(BadInput, UnknownNamesAreToldWithTheNearestKnownOne) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"--simulators", "ai2thor,habitatt"}, "did you mean \"habitat\""},
       {{"--splits", "atomik"}, "did you mean \"atomic\""},
-      {{"--templates", "open-onee"}, "did you mean \"open-one\""},
+      {{"--template", "open-onee"}, "did you mean \"open-one\""},
+      {{"--templates", "open-one"}, "`--template open-one` chooses one by its name"},
+      {{"--templates", folder.at("none")}, "is no file or folder"},
       {{"--count", "none"}, "--count"},
       {{"--rooms", "1"}, "--rooms"},
       {{"--frobnicate"}, "--frobnicate"},

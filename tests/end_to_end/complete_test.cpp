@@ -32,11 +32,13 @@ class CompleteCommand : public testing::Test {
   CompleteCommand() { ::setenv("UNIETP_LLM_KEY", kKey, 1); }
   ~CompleteCommand() override { ::unsetenv("UNIETP_LLM_KEY"); }
 
-  /// A copy of the data of its own, by name.
+  /// A copy of the data and templates of its own, by name.
   std::string data(const std::string& name) {
     const fs::path root = folder_.path() / name;
-    fs::create_directories(root);
+    fs::create_directories(root / "templates");
     fs::copy(fs::path(UNIETP_SOURCE_DIR) / "data", root / "data", fs::copy_options::recursive);
+    fs::copy(fs::path(UNIETP_SOURCE_DIR) / "templates/library", root / "templates/library",
+             fs::copy_options::recursive);
     // Whatever the tables tell by now, here they lack all names and phrases.
     EXPECT_TRUE(write_file(root / "data/akb/ai2thor/alias.csv", "category,kind,text,source,confidence\n"));
     return root.string();

@@ -156,6 +156,16 @@ TEST(DataSet, ATaskIsDrawnFromAbove) {
   const auto svg = read_file(folder.at("task.svg"));
   ASSERT_TRUE(svg);
   EXPECT_THAT(*svg, HasSubstr("<svg"));
+  const auto seen = run_program(
+      {"render", small_data_set().string(), task, "--out", folder.at("seen.png"), "--step", "2", "--boxes"});
+  ASSERT_EQ(seen.code, 0) << seen.err;
+  const auto picture = read_file(folder.at("seen.png"));
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->substr(1, 3), "PNG");
+  const auto late =
+      run_program({"render", small_data_set().string(), task, "--out", folder.at("no.png"), "--step", "99"});
+  EXPECT_EQ(late.code, 2);
+  EXPECT_THAT(late.err, HasSubstr("--step"));
   const auto unknown = run_program({"render", small_data_set().string(), "nobody", "--out", folder.at("no.svg")});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_FALSE(fs::exists(folder.at("no.svg")));

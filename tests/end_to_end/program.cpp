@@ -29,9 +29,17 @@ std::string taken(const std::filesystem::path& path) {
 
 }  // namespace
 
-RunningProgram::RunningProgram(const std::vector<std::string>& arguments) : out_(scratch_file()), err_(scratch_file()) {
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments)
+    : RunningProgram(UNIETP_PROGRAM, arguments, ".") {}
+
+RunningProgram::RunningProgram(const std::string& program, const std::vector<std::string>& arguments,
+                               const std::filesystem::path& folder)
+    : out_(scratch_file()), err_(scratch_file()) {
   std::vector<char*> argv;
-  std::string name = UNIETP_PROGRAM;
+  std::string name = program;
+  const char* path = std::getenv("PATH");
+  const auto found_first =
+      std::filesystem::path(UNIETP_PROGRAM).parent_path().string() + ":" + (path == nullptr ? "" : path);
   argv.push_back(name.data());
   auto copies = arguments;
   for (auto& argument : copies) argv.push_back(argument.data());
@@ -40,6 +48,8 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments) : out_
   if (process_ == 0) {
     ::dup2(::open(out_.c_str(), O_WRONLY | O_TRUNC), STDOUT_FILENO);
     ::dup2(::open(err_.c_str(), O_WRONLY | O_TRUNC), STDERR_FILENO);
+    if (::chdir(folder.c_str()) != 0) ::_exit(126);
+    (void)::setenv("PATH", found_first.c_str(), 1);
     ::execv(name.c_str(), argv.data());
     ::_exit(127);
   }
@@ -71,6 +81,10 @@ Ended RunningProgram::wait() {
 }
 
 Ended run_program(const std::vector<std::string>& arguments) { return RunningProgram(arguments).wait(); }
+
+Ended run_script(const std::string& script, const std::filesystem::path& folder) {
+  return RunningProgram("/bin/sh", {"-e", "-c", script}, folder).wait();
+}
 
 ScratchFolder::ScratchFolder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "unietp-test-XXXXXX").string();

@@ -20,6 +20,9 @@ struct Ended {
 class RunningProgram {
  public:
   explicit RunningProgram(const std::vector<std::string>& arguments);
+  /// Another program, in a folder, with the folder of the real one first on its path.
+  RunningProgram(const std::string& program, const std::vector<std::string>& arguments,
+                 const std::filesystem::path& folder);
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;
   ~RunningProgram();
@@ -35,6 +38,8 @@ class RunningProgram {
 };
 
 Ended run_program(const std::vector<std::string>& arguments);
+/// A shell script that ends at its first failing command, run in a folder; `unietp` in it is the real program.
+Ended run_script(const std::string& script, const std::filesystem::path& folder);
 
 /// A folder that is removed with this value.
 class ScratchFolder {
