@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <array>
-
 #include "generator/consistency.h"
 #include "generator/goal_parts.h"
 #include "generator/start_sampler.h"
@@ -26,17 +23,7 @@ std::string text_of(const symbolic::Atom& atom, const symbolic::Setting& setting
   return text + ")";
 }
 
-/// What only an action of the profile `wide` brings about: the symbolic world has the 38 actions of the default one.
-bool asks_for_wide(const Formula& formula) {
-  constexpr std::array kWide = {Predicate::SatOn,  Predicate::LainOn, Predicate::PluggedIn, Predicate::Unplugged,
-                                Predicate::Folded, Predicate::Broken, Predicate::Attached};
-  const bool here =
-      formula.op == Formula::Op::Atom && std::find(kWide.begin(), kWide.end(), formula.predicate) != kWide.end();
-  return here || std::any_of(formula.children.begin(), formula.children.end(), asks_for_wide);
-}
-
 std::optional<GateRefusal> unreachable(const Specification& specification, const SymbolicStart& start) {
-  if (asks_for_wide(specification.goal)) return std::nullopt;
   const symbolic::Goal goal(specification.goal, start.setting, start.world);
   const symbolic::Reach reach(start.setting, start.world);
   const auto found = symbolic::out_of_reach(goal, reach, start.setting, start.world);

@@ -111,7 +111,8 @@ void Rules::read_reactions(const Knowledge& knowledge, std::size_t tools, std::s
           reaction.symbol = symbol_number(row->gives);
         }
         if ((reaction.needs & (kInside | kUnderTap)) != 0) make_room(static_cast<int>(target), 1, tool);
-        if ((reaction.needs & kOn) != 0) make_room(static_cast<int>(target), 0, tool);
+        const bool attaching = reaction.treatment == Treatment::Attaches && offer_.attaching;
+        if ((reaction.needs & kOn) != 0 || attaching) make_room(static_cast<int>(target), 0, tool);
         known.push_back(reaction);
       }
     }
