@@ -6,6 +6,7 @@ namespace unietp {
 namespace {
 
 constexpr std::size_t kWordBits = 64;
+static_assert(kPredicateCount <= kWordBits, "the states of an entity are one word");
 
 bool test(const std::vector<std::uint64_t>& bits, EntityIndex entity) {
   const std::size_t word = entity / kWordBits;
@@ -18,66 +19,167 @@ void mark(std::vector<std::uint64_t>& bits, EntityIndex entity) {
   bits[word] |= std::uint64_t{1} << (entity % kWordBits);
 }
 
+std::uint64_t bit_of(Predicate predicate) { return std::uint64_t{1} << static_cast<unsigned>(predicate); }
+
+template <class T>
+void insert_once(std::vector<T>& sorted, T value) {
+  const auto at = std::lower_bound(sorted.begin(), sorted.end(), value);
+  if (at == sorted.end() || *at != value) sorted.insert(at, std::move(value));
+}
+
+/// Without trailing zeros, which say nothing.
+std::span<const std::uint64_t> significant(const std::vector<std::uint64_t>& bits) {
+  std::size_t size = bits.size();
+  while (size > 0 && bits[size - 1] == 0) --size;
+  return {bits.data(), size};
+}
+
 }  // namespace
+
+template <class T>
+std::span<const T> Facts::Lists<T>::of(EntityIndex entity) const {
+  if (entity + std::size_t{1} >= start.size()) return {};
+  return {all.data() + start[entity], all.data() + start[entity + 1]};
+}
+
+template <class T>
+void Facts::Lists<T>::insert(EntityIndex entity, T value) {
+  if (start.size() < entity + std::size_t{2}) {
+    start.resize(entity + std::size_t{2}, static_cast<std::uint32_t>(all.size()));
+  }
+  const auto from = all.begin() + start[entity];
+  const auto to = all.begin() + start[entity + 1];
+  const auto at = std::lower_bound(from, to, value);
+  if (at != to && *at == value) return;
+  all.insert(at, std::move(value));
+  for (std::size_t i = entity + std::size_t{1}; i < start.size(); ++i) ++start[i];
+}
+
+Facts::Ground& Facts::ground() {
+  // Not shared: copies of a state share its ground on purpose, until one of them changes something.
+  if (ground_ == nullptr) ground_ = std::make_shared<Ground>();
+  return *ground_;
+}
+
+const Facts::Own* Facts::own(EntityIndex entity) const {
+  const auto at = std::lower_bound(own_.begin(), own_.end(), entity,
+                                   [](const Own& one, EntityIndex wanted) { return one.entity < wanted; });
+  return at != own_.end() && at->entity == entity ? &*at : nullptr;
+}
+
+Facts::Own& Facts::make_own(EntityIndex entity) {
+  const auto at = std::lower_bound(own_.begin(), own_.end(), entity,
+                                   [](const Own& one, EntityIndex wanted) { return one.entity < wanted; });
+  if (at != own_.end() && at->entity == entity) return *at;
+  const auto pairs_here = pairs(entity);
+  const auto symbols_here = symbols(entity);
+  return *own_.insert(at,
+                      Own{entity, {pairs_here.begin(), pairs_here.end()}, {symbols_here.begin(), symbols_here.end()}});
+}
+
+std::span<const Facts::Pair> Facts::pairs(EntityIndex entity) const {
+  if (const Own* mine = own_.empty() ? nullptr : own(entity)) return mine->pairs;
+  return ground_ == nullptr ? std::span<const Pair>() : ground_->pairs.of(entity);
+}
+
+std::span<const Facts::Symbol> Facts::symbols(EntityIndex entity) const {
+  if (const Own* mine = own_.empty() ? nullptr : own(entity)) return mine->symbols;
+  return ground_ == nullptr ? std::span<const Symbol>() : ground_->symbols.of(entity);
+}
 
 void Facts::set_exists(EntityIndex entity) { mark(existing_, entity); }
 
 void Facts::set(Predicate predicate, EntityIndex entity) {
-  const auto index = static_cast<std::size_t>(predicate);
-  if (index >= unary_.size()) unary_.resize(index + 1);
-  mark(unary_[index], entity);
+  if (entity >= states_.size()) states_.resize(entity + std::size_t{1});
+  states_[entity] |= bit_of(predicate);
 }
 
 void Facts::set(Predicate predicate, EntityIndex first, EntityIndex second) {
-  if (pair_start_.size() < first + std::size_t{2}) {
-    pair_start_.resize(first + std::size_t{2}, static_cast<std::uint32_t>(pairs_.size()));
+  const Pair pair = pair_of(predicate, second);
+  if (alone()) {
+    ground().pairs.insert(first, pair);
+  } else {
+    insert_once(make_own(first).pairs, pair);
   }
-  const Pair key = pair_of(predicate, second);
-  const auto from = pairs_.begin() + pair_start_[first];
-  const auto to = pairs_.begin() + pair_start_[first + 1];
-  const auto at = std::lower_bound(from, to, key);
-  if (at != to && *at == key) return;
-  pairs_.insert(at, key);
-  for (std::size_t i = first + std::size_t{1}; i < pair_start_.size(); ++i) ++pair_start_[i];
 }
 
 void Facts::set(Predicate predicate, EntityIndex entity, std::string symbol) {
-  Symbolic fact{predicate, entity, std::move(symbol)};
-  const auto at = std::lower_bound(symbolic_.begin(), symbolic_.end(), fact);
-  if (at == symbolic_.end() || *at != fact) symbolic_.insert(at, std::move(fact));
+  Symbol fact{predicate, std::move(symbol)};
+  if (alone()) {
+    ground().symbols.insert(entity, std::move(fact));
+  } else {
+    insert_once(make_own(entity).symbols, std::move(fact));
+  }
+}
+
+void Facts::clear(Predicate predicate, EntityIndex entity) {
+  if (entity < states_.size()) states_[entity] &= ~bit_of(predicate);
+  const auto has = [predicate](const Symbol& symbol) { return symbol.predicate == predicate; };
+  if (const auto here = symbols(entity); std::any_of(here.begin(), here.end(), has)) {
+    std::erase_if(make_own(entity).symbols, has);
+  }
+}
+
+void Facts::clear(Predicate predicate, EntityIndex first, EntityIndex second) {
+  const Pair pair = pair_of(predicate, second);
+  if (const auto here = pairs(first); std::binary_search(here.begin(), here.end(), pair)) {
+    std::erase(make_own(first).pairs, pair);
+  }
+}
+
+void Facts::clear_states(EntityIndex entity) {
+  if (entity < states_.size()) states_[entity] = 0;
+  if (!symbols(entity).empty()) make_own(entity).symbols.clear();
+}
+
+void Facts::forget(EntityIndex entity) {
+  if (exists(entity)) existing_[entity / kWordBits] &= ~(std::uint64_t{1} << (entity % kWordBits));
+  clear_states(entity);
+  if (!pairs(entity).empty()) make_own(entity).pairs.clear();
 }
 
 bool Facts::exists(EntityIndex entity) const { return test(existing_, entity); }
 
 bool Facts::holds(Predicate predicate, EntityIndex entity) const {
-  const auto index = static_cast<std::size_t>(predicate);
-  return index < unary_.size() && test(unary_[index], entity) && exists(entity);
+  return entity < states_.size() && (states_[entity] & bit_of(predicate)) != 0 && exists(entity);
 }
 
 bool Facts::holds(Predicate predicate, EntityIndex first, EntityIndex second) const {
-  if (first >= pair_start_.size() || first + std::size_t{1} >= pair_start_.size()) return false;
-  const Pair key = pair_of(predicate, second);
-  const Pair* from = pairs_.data() + pair_start_[first];
-  const Pair* to = pairs_.data() + pair_start_[first + 1];
+  const auto here = pairs(first);
+  const Pair pair = pair_of(predicate, second);
+  const Pair* from = here.data();
+  const Pair* to = from + here.size();
   constexpr std::ptrdiff_t kScan = 8;  // an object stands in few relations unless `nearest` is asked for
   if (to - from > kScan) {
-    from = std::lower_bound(from, to, key);
+    from = std::lower_bound(from, to, pair);
   } else {
-    while (from != to && *from < key) ++from;
+    while (from != to && *from < pair) ++from;
   }
-  return from != to && *from == key && exists(first) && exists(second);
+  return from != to && *from == pair && exists(first) && exists(second);
 }
 
 bool Facts::holds(Predicate predicate, EntityIndex entity, std::string_view symbol) const {
   if (!exists(entity)) return false;
-  const auto before = [](const Symbolic& a, const std::pair<Predicate, EntityIndex>& b) {
-    return std::tie(a.predicate, a.entity) < std::tie(b.first, b.second);
-  };
-  auto at = std::lower_bound(symbolic_.begin(), symbolic_.end(), std::pair(predicate, entity), before);
-  for (; at != symbolic_.end() && at->predicate == predicate && at->entity == entity; ++at) {
-    if (symbol == "any" || at->symbol == symbol) return true;
+  for (const Symbol& fact : symbols(entity)) {
+    if (fact.predicate == predicate && (symbol == "any" || fact.text == symbol)) return true;
   }
   return false;
+}
+
+bool Facts::operator==(const Facts& other) const {
+  const auto same = [](const auto& a, const auto& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
+  if (!same(significant(existing_), significant(other.existing_))) return false;
+  if (!same(significant(states_), significant(other.states_))) return false;
+  const auto count_of = [](const Facts& facts) {
+    std::size_t count = facts.own_.empty() ? 0 : facts.own_.back().entity + std::size_t{1};
+    if (facts.ground_ == nullptr) return count;
+    return std::max({count, facts.ground_->pairs.start.size(), facts.ground_->symbols.start.size()});
+  };
+  const std::size_t count = std::max(count_of(*this), count_of(other));
+  for (EntityIndex entity = 0; entity < count; ++entity) {
+    if (!same(pairs(entity), other.pairs(entity)) || !same(symbols(entity), other.symbols(entity))) return false;
+  }
+  return true;
 }
 
 }  // namespace unietp

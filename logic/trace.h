@@ -2,8 +2,10 @@
 
 #include <compare>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
-#include <tuple>
+#include <string_view>
 #include <vector>
 
 #include "logic/vocabulary.h"
@@ -23,14 +25,22 @@ struct Entity {
   bool operator==(const Entity&) const = default;
 };
 
-/// The truths of one state: which entities exist and what holds of them. Bit sets per predicate, so that a goal is read
-/// in microseconds. Atoms about entities that do not exist here are false.
+/// The truths of one state: which entities exist and what holds of them. A word of bits per entity and sorted pairs, so
+/// that a goal is read in microseconds. Atoms about entities that do not exist here are false. A copy is cheap and
+/// changing it costs what changes: the relations that both have are one block in memory.
 class Facts {
  public:
   void set_exists(EntityIndex entity);
   void set(Predicate predicate, EntityIndex entity);
   void set(Predicate predicate, EntityIndex first, EntityIndex second);
   void set(Predicate predicate, EntityIndex entity, std::string symbol);
+  /// Takes back what was set of one entity; what was not set stays so.
+  void clear(Predicate predicate, EntityIndex entity);
+  void clear(Predicate predicate, EntityIndex first, EntityIndex second);
+  /// All states and symbols of an entity; its relations stay.
+  void clear_states(EntityIndex entity);
+  /// The entity exists no longer, nor anything that was set of it as the first.
+  void forget(EntityIndex entity);
 
   bool exists(EntityIndex entity) const;
   /// The entities that exist, one bit each, lowest bit first.
@@ -40,23 +50,48 @@ class Facts {
   /// With the symbol `any`: for some symbol.
   bool holds(Predicate predicate, EntityIndex entity, std::string_view symbol) const;
 
-  bool operator==(const Facts&) const = default;
+  /// Equal when the same was set.
+  bool operator==(const Facts& other) const;
 
  private:
   using Bits = std::vector<std::uint64_t>;
   using Pair = std::uint64_t;  // predicate and second entity; the first is known by its place
   static Pair pair_of(Predicate predicate, EntityIndex second) { return (static_cast<Pair>(predicate) << 32) | second; }
-  struct Symbolic {
+  struct Symbol {
     Predicate predicate;
-    EntityIndex entity;
-    std::string symbol;
-    auto operator<=>(const Symbolic&) const = default;
+    std::string text;
+    auto operator<=>(const Symbol&) const = default;
   };
+  /// Sorted lists of all entities, one after the other: those of entity e go from start[e] to start[e + 1].
+  template <class T>
+  struct Lists {
+    std::vector<T> all;
+    std::vector<std::uint32_t> start;
+    std::span<const T> of(EntityIndex entity) const;
+    void insert(EntityIndex entity, T value);
+  };
+  struct Ground {
+    Lists<Pair> pairs;
+    Lists<Symbol> symbols;
+  };
+  /// What one entity has in place of its part of the ground.
+  struct Own {
+    EntityIndex entity = 0;
+    std::vector<Pair> pairs;
+    std::vector<Symbol> symbols;
+  };
+
+  const Own* own(EntityIndex entity) const;
+  Own& make_own(EntityIndex entity);
+  std::span<const Pair> pairs(EntityIndex entity) const;
+  std::span<const Symbol> symbols(EntityIndex entity) const;
+  bool alone() const { return own_.empty() && (ground_ == nullptr || ground_.use_count() == 1); }
+  Ground& ground();
+
   Bits existing_;
-  std::vector<Bits> unary_;  // by predicate; grown on demand
-  std::vector<Pair> pairs_;  // those of entity e: sorted, from pair_start_[e] to pair_start_[e + 1]
-  std::vector<std::uint32_t> pair_start_;
-  std::vector<Symbolic> symbolic_;  // sorted
+  Bits states_;                     // by entity, a bit for each predicate
+  std::shared_ptr<Ground> ground_;  // shared by a state and those that were copied from it; never changed then
+  std::vector<Own> own_;            // by entity, sorted
 };
 
 /// A finite sequence of states over one list of entities: the start state, then the state after each action.

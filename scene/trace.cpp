@@ -88,6 +88,11 @@ void add_sizes(const std::vector<Node>& nodes, const std::vector<EntityIndex>& i
   }
 }
 
+bool is_comparison(const Formula& formula) {
+  return formula.op == Formula::Op::Atom &&
+         (formula.predicate == Predicate::Size || formula.predicate == Predicate::Nearest);
+}
+
 }  // namespace
 
 bool clearly_nearer(double distance_m, double other_m) {
@@ -95,12 +100,13 @@ bool clearly_nearer(double distance_m, double other_m) {
 }
 
 bool reads_comparisons(const Formula& formula) {
-  if (formula.op == Formula::Op::Atom &&
-      (formula.predicate == Predicate::Size || formula.predicate == Predicate::Nearest)) {
-    return true;
-  }
-  return std::any_of(formula.children.begin(), formula.children.end(), reads_comparisons) ||
+  return is_comparison(formula) || std::any_of(formula.children.begin(), formula.children.end(), reads_comparisons) ||
          std::any_of(formula.domain.where.begin(), formula.domain.where.end(), reads_comparisons);
+}
+
+bool reads_later_comparisons(const Formula& formula) {
+  return is_comparison(formula) ||
+         std::any_of(formula.children.begin(), formula.children.end(), reads_later_comparisons);
 }
 
 bool Delta::empty() const {
@@ -160,19 +166,31 @@ FactReader::FactReader(bool with_comparisons) : with_comparisons_(with_compariso
 }
 
 std::optional<EntityIndex> FactReader::find(std::string_view id) const {
-  const auto place = std::lower_bound(by_id_.begin(), by_id_.end(), id,
-                                      [](const auto& entry, std::string_view key) { return entry.first < key; });
-  if (place == by_id_.end() || place->first != id) return std::nullopt;
-  return place->second;
+  const auto found = by_id_.find(std::string(id));
+  return found == by_id_.end() ? std::nullopt : std::optional(found->second);
 }
 
 EntityIndex FactReader::index_of(Entity entity) {
-  const auto place = std::lower_bound(by_id_.begin(), by_id_.end(), entity.id,
-                                      [](const auto& entry, const std::string& key) { return entry.first < key; });
-  if (place != by_id_.end() && place->first == entity.id) return place->second;
-  const auto index = static_cast<EntityIndex>(entities_.size());
-  by_id_.emplace(place, entity.id, index);
-  entities_.push_back(std::move(entity));
+  const auto [place, fresh] = by_id_.try_emplace(entity.id, static_cast<EntityIndex>(entities_.size()));
+  if (fresh) entities_.push_back(std::move(entity));
+  return place->second;
+}
+
+/// The node exists, with its states and attributes.
+EntityIndex FactReader::add_node(const Node& node, Facts& facts) {
+  const auto known = find(node.id);
+  const EntityIndex index =
+      known ? *known : index_of(Entity{Entity::Kind::Object, node.id, node.category, node.whole_category});
+  facts.set_exists(index);
+  for (const State& state : node.states.all()) {
+    if (state.symbol.empty()) {
+      facts.set(state.predicate, index);
+    } else {
+      facts.set(state.predicate, index, state.symbol);
+    }
+  }
+  if (!node.colour.empty()) facts.set(Predicate::Colour, index, node.colour);
+  if (!node.material.empty()) facts.set(Predicate::Material, index, node.material);
   return index;
 }
 
@@ -185,22 +203,7 @@ Facts FactReader::read(const Scene& scene) {
   }
   std::vector<EntityIndex> index_of_node;
   index_of_node.reserve(scene.nodes.size());
-  for (const Node& node : scene.nodes) {
-    const auto known = find(node.id);
-    const EntityIndex index =
-        known ? *known : index_of(Entity{Entity::Kind::Object, node.id, node.category, node.whole_category});
-    index_of_node.push_back(index);
-    facts.set_exists(index);
-    for (const State& state : node.states.all()) {
-      if (state.symbol.empty()) {
-        facts.set(state.predicate, index);
-      } else {
-        facts.set(state.predicate, index, state.symbol);
-      }
-    }
-    if (!node.colour.empty()) facts.set(Predicate::Colour, index, node.colour);
-    if (!node.material.empty()) facts.set(Predicate::Material, index, node.material);
-  }
+  for (const Node& node : scene.nodes) index_of_node.push_back(add_node(node, facts));
   for (const std::string& id : scene.agent.held) {
     if (const auto held = find(id); held && facts.exists(*held)) facts.set(Predicate::Held, *held);
   }
@@ -223,15 +226,66 @@ Facts FactReader::read(const Scene& scene) {
   return facts;
 }
 
+Facts FactReader::read(const Facts& before, const Delta& change) {
+  Facts facts = before;
+  const auto related = [&](const Edge& edge) -> std::optional<std::pair<EntityIndex, EntityIndex>> {
+    const auto from = find(edge.from), to = find(edge.to);
+    if (!from || !to) return std::nullopt;
+    return std::pair(*from, *to);
+  };
+  for (const Edge& edge : change.edges_removed) {
+    if (const auto ends = related(edge)) facts.clear(edge.relation, ends->first, ends->second);
+  }
+  for (const std::string& id : change.removed) {
+    if (const auto gone = find(id)) facts.forget(*gone);
+  }
+  for (const Node& node : change.nodes) {
+    const auto known = find(node.id);
+    if (known) {
+      const bool held = facts.holds(Predicate::Held, *known);
+      const bool large = facts.holds(Predicate::Size, *known, "large"),
+                 small = facts.holds(Predicate::Size, *known, "small");
+      facts.clear_states(*known);
+      if (held) facts.set(Predicate::Held, *known);
+      if (large) facts.set(Predicate::Size, *known, "large");
+      if (small) facts.set(Predicate::Size, *known, "small");
+    }
+    const EntityIndex index = add_node(node, facts);
+    if (const auto whole = node.slice_of.empty() ? std::nullopt : find(node.slice_of)) {
+      facts.set(Predicate::SliceOf, index, *whole);
+    }
+  }
+  for (const Edge& edge : change.edges_added) {
+    const auto ends = related(edge);
+    if (ends && facts.exists(ends->first) && facts.exists(ends->second)) {
+      facts.set(edge.relation, ends->first, ends->second);
+    }
+  }
+  if (change.agent) {
+    for (EntityIndex e = 0; e < entities_.size(); ++e) {
+      if (facts.holds(Predicate::Held, e)) facts.clear(Predicate::Held, e);
+    }
+    for (const std::string& id : change.agent->held) {
+      if (const auto held = find(id); held && facts.exists(*held)) facts.set(Predicate::Held, *held);
+    }
+  }
+  return facts;
+}
+
 Trace to_logic(const Scene& start, const std::vector<Delta>& deltas, bool with_comparisons) {
   FactReader reader(with_comparisons);
   Trace trace;
   trace.states.reserve(deltas.size() + 1);
   trace.states.push_back(reader.read(start));
-  Scene scene = start;
+  Scene scene;  // only comparisons need all things as they are
+  if (with_comparisons && !deltas.empty()) scene = start;
   for (const Delta& delta : deltas) {
-    scene = apply(std::move(scene), delta);
-    trace.states.push_back(reader.read(scene));
+    if (with_comparisons) {
+      scene = apply(std::move(scene), delta);
+      trace.states.push_back(reader.read(scene));
+    } else {
+      trace.states.push_back(reader.read(trace.states.back(), delta));
+    }
   }
   trace.entities = reader.entities();
   return trace;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 #include "logic/formula.h"
@@ -41,18 +41,24 @@ class FactReader {
  public:
   explicit FactReader(bool with_comparisons = false);
   Facts read(const Scene& scene);
+  /// The facts after a change, at the cost of the change: what `read` of the changed scene would give, but with the
+  /// comparisons of the things as they were before.
+  Facts read(const Facts& before, const Delta& change);
   const std::vector<Entity>& entities() const { return entities_; }
+  std::optional<EntityIndex> find(std::string_view id) const;
 
  private:
-  std::optional<EntityIndex> find(std::string_view id) const;
   EntityIndex index_of(Entity entity);
+  EntityIndex add_node(const Node& node, Facts& facts);
   bool with_comparisons_;
   std::vector<Entity> entities_;
-  std::vector<std::pair<std::string, EntityIndex>> by_id_;  // sorted by id
+  std::unordered_map<std::string, EntityIndex> by_id_;
 };
 
 /// Whether a formula or one of its domains speaks of `size` or `nearest`.
 bool reads_comparisons(const Formula& formula);
+/// Whether it does so outside of its domains' `:where`, which are read at the start only.
+bool reads_later_comparisons(const Formula& formula);
 
 /// The whole trace of a start scene and its deltas.
 Trace to_logic(const Scene& start, const std::vector<Delta>& deltas, bool with_comparisons = false);
