@@ -46,7 +46,8 @@ BENCHMARK(BM_GenerateLayout)->ArgsProduct({{0, 1, 2, 3}, {0, 1}})->Unit(benchmar
 /// One specification that adds, moves and changes things.
 void BM_Ground(benchmark::State& state) {
   const Surroundings style = load(Simulator::Ai2thor);
-  const auto home = generate_layout(style.recipe, style.knowledge, style.profile, {}, "home", Rng(2));
+  const Home home =
+      prepare_home(*generate_layout(style.recipe, style.knowledge, style.profile, {}, "home", Rng(2)), style.profile);
   Specification spec;
   spec.goal =
       *parse_formula("bench", "(exists (?a - Mug) (exists (?b - DiningTable) (at-end (on ?a ?b))))", FormulaUse::Goal);
@@ -56,7 +57,7 @@ void BM_Ground(benchmark::State& state) {
   }
   std::uint64_t seed = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(ground(spec, *home, style.knowledge, style.profile, {}, Rng(seed++ % 16)));
+    benchmark::DoNotOptimize(ground(spec, home, style.knowledge, style.profile, {}, Rng(seed++ % 16)));
   }
 }
 BENCHMARK(BM_Ground)->Unit(benchmark::kMillisecond);

@@ -26,67 +26,90 @@ bool makes_slices(const Domain& domain) {
 /// Asks whether the body can stand where it reaches and sees a thing, behind doors that it can open too.
 class Reach {
  public:
-  Reach(const Scene& scene, const PhysicsWorld& world, const Profile& profile)
-      : scene_(scene),
-        world_(world),
-        profile_(profile),
-        grid_(scene, profile),
-        walk_(grid_.distances(grid_.cell_at(scene.agent.position))) {}
+  Reach(const Home& home, const Scene& scene, const PhysicsWorld& world, const Profile& profile)
+      : home_(home), scene_(scene), world_(world), profile_(profile), walk_(walk_of(home, scene, profile)) {}
 
   bool room(const Room& room) const {
-    for (int y = 0; y < grid_.height(); ++y) {
-      for (int x = 0; x < grid_.width(); ++x) {
-        const auto at =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_.width()) + static_cast<std::size_t>(x);
-        if (walk_[at] >= 0 && contains(room.polygon, grid_.centre({x, y}))) return true;
+    const NavigationGrid& grid = walk_->grid;
+    for (int y = 0; y < grid.height(); ++y) {
+      for (int x = 0; x < grid.width(); ++x) {
+        if (walk_->steps[grid.index({x, y})] >= 0 && contains(room.polygon, grid.centre({x, y}))) return true;
       }
     }
     return false;
   }
 
-  bool object(std::size_t index) const {
-    if (standing_place(scene_, world_, grid_, walk_, profile_, index)) return true;
-    // Behind doors: each must be reachable shut, and the thing with all of them open.
-    Scene opened = scene_;
-    PhysicsWorld opened_world = world_;
-    bool any = false;
-    for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
-      const Node& container = scene_.nodes[i];
-      const bool shut = container.openable && container.opening < 0.5;
-      if (!shut || !has_edge(scene_, Predicate::Inside, scene_.nodes[index].id, container.id)) continue;
-      any = true;
-      if (!object(i)) return false;
-      opened.nodes[i].opening = 1;
-      opened_world.set(static_cast<BodyId>(i), shape_of(container), container.pose, 1, container.mass);
-    }
-    if (!any) return false;
-    slide_along(opened, opened_world, index);
-    const NavigationGrid grid(opened, profile_);
-    const auto walk = grid.distances(grid.cell_at(opened.agent.position));
-    return standing_place(opened, opened_world, grid, walk, profile_, index).has_value();
+  bool object(std::size_t index) {
+    const std::vector<std::size_t> doors = shut_around(index);
+    if (doors.empty()) return standing_place(scene_, world_, walk_->grid, walk_->steps, profile_, index).has_value();
+    // Each door must be reachable shut, and the thing with all of them open.
+    if (!std::all_of(doors.begin(), doors.end(), [&](std::size_t door) { return object(door); })) return false;
+    Opened& opened = with_open(doors);
+    const Pose before = opened.scene.nodes[index].pose;
+    slide_along(opened, doors, index);
+    const bool reached =
+        standing_place(opened.scene, opened.world, opened.walk->grid, opened.walk->steps, profile_, index).has_value();
+    place(opened, index, before);
+    return reached;
   }
 
  private:
+  /// The scene with some doors open.
+  struct Opened {
+    std::vector<std::size_t> doors;
+    Scene scene;
+    PhysicsWorld world;
+    std::shared_ptr<const Walk> walk;
+  };
+
+  std::vector<std::size_t> shut_around(std::size_t index) const {
+    std::vector<std::size_t> doors;
+    for (const Edge& edge : scene_.edges) {
+      if (edge.relation != Predicate::Inside || edge.from != scene_.nodes[index].id) continue;
+      const Node* container = find_node(scene_, edge.to);
+      if (container != nullptr && container->openable && container->opening < 0.5)
+        doors.push_back(static_cast<std::size_t>(container - scene_.nodes.data()));
+    }
+    return doors;
+  }
+
+  Opened& with_open(const std::vector<std::size_t>& doors) {
+    if (opened_ && opened_->doors == doors) return *opened_;
+    opened_ = Opened{doors, scene_, world_, nullptr};
+    for (const std::size_t door : doors) {
+      const Node& container = scene_.nodes[door];
+      opened_->scene.nodes[door].opening = 1;
+      opened_->world.set(static_cast<BodyId>(door), shape_of(container), container.pose, 1, container.mass);
+    }
+    opened_->walk = walk_of(home_, opened_->scene, profile_);
+    return *opened_;
+  }
+
+  static void place(Opened& opened, std::size_t index, const Pose& pose) {
+    opened.scene.nodes[index].pose = pose;
+    opened.world.move(static_cast<BodyId>(index), pose);
+  }
+
   /// Moves a thing with the drawer that it lies in.
-  void slide_along(Scene& opened, PhysicsWorld& world, std::size_t index) const {
-    Node& thing = opened.nodes[index];
-    for (const Node& container : scene_.nodes) {
-      if (!has_edge(scene_, Predicate::Inside, thing.id, container.id)) continue;
+  void slide_along(Opened& opened, const std::vector<std::size_t>& doors, std::size_t index) const {
+    for (const std::size_t door : doors) {
+      const Node& container = scene_.nodes[door];
       const Shape shape = shape_of(container);
       for (const Cavity& cavity : shape.cavities) {
-        if (cavity.joint < 0 || container.opening > 0.5) continue;
+        if (cavity.joint < 0) continue;
         const Pose motion = joint_motion(shape, cavity.joint, 1);
-        thing.pose = container.pose * (motion * (inverse(container.pose) * thing.pose));
-        world.move(static_cast<BodyId>(index), thing.pose);
+        const Pose& pose = opened.scene.nodes[index].pose;
+        place(opened, index, container.pose * (motion * (inverse(container.pose) * pose)));
       }
     }
   }
 
+  const Home& home_;
   const Scene& scene_;
   const PhysicsWorld& world_;
   const Profile& profile_;
-  NavigationGrid grid_;
-  std::vector<std::int32_t> walk_;
+  std::shared_ptr<const Walk> walk_;
+  std::optional<Opened> opened_;  // the last asked for
 };
 
 std::optional<GroundingFailure> check_formulas(const Specification& specification, const Trace& trace) {
@@ -144,9 +167,9 @@ std::size_t needed(const QuantifiedDomain& one, std::size_t members) {
   return one.op == Op::Exists ? std::min<std::size_t>(1, members) : members;
 }
 
-std::optional<GroundingFailure> check_reach(const Specification& specification, const Scene& start,
+std::optional<GroundingFailure> check_reach(const Specification& specification, const Home& home, const Scene& start,
                                             const PhysicsWorld& world, const Trace& trace, const Profile& profile) {
-  const Reach reach(start, world, profile);
+  Reach reach(home, start, world, profile);
   const auto check = [&](const QuantifiedDomain& one, std::size_t wanted,
                          const std::vector<EntityIndex>& members) -> std::optional<GroundingFailure> {
     std::size_t reached = 0;
@@ -211,18 +234,18 @@ std::optional<GroundingFailure> check_calm(const Scene& start, const std::set<st
 
 }  // namespace
 
-std::optional<GroundingFailure> check_start(const Specification& specification, const Scene& start,
+std::optional<GroundingFailure> check_start(const Specification& specification, const Home& home, const Scene& start,
                                             const std::set<std::string>& touched, const Profile& profile) {
-  const PhysicsWorld world = physics_of(start);
-  Scene read = start;
-  read.edges = read_relations(start, world);
+  const PhysicsWorld world = physics_of(home, start);
+  if (relations_of(home, start, world) != start.edges)
+    return failure(GroundingReason::StartNotMet, "the relations of the start are not those that physics shows");
   bool compared = reads_comparisons(specification.goal);
   for (const Formula& constraint : specification.init) compared = compared || reads_comparisons(constraint);
-  const Trace trace = to_logic(read, {}, compared);
+  const Trace trace = state_of(home, start, compared);
   if (auto problem = check_formulas(specification, trace)) return problem;
   if (auto problem = check_referring(specification, trace)) return problem;
-  if (auto problem = check_calm(read, touched, world)) return problem;
-  return check_reach(specification, read, world, trace, profile);
+  if (auto problem = check_calm(start, touched, world)) return problem;
+  return check_reach(specification, home, start, world, trace, profile);
 }
 
 }  // namespace unietp

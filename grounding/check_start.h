@@ -5,19 +5,21 @@
 #include <string>
 
 #include "generator/specification.h"
+#include "grounding/home.h"
 #include "grounding/reasons.h"
 #include "scene/scene.h"
 #include "simulation/profile.h"
 
 namespace unietp {
 
-/// Checks a start from physics alone, sharing nothing with the code that made it: relations are read from a fresh
-/// world. All start constraints hold; the goal is false and so is each part that the agent has to bring about; no
-/// forall or count is about nothing; a referring constraint picks out something (and, where it is there to tell things
-/// apart, excludes something of the same category); what the goal and its constraints name can be reached; what was
-/// touched stays where it is (5 mm). The first failure, or nullopt when the start is sound. `start.edges` must be those
-/// read.
-std::optional<GroundingFailure> check_start(const Specification& specification, const Scene& start,
+/// Checks a start from physics alone, sharing nothing with the code that made it but the home that it grew out of:
+/// what differs from the home is found by comparing the two, put into a fresh copy of the home's bodies, and what can
+/// have changed with it is read anew. All start constraints hold; the goal is false and so is each part that the agent
+/// has to bring about; no forall or count is about nothing; a referring constraint picks out something (and, where it
+/// is there to tell things apart, excludes something of the same category); what the goal and its constraints name can
+/// be reached; what was touched stays where it is (5 mm). The first failure, or nullopt when the start is sound. The
+/// start's edges must be those that are read.
+std::optional<GroundingFailure> check_start(const Specification& specification, const Home& home, const Scene& start,
                                             const std::set<std::string>& touched, const Profile& profile);
 
 }  // namespace unietp

@@ -1,7 +1,8 @@
 #include "grounding/collision.h"
 
 #include <algorithm>
-#include <map>
+#include <set>
+#include <unordered_map>
 #include <vector>
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
@@ -11,10 +12,10 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/collision_object.h>
 
+#include "simulation/walls.h"
+
 namespace unietp {
 namespace {
-
-using Object = std::unique_ptr<fcl::CollisionObjectd>;
 
 std::shared_ptr<fcl::CollisionGeometryd> geometry_of(const Part& part, double gap) {
   const Vec3 size = part.size + Vec3::Constant(2 * gap);
@@ -29,78 +30,110 @@ std::shared_ptr<fcl::CollisionGeometryd> geometry_of(const Part& part, double ga
   return std::make_shared<fcl::Boxd>(size);
 }
 
-Object object_of(const Part& part, const Pose& pose, double gap) {
-  const Pose in_world = pose * part.pose;
-  return std::make_unique<fcl::CollisionObjectd>(geometry_of(part, gap),
-                                                 in_world.rotation.normalized().toRotationMatrix(), in_world.position);
-}
+/// A part in the world. FCL's own bounds of a turned object are those of the sphere around it; `bounds` are tight.
+struct Solid {
+  BodyId id = 0;
+  Bounds bounds;
+  fcl::CollisionObjectd object;
+
+  Solid(BodyId body, const Part& part, const Pose& in_world, double gap)
+      : id(body),
+        bounds(bounds_of(in_world, part.size + Vec3::Constant(2 * gap))),
+        object(geometry_of(part, gap), in_world.rotation.normalized().toRotationMatrix(), in_world.position) {
+    object.setUserData(this);
+  }
+  Solid(const Solid&) = delete;
+  Solid& operator=(const Solid&) = delete;
+};
 
 struct Query {
   std::span<const BodyId> ignore;
+  const std::set<BodyId>* hidden;  // bodies of this tree that another lies over
   std::optional<BodyId> lowest;
 };
 
-BodyId id_of(const fcl::CollisionObjectd& object) {
-  return static_cast<BodyId>(reinterpret_cast<std::uintptr_t>(object.getUserData()));
-}
-
-/// Broad-phase callback: `first` is one of the stored bodies or the probe, which has no user data to speak of.
+/// Broad-phase callback: the manager calls back with (stored, query object).
 bool test_pair(fcl::CollisionObjectd* stored, fcl::CollisionObjectd* probe, void* data) {
   auto& query = *static_cast<Query*>(data);
-  const BodyId id = id_of(*stored);
-  if (query.lowest && *query.lowest <= id) return false;
-  if (std::find(query.ignore.begin(), query.ignore.end(), id) != query.ignore.end()) return false;
+  const Solid& there = *static_cast<const Solid*>(stored->getUserData());
+  if (query.lowest && *query.lowest <= there.id) return false;
+  if (!overlap(there.bounds, static_cast<const Solid*>(probe->getUserData())->bounds)) return false;
+  if (std::find(query.ignore.begin(), query.ignore.end(), there.id) != query.ignore.end()) return false;
+  if (query.hidden->contains(there.id)) return false;
   const fcl::CollisionRequestd request(1, false);
   fcl::CollisionResultd result;
-  if (fcl::collide(stored, probe, request, result) > 0) query.lowest = id;
+  if (fcl::collide(stored, probe, request, result) > 0) query.lowest = there.id;
   return false;  // go on: the lowest id is wanted, not the first found
 }
 
 }  // namespace
 
 struct PlacementChecker::Impl {
-  std::map<BodyId, std::vector<Object>> bodies;
+  std::unordered_map<BodyId, std::vector<std::unique_ptr<Solid>>> bodies;  // never iterated
   fcl::DynamicAABBTreeCollisionManagerd tree;
+  bool balanced = true;
+  std::shared_ptr<const PlacementChecker> below;
+  std::set<BodyId> hidden;  // of `below`
 
   void remove(BodyId id) {
     const auto found = bodies.find(id);
     if (found == bodies.end()) return;
-    for (const Object& object : found->second) tree.unregisterObject(object.get());
+    for (const auto& solid : found->second) tree.unregisterObject(&solid->object);
     bodies.erase(found);
+    balanced = false;
+  }
+
+  /// Balancing looks at the whole tree, so it is done for the next question and not for each body that is added.
+  void balance() {
+    if (!balanced) tree.setup();
+    balanced = true;
   }
 
   std::optional<BodyId> hit(const Shape& shape, const Pose& pose, double opening, double gap,
                             std::span<const BodyId> ignore, bool joints_only) {
-    Query query{ignore, std::nullopt};
+    balance();
+    static const std::set<BodyId> kNone;
+    Query query{ignore, &kNone, std::nullopt};
     for (const Part& part : shape.parts) {
       if (joints_only && part.joint < 0) continue;
-      const Object probe = object_of(part, pose * joint_motion(shape, part.joint, opening), gap);
-      // The manager calls back with (stored, query object).
-      tree.collide(probe.get(), &query, test_pair);
+      Solid probe(0, part, pose * joint_motion(shape, part.joint, opening) * part.pose, gap);
+      query.hidden = &kNone;
+      tree.collide(&probe.object, &query, test_pair);
+      if (!below) continue;
+      query.hidden = &hidden;
+      below->impl_->tree.collide(&probe.object, &query, test_pair);
     }
     return query.lowest;
   }
 };
 
 PlacementChecker::PlacementChecker() : impl_(std::make_unique<Impl>()) {}
+PlacementChecker::PlacementChecker(std::shared_ptr<const PlacementChecker> below) : PlacementChecker() {
+  impl_->below = std::move(below);
+}
 PlacementChecker::PlacementChecker(PlacementChecker&&) noexcept = default;
 PlacementChecker& PlacementChecker::operator=(PlacementChecker&&) noexcept = default;
 PlacementChecker::~PlacementChecker() = default;
 
+std::shared_ptr<const PlacementChecker> PlacementChecker::shared(PlacementChecker checker) {
+  checker.impl_->balance();
+  return std::make_shared<const PlacementChecker>(std::move(checker));
+}
+
 void PlacementChecker::set(BodyId id, const Shape& shape, const Pose& pose, double opening) {
-  impl_->remove(id);
-  auto& objects = impl_->bodies[id];
+  remove(id);
+  auto& solids = impl_->bodies[id];
+  solids.reserve(shape.parts.size());
   for (const Part& part : shape.parts) {
-    objects.push_back(object_of(part, pose * joint_motion(shape, part.joint, opening), 0));
-    objects.back()->setUserData(reinterpret_cast<void*>(static_cast<std::uintptr_t>(id)));
-    impl_->tree.registerObject(objects.back().get());
+    solids.push_back(std::make_unique<Solid>(id, part, pose * joint_motion(shape, part.joint, opening) * part.pose, 0));
+    impl_->tree.registerObject(&solids.back()->object);
   }
-  impl_->tree.setup();
+  impl_->balanced = false;
 }
 
 void PlacementChecker::remove(BodyId id) {
   impl_->remove(id);
-  impl_->tree.setup();
+  if (impl_->below) impl_->hidden.insert(id);
 }
 
 std::optional<BodyId> PlacementChecker::hit(const Shape& shape, const Pose& pose, double opening, double gap,
@@ -111,6 +144,15 @@ std::optional<BodyId> PlacementChecker::hit(const Shape& shape, const Pose& pose
 std::optional<BodyId> PlacementChecker::hit_by_joints(const Shape& shape, const Pose& pose, double opening, double gap,
                                                       std::span<const BodyId> ignore) const {
   return impl_->hit(shape, pose, opening, std::max(gap, 1e-3), ignore, true);
+}
+
+void set_walls(PlacementChecker& checker, const Scene& scene) {
+  BodyId wall = kFirstWall;
+  for (const WallPiece& piece : walls_of(scene)) {
+    Shape shape;
+    shape.parts.push_back({Part::Kind::Box, {}, piece.size, -1});
+    checker.set(wall++, shape, piece.pose, 0);
+  }
 }
 
 }  // namespace unietp

@@ -17,9 +17,15 @@ class PlacementChecker {
   static constexpr double kGap_m = 1.5e-3;  // never below 1 mm
 
   PlacementChecker();
+  /// Laid over a checker that others share (made by `shared`, and laid over none itself): a body that is set or removed
+  /// here hides the one of its id below. Takes no time.
+  explicit PlacementChecker(std::shared_ptr<const PlacementChecker> below);
   PlacementChecker(PlacementChecker&&) noexcept;
   PlacementChecker& operator=(PlacementChecker&&) noexcept;
   ~PlacementChecker();
+
+  /// One that never changes again and that several threads may ask.
+  static std::shared_ptr<const PlacementChecker> shared(PlacementChecker checker);
 
   /// Adds a body or replaces it.
   void set(BodyId id, const Shape& shape, const Pose& pose, double opening);
@@ -37,5 +43,8 @@ class PlacementChecker {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// The walls of a scene, as bodies from kFirstWall on.
+void set_walls(PlacementChecker& checker, const Scene& scene);
 
 }  // namespace unietp

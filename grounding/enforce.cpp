@@ -43,7 +43,7 @@ Enforcer::Enforcer(SceneEditor& editor, bool with_comparisons, Rng rng)
 const Trace& Enforcer::now() {
   const bool changed = editor_.refresh();
   if (changed || !fresh_) {
-    trace_ = to_logic(editor_.workspace().scene(), {}, with_comparisons_);
+    trace_ = state_of(*editor_.workspace().home(), editor_.workspace().scene(), with_comparisons_);
     fresh_ = true;
   }
   return trace_;

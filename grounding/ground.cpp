@@ -7,7 +7,6 @@
 #include "grounding/scene_editor.h"
 #include "logic/evaluate.h"
 #include "scene/trace.h"
-#include "simulation/navigation.h"
 
 namespace unietp {
 namespace {
@@ -69,19 +68,21 @@ bool within_rounds(Enforcer& enforcer, SceneEditor& editor, const std::vector<Fo
 }
 
 /// A door that was opened may stand where the agent stood.
-void keep_standing(Workspace& workspace, const Profile& profile) {
-  const NavigationGrid grid(workspace.scene(), profile);
+void keep_standing(Workspace& workspace, const Home& home, const Profile& profile) {
+  const auto walk = walk_of(home, workspace.scene(), profile);
+  const NavigationGrid& grid = walk->grid;
   const Vec2 at = workspace.scene().agent.position;
   if (grid.free(grid.cell_at(at))) return;
   if (const auto cell = grid.nearest_free(at)) workspace.agent().position = grid.centre(*cell);
+  workspace.read_edges();
 }
 
 }  // namespace
 
-std::variant<Episode, Rejection> ground(const Specification& specification, const Scene& scene,
+std::variant<Episode, Rejection> ground(const Specification& specification, const Home& home,
                                         const Knowledge& knowledge, const Profile& profile,
                                         const GroundingOptions& options, Rng rng) {
-  Workspace workspace(scene, knowledge);
+  Workspace workspace(home, knowledge);
   SceneEditor editor(workspace, goal_places(specification.goal), profile, options.draws_per_object,
                      rng.fork("edits", 0));
   std::vector<Formula> constraints = specification.init;
@@ -94,11 +95,11 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
   std::optional<GroundingFailure> problem;
   for (int attempt = 0; attempt < kRepairs; ++attempt) {
     if (!within_rounds(enforcer, editor, constraints, parts, options.rounds)) {
-      return rejected(specification, scene, editor.failure());
+      return rejected(specification, home.scene, editor.failure());
     }
-    keep_standing(workspace, profile);
-    workspace.read_edges();
-    problem = check_start(specification, workspace.scene(), editor.touched(), profile);
+    keep_standing(workspace, home, profile);
+    editor.refresh();
+    problem = check_start(specification, home, workspace.scene(), editor.touched(), profile);
     if (!problem) break;
     // What stands out of reach or unsteadily gets another place, then all is checked again.
     const bool misplaced =
@@ -106,14 +107,15 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
     editor.reserved().clear();
     if (!misplaced || !editor.relocate(problem->subject, [](const Node&) { return true; })) break;
   }
-  if (problem) return rejected(specification, scene, *problem);
-  if (const auto room = unreached_room(workspace.scene(), profile)) {
-    return rejected(specification, scene,
+  if (problem) return rejected(specification, home.scene, *problem);
+  const auto walk = walk_of(home, workspace.scene(), profile);
+  if (const auto room = walk == home.walk ? home.unreached : unreached_room(workspace.scene(), *walk)) {
+    return rejected(specification, home.scene,
                     {GroundingReason::NotReachable, *room + " cannot be walked to any more", *room});
   }
   Episode episode;
   episode.specification = specification;
-  episode.layout = scene.id;
+  episode.layout = home.scene.id;
   episode.edits = editor.edits();
   episode.start = std::move(workspace).take();
   return episode;

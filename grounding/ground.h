@@ -5,7 +5,7 @@
 #include "akb/knowledge.h"
 #include "core/rng.h"
 #include "grounding/episode.h"
-#include "scene/scene.h"
+#include "grounding/home.h"
 #include "simulation/profile.h"
 
 namespace unietp {
@@ -15,11 +15,11 @@ struct GroundingOptions {
   int rounds = 4;             // passes over the start constraints before giving up
 };
 
-/// Stage: (specification, scene, rng) → episode. Edits a copy of the scene until every start constraint holds and the
-/// goal does not, then checks the result from physics alone: constraints hold, each conjunct of the goal is false, what
-/// the goal names can be reached by the body, a referring constraint picks out what it should and leaves a distractor.
-/// Deterministic. Budgets are tries, never time.
-std::variant<Episode, Rejection> ground(const Specification& specification, const Scene& scene,
+/// Stage: (specification, home, rng) → episode. Edits a copy of the home's scene until every start constraint holds and
+/// the goal does not, then checks the result from physics alone: constraints hold, each conjunct of the goal is false,
+/// what the goal names can be reached by the body, a referring constraint picks out what it should and leaves a
+/// distractor. Deterministic. Budgets are tries, never time.
+std::variant<Episode, Rejection> ground(const Specification& specification, const Home& home,
                                         const Knowledge& knowledge, const Profile& profile,
                                         const GroundingOptions& options, Rng rng);
 

@@ -131,9 +131,9 @@ Furnished furnish(Workspace& workspace, const LayoutRecipe& recipe, const Knowle
 }
 
 /// Takes away what nobody can reach and no rule demands; the id of a piece that is demanded, or "".
-std::string drop_unreached(Scene& furnished, const Workspace& workspace, const Profile& profile,
-                           const NavigationGrid& grid, const std::set<std::string>& obligatory) {
-  const auto unreached = unreached_furniture(furnished, workspace.physics(), profile, grid);
+std::string drop_unreached(Scene& furnished, const Workspace& workspace, const Profile& profile, const Walk& walk,
+                           const std::set<std::string>& obligatory) {
+  const auto unreached = unreached_furniture(furnished, workspace.physics(), profile, walk);
   for (const std::size_t i : unreached) {
     if (obligatory.contains(furnished.nodes[i].id)) return furnished.nodes[i].id;
   }
@@ -160,16 +160,18 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
       continue;
     }
     Scene scene = workspace.scene();
-    const NavigationGrid grid(scene, profile);
+    NavigationGrid grid(scene, profile);
     if (!stand_in_first_room(scene, grid)) {
       obstacle = "no room to stand in " + scene.rooms.front().id;
       continue;
     }
-    if (const auto room = unreached_room(scene, grid)) {
+    auto steps = grid.distances(grid.cell_at(scene.agent.position));
+    const Walk walk{std::move(grid), std::move(steps)};
+    if (const auto room = unreached_room(scene, walk)) {
       obstacle = *room + " cannot be walked to";
       continue;
     }
-    if (const std::string piece = drop_unreached(scene, workspace, profile, grid, furnished.obligatory);
+    if (const std::string piece = drop_unreached(scene, workspace, profile, walk, furnished.obligatory);
         !piece.empty()) {
       obstacle = piece + " is out of reach";
       continue;

@@ -41,58 +41,27 @@ std::optional<Footprint> draw_footprint(const Vec3& size, const Vec2& room, Rng&
   return std::nullopt;
 }
 
-/// Puts the node into the physics world at `index` while a pose is tried, and the old one back afterwards.
-class Trial {
- public:
-  Trial(Workspace& workspace, const Node& node, std::size_t index)
-      : workspace_(workspace), body_(static_cast<BodyId>(index)), shape_(shape_of(node)) {
-    workspace_.physics().set(body_, shape_, node.pose, node.opening, node.mass);
-  }
-  ~Trial() {
-    if (body_ >= workspace_.scene().nodes.size()) {
-      workspace_.physics().remove(body_);
-      return;
-    }
-    const Node& old = workspace_.scene().nodes[body_];
-    workspace_.physics().set(body_, shape_of(old), old.pose, old.opening, old.mass);
-  }
-  Trial(const Trial&) = delete;
-  Trial& operator=(const Trial&) = delete;
-
-  const Shape& shape() const { return shape_; }
-  BodyId body() const { return body_; }
-
- private:
-  Workspace& workspace_;
-  BodyId body_;
-  Shape shape_;
-};
-
 double tilt_between(const Pose& a, const Pose& b) {
   const double c = (a.rotation * Vec3::UnitZ()).dot(b.rotation * Vec3::UnitZ());
   return std::acos(std::clamp(c, -1.0, 1.0));
 }
 
-/// What physics would read of the node at this pose, from it and its neighbours alone. Ids are kept.
-std::vector<Edge> local_edges(const Workspace& workspace, const Node& node, std::size_t index, const Pose& pose) {
-  Scene neighbours;
-  neighbours.simulator = workspace.scene().simulator;
-  neighbours.nodes.push_back(node);
-  neighbours.nodes.back().pose = pose;
-  const Bounds bounds = bounds_of(shape_of(node), pose, node.opening);
-  for (const BodyId near : workspace.physics().near(bounds, 0.02)) {
-    if (near != index && near < workspace.scene().nodes.size()) {
-      neighbours.nodes.push_back(workspace.scene().nodes[near]);
-    }
+/// What physics reads of the body and of the movable things that may rest on or in it.
+std::vector<Edge> edges_around(const Workspace& workspace, BodyId body) {
+  const auto& nodes = workspace.scene().nodes;
+  std::vector<std::size_t> around{body};
+  for (const BodyId near : workspace.physics().near(workspace.physics().bounds(body), 0.02)) {
+    if (near != body && near < nodes.size() && nodes[near].movable) around.push_back(near);
   }
-  return read_relations(neighbours, physics_of(neighbours));
+  return relations_from(workspace.scene(), workspace.physics(), around);
 }
 
 /// The one thing wrong with where the node came to rest, or "".
-std::string misplaced(const Workspace& workspace, const Node& node, std::size_t index, const Pose& pose,
-                      std::optional<Predicate> wanted, const std::string& receptacle) {
+std::string misplaced(const Workspace& workspace, BodyId body, std::optional<Predicate> wanted,
+                      const std::string& receptacle) {
+  const Node& node = workspace.scene().nodes[body];
   bool found = !wanted;
-  for (const Edge& edge : local_edges(workspace, node, index, pose)) {
+  for (const Edge& edge : edges_around(workspace, body)) {
     if (edge.relation != Predicate::On && edge.relation != Predicate::Inside) continue;
     if (edge.from != node.id && edge.to != node.id) continue;
     if (edge.from == node.id && wanted == edge.relation && edge.to == receptacle) {
@@ -117,15 +86,15 @@ bool blocks_a_door(const Workspace& workspace, const Bounds& bounds, std::size_t
 }
 
 /// Tests one candidate pose; the pose at rest, or nullopt with the obstacle named.
-std::optional<Pose> try_pose(Workspace& workspace, const Node& node, const Trial& trial, const Pose& pose,
+std::optional<Pose> try_pose(Workspace& workspace, double opening, StandIn& trial, const Pose& pose,
                              std::optional<Predicate> wanted, std::optional<std::size_t> receptacle,
                              const PlacementOptions& options, std::string& obstacle) {
   const std::array<BodyId, 1> self{trial.body()};
-  if (const auto hit = workspace.checker().hit(trial.shape(), pose, node.opening, PlacementChecker::kGap_m, self)) {
+  if (const auto hit = workspace.checker().hit(trial.shape(), pose, opening, PlacementChecker::kGap_m, self)) {
     obstacle = "hits " + workspace.name_of(*hit);
     return std::nullopt;
   }
-  const Bounds bounds = bounds_of(trial.shape(), pose, node.opening);
+  const Bounds bounds = bounds_of(trial.shape(), pose, opening);
   if (options.within && !overlap(*options.within, bounds)) {
     obstacle = "lies outside of where it is wanted";
     return std::nullopt;
@@ -136,16 +105,16 @@ std::optional<Pose> try_pose(Workspace& workspace, const Node& node, const Trial
     return std::nullopt;
   }
   if (!options.settle) return Pose{pose.position - Vec3(0, 0, kDropHeight_m - kUnsettledGap_m), pose.rotation};
-  workspace.physics().move(trial.body(), pose);
+  trial.move(pose);
   const Settled settled = workspace.physics().settle(self);
-  const Pose& rest = settled.bodies.front().pose;
+  const Pose rest = settled.bodies.front().pose;
   if (!settled.calm || (rest.position - pose.position).norm() > kMostSlide_m ||
       tilt_between(rest, pose) > kMostTilt_rad) {
     obstacle = "does not stay where it is put";
     return std::nullopt;
   }
-  const std::string host_id = receptacle ? workspace.scene().nodes[*receptacle].id : "";
-  obstacle = misplaced(workspace, node, trial.body(), rest, wanted, host_id);
+  trial.move(rest);
+  obstacle = misplaced(workspace, trial.body(), wanted, receptacle ? workspace.scene().nodes[*receptacle].id : "");
   if (!obstacle.empty()) return std::nullopt;
   return rest;
 }
@@ -170,7 +139,7 @@ FoundPlace find_place(Workspace& workspace, const Node& node, std::size_t index,
   found.obstacle = "is too high for every surface of " + host.id;
   if (surfaces.empty()) return found;
 
-  const Trial trial(workspace, node, index);
+  StandIn trial(workspace, node, index);
   for (int draw = 0; draw < options.draws; ++draw) {
     const Surface& surface = surfaces[rng.weighted(areas)];
     auto footprint = draw_footprint(node.size, surface.half, rng);
@@ -188,7 +157,7 @@ FoundPlace find_place(Workspace& workspace, const Node& node, std::size_t index,
                                                   node.size.z() / 2 + kDropHeight_m);
     const Pose frame = host.pose * joint_motion(host_shape, surface.joint, host.opening);
     const Pose pose = frame * upright(on_surface, footprint->yaw);
-    found.pose = try_pose(workspace, node, trial, pose, relation, receptacle, options, found.obstacle);
+    found.pose = try_pose(workspace, node.opening, trial, pose, relation, receptacle, options, found.obstacle);
     if (found.pose) return found;
   }
   return found;
@@ -199,14 +168,14 @@ FoundPlace find_place_on_floor(Workspace& workspace, const Node& node, std::size
   FoundPlace found;
   found.obstacle = "does not fit on the floor there";
   const Vec2 centre = (area.low + area.high).head<2>() / 2, half = (area.high - area.low).head<2>() / 2;
-  const Trial trial(workspace, node, index);
+  StandIn trial(workspace, node, index);
   for (int draw = 0; draw < options.draws; ++draw) {
     const auto footprint = draw_footprint(node.size, half, rng);
     if (!footprint) continue;
     const Vec2 slack = half - footprint->half;
     const Vec2 at = centre + Vec2(rng.uniform(-1, 1) * slack.x(), rng.uniform(-1, 1) * slack.y());
     const Pose pose = upright({at.x(), at.y(), node.size.z() / 2 + kDropHeight_m}, footprint->yaw);
-    found.pose = try_pose(workspace, node, trial, pose, std::nullopt, std::nullopt, options, found.obstacle);
+    found.pose = try_pose(workspace, node.opening, trial, pose, std::nullopt, std::nullopt, options, found.obstacle);
     if (found.pose) return found;
   }
   return found;

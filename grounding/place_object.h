@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "core/rng.h"
 #include "grounding/workspace.h"
 
 namespace unietp {

@@ -8,13 +8,14 @@ namespace {
 constexpr double kReachReserve_m = 0.02;
 
 /// True when a place right before the middle of the piece will do, as it does for most.
-bool reached_from_the_front(const Scene& scene, const PhysicsWorld& world, const Profile& profile,
-                            const NavigationGrid& grid, const std::vector<std::int32_t>& walk, std::size_t index) {
+bool reached_from_the_front(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Walk& walk,
+                            std::size_t index) {
+  const NavigationGrid& grid = walk.grid;
   const Node& node = scene.nodes[index];
   for (double away = profile.body_radius_m + 0.15; away < profile.reach_m; away += 0.25) {
     const Vec3 spot = node.pose * Vec3(0, -node.size.y() / 2 - away, 0);
     const auto cell = grid.cell_at(spot.head<2>());
-    if (!grid.free(cell) || walk[grid.index(cell)] < 0) continue;
+    if (!grid.free(cell) || walk.steps[grid.index(cell)] < 0) continue;
     const Vec2 at = grid.centre(cell);
     if (reach_distance(node, at, profile) > profile.reach_m - kReachReserve_m) continue;
     if (in_door_way(node, at, profile)) continue;
@@ -24,6 +25,12 @@ bool reached_from_the_front(const Scene& scene, const PhysicsWorld& world, const
 }
 
 }  // namespace
+
+Walk walk_in(const Scene& scene, const Profile& profile) {
+  NavigationGrid grid(scene, profile);
+  auto steps = grid.distances(grid.cell_at(scene.agent.position));
+  return {std::move(grid), std::move(steps)};
+}
 
 bool stand_in_first_room(Scene& scene, const NavigationGrid& grid) {
   if (scene.rooms.empty()) return false;
@@ -35,8 +42,8 @@ bool stand_in_first_room(Scene& scene, const NavigationGrid& grid) {
   return true;
 }
 
-std::optional<std::string> unreached_room(const Scene& scene, const NavigationGrid& grid) {
-  const auto walk = grid.distances(grid.cell_at(scene.agent.position));
+std::optional<std::string> unreached_room(const Scene& scene, const Walk& walk) {
+  const NavigationGrid& grid = walk.grid;
   for (const Room& room : scene.rooms) {
     const Bounds bounds = room_bounds(room, scene.wall_height);
     const auto from = grid.cell_at(bounds.low.head<2>()), to = grid.cell_at(bounds.high.head<2>());
@@ -45,7 +52,7 @@ std::optional<std::string> unreached_room(const Scene& scene, const NavigationGr
       for (int x = from.x; x <= to.x; ++x) {
         if (!grid.free({x, y}) || !contains(room.polygon, grid.centre({x, y}))) continue;
         ++open;
-        if (walk[grid.index({x, y})] >= 0) ++reached;
+        if (walk.steps[grid.index({x, y})] >= 0) ++reached;
       }
     }
     if (reached == 0 || 2 * reached < open) return room.id;
@@ -53,17 +60,12 @@ std::optional<std::string> unreached_room(const Scene& scene, const NavigationGr
   return std::nullopt;
 }
 
-std::optional<std::string> unreached_room(const Scene& scene, const Profile& profile) {
-  return unreached_room(scene, NavigationGrid(scene, profile));
-}
-
 std::vector<std::size_t> unreached_furniture(const Scene& scene, const PhysicsWorld& world, const Profile& profile,
-                                             const NavigationGrid& grid) {
-  const auto walk = grid.distances(grid.cell_at(scene.agent.position));
+                                             const Walk& walk) {
   std::vector<std::size_t> unreached;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (scene.nodes[i].movable || reached_from_the_front(scene, world, profile, grid, walk, i)) continue;
-    if (!standing_place(scene, world, grid, walk, profile, i)) unreached.push_back(i);
+    if (scene.nodes[i].movable || reached_from_the_front(scene, world, profile, walk, i)) continue;
+    if (!standing_place(scene, world, walk.grid, walk.steps, profile, i)) unreached.push_back(i);
   }
   return unreached;
 }

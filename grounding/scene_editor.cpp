@@ -8,7 +8,6 @@
 #include "grounding/place_object.h"
 #include "grounding/reachability.h"
 #include "grounding/small_objects.h"
-#include "simulation/navigation.h"
 #include "simulation/relations.h"
 
 namespace unietp {
@@ -145,7 +144,7 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
                                   {.draws = draws_, .aligned = true}, next_rng());
     if (!place.pose) continue;
     node.pose = *place.pose;
-    edits_.push_back("added " + category + " " + id + " on " + there.id);
+    edits_.push_back("added " + category + " " + id + " on " + workspace_.scene().nodes[host.node].id);
     touched_.insert(id);
     workspace_.add(std::move(node));
     stale_ = true;
@@ -159,7 +158,7 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
     return place_furniture(workspace_, keep_outs, room, node, where, options, next_rng());
   });
   stale_ = true;
-  if (placed && unreached_room(workspace_.scene(), profile_)) {
+  if (placed && unreached_room(workspace_.scene(), walk_in(workspace_.scene(), profile_))) {
     workspace_.remove(*index_of(id));
   } else if (placed) {
     edits_.push_back("added " + category + " " + id + " in " + room_id);

@@ -71,7 +71,7 @@ class SceneEditor {
   int draws_;
   Rng rng_;
   std::uint64_t edit_number_ = 0;
-  bool stale_ = true;
+  bool stale_ = false;
   std::set<std::string> reserved_, touched_;
   std::set<std::string> clearing_;  // what is being taken off things now
   std::vector<std::string> edits_;

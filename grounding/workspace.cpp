@@ -4,46 +4,17 @@
 
 #include "simulation/relations.h"
 #include "simulation/shape.h"
-#include "simulation/walls.h"
 
 namespace unietp {
-
-std::optional<Bounds> sweep_of(const Node& node) {
-  if (!node.openable) return std::nullopt;
-  const Shape shape = shape_of(node);
-  std::optional<Bounds> swept;
-  for (const Part& part : shape.parts) {
-    if (part.joint < 0) continue;
-    for (int k = 0; k <= 4; ++k) {
-      const Bounds one = bounds_of(node.pose * joint_motion(shape, part.joint, k / 4.0) * part.pose, part.size);
-      if (!swept) swept = one;
-      swept->low = swept->low.cwiseMin(one.low);
-      swept->high = swept->high.cwiseMax(one.high);
-    }
-  }
-  return swept;
-}
 
 bool allowed(const Knowledge& knowledge, const Node& object, Predicate relation, const Node& receptacle) {
   return knowledge.placement(object.category, relation == Predicate::Inside ? "inside" : "on", receptacle.category) !=
          nullptr;
 }
 
-Workspace::Workspace(Scene scene, const Knowledge& knowledge) : scene_(std::move(scene)), knowledge_(&knowledge) {
-  rebuild();
-}
-
-void Workspace::rebuild() {
-  physics_ = physics_of(scene_);
-  checker_ = PlacementChecker();
-  sweeps_.clear();
-  bounds_.clear();
-  BodyId wall = kFirstWall;
-  for (const WallPiece& piece : walls_of(scene_)) {
-    Shape shape;
-    shape.parts.push_back({Part::Kind::Box, {}, piece.size, -1});
-    checker_.set(wall++, shape, piece.pose, 0);
-  }
+Workspace::Workspace(Scene scene, const Knowledge& knowledge)
+    : scene_(std::move(scene)), knowledge_(&knowledge), physics_(physics_of(scene_)) {
+  set_walls(checker_, scene_);
   for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
     const Node& node = scene_.nodes[i];
     const Shape shape = shape_of(node);
@@ -52,6 +23,15 @@ void Workspace::rebuild() {
     sweeps_.push_back(node.movable ? std::nullopt : sweep_of(node));
   }
 }
+
+Workspace::Workspace(const Home& home, const Knowledge& knowledge)
+    : scene_(home.scene),
+      knowledge_(&knowledge),
+      home_(&home),
+      physics_(home.physics),
+      checker_(home.solids),
+      sweeps_(home.sweeps),
+      bounds_(home.bounds) {}
 
 std::size_t Workspace::add(Node node) {
   const std::size_t index = scene_.nodes.size();
@@ -73,15 +53,49 @@ void Workspace::replace(std::size_t index, Node node) {
 }
 
 void Workspace::remove(std::size_t index) {
-  scene_.nodes.erase(scene_.nodes.begin() + static_cast<std::ptrdiff_t>(index));
-  rebuild();
+  const std::size_t last = scene_.nodes.size() - 1;
+  if (index != last) replace(index, std::move(scene_.nodes[last]));
+  physics_.remove(static_cast<BodyId>(last));
+  checker_.remove(static_cast<BodyId>(last));
+  scene_.nodes.pop_back();
+  sweeps_.pop_back();
+  bounds_.pop_back();
 }
 
-void Workspace::read_edges() { scene_.edges = read_relations(scene_, physics_); }
+void Workspace::read_edges() {
+  scene_.edges = home_ == nullptr ? read_relations(scene_, physics_) : relations_of(*home_, scene_, physics_);
+}
 
 std::string Workspace::name_of(BodyId body) const {
   if (body < scene_.nodes.size()) return scene_.nodes[body].id;
   return body >= kFloor ? "the floor" : "a wall";
+}
+
+StandIn::StandIn(Workspace& workspace, Node node, std::size_t index)
+    : workspace_(workspace), index_(index), shape_(shape_of(node)) {
+  workspace_.physics_.set(body(), shape_, node.pose, node.opening, node.mass);
+  auto& nodes = workspace_.scene_.nodes;
+  if (index == nodes.size()) {
+    nodes.push_back(std::move(node));
+  } else {
+    before_ = std::exchange(nodes[index], std::move(node));
+  }
+}
+
+StandIn::~StandIn() {
+  auto& nodes = workspace_.scene_.nodes;
+  if (!before_) {
+    workspace_.physics_.remove(body());
+    nodes.pop_back();
+    return;
+  }
+  workspace_.physics_.set(body(), shape_of(*before_), before_->pose, before_->opening, before_->mass);
+  nodes[index_] = std::move(*before_);
+}
+
+void StandIn::move(const Pose& pose) {
+  workspace_.physics_.move(body(), pose);
+  workspace_.scene_.nodes[index_].pose = pose;
 }
 
 }  // namespace unietp

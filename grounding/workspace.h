@@ -1,14 +1,13 @@
 #pragma once
 
-#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "akb/knowledge.h"
-#include "core/result.h"
-#include "core/rng.h"
 #include "grounding/collision.h"
+#include "grounding/home.h"
 #include "scene/scene.h"
 #include "simulation/physics.h"
 
@@ -18,20 +17,23 @@ namespace unietp {
 class Workspace {
  public:
   Workspace(Scene scene, const Knowledge& knowledge);
+  /// Begins as a home, of which it takes over what does not change. The home must outlive it.
+  Workspace(const Home& home, const Knowledge& knowledge);
 
   const Scene& scene() const { return scene_; }
   const Knowledge& knowledge() const { return *knowledge_; }
   PhysicsWorld& physics() { return physics_; }
   const PhysicsWorld& physics() const { return physics_; }
   const PlacementChecker& checker() const { return checker_; }
+  const Home* home() const { return home_; }  // nullptr for a scene of its own
 
   /// Appends a node where its pose says; gives its index.
   std::size_t add(Node node);
   /// Replaces a node and moves its solids along.
   void replace(std::size_t index, Node node);
-  /// Takes a node out. Indices above it sink by one.
+  /// Takes a node out; the last one gets its place.
   void remove(std::size_t index);
-  /// Reads the edges anew from physics.
+  /// Reads the edges anew from physics; of a home only those that can have changed.
   void read_edges();
   Scene take() && { return std::move(scene_); }
   Agent& agent() { return scene_.agent; }
@@ -43,18 +45,36 @@ class Workspace {
   std::string name_of(BodyId body) const;  // node's id, "wall" or "floor"
 
  private:
-  void rebuild();
+  friend class StandIn;
 
   Scene scene_;
   const Knowledge* knowledge_;
+  const Home* home_ = nullptr;
   PhysicsWorld physics_;
   PlacementChecker checker_;
   std::vector<std::optional<Bounds>> sweeps_;
   std::vector<Bounds> bounds_;
 };
 
-/// The space that a node's moving parts pass through when it is opened, in W; nullopt when nothing moves.
-std::optional<Bounds> sweep_of(const Node& node);
+/// While it lives, a node stands in the graph and in physics, but not in FCL, in place of the one at `index` or as one
+/// more after the last: a trial. The workspace is as before afterwards; references to nodes do not survive it.
+class StandIn {
+ public:
+  StandIn(Workspace& workspace, Node node, std::size_t index);
+  ~StandIn();
+  StandIn(const StandIn&) = delete;
+  StandIn& operator=(const StandIn&) = delete;
+
+  void move(const Pose& pose);
+  const Shape& shape() const { return shape_; }
+  BodyId body() const { return static_cast<BodyId>(index_); }
+
+ private:
+  Workspace& workspace_;
+  std::size_t index_;
+  Shape shape_;
+  std::optional<Node> before_;
+};
 
 /// A relation that the knowledge allows between two categories; `on` and `inside` only.
 bool allowed(const Knowledge& knowledge, const Node& object, Predicate relation, const Node& receptacle);

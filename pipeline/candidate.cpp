@@ -71,13 +71,12 @@ std::string demonstration_line(const Task& task) {
                   {"steps", std::move(steps)}});
 }
 
-/// Key of what is done in which start, whatever the scene is called.
-std::string start_key(const Task& task) {
+/// Key of what is done in which start, whatever the scene is called: `scene` is the start's text without its id.
+std::string start_key(const Task& task, std::string_view scene) {
   const auto& specification = task.episode.specification;
-  Scene start = task.episode.start;
-  start.id = task.episode.layout;
-  return sha256(specification.template_name + "\n" + line_of(binding_json(specification.binding)) + "\n" +
-                to_text(specification.goal) + "\n" + scene_to_json(start));
+  std::string key = specification.template_name + "\n" + line_of(binding_json(specification.binding)) + "\n" +
+                    to_text(specification.goal) + "\n" + task.episode.layout + "\n";
+  return sha256(key.append(scene));
 }
 
 }  // namespace
@@ -122,8 +121,10 @@ CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate
   record.template_name = task.episode.specification.template_name;
   record.task = task_line(task);
   record.demonstration = demonstration_line(task);
-  record.scene = gzip(scene_to_json(task.episode.start));
-  record.start_key = start_key(task);
+  const std::string scene = scene_to_json(task.episode.start);
+  record.scene = gzip(scene);
+  const auto id = scene.find(task.episode.start.id);
+  record.start_key = start_key(task, std::string_view(scene).substr(id + task.episode.start.id.size()));
   record.traits = to_text(task.traits);
   record.text_key = sha256(task.episode.layout + "\n" + normalised_text(task.instruction.text));
   return record;

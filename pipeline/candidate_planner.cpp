@@ -78,7 +78,7 @@ void CandidatePlanner::settle_home(CandidatePlan& plan, const TaskSlot& slot, Fr
     homes.push_back(home);
     // A home that lacks what was asked for is the last to be looked at.
     const double fit = offers_all(*layout, configuration_.binding) ? 1 : 1e-9;
-    weights.push_back(fit * counts.weight(Dimension::Scene, layout->scene.id));
+    weights.push_back(fit * counts.weight(Dimension::Scene, layout->home.scene.id));
   }
   Rng draw = rng.fork("home", 0);
   for (int look = 0; look < kHomesLookedAt && !homes.empty(); ++look) {
@@ -113,7 +113,7 @@ void CandidatePlanner::count(const CandidatePlan& plan, const TaskSlot& slot, Fr
   const auto& layout = *layouts_.layout(slot.simulator, plan.home);
   const auto& source = resources_.templates[plan.source];
   const auto& rooms = room_types_in(slot.simulator, plan.home, layout);
-  counts.add({Dimension::Scene, layout.scene.id});
+  counts.add({Dimension::Scene, layout.home.scene.id});
   for (std::size_t i = 0; i < plan.binding->size(); ++i) {
     if (is_value(source.parameters[i])) continue;
     const auto& category = (*plan.binding)[i].second;
@@ -130,9 +130,9 @@ const CandidatePlanner::RoomTypes& CandidatePlanner::room_types_in(Simulator sim
   const auto [at, fresh] = rooms_.try_emplace({simulator, home});
   if (!fresh) return at->second;
   std::map<std::string, std::string> type_of, category_of;
-  for (const auto& room : layout.scene.rooms) type_of[room.id] = room.type;
-  for (const auto& node : layout.scene.nodes) category_of[node.id] = node.category;
-  for (const auto& edge : layout.scene.edges) {
+  for (const auto& room : layout.home.scene.rooms) type_of[room.id] = room.type;
+  for (const auto& node : layout.home.scene.nodes) category_of[node.id] = node.category;
+  for (const auto& edge : layout.home.scene.edges) {
     if (edge.relation == Predicate::InRoom && category_of.count(edge.from) > 0)
       at->second[category_of[edge.from]].push_back(type_of[edge.to]);
   }

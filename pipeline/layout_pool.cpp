@@ -3,7 +3,6 @@
 #include <set>
 
 #include "pipeline/slots.h"
-#include "scene/trace.h"
 
 namespace unietp {
 namespace {
@@ -14,6 +13,13 @@ std::string layout_id(Simulator simulator, int index) {
   auto digits = std::to_string(index + 1);
   digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
   return std::string(name_of(simulator)) + "-home-" + digits;
+}
+
+Layout layout_of(Scene scene, const Backend& backend) {
+  Layout layout;
+  layout.home = prepare_home(std::move(scene), backend.profile);
+  layout.offer = {offered_categories(layout.home.scene, backend.knowledge), layout.home.now};
+  return layout;
 }
 
 Result<Layout> make_layout(const RunConfiguration& configuration, const Resources& resources, Simulator simulator,
@@ -28,10 +34,7 @@ Result<Layout> make_layout(const RunConfiguration& configuration, const Resource
     auto scene = generate_layout(resources.recipe(simulator), backend.knowledge, backend.profile, options,
                                  layout_id(simulator, index),
                                  stream.fork("home", static_cast<std::uint64_t>(index) * kTriesPerLayout + attempt));
-    if (scene) {
-      auto offer = offer_of(*scene, backend.knowledge);
-      return Layout{std::move(*scene), std::move(offer)};
-    }
+    if (scene) return layout_of(std::move(*scene), backend);
     last = scene.error();
   }
   return last;
@@ -60,15 +63,11 @@ const Result<Layout>& LayoutPool::layout(Simulator simulator, int index) {
   std::call_once(entry.once, [&] {
     const auto made = [&]() -> Result<Layout> {
       if (entry.given == nullptr) return make_layout(configuration_, resources_, simulator, index);
-      return Layout{*entry.given, offer_of(*entry.given, resources_.backend(simulator).knowledge)};
+      return layout_of(*entry.given, resources_.backend(simulator));
     };
     entry.layout = std::make_unique<Result<Layout>>(made());
   });
   return *entry.layout;
-}
-
-SceneOffer offer_of(const Scene& scene, const Knowledge& knowledge) {
-  return {offered_categories(scene, knowledge), to_logic(scene, {}, true)};
 }
 
 std::vector<std::string> offered_categories(const Scene& scene, const Knowledge& knowledge) {

@@ -8,6 +8,7 @@
 
 #include "core/result.h"
 #include "generator/scene_offer.h"
+#include "grounding/home.h"
 #include "pipeline/configuration.h"
 #include "pipeline/resources.h"
 
@@ -15,7 +16,7 @@ namespace unietp {
 
 /// A home and what can be asked about in it.
 struct Layout {
-  Scene scene;
+  Home home;
   SceneOffer offer;  // categories: those that it has, or that can be put somewhere in it; and its room types
 };
 
@@ -48,8 +49,6 @@ class LayoutPool {
   std::array<std::vector<std::unique_ptr<Entry>>, kSimulators.size()> entries_;
 };
 
-/// What a scene offers: offered_categories and its state as physics shows it.
-SceneOffer offer_of(const Scene& scene, const Knowledge& knowledge);
 /// Categories that a scene has, and movable ones whose usual receptacles it has; and the types of its rooms. Sorted.
 std::vector<std::string> offered_categories(const Scene& scene, const Knowledge& knowledge);
 

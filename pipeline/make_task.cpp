@@ -6,7 +6,6 @@
 #include "generator/weighted_binding.h"
 #include "grounding/ground.h"
 #include "pipeline/given_binding.h"
-#include "scene/scene_json.h"
 
 namespace unietp {
 namespace {
@@ -49,8 +48,9 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
                                                     const Knowledge& knowledge, const std::optional<Binding>& binding,
                                                     Split split, bool as_it_is, const Rng& rng) {
   if (!binding)
-    return Rejection{"generator", "no-binding",
-                     "no categories that " + layout.scene.id + " can offer meet the constraints of " + source.name};
+    return Rejection{
+        "generator", "no-binding",
+        "no categories that " + layout.home.scene.id + " can offer meet the constraints of " + source.name};
   auto plain = instantiate(source, knowledge, *binding);
   if (!plain) return Rejection{"generator", "unsatisfiable", to_text(*binding) + ": " + plain.error().message};
   if (as_it_is && plain->split == Split::InstanceGrounding && !can_refer(*plain, knowledge, layout.offer))
@@ -138,17 +138,12 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
 
   timer.enter(Stage::Grounding);
   auto grounded =
-      ground(specification, layout->scene, backend.knowledge, backend.profile, {}, root.fork("grounding", item));
+      ground(specification, layout->home, backend.knowledge, backend.profile, {}, root.fork("grounding", item));
   if (auto* why = std::get_if<Rejection>(&grounded)) return rejected(std::move(*why));
   Task task{task_id(slot), std::move(std::get<Episode>(grounded)), {}, {}, {}, configuration.seed, slot.index,
             plan.attempt};
 
-  // What is demonstrated is what a reader of the file will rebuild: the start goes through its own text form.
-  task.episode.layout = layout->scene.id;
-  task.episode.start.id = task.id;
-  auto written = scene_from_json(task.id, scene_to_json(task.episode.start));
-  if (!written) return rejected({"grounding", "not-writable", format(written.error())});
-  task.episode.start = std::move(*written);
+  task.episode.start.id = task.id;  // as its file will say; its text reads back to the same bits
 
   timer.enter(Stage::Expert);
   const Scene& start = task.episode.start;

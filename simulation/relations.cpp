@@ -155,8 +155,22 @@ std::vector<Edge> read_relations(const Scene& scene, const PhysicsWorld& world, 
 
 std::vector<Edge> read_relations(const Scene& scene) { return read_relations(scene, physics_of(scene)); }
 
+std::vector<Edge> relations_from(const Scene& scene, const PhysicsWorld& world, std::span<const std::size_t> nodes) {
+  std::vector<Edge> edges;
+  Reader reader(scene, world);
+  for (const std::size_t i : nodes) reader.relations_from(i, edges);
+  sort_unique(edges);
+  return edges;
+}
+
 std::vector<Edge> update_relations(const Scene& scene, const PhysicsWorld& world, std::span<const Edge> carried,
                                    std::span<const Bounds> touched, std::span<const std::size_t> changed) {
+  return update_relations(scene, scene.edges, world, carried, touched, changed);
+}
+
+std::vector<Edge> update_relations(const Scene& scene, std::span<const Edge> before, const PhysicsWorld& world,
+                                   std::span<const Edge> carried, std::span<const Bounds> touched,
+                                   std::span<const std::size_t> changed) {
   std::vector<bool> affected(scene.nodes.size(), false);
   for (const std::size_t i : changed) affected[i] = true;
   for (const Bounds& bounds : touched) {
@@ -177,7 +191,7 @@ std::vector<Edge> update_relations(const Scene& scene, const PhysicsWorld& world
   ids.emplace_back("agent");
   std::sort(ids.begin(), ids.end());
   std::vector<Edge> edges(carried.begin(), carried.end());
-  for (const Edge& edge : scene.edges) {
+  for (const Edge& edge : before) {
     if (!std::binary_search(ids.begin(), ids.end(), edge.from)) edges.push_back(edge);
   }
   Reader reader(scene, world);

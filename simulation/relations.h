@@ -25,6 +25,12 @@ std::vector<Edge> read_relations(const Scene& scene, const PhysicsWorld& world, 
 /// (indices) and those near the bounds, old and new, of what moved (`touched`).
 std::vector<Edge> update_relations(const Scene& scene, const PhysicsWorld& world, std::span<const Edge> carried,
                                    std::span<const Bounds> touched, std::span<const std::size_t> changed);
+/// The same for a scene whose edges are to be taken for `before`.
+std::vector<Edge> update_relations(const Scene& scene, std::span<const Edge> before, const PhysicsWorld& world,
+                                   std::span<const Edge> carried, std::span<const Bounds> touched,
+                                   std::span<const std::size_t> changed);
+/// Those of read_relations that start at the given nodes, sorted.
+std::vector<Edge> relations_from(const Scene& scene, const PhysicsWorld& world, std::span<const std::size_t> nodes);
 
 /// Convenience for a scene at rest with nothing held.
 std::vector<Edge> read_relations(const Scene& scene);

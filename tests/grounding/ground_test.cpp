@@ -29,6 +29,14 @@ Specification specification(const std::string& goal, const std::vector<std::stri
   return result;
 }
 
+/// Its relations are those that a reading of the whole scene gives, and its text reads back to the same bits.
+void expect_read_and_written_exactly(const Scene& start) {
+  EXPECT_EQ(start.edges, read_relations(start));
+  const auto again = scene_from_json("start", scene_to_json(start));
+  ASSERT_TRUE(again) << format(again.error());
+  EXPECT_EQ(*again, start);
+}
+
 const std::string kHoldAMug = "(exists (?a - Mug) (at-end (held ?a)))";
 
 class Ground : public testing::Test {
@@ -41,7 +49,7 @@ class Ground : public testing::Test {
     home_ = std::move(*home);
   }
   std::variant<Episode, Rejection> grounded(const Specification& spec, std::uint64_t seed = 0) const {
-    return ground(spec, home_, style_->knowledge, style_->profile, {}, Rng(seed));
+    return ground(spec, prepare_home(home_, style_->profile), style_->knowledge, style_->profile, {}, Rng(seed));
   }
   /// The episode, whose start is read anew from physics and held against the specification by the evaluator alone.
   Episode sound(const Specification& spec, std::uint64_t seed = 0) const {
@@ -51,7 +59,7 @@ class Ground : public testing::Test {
       return {};
     }
     Episode episode = std::get<Episode>(result);
-    EXPECT_EQ(episode.start.edges, read_relations(episode.start));
+    expect_read_and_written_exactly(episode.start);
     const Trace trace = to_logic(episode.start, {}, true);
     for (const Formula& constraint : spec.init) EXPECT_TRUE(holds_in(constraint, trace, 0)) << to_text(constraint);
     EXPECT_FALSE(holds(spec.goal, trace));
@@ -182,10 +190,10 @@ TEST_F(Ground, RejectsAGoalAboutNothing) {
 }
 
 /// Reason that check_start gives for a start, or "sound".
-std::string verdict(const Specification& spec, Scene start, const std::set<std::string>& touched,
+std::string verdict(const Specification& spec, const Home& home, Scene start, const std::set<std::string>& touched,
                     const Surroundings& style) {
   start.edges = read_relations(start);
-  const auto problem = check_start(spec, start, touched, style.profile);
+  const auto problem = check_start(spec, home, start, touched, style.profile);
   return problem ? name_of(problem->reason) : "sound";
 }
 
@@ -193,8 +201,9 @@ TEST_F(Ground, CheckFindsEachFaultPlantedInASoundStart) {
   auto spec = specification("(exists (?a - (Mug :where (dirty ?a))) (at-end (held ?a)))",
                             {"(count = 1 (?a - Mug) (dirty ?a))"});
   spec.split = Split::InstanceGrounding;
+  const Home home = prepare_home(home_, style_->profile);
   const Scene start = sound(spec).start;
-  EXPECT_EQ(verdict(spec, start, {}, *style_), "sound");
+  EXPECT_EQ(verdict(spec, home, start, {}, *style_), "sound");
   std::string dirty;
   for (const Node& node : start.nodes) {
     if (node.category == "Mug" && node.states.has(Predicate::Dirty)) dirty = node.id;
@@ -202,24 +211,28 @@ TEST_F(Ground, CheckFindsEachFaultPlantedInASoundStart) {
 
   Scene clean = start;
   find_node(clean, dirty)->states.set({Predicate::Clean, {}});
-  EXPECT_EQ(verdict(spec, clean, {}, *style_), "start-not-met");
+  EXPECT_EQ(verdict(spec, home, clean, {}, *style_), "start-not-met");
   auto without_init = spec;
   without_init.init.clear();
-  EXPECT_EQ(verdict(without_init, clean, {}, *style_), "no-referent");
+  EXPECT_EQ(verdict(without_init, home, clean, {}, *style_), "no-referent");
 
   Scene all_dirty = start;
   for (Node& node : all_dirty.nodes) {
     if (node.category == "Mug") node.states.set({Predicate::Dirty, {}});
   }
-  EXPECT_EQ(verdict(without_init, all_dirty, {}, *style_), "no-distractor");
+  EXPECT_EQ(verdict(without_init, home, all_dirty, {}, *style_), "no-distractor");
 
   Scene high = start;
   find_node(high, dirty)->pose.position.z() = 4.5;
-  EXPECT_EQ(verdict(spec, high, {}, *style_), "not-reachable");
+  EXPECT_EQ(verdict(spec, home, high, {}, *style_), "not-reachable");
 
   Scene hovering = start;
   find_node(hovering, dirty)->pose.position.z() += 0.1;
-  EXPECT_EQ(verdict(spec, hovering, {dirty}, *style_), "not-calm");
+  EXPECT_EQ(verdict(spec, home, hovering, {dirty}, *style_), "not-calm");
+
+  Scene misread = start;
+  misread.edges.pop_back();
+  EXPECT_TRUE(check_start(spec, home, misread, {}, style_->profile));
 }
 
 TEST_F(Ground, BringsOneClearlyNearestAndLeavesAnotherFurtherAway) {
@@ -288,8 +301,9 @@ TEST(GroundTheLibrary, FindsStartsForMostTemplatesOnEverySimulator) {
   for (const Simulator simulator : kSimulators) {
     const auto style = style_of(simulator);
     ASSERT_TRUE(style);
-    const auto home = home_of(*style, 1, 6);
-    ASSERT_TRUE(home) << format(home.error());
+    auto scene = home_of(*style, 1, 6);
+    ASSERT_TRUE(scene) << format(scene.error());
+    const Home home = prepare_home(std::move(*scene), style->profile);
     int tried = 0, found = 0;
     std::string rejections;
     for (const Template& source : library.templates) {
@@ -301,12 +315,13 @@ TEST(GroundTheLibrary, FindsStartsForMostTemplatesOnEverySimulator) {
       const auto spec = instantiate(source, style->knowledge, *binding);
       if (!spec) continue;
       ++tried;
-      const auto result = ground(*spec, *home, style->knowledge, style->profile, {}, rng);
+      const auto result = ground(*spec, home, style->knowledge, style->profile, {}, rng);
       if (const auto* rejection = std::get_if<Rejection>(&result)) {
         rejections += "\n" + rejection->reason + ": " + rejection->detail;
         continue;
       }
       ++found;
+      expect_read_and_written_exactly(std::get<Episode>(result).start);
       const Trace trace = to_logic(std::get<Episode>(result).start, {}, true);
       for (const Formula& constraint : spec->init) EXPECT_TRUE(holds_in(constraint, trace, 0)) << to_text(constraint);
       EXPECT_FALSE(holds(spec->goal, trace)) << to_text(spec->goal);

@@ -137,9 +137,9 @@ TEST_P(EveryHome, HasWindowsOnlyInWallsWithNoRoomBehind) {
 
 TEST_P(EveryHome, LetsTheAgentReachEveryPieceOfFurniture) {
   for (const Scene& home : homes_) {
-    const NavigationGrid grid(home, style_->profile);
-    EXPECT_THAT(unreached_furniture(home, physics_of(home), style_->profile, grid), testing::IsEmpty());
-    EXPECT_EQ(unreached_room(home, style_->profile), std::nullopt);
+    const Walk walk = walk_in(home, style_->profile);
+    EXPECT_THAT(unreached_furniture(home, physics_of(home), style_->profile, walk), testing::IsEmpty());
+    EXPECT_EQ(unreached_room(home, walk), std::nullopt);
   }
 }
 

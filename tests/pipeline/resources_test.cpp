@@ -41,9 +41,9 @@ TEST(LayoutPool, GivesEqualHomesWhoeverAsksFirst) {
   (void)backwards.layout(Simulator::Ai2thor, 1);
   const auto& again = backwards.layout(Simulator::Ai2thor, 0);
   ASSERT_TRUE(first && again);
-  EXPECT_EQ(first->scene, again->scene);
+  EXPECT_EQ(first->home.scene, again->home.scene);
   EXPECT_EQ(first->offer.categories, again->offer.categories);
-  EXPECT_NE(first->scene, forwards.layout(Simulator::Ai2thor, 1)->scene);
+  EXPECT_NE(first->home.scene, forwards.layout(Simulator::Ai2thor, 1)->home.scene);
 }
 
 TEST(LoadBackends, GivesAgentsOfTheProfileWideWithTheExtendedLibraryOnly) {

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "grounding/collision.h"
+#include "grounding/reachability.h"
+#include "scene/scene.h"
+#include "scene/trace.h"
+#include "simulation/physics.h"
+#include "simulation/profile.h"
+
+namespace unietp {
+
+/// A scene with all that grounding asks of it again and again, worked out once, so that a candidate costs what it
+/// changes and not what the home holds. Never changes; threads may share it.
+struct Home {
+  Scene scene;           // its edges as physics shows them
+  PhysicsWorld physics;  // of the scene; to be copied, since asking builds what threads cannot share
+  std::shared_ptr<const PlacementChecker> solids;  // of the scene
+  std::vector<Bounds> bounds;                      // of each node where it stands
+  std::vector<std::optional<Bounds>> sweeps;       // space that doors and drawers of furniture pass through, by node
+  std::shared_ptr<const Walk> walk;
+  std::optional<std::string> unreached;  // a room that the agent cannot walk to
+  Trace now;                             // the scene in the logic, with comparisons
+};
+
+/// Reads the scene's edges anew. Deterministic.
+Home prepare_home(Scene scene, const Profile& profile);
+
+/// The space that a node's moving parts pass through when it is opened, in W; nullopt when nothing moves.
+std::optional<Bounds> sweep_of(const Node& node);
+
+/// What a scene that grew out of a home differs in, node by node as they stand in the two lists.
+struct Differences {
+  std::vector<std::size_t> nodes;  // of the scene: changed, or not in the home
+  std::vector<std::size_t> gone;   // of the home: no longer where they stood, or changed
+};
+Differences differences(const Home& home, const Scene& scene);
+
+/// The bodies of such a scene, at the cost of the differences.
+PhysicsWorld physics_of(const Home& home, const Scene& scene);
+/// What read_relations would read of such a scene and its bodies, at the cost of the differences.
+std::vector<Edge> relations_of(const Home& home, const Scene& scene, const PhysicsWorld& physics);
+/// The home's own while nothing that a body bumps into has changed and the agent stands where it stood.
+std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const Profile& profile);
+
+/// Such a scene, its edges read, in the logic.
+Trace state_of(const Home& home, const Scene& scene, bool with_comparisons);
+
+}  // namespace unietp
