@@ -11,6 +11,7 @@
 #include "grounding/layout.h"
 #include "simulation/navigation.h"
 #include "simulation/picture.h"
+#include "simulation/solids.h"
 #include "simulation/view.h"
 
 namespace unietp {
@@ -56,35 +57,35 @@ const Views& views() {
   return kViewsOfHome;
 }
 
-template <class Look>
+template <class Workplace, class Look>
 void look_around(benchmark::State& state, Look look) {
   const Views& all = views();
-  Rays rays;
+  Workplace workplace;
   std::size_t i = 0;
-  for (auto _ : state) look(all.scenes[i++ % kViews], all.profile, rays);
+  for (auto _ : state) look(all.scenes[i++ % kViews], all.profile, workplace);
   state.counters["frames/s"] = benchmark::Counter(static_cast<double>(i), benchmark::Counter::kIsRate);
 }
 
 void Segmentation(benchmark::State& state) {
-  look_around(state, [](const Scene& scene, const Profile& profile, Rays& rays) {
+  look_around<Rays>(state, [](const Scene& scene, const Profile& profile, Rays& rays) {
     benchmark::DoNotOptimize(segmentation_of(scene, profile, rays).node.data());
   });
 }
 void Boxes(benchmark::State& state) {
   std::size_t objects = 0, frames = 0;
-  look_around(state, [&](const Scene& scene, const Profile& profile, Rays& rays) {
-    objects += view_of(scene, profile, rays).size();
+  look_around<Viewer>(state, [&](const Scene& scene, const Profile& profile, Viewer& viewer) {
+    objects += viewer.view(scene, hidden_from_sight(scene), scene.agent, profile, profile.sight_m).size();
     ++frames;
   });
   state.counters["objects"] = static_cast<double>(objects) / static_cast<double>(frames);
 }
 void Rgb(benchmark::State& state) {
-  look_around(state, [](const Scene& scene, const Profile& profile, Rays& rays) {
+  look_around<Rays>(state, [](const Scene& scene, const Profile& profile, Rays& rays) {
     benchmark::DoNotOptimize(picture_of(scene, profile, rays).rgb.data());
   });
 }
 void RgbAsPng(benchmark::State& state) {
-  look_around(state, [](const Scene& scene, const Profile& profile, Rays& rays) {
+  look_around<Rays>(state, [](const Scene& scene, const Profile& profile, Rays& rays) {
     const Picture picture = picture_of(scene, profile, rays);
     benchmark::DoNotOptimize(png(picture.width, picture.height, picture.rgb));
   });

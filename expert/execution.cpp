@@ -24,6 +24,7 @@ Demonstration record(World world, const std::vector<Action>& actions) {
     DemonstrationStep step;
     step.visible = world.visible();
     step.action = action;
+    step.command = by_ids(action);
     step.outcome = world.step(action);
     step.changes = difference(before, world.scene());
     demonstration.steps.push_back(std::move(step));

@@ -8,6 +8,7 @@
 #include "grounding/episode.h"
 #include "logic/formula.h"
 #include "scene/action.h"
+#include "scene/command.h"
 #include "scene/trace.h"
 #include "simulation/profile.h"
 #include "simulation/world.h"
@@ -17,7 +18,8 @@ namespace unietp {
 /// One executed step as an agent would have lived it: what it saw, what it did, what it was told, what changed.
 struct DemonstrationStep {
   std::vector<VisibleObject> visible;  // before the action
-  Action action;
+  Action action;                       // on ids, whatever the mode
+  Command command;                     // how an agent of the mode says it
   Outcome outcome;
   Delta changes;
 };

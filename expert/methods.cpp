@@ -156,7 +156,7 @@ bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::
   return false;
 }
 
-/// What the tool does by itself: into it (or on it), door shut, power on. The object stays there.
+/// What the tool does by itself: into it (or on it), door shut, power or water on. The object stays there.
 bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
   const std::string id = attempt_.id_of(literal.subject);
   const Node* node = find(id);
@@ -167,13 +167,17 @@ bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
     const auto needs = [rule](std::string_view need) {
       return std::find(rule->needs.begin(), rule->needs.end(), need) != rule->needs.end();
     };
+    if (needs("held")) continue;  // a bottle pours from the hand
     const Predicate relation = needs("on") ? Predicate::On : Predicate::Inside;
     for (const std::string& tool : nearest_of({rule}, id)) {
       const bool there = has_edge(attempt_.scene(), relation, id, tool) ||
                          put(id, needs("on") ? ActionType::PlaceOn : ActionType::PlaceIn, tool);
-      if (there && needs("power_on") && is(tool, Predicate::PowerOn)) device(ActionType::TurnOff, tool);
-      if (there && needs("closed") && is(tool, Predicate::Open)) device(ActionType::Close, tool);
-      if (there && needs("power_on") && !attempt_.holds(literal)) device(ActionType::TurnOn, tool);
+      const bool runs = needs("power_on") || needs("under_tap");
+      if (there && !attempt_.holds(literal)) {
+        if (runs && is(tool, Predicate::PowerOn)) device(ActionType::TurnOff, tool);
+        if (needs("closed") && is(tool, Predicate::Open)) device(ActionType::Close, tool);
+        if (runs && !attempt_.holds(literal)) device(ActionType::TurnOn, tool);
+      }
       if (attempt_.holds(literal)) return true;
       if (attempt_.exhausted()) return false;
     }

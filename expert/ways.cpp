@@ -35,6 +35,9 @@ constexpr std::array kWays{
     StateWay{Predicate::Cool, Way::Appliance, ActionType::PlaceIn, "cools"},
     StateWay{Predicate::Frozen, Way::Appliance, ActionType::PlaceIn, "freezes"},
     StateWay{Predicate::Cooked, Way::Appliance, ActionType::PlaceIn, "cooks"},
+    StateWay{Predicate::Burnt, Way::Appliance, ActionType::PlaceIn, "burns"},
+    StateWay{Predicate::Clean, Way::Appliance, ActionType::PlaceIn, "washes"},
+    StateWay{Predicate::Filled, Way::Appliance, ActionType::PlaceIn, "fills"},
 };
 
 /// What covers a thing comes off, whatever it is.

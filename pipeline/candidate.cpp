@@ -31,6 +31,9 @@ std::string task_line(const Task& task) {
   const auto& specification = task.episode.specification;
   Json init = Json::array();
   for (const auto& formula : specification.init) init.push_back(to_text(formula));
+  Json expert = Json::object();
+  expert[std::string(name_of(task.demonstration.mode))] = demonstration_summary(task.demonstration);
+  for (const auto& other : task.in_other_modes) expert[std::string(name_of(other.mode))] = demonstration_summary(other);
   Json json{{"format", "unietp-task/1"},
             {"id", task.id},
             {"template", specification.template_name},
@@ -47,17 +50,17 @@ std::string task_line(const Task& task) {
               {"writer", task.instruction.writer},
               {"style", task.instruction.style},
               {"checks", task.instruction.checks}}},
-            {"expert", {{name_of(task.demonstration.mode), demonstration_summary(task.demonstration)}}},
+            {"expert", std::move(expert)},
             {"seed", {{"run", task.seed}, {"slot", task.slot}, {"attempt", task.attempt}}}};
   return line_of(json);
 }
 
-std::string demonstration_line(const Task& task) {
+std::string demonstration_line(const Task& task, const Demonstration& demonstration) {
   Json steps = Json::array();
-  for (const auto& step : task.demonstration.steps) {
+  for (const auto& step : demonstration.steps) {
     Json visible = Json::array();
     for (const auto& object : step.visible) visible.push_back({{"id", object.id}, {"box", object.box}});
-    Json json = action_to_json(step.action);
+    Json json = command_to_json(step.command);
     json["success"] = step.outcome.success;
     json["failure"] = name_of(step.outcome.failure);
     json["feedback"] = step.outcome.feedback;
@@ -67,8 +70,14 @@ std::string demonstration_line(const Task& task) {
   }
   return line_of({{"format", "unietp-demonstration/1"},
                   {"task", task.id},
-                  {"mode", name_of(task.demonstration.mode)},
+                  {"mode", name_of(demonstration.mode)},
                   {"steps", std::move(steps)}});
+}
+
+std::string demonstration_lines(const Task& task) {
+  std::string lines = demonstration_line(task, task.demonstration);
+  for (const auto& other : task.in_other_modes) lines += "\n" + demonstration_line(task, other);
+  return lines;
 }
 
 /// Key of what is done in which start, whatever the scene is called: `scene` is the start's text without its id.
@@ -120,7 +129,7 @@ CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate
   record.accepted = true;
   record.template_name = task.episode.specification.template_name;
   record.task = task_line(task);
-  record.demonstration = demonstration_line(task);
+  record.demonstration = demonstration_lines(task);
   const std::string scene = scene_to_json(task.episode.start);
   record.scene = gzip(scene);
   const auto id = scene.find(task.episode.start.id);

@@ -14,7 +14,7 @@ struct CandidateRecord {
   std::string template_name;
   // of an accepted one
   std::string task;           // line of tasks.jsonl, without its end
-  std::string demonstration;  // line of demonstrations/M1.jsonl
+  std::string demonstration;  // lines of demonstrations/<mode>.jsonl, one a mode, joined by line ends
   std::string scene;          // gzip of the start scene's JSON
   std::string start_key;      // equal for equal (template, binding, start)
   std::string text_key;       // equal for equal (layout, normalised instruction)

@@ -34,6 +34,8 @@ constexpr const char* kHelp =
     "      exactly this, or why not; add --scenes HOME for a home of your choice\n"
     "  unietp generate --count 20 --scenes out/homes --out out/imported\n"
     "      in the homes of these scene files; `unietp scene import` makes them from the simulators' own files\n"
+    "  unietp generate --count 20 --modes M1,M2,M3 --out out/modes\n"
+    "      each demonstrated in all three modes; docs/modes.md says what each knows and may do\n"
     "  unietp generate --count 40 --seed 1 --out out/first --resume\n"
     "      go on after an interruption; the result is the same to the byte\n"
     "\n"
@@ -44,7 +46,7 @@ constexpr const char* kHelp =
 struct Options {
   RunConfiguration configuration;
   RunOptions run;
-  std::string simulators, splits;
+  std::string simulators, splits, modes;
   std::vector<std::string> binding;
   bool count_given = false;
   std::vector<std::filesystem::path> scenes;
@@ -138,6 +140,11 @@ Exit generate(Options& options, const CommandLine& program) {
     if (!splits) return refuse(splits.error());
     options.configuration.splits = *splits;
   }
+  if (!options.modes.empty()) {
+    auto modes = parse_modes("--modes", options.modes);
+    if (!modes) return refuse(modes.error());
+    options.configuration.modes = *modes;
+  }
   auto reading = load_resources(program.folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   options.configuration.extended = program.folders.extended_library;
@@ -183,6 +190,8 @@ void add_generate_command(CLI::App& app, CommandLine& program) {
   command->add_option("--simulators", options->simulators, "Of ai2thor,virtualhome,habitat,behavior (default: all)");
   command->add_option("--splits", options->splits,
                       "Of atomic,compositional,logical,instance_grounding,linguistic (default: all)");
+  command->add_option("--modes", options->modes,
+                      "Of M1,M2,M3: each task is demonstrated in all of them, or given up (default: M1, always made)");
   command->add_option("--template", configuration.templates, "Names, as `unietp template list` shows (default: all)")
       ->type_name("NAME,...")
       ->delimiter(',')

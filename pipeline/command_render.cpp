@@ -12,6 +12,7 @@
 #include "scene/scene_json.h"
 #include "simulation/navigation.h"
 #include "simulation/picture.h"
+#include "simulation/solids.h"
 #include "simulation/view.h"
 
 namespace unietp {
@@ -23,12 +24,13 @@ constexpr const char* kHelp =
     "\n"
     "  unietp render out/first ai2thor-00001 --out task.svg\n"
     "  unietp render out/first ai2thor-00001 --out seen.png --step 3 --boxes\n"
+    "  unietp render out/first ai2thor-00001 --out seen.png --step 3 --mode M3\n"
     "\n"
     "`unietp scene show` draws a home without a task.";
 
 struct Options {
   std::filesystem::path dataset, out;
-  std::string task;
+  std::string task, mode = "M1";
   std::size_t step = 1;
   bool boxes = false;
 };
@@ -73,7 +75,9 @@ Result<std::string> seen(const Scene& scene, const Profile& profile, bool boxes)
   Picture picture = picture_of(scene, profile, rays);
   constexpr std::array<std::uint8_t, 3> kFrame{255, 60, 20};
   if (boxes) {
-    for (const VisibleObject& object : view_of(scene, profile, rays)) draw_box(picture, object.box, kFrame);
+    for (const VisibleObject& object :
+         Viewer().view(scene, hidden_from_sight(scene), scene.agent, profile, profile.sight_m))
+      draw_box(picture, object.box, kFrame);
   }
   return png(picture.width, picture.height, picture.rgb);
 }
@@ -91,7 +95,7 @@ Exit render(const Options& options, const DataFolders& folders) {
   if (!scene) return refuse(scene.error());
   const auto profile = load_profile(folders.profiles(), scene->simulator);
   if (!profile) return refuse(profile.error());
-  const auto scenes = scenes_of(options.dataset / "demonstrations" / "M1.jsonl", options.task, *scene);
+  const auto scenes = scenes_of(options.dataset / "demonstrations" / (options.mode + ".jsonl"), options.task, *scene);
   if (!scenes) return refuse(scenes.error());
   const bool as_seen = options.out.extension() == ".png";
   if (options.step < 1 || options.step > scenes->size())
@@ -112,6 +116,8 @@ void add_render_command(CLI::App& app, CommandLine& program) {
   command->add_option("task", options->task, "A task of the data set")->required();
   command->add_option("--out", options->out, "The file to write: .png for the agent's view, else SVG")->required();
   command->add_option("--step", options->step, "PNG: before which step of the demonstration; one more: after the last");
+  command->add_option("--mode", options->mode, "Of which demonstration: M1, M2 or M3")
+      ->check(CLI::IsMember({"M1", "M2", "M3"}));
   command->add_flag("--boxes", options->boxes, "PNG: frame what the agent is told to see");
   command->callback([options, &program] { program.exit = render(*options, program.folders); });
 }

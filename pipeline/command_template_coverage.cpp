@@ -9,6 +9,7 @@
 #include "pipeline/coverage.h"
 #include "pipeline/each_home.h"
 #include "pipeline/library_options.h"
+#include "pipeline/mode_success.h"
 
 namespace unietp {
 namespace {
@@ -21,6 +22,8 @@ constexpr const char* kHelp =
     "                                                    proven tasks; tells what stops those that give none\n"
     "  unietp template coverage --tries 20 --template open-one,slice-one --simulators ai2thor --json\n"
     "  unietp template coverage --tries 10 --markdown > docs/coverage.md\n"
+    "  unietp template coverage --tries 10 --modes M2    how many of those shown in M1 are shown in M2, with how many\n"
+    "                                                    steps\n"
     "\n"
     "The same options give the same table with any number of threads. Exit code 1: a template has no proven task on a\n"
     "simulator that it claims.";
@@ -28,6 +31,7 @@ constexpr const char* kHelp =
 struct Options {
   std::vector<std::string> names;
   std::string simulators;
+  std::string modes = "M1";
   std::uint64_t seed = 1;
   int tries = 0, homes = 6, threads = 1;
   bool json = false, markdown = false;
@@ -63,7 +67,7 @@ Json json_of(const std::vector<CoverageRow>& rows, const Options& options) {
           {"templates", std::move(templates)}};
 }
 
-void print(const std::vector<CoverageRow>& rows, const Options& options) {
+void print(const std::vector<CoverageRow>& rows, const Options& options, const std::vector<Mode>& modes) {
   std::printf("%-36s %-14s", "template", "class");
   for (const auto simulator : kSimulators) std::printf(" %-11s", std::string(name_of(simulator)).c_str());
   std::printf(" predicates\n");
@@ -83,6 +87,7 @@ void print(const std::vector<CoverageRow>& rows, const Options& options) {
     for (const auto& why : rows[row].cells[simulator].reasons)
       std::printf("  %3d %s %s: %s\n", why.count, why.stage.c_str(), why.reason.c_str(), why.example.c_str());
   }
+  if (modes.size() > 1) std::printf("\n%s", to_text(mode_success(rows), modes).c_str());
   std::printf("%s%zu of %zu claimed cells have a proven task\n", empty == 0 ? "" : "\n", claimed - empty, claimed);
 }
 
@@ -104,6 +109,8 @@ Result<std::vector<std::size_t>> positions_of(const std::vector<std::string>& na
 Exit coverage(const Options& options, const CommandLine& program) {
   auto simulators = parse_simulators("--simulators", options.simulators);
   if (!simulators) return refuse(simulators.error());
+  auto modes = parse_modes("--modes", options.modes);
+  if (!modes) return refuse(modes.error());
   const auto reading = load_resources(program.folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   const auto positions = positions_of(options.names, reading.resources);
@@ -119,6 +126,7 @@ Exit coverage(const Options& options, const CommandLine& program) {
   if (options.tries > 0) {
     RunConfiguration configuration;
     configuration.seed = options.seed;
+    configuration.modes = *modes;
     configuration.simulators.assign(kSimulators.begin(), kSimulators.end());
     LayoutPool layouts(configuration, reading.resources, options.homes);
     const auto cells = claimed_cells(rows);
@@ -133,6 +141,11 @@ Exit coverage(const Options& options, const CommandLine& program) {
           cell.accepted = static_cast<int>(trial.tasks.size());
           if (!trial.tasks.empty()) cell.example = trial.tasks.front().instruction.text;
           cell.reasons = std::move(trial.reasons);
+          for (const Task& task : trial.tasks) {
+            cell.steps[0] += static_cast<int>(task.demonstration.steps.size());
+            for (const auto& other : task.in_other_modes)
+              cell.steps[static_cast<std::size_t>(other.mode)] += static_cast<int>(other.steps.size());
+          }
           return true;
         },
         "cells");
@@ -144,7 +157,7 @@ Exit coverage(const Options& options, const CommandLine& program) {
   } else if (options.markdown) {
     std::printf("%s", coverage_page(rows, options.tries, options.seed).c_str());
   } else {
-    print(rows, options);
+    print(rows, options, *modes);
   }
   return options.tries > 0 && !empty_cells(rows).empty() ? Exit::Wrong : Exit::Ok;
 }
@@ -163,6 +176,7 @@ void add_template_coverage_command(CLI::App& group, CommandLine& program) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--simulators", options->simulators, "Some of ai2thor,virtualhome,habitat,behavior");
+  command->add_option("--modes", options->modes, "Of M1,M2,M3: those to demonstrate each candidate in (default: M1)");
   command->add_option("--homes", options->homes, "Homes drawn for each simulator")->check(CLI::Range(1, 100));
   command->add_option("--seed", options->seed, "Number that names homes and candidates");
   command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")

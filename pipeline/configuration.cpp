@@ -46,6 +46,10 @@ nlohmann::ordered_json to_json(const RunConfiguration& configuration) {
                               {"splits", std::move(splits)},        {"templates", configuration.templates},
                               {"attempts", configuration.attempts}, {"rooms", configuration.rooms},
                               {"objects", configuration.objects}};
+  if (configuration.modes.size() > 1) {
+    auto& modes = json["modes"] = nlohmann::ordered_json::array();
+    for (const auto mode : configuration.modes) modes.push_back(name_of(mode));
+  }
   if (configuration.extended) json["extended"] = true;
   if (!configuration.own.empty()) json["own"] = configuration.own;
   if (!configuration.binding.empty()) {
@@ -68,6 +72,12 @@ Result<std::vector<Simulator>> parse_simulators(std::string_view option, std::st
 
 Result<std::vector<Split>> parse_splits(std::string_view option, std::string_view text) {
   return parse_names(option, text, all_splits());
+}
+
+Result<std::vector<Mode>> parse_modes(std::string_view option, std::string_view text) {
+  auto modes = parse_names(option, text, std::vector<Mode>{kModes.begin(), kModes.end()});
+  if (modes && modes->front() != Mode::M1) modes->insert(modes->begin(), Mode::M1);
+  return modes;
 }
 
 Error unknown_name_error(std::string_view option, std::string_view name, const std::vector<std::string>& accepted) {

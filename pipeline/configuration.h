@@ -9,6 +9,7 @@
 
 #include "core/result.h"
 #include "generator/specification.h"
+#include "scene/action.h"
 #include "scene/simulator.h"
 #include "templates/template.h"
 
@@ -25,6 +26,7 @@ struct RunConfiguration {
   bool extended = false;               // the library holds the extended templates too
   std::vector<std::string> own;        // the user's own templates in it, "<name> <sha256>"
   Binding binding;                     // placeholders that are not drawn, of the one template named
+  std::vector<Mode> modes{Mode::M1};   // that each task is demonstrated in, in order; M1 is always among them
   int attempts = 40;                   // candidates tried for one task before it is given up
   int rooms = 6;                       // of a home
   int objects = 60;                    // movable ones asked for in a home
@@ -41,6 +43,9 @@ const std::vector<Split>& all_splits();
 /// Errors: Usage naming `option`, the unknown name, the nearest known one and all that are accepted.
 Result<std::vector<Simulator>> parse_simulators(std::string_view option, std::string_view text);
 Result<std::vector<Split>> parse_splits(std::string_view option, std::string_view text);
+
+/// As above; M1 comes with the others, since their plans begin with it.
+Result<std::vector<Mode>> parse_modes(std::string_view option, std::string_view text);
 
 /// A `Usage` error that says which names are accepted and which one is near.
 Error unknown_name_error(std::string_view option, std::string_view name, const std::vector<std::string>& accepted);

@@ -15,6 +15,7 @@ struct CoverageCell {
   int candidates = 0, accepted = 0;            // 0 of 0 when nothing was tried
   std::string example;                         // instruction of the first proven task, or ""
   std::vector<TemplateTrial::Reason> reasons;  // why the others were given up, the most frequent first
+  std::array<int, kModes.size()> steps{};      // of the proven tasks' demonstrations, summed by mode
 };
 
 struct CoverageRow {

@@ -34,7 +34,7 @@ std::string dataset_card(const RunConfiguration& configuration, const DatasetCou
   text += "- task-planning\npretty_name: Verified embodied-planning tasks\nsize_categories:\n- " +
           size_category(counts.tasks) + "\nconfigs:\n";
   text += "- config_name: tasks\n  data_files: tasks.jsonl\n  default: true\n";
-  text += "- config_name: demonstrations\n  data_files: demonstrations/M1.jsonl\n---\n\n";
+  text += "- config_name: demonstrations\n  data_files: demonstrations/*.jsonl\n---\n\n";
   text += "# " + std::to_string(counts.tasks) + " verified embodied-planning tasks\n\n";
   text +=
       "Each task has a start scene at rest in a physics engine, a formal goal that is false there, an instruction "
@@ -52,7 +52,7 @@ std::string dataset_card(const RunConfiguration& configuration, const DatasetCou
       "| file | content |\n|---|---|\n"
       "| `tasks.jsonl` | one task a line: template, bindings, goal as text and tree, start, instruction |\n"
       "| `scenes/*.scene.json.gz` | the start scene of each task: rooms, objects, states, poses, relations |\n"
-      "| `demonstrations/M1.jsonl` | one demonstration a line, in the order of the tasks: what was seen, done, told "
+      "| `demonstrations/MODE.jsonl` | one demonstration a line, in the order of the tasks: what was seen, done, told "
       "and "
       "changed |\n"
       "| `rejections.jsonl` | each candidate that was given up, with stage and reason |\n"

@@ -41,7 +41,7 @@ void bind_texts(Statement& statement, const Json& json, std::initializer_list<co
 
 std::string texts_of(const Json& list) {
   std::vector<std::string> parts;
-  for (const auto& part : list) parts.push_back(part.get<std::string>());
+  for (const auto& part : list) parts.push_back(part.is_string() ? part.get<std::string>() : part.dump());
   return join(parts, ", ");
 }
 
@@ -57,17 +57,16 @@ Result<DatasetDatabase> DatasetDatabase::begin(const fs::path& path) {
   }
 }
 
-Result<Done> DatasetDatabase::add_task(const Json& task, const Json& demonstration) {
+Result<Done> DatasetDatabase::add_task(const Json& task, const std::vector<Json>& demonstrations) {
   try {
     const auto id = text_at(task, "/id");
-    const auto mode = text_at(demonstration, "/mode");
     auto insert = file_.prepare("INSERT INTO task VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
     bind_texts(insert, task,
                {"/id", "/template", "/split", "/simulator", "/scene", "/layout", "/goal/text", "/instruction/text",
                 "/instruction/style", "/instruction/writer"},
                1);
-    insert.bind(11, task.at("expert").at(mode).at("steps").get<std::int64_t>());
-    insert.bind(12, task.at("expert").at(mode).at("failures").get<std::int64_t>());
+    insert.bind(11, task.at("/expert/M1/steps"_json_pointer).get<std::int64_t>());
+    insert.bind(12, task.at("/expert/M1/failures"_json_pointer).get<std::int64_t>());
     insert.step();
     auto bind = file_.prepare("INSERT INTO binding VALUES(?,?,?)");
     for (const auto& [placeholder, category] : task.at("bindings").items()) {
@@ -78,17 +77,20 @@ Result<Done> DatasetDatabase::add_task(const Json& task, const Json& demonstrati
       bind.reset();
     }
     auto step = file_.prepare("INSERT INTO step VALUES(?,?,?,?,?,?,?)");
-    std::int64_t number = 0;
-    for (const auto& one : demonstration.at("steps")) {
-      step.bind(1, std::string_view(id));
-      step.bind(2, std::string_view(mode));
-      step.bind(3, ++number);
-      step.bind(4, std::string_view(text_at(one, "/action")));
-      step.bind(5, std::string_view(texts_of(one.at("args"))));
-      step.bind(6, std::int64_t{one.at("success").get<bool>()});
-      step.bind(7, std::string_view(text_at(one, "/failure")));
-      step.step();
-      step.reset();
+    for (const auto& demonstration : demonstrations) {
+      const auto mode = text_at(demonstration, "/mode");
+      std::int64_t number = 0;
+      for (const auto& one : demonstration.at("steps")) {
+        step.bind(1, std::string_view(id));
+        step.bind(2, std::string_view(mode));
+        step.bind(3, ++number);
+        step.bind(4, std::string_view(text_at(one, "/action")));
+        step.bind(5, std::string_view(texts_of(one.at("args"))));
+        step.bind(6, std::int64_t{one.at("success").get<bool>()});
+        step.bind(7, std::string_view(text_at(one, "/failure")));
+        step.step();
+        step.reset();
+      }
     }
     return Done{};
   } catch (const std::exception& reason) {

@@ -14,7 +14,7 @@ namespace unietp {
 class DatasetDatabase {
  public:
   static Result<DatasetDatabase> begin(const std::filesystem::path& path);
-  Result<Done> add_task(const nlohmann::ordered_json& task, const nlohmann::ordered_json& demonstration);
+  Result<Done> add_task(const nlohmann::ordered_json& task, const std::vector<nlohmann::ordered_json>& demonstrations);
   Result<Done> add_rejection(const nlohmann::ordered_json& rejection);
   Result<Done> finish();
 

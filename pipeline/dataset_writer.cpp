@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/text.h"
 #include "pipeline/dataset_card.h"
 #include "pipeline/manifest.h"
 
@@ -18,7 +19,6 @@ Error io_error(const fs::path& path) { return {Error::Kind::Io, path.string(), {
 DatasetWriter::DatasetWriter(fs::path folder, DatasetDatabase database)
     : folder_(std::move(folder)),
       tasks_(folder_ / "tasks.jsonl", std::ios::binary),
-      demonstrations_(folder_ / "demonstrations" / "M1.jsonl", std::ios::binary),
       rejections_(folder_ / "rejections.jsonl", std::ios::binary),
       database_(std::move(database)) {}
 
@@ -34,10 +34,14 @@ Result<DatasetWriter> DatasetWriter::begin(const fs::path& folder) {
 
 Result<Done> DatasetWriter::add_task(const CandidateRecord& record) {
   const auto task = nlohmann::ordered_json::parse(record.task);
-  const auto demonstration = nlohmann::ordered_json::parse(record.demonstration);
   tasks_ << record.task << '\n';
-  demonstrations_ << record.demonstration << '\n';
-  if (!tasks_ || !demonstrations_) return io_error(folder_);
+  if (!tasks_) return io_error(folder_);
+  std::vector<nlohmann::ordered_json> demonstrations;
+  for (const auto& line : split(record.demonstration, '\n')) {
+    demonstrations.push_back(nlohmann::ordered_json::parse(line));
+    auto added = add_demonstration(demonstrations.back().at("mode").get<std::string>(), line);
+    if (!added) return added;
+  }
   const auto scene = task.at("scene").get<std::string>();
   if (auto written = write_file(folder_ / "scenes" / (scene + ".scene.json.gz"), record.scene); !written)
     return written.error();
@@ -46,7 +50,16 @@ Result<Done> DatasetWriter::add_task(const CandidateRecord& record) {
   ++counts_.by_simulator[task.at("simulator").get<std::string>()];
   ++counts_.by_template[task.at("template").get<std::string>()];
   counts_.traits.add(traits_from(record.traits));
-  return database_.add_task(task, demonstration);
+  return database_.add_task(task, demonstrations);
+}
+
+Result<Done> DatasetWriter::add_demonstration(const std::string& mode, const std::string& line) {
+  const auto path = folder_ / "demonstrations" / (mode + ".jsonl");
+  const auto [file, is_new] = demonstrations_.try_emplace(mode);
+  if (is_new) file->second.open(path, std::ios::binary);
+  file->second << line << '\n';
+  if (!file->second) return io_error(path);
+  return Done{};
 }
 
 Result<Done> DatasetWriter::add_rejection(const std::string& line) {
@@ -59,7 +72,10 @@ Result<Done> DatasetWriter::add_rejection(const std::string& line) {
 
 Result<Done> DatasetWriter::finish(const RunConfiguration& configuration, const Resources& resources,
                                    const fs::path& licences) {
-  for (auto* stream : {&tasks_, &demonstrations_, &rejections_}) {
+  if (demonstrations_.empty()) demonstrations_["M1"].open(folder_ / "demonstrations" / "M1.jsonl", std::ios::binary);
+  std::vector<std::ofstream*> streams{&tasks_, &rejections_};
+  for (auto& [mode, stream] : demonstrations_) streams.push_back(&stream);
+  for (auto* stream : streams) {
     stream->close();
     if (!*stream) return io_error(folder_);
   }

@@ -39,7 +39,9 @@ class DatasetWriter {
  private:
   DatasetWriter(std::filesystem::path folder, DatasetDatabase database);
   std::filesystem::path folder_;
-  std::ofstream tasks_, demonstrations_, rejections_;
+  Result<Done> add_demonstration(const std::string& mode, const std::string& line);
+  std::ofstream tasks_, rejections_;
+  std::map<std::string, std::ofstream> demonstrations_;  // by mode
   DatasetDatabase database_;
   DatasetCounts counts_;
 };

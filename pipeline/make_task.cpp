@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "core/text.h"
+#include "expert/mode_expert.h"
 #include "generator/weighted_binding.h"
 #include "grounding/ground.h"
 #include "pipeline/given_binding.h"
@@ -140,7 +141,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   auto grounded =
       ground(specification, layout->home, backend.knowledge, backend.profile, {}, root.fork("grounding", item));
   if (auto* why = std::get_if<Rejection>(&grounded)) return rejected(std::move(*why));
-  Task task{task_id(slot), std::move(std::get<Episode>(grounded)), {}, {}, {}, configuration.seed, slot.index,
+  Task task{task_id(slot), std::move(std::get<Episode>(grounded)), {}, {}, {}, {}, configuration.seed, slot.index,
             plan.attempt};
 
   task.episode.start.id = task.id;  // as its file will say; its text reads back to the same bits
@@ -160,6 +161,15 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   auto instruction = instruct(specification, backend, root.fork("annotator", item));
   if (auto* why = std::get_if<Rejection>(&instruction)) return rejected(std::move(*why));
   task.instruction = std::move(std::get<Instruction>(instruction));
+
+  timer.enter(Stage::Expert);
+  for (const Mode mode : configuration.modes) {
+    if (mode == Mode::M1) continue;
+    auto other =
+        demonstrate_in(mode, specification.goal, start, backend.knowledge, backend.profile, task.demonstration);
+    if (auto* why = std::get_if<Rejection>(&other)) return rejected(std::move(*why));
+    task.in_other_modes.push_back(std::move(std::get<Demonstration>(other)));
+  }
   task.traits = traits_of(source, task.episode, task.demonstration);
   return task;
 }

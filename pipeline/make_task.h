@@ -18,7 +18,8 @@ namespace unietp {
 struct Task {
   std::string id;  // "ai2thor-00003"
   Episode episode;
-  Demonstration demonstration;  // mode M1
+  Demonstration demonstration;                // mode M1
+  std::vector<Demonstration> in_other_modes;  // in the order of the configuration
   Instruction instruction;
   std::vector<Trait> traits;  // what it is among the tasks of a data set
   std::uint64_t seed = 0;     // of the run

@@ -1,5 +1,6 @@
 #include "scene/action.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/text.h"
@@ -169,6 +170,9 @@ constexpr std::array<std::string_view, kFailureCount> kFailureNames{
     "already_folded",
     "not_breakable",
     "already_broken",
+    "not_in_view",
+    "not_seen_yet",
+    "no_object_there",
 };
 
 }  // namespace
@@ -183,6 +187,11 @@ std::string_view name_of(Mode mode) {
       return "M3";
   }
   return "";
+}
+
+std::optional<Mode> mode_named(std::string_view name) {
+  const auto* found = std::find_if(kModes.begin(), kModes.end(), [name](Mode mode) { return name_of(mode) == name; });
+  return found == kModes.end() ? std::nullopt : std::optional(*found);
 }
 
 std::string_view name_of(ActionProfile profile) { return profile == ActionProfile::Wide ? "wide" : "unietp"; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstdint>
 #include <optional>
@@ -65,7 +66,9 @@ inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionType:
 enum class ActionArgument : std::uint8_t { None, Object, ObjectOrRoom, Tool };
 enum class ActionClass : std::uint8_t { Movement, Reach, Manipulation, Composite, Control };
 enum class Mode : std::uint8_t { M1, M2, M3 };
+inline constexpr std::array kModes{Mode::M1, Mode::M2, Mode::M3};
 std::string_view name_of(Mode mode);  // "M1"
+std::optional<Mode> mode_named(std::string_view name);
 /// Which catalogue agents act by: the 38, or `wide`, in which the seven extension actions take the places of the seven
 /// small moves of head and hand.
 enum class ActionProfile : std::uint8_t { Unietp, Wide };
@@ -152,8 +155,11 @@ enum class Failure : std::uint8_t {
   AlreadyFolded,
   NotBreakable,
   AlreadyBroken,
+  NotInView,  // the rules of a mode refuse it; the world was not asked
+  NotSeenYet,
+  NoObjectThere,
 };
-inline constexpr std::size_t kFailureCount = static_cast<std::size_t>(Failure::AlreadyBroken) + 1;
+inline constexpr std::size_t kFailureCount = static_cast<std::size_t>(Failure::NoObjectThere) + 1;
 std::string_view name_of(Failure failure);  // "too_far"
 std::optional<Failure> failure_named(std::string_view name);
 

@@ -39,7 +39,7 @@ bool needs_met(const WorldState& state, const Effect& effect, const Node& tool, 
     if (need == "power_on") return !tool.states.has(Predicate::PowerOff);
     if (need == "inside") return has_edge(state.scene, Predicate::Inside, target.id, tool.id);
     if (need == "on") return has_edge(state.scene, Predicate::On, target.id, tool.id);
-    if (need == "under_tap") return tap_runs;
+    if (need == "under_tap") return tap_runs || tool.states.has(Predicate::PowerOn);
     if (need == "held") return state.held(tool.id);
     return false;
   });

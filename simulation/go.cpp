@@ -3,9 +3,7 @@
 #include "simulation/world_state.h"
 
 namespace unietp {
-namespace {
 
-/// The free and reachable cell of a room nearest to the middle of its floor.
 std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
   Vec2 middle = Vec2::Zero();
   for (const Vec2& corner : room.polygon) middle += corner / static_cast<double>(room.polygon.size());
@@ -25,6 +23,8 @@ std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
   }
   return best;
 }
+
+namespace {
 
 void move_agent(WorldState& state, const Vec2& to) {
   state.scene.agent.position = to;

@@ -6,88 +6,15 @@
 
 #include <embree3/rtcore.h>
 
+#include "simulation/ray_entry.h"
+
 namespace unietp {
 namespace {
 
 constexpr double kGrown_m = 0.002;  // thousands of times what single precision errs by within a home
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
-using Mat3 = Eigen::Matrix3d;
-
-/// A solid as the formulas want it: the way from W into its own frame.
-struct Ready {
-  Mat3 to_own;
-  Vec3 centre, half;
-  Part::Kind kind;
-};
-
-/// A ray in the frame of a solid, and where it enters.
-struct Entry {
-  double along = kNever;
-  Vec3 normal = Vec3::Zero();  // own frame
-};
-
-Entry enter_box(const Vec3& from, const Vec3& way, const Vec3& half) {
-  double in = -kNever, out = kNever;
-  int side = -1;
-  for (int i = 0; i < 3; ++i) {
-    if (way[i] == 0) {
-      if (std::abs(from[i]) > half[i]) return {};
-      continue;
-    }
-    const double across = 1 / way[i], middle = -from[i] * across, reach = half[i] * std::abs(across);
-    if (middle - reach > in) {
-      in = middle - reach;
-      side = i;
-    }
-    out = std::min(out, middle + reach);
-  }
-  if (side < 0 || in > out || in <= 0) return {};
-  Entry entry{in, Vec3::Zero()};
-  entry.normal[side] = way[side] > 0 ? -1 : 1;
-  return entry;
-}
-
-Entry enter_ball(const Vec3& from, const Vec3& way, double radius) {
-  const double a = way.squaredNorm(), b = from.dot(way), c = from.squaredNorm() - radius * radius;
-  const double root = b * b - a * c;
-  if (root < 0 || c <= 0) return {};
-  const double in = (-b - std::sqrt(root)) / a;
-  if (in <= 0) return {};
-  return {in, (from + in * way) / radius};
-}
-
-/// Cylinders stand along z.
-Entry enter_cylinder(const Vec3& from, const Vec3& way, const Vec3& half) {
-  const double radius = half.x();
-  Entry entry;
-  const double a = way.head<2>().squaredNorm(), b = from.head<2>().dot(way.head<2>());
-  const double c = from.head<2>().squaredNorm() - radius * radius;
-  const double root = b * b - a * c;
-  if (a > 0 && root >= 0 && c > 0) {
-    const double in = (-b - std::sqrt(root)) / a;
-    const Vec3 at = from + in * way;
-    if (in > 0 && std::abs(at.z()) <= half.z()) entry = {in, Vec3(at.x() / radius, at.y() / radius, 0)};
-  }
-  if (way.z() != 0) {
-    const double top = way.z() > 0 ? -1 : 1, in = (top * half.z() - from.z()) / way.z();
-    const Vec3 at = from + in * way;
-    if (in > 0 && in < entry.along && at.head<2>().squaredNorm() <= radius * radius) entry = {in, Vec3(0, 0, top)};
-  }
-  return entry;
-}
-
-Entry enter(const Ready& solid, const Vec3& from, const Vec3& direction) {
-  const Vec3 own = solid.to_own * (from - solid.centre), way = solid.to_own * direction;
-  switch (solid.kind) {
-    case Part::Kind::Box:
-      return enter_box(own, way, solid.half);
-    case Part::Kind::Cylinder:
-      return enter_cylinder(own, way, solid.half);
-    case Part::Kind::Sphere:
-      return enter_ball(own, way, solid.half.x());
-  }
-  return {};
+RayEntry enter_from_w(const RayTarget& solid, const Vec3& from, const Vec3& direction) {
+  return enter(solid, solid.to_own * (from - solid.centre), solid.to_own * direction);
 }
 
 /// One question: handed through Embree to the callback below.
@@ -100,7 +27,7 @@ struct Question {
 };
 
 void bounds_of_solid(const RTCBoundsFunctionArguments* asked) {
-  const Ready& solid = static_cast<const Ready*>(asked->geometryUserPtr)[asked->primID];
+  const RayTarget& solid = static_cast<const RayTarget*>(asked->geometryUserPtr)[asked->primID];
   const Vec3 half = (solid.to_own.transpose().cwiseAbs() * solid.half).array() + kGrown_m;
   const Vec3 low = solid.centre - half, high = solid.centre + half;
   *asked->bounds_o = {static_cast<float>(low.x()),  static_cast<float>(low.y()),  static_cast<float>(low.z()),  0,
@@ -110,8 +37,8 @@ void bounds_of_solid(const RTCBoundsFunctionArguments* asked) {
 void meet_solid(const RTCIntersectFunctionNArguments* asked) {
   if (asked->valid[0] == 0) return;
   auto& question = *reinterpret_cast<Question*>(asked->context);
-  const Ready& solid = static_cast<const Ready*>(asked->geometryUserPtr)[asked->primID];
-  const double along = enter(solid, *question.from, *question.direction).along;
+  const RayTarget& solid = static_cast<const RayTarget*>(asked->geometryUserPtr)[asked->primID];
+  const double along = enter_from_w(solid, *question.from, *question.direction).along;
   if (along > question.along || (along == question.along && asked->primID >= question.solid)) return;
   if (along == kNever) return;
   question.along = along;
@@ -125,7 +52,7 @@ void meet_solid(const RTCIntersectFunctionNArguments* asked) {
 
 struct Rays::Impl {
   std::vector<Solid> solids;
-  std::vector<Ready> ready;
+  std::vector<RayTarget> ready;
   RTCDevice device = nullptr;  // made with the first solids: it costs as much as a view
   RTCScene scene = nullptr;
 
@@ -154,9 +81,7 @@ void Rays::build(std::vector<Solid> solids) {
   impl_->solids = std::move(solids);
   impl_->ready.clear();
   impl_->ready.reserve(impl_->solids.size());
-  for (const Solid& solid : impl_->solids)
-    impl_->ready.push_back(
-        {solid.pose.rotation.toRotationMatrix().transpose(), solid.pose.position, solid.size / 2, solid.kind});
+  for (const Solid& solid : impl_->solids) impl_->ready.emplace_back(solid);
   if (impl_->device == nullptr) impl_->device = rtcNewDevice("threads=1,set_affinity=0");
   if (impl_->scene != nullptr) rtcReleaseScene(impl_->scene);
   impl_->scene = rtcNewScene(impl_->device);
@@ -192,8 +117,9 @@ std::optional<SolidHit> Rays::first(const Vec3& from, const Vec3& direction, dou
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(impl_->scene, &question.context, &ray);
   if (question.solid == std::numeric_limits<unsigned>::max()) return std::nullopt;
-  const Ready& solid = impl_->ready[question.solid];
-  return SolidHit{question.along, question.solid, solid.to_own.transpose() * enter(solid, from, direction).normal};
+  const RayTarget& solid = impl_->ready[question.solid];
+  return SolidHit{question.along, question.solid,
+                  solid.to_own.transpose() * enter_from_w(solid, from, direction).normal};
 }
 
 }  // namespace unietp

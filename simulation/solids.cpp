@@ -69,6 +69,14 @@ double sight_radius(const Node& node) {
   return node.opening > 0 ? node.size.norm() : node.size.norm() / 2;  // an open door is as wide as what it closes
 }
 
+void add_solids(const Node& node, std::int32_t owner, std::vector<Solid>& solids) {
+  const Shape shape = shape_of(node);
+  for (const Part& part : shape.parts) {
+    const Pose pose = node.pose * (joint_motion(shape, part.joint, node.opening) * part.pose);
+    solids.push_back({part.kind, pose, part.size, owner, part.joint >= 0});
+  }
+}
+
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
                              const std::vector<std::string>& hidden, bool rounded) {
   std::vector<Solid> solids;
@@ -84,11 +92,7 @@ std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double fa
       for (const Part& part : round_parts(node)) solids.push_back({part.kind, node.pose * part.pose, part.size, owner});
       continue;
     }
-    const Shape shape = shape_of(node);
-    for (const Part& part : shape.parts) {
-      const Pose pose = node.pose * (joint_motion(shape, part.joint, node.opening) * part.pose);
-      solids.push_back({part.kind, pose, part.size, owner, part.joint >= 0});
-    }
+    add_solids(node, owner, solids);
   }
   for (const WallPiece& piece : walls_of(scene)) {
     if (matters(piece.pose.position, piece.size.norm() / 2))

@@ -17,6 +17,9 @@ std::vector<std::string> hidden_from_sight(const Scene& scene);
 /// How far the parts of an object may reach from the centre of its box, doors included.
 double sight_radius(const Node& node);
 
+/// Appends an object's solids as physics has them; `owner` is what they are said to belong to.
+void add_solids(const Node& node, std::int32_t owner, std::vector<Solid>& solids);
+
 /// The solids at most `farthest` metres away that an image of this camera may show: objects but the hidden ones, in
 /// order of the nodes, then walls. As physics has them; or `rounded`, for the eye: plates, mugs and bowls are round.
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,

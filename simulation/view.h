@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.h"
@@ -9,11 +11,31 @@
 
 namespace unietp {
 
-/// What the agent's camera shows: objects whose box's centre is nearer than the profile's sight and that are what at
-/// least one of the cast rays meets first. Rays go through the middles of pixels: a grid over where each object would
-/// be seen, its salient points, and then lines outwards from what was seen. So an object is listed only if the image
-/// (picture.h) has a pixel of it, its box holds only such pixels' places, and misses at most a few pixels at its rim.
-/// Sorted by id. `rays` is a workplace: what it held before does not matter.
-std::vector<VisibleObject> view_of(const Scene& scene, const Profile& profile, Rays& rays);
+inline constexpr double kEndless_m = 1000;  // farther than any home reaches
+
+/// A workplace for looking: it keeps the solids of what has not changed since the last look. What it held before does
+/// not matter to any result. Not thread-safe; copies share what they keep.
+class Viewer {
+ public:
+  /// The objects whose box's centre is at most `sight_m` from the eye and of which the image shows a pixel, with the
+  /// box around those pixels: exactly what a ray through the middle of every pixel finds (segmentation_of), at the cost
+  /// of a few hundred. Sorted by id. `eye`: place, yaw and pitch;
+  /// `hidden`: as hidden_from_sight gives them.
+  std::vector<VisibleObject> view(const Scene& scene, const std::vector<std::string>& hidden, const Agent& eye,
+                                  const Profile& profile, double sight_m);
+  /// The box of one object alone, without a limit of sight; nullopt when the image shows nothing of it.
+  std::optional<PixelBox> box_of(const Scene& scene, const std::vector<std::string>& hidden, std::size_t node,
+                                 const Agent& eye, const Profile& profile);
+
+ private:
+  struct Body;   // a node's solids, and what they were made of
+  struct House;  // the walls, and what they were made of
+  const std::vector<Solid>& solids_of_node(const Scene& scene, std::size_t node);
+  const std::vector<Solid>& walls(const Scene& scene);
+
+  // Shared by copies, and never changed: a branch of an episode keeps what its copies have in common.
+  std::vector<std::shared_ptr<const Body>> bodies_;
+  std::shared_ptr<const House> house_;
+};
 
 }  // namespace unietp

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "simulation/agent_moves.h"
+#include "simulation/camera.h"
 #include "simulation/relations.h"
+#include "simulation/solids.h"
 #include "simulation/view.h"
 #include "simulation/world_state.h"
 
@@ -24,21 +27,14 @@ Outcome wrong_arguments(const ActionInfo& action) {
 Outcome perform_alone(WorldState& state, ActionType type) {
   switch (type) {
     case ActionType::MoveForward:
-      return take_step(state, 1, 0);
     case ActionType::MoveBackward:
-      return take_step(state, -1, 0);
     case ActionType::MoveLeft:
-      return take_step(state, 0, 1);
     case ActionType::MoveRight:
-      return take_step(state, 0, -1);
     case ActionType::TurnLeft:
-      return turn_body(state, 1);
     case ActionType::TurnRight:
-      return turn_body(state, -1);
     case ActionType::LookUp:
-      return tilt_camera(state, -1);
     case ActionType::LookDown:
-      return tilt_camera(state, 1);
+      return move_body(state, type);
     case ActionType::TurnBaseToLook:
       return succeeded();  // this body's head does not turn on its own, so it looks where the base points already
     case ActionType::ResetHead:
@@ -206,11 +202,50 @@ Outcome World::step(const Action& action) {
 }
 
 const Scene& World::scene() const { return impl_->state.scene; }
+const Profile& World::profile() const { return *impl_->state.profile; }
 bool World::stopped() const { return impl_->state.stopped; }
 
 std::vector<VisibleObject> World::visible() const {
   const WorldState& state = impl_->state;
-  return view_of(state.scene, *state.profile, state.rays);
+  return state.viewer.view(state.scene, hidden_from_sight(state.scene), state.scene.agent, *state.profile,
+                           state.profile->sight_m);
+}
+
+std::vector<VisibleObject> World::pictured() const {
+  const WorldState& state = impl_->state;
+  return state.viewer.view(state.scene, hidden_from_sight(state.scene), state.scene.agent, *state.profile, kEndless_m);
+}
+
+std::optional<PixelBox> World::pictured_from(const Agent& eye, std::string_view id) const {
+  const WorldState& state = impl_->state;
+  const auto node = state.index_of(id);
+  if (!node) return std::nullopt;
+  // Most places are turned down here, before anything is gathered.
+  const Node& target = state.node(*node);
+  if (!camera_of(eye, *state.profile).may_show(target.pose.position, sight_radius(target))) return std::nullopt;
+  return state.viewer.box_of(state.scene, hidden_from_sight(state.scene), *node, eye, *state.profile);
+}
+
+std::optional<Agent> World::led_to(const Agent& from, const Action& action) const {
+  const WorldState& state = impl_->state;
+  if (!state.profile->offers(action.type)) return std::nullopt;
+  if (action.type == ActionType::GoTo) {
+    Agent agent = from;
+    if (const Room* room = find_room(state.scene, action.args.front())) {
+      const auto place = place_in_room(state, *room);
+      if (!place) return std::nullopt;
+      agent.position = *place;
+      agent.pitch = 0;
+      return agent;
+    }
+    const auto node = state.index_of(action.args.front());
+    const auto place = node && !state.closed_around(*node) ? standing_place_for(action.args.front()) : std::nullopt;
+    if (!place) return std::nullopt;
+    agent.position = *place;
+    return facing(agent, state.node(*node).pose.position, *state.profile);
+  }
+  const auto move = move_of(action.type);
+  return move ? moved(from, *move, state.grid(), *state.profile) : std::nullopt;
 }
 
 std::optional<Vec2> World::standing_place_for(std::string_view id) const {

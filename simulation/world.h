@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include "akb/knowledge.h"
 #include "core/result.h"
 #include "scene/action.h"
+#include "scene/pixel_box.h"
 #include "scene/scene.h"
 #include "simulation/profile.h"
 
@@ -18,7 +18,7 @@ namespace unietp {
 /// An object in the camera's image: the box [x0, y0, x1, y1] around its pixels, x right, y down, both ends included.
 struct VisibleObject {
   std::string id;
-  std::array<int, 4> box{};
+  PixelBox box{};
   bool operator==(const VisibleObject&) const = default;
 };
 
@@ -45,16 +45,25 @@ class World {
 
   Outcome step(const Action& action);
   const Scene& scene() const;
+  const Profile& profile() const;
   bool stopped() const;  // `stop` was done
 
   /// What the camera shows now: objects nearer than the profile's sight of which a pixel is met first by its ray, by
   /// id.
   std::vector<VisibleObject> visible() const;
+  /// The same without a limit of sight: every object of which the picture shows a pixel.
+  std::vector<VisibleObject> pictured() const;
 
   // Questions that a planner may ask; none changes the world.
   /// The body can stand somewhere with the object in reach and sight (as things are now: what is behind a closed door
   /// is not in sight).
   bool can_stand_at(std::string_view id) const;
+  /// The box of one object in the picture from another place or in another direction; nullopt when it shows nothing of
+  /// it. What the agent holds stays out of the picture.
+  std::optional<PixelBox> pictured_from(const Agent& eye, std::string_view id) const;
+  /// Where a step, turn, tilt or go_to would lead the body, if it stood elsewhere but could walk to where it stands
+  /// now; nullopt when the action would fail or moves no body.
+  std::optional<Agent> led_to(const Agent& from, const Action& action) const;
   /// As go_to would choose it.
   std::optional<Vec2> standing_place_for(std::string_view id) const;
   /// Walking distance in metres to the nearest free cell beside the object's box; infinity when there is none.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/agent_moves.h"
 #include "simulation/relations.h"
 
 namespace unietp {
@@ -124,10 +125,7 @@ std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t nod
 }
 
 void look_at(WorldState& state, const Vec3& point) {
-  Agent& agent = state.scene.agent;
-  const Vec2 way = point.head<2>() - agent.position;
-  if (way.norm() > 1e-9) agent.yaw = std::atan2(way.y(), way.x());
-  agent.pitch = std::atan2(state.profile->camera_height_m - point.z(), way.norm());
+  state.scene.agent = facing(std::move(state.scene.agent), point, *state.profile);
 }
 
 }  // namespace unietp

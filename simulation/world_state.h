@@ -12,7 +12,7 @@
 #include "simulation/navigation.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
-#include "simulation/rays.h"
+#include "simulation/view.h"
 #include "simulation/world.h"
 
 namespace unietp {
@@ -29,8 +29,8 @@ struct WorldState {
   const Profile* profile = nullptr;
   PhysicsWorld physics;  // node i is body i; what is in the hands is not in it
   bool stopped = false;
-  mutable Rays rays;  // a workplace for looking
-  HandPose hand;      // back in front of the body whenever something is picked up
+  mutable Viewer viewer;  // a workplace for looking
+  HandPose hand;          // back in front of the body whenever something is picked up
 
   /// Where the body can walk now, and the steps from the agent to every cell; made at the first question after a
   /// change.
@@ -64,6 +64,8 @@ inline Outcome failed(Failure failure, std::string feedback) { return {false, fa
 
 /// Why the agent cannot act on a node from where it stands (closed container, reach, sight), or nullopt.
 std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t node);
+/// The free cell of a room that the agent can walk to and that is nearest to the middle of its floor.
+std::optional<Vec2> place_in_room(const WorldState& state, const Room& room);
 /// Turns the agent's head and body towards a point.
 void look_at(WorldState& state, const Vec3& point);
 
@@ -78,11 +80,8 @@ Outcome switch_power(WorldState& state, std::size_t node, bool on);
 Outcome slice(WorldState& state, std::size_t node);
 /// The held thing falls from the hand and lies where it comes to rest.
 Outcome drop(WorldState& state);
-/// A step of the profile's length along the body's axes, turns and tilts of its angles; each argument is -1, 0 or 1.
-/// The body moves in a straight line over free floor.
-Outcome take_step(WorldState& state, double ahead, double left);
-Outcome turn_body(WorldState& state, double left);
-Outcome tilt_camera(WorldState& state, double down);
+/// A step, a turn or a tilt of the camera (agent_moves.h).
+Outcome move_body(WorldState& state, ActionType type);
 Outcome reset_head(WorldState& state);
 /// Moves or turns the hand that holds something; what it holds must meet nothing.
 Outcome move_hand(WorldState& state, double ahead, double left);

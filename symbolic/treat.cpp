@@ -14,7 +14,7 @@ bool needs_met(const Setting& setting, const World& world, const Reaction& react
   if (asks(kPowerOn) && world[tool].has(Predicate::PowerOff)) return false;
   if (asks(kInside) && !is_inside(world, thing, tool)) return false;
   if (asks(kOn) && !holds(setting, world, Predicate::On, thing, tool, 0)) return false;
-  return !asks(kUnderTap) || tap_runs;
+  return !asks(kUnderTap) || tap_runs || world[tool].has(Predicate::PowerOn);
 }
 
 const Reaction* by_hand(const Setting& setting, const World& world, Treatment treatment, Id thing) {

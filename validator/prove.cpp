@@ -5,13 +5,11 @@
 #include "core/text.h"
 #include "logic/evaluate.h"
 #include "scene/trace.h"
+#include "simulation/mode_episode.h"
 #include "validator/prove_start.h"
 
 namespace unietp {
 namespace {
-
-constexpr std::size_t kMaxSteps = 50;  // of a demonstration in M1 and M2
-constexpr int kMaxFailures = 10;
 
 /// Collects what is wrong with one task.
 class Findings {
@@ -62,62 +60,85 @@ std::string difference_of(const Delta& recorded, const Delta& replayed) {
   return join(parts, "; ");
 }
 
-/// Replays the steps; the changes of the replay, one delta a step. Only the first difference of each kind is told: what
-/// follows from it would differ too.
-std::vector<Delta> replay(World world, const DemonstrationRecord& demonstration, Findings& findings) {
+std::string limits_text(Mode mode) {
+  const StepLimits limits = limits_of(mode);
+  return "it ends with stop(), after " + std::to_string(limits.steps) + " steps or " + std::to_string(limits.failures) +
+         " failures";
+}
+
+std::string told(bool success, std::string_view failure, const std::string& feedback) {
+  return success && feedback.empty() ? std::string("success") : std::string(failure) + " \"" + feedback + "\"";
+}
+
+/// Replays the steps under the rules of the mode; the changes of the replay, one delta a step. Only the first
+/// difference of each kind is told: what follows from it would differ too.
+std::vector<Delta> replay(ModeEpisode episode, const DemonstrationRecord& demonstration, Findings& findings) {
   std::vector<Delta> changes;
   bool same_view = true, same_outcome = true, same_changes = true;
   for (std::size_t i = 0; i < demonstration.steps.size(); ++i) {
     const auto& step = demonstration.steps[i];
-    const auto at = "step " + std::to_string(i + 1) + " " + to_text(step.action) + ": ";
-    if (same_view && world.visible() != step.visible) {
-      same_view = false;
-      const auto told = first_difference(step.visible, world.visible(), "the visible object",
-                                         [](const VisibleObject& object) { return object.id; });
-      findings.demonstration(at + "another view than recorded; " + told);
+    const auto at = "step " + std::to_string(i + 1) + " " + to_text(step.command) + ": ";
+    if (episode.over()) {
+      findings.demonstration(at + "comes after the end of the episode; " + limits_text(episode.mode()));
+      break;
     }
-    const Scene before = world.scene();
-    const auto outcome = world.step(step.action);
+    if (same_view && episode.visible() != step.visible) {
+      same_view = false;
+      findings.demonstration(at + "another view than recorded; " +
+                             first_difference(step.visible, episode.visible(), "the visible object",
+                                              [](const VisibleObject& object) { return object.id; }));
+    }
+    const Scene before = episode.world().scene();
+    const auto outcome = episode.step(step.command);
     if (same_outcome && (outcome.success != step.success || name_of(outcome.failure) != step.failure ||
                          outcome.feedback != step.feedback)) {
       same_outcome = false;
-      const auto told = [](bool success, std::string_view failure, const std::string& feedback) {
-        return success && feedback.empty() ? std::string("success") : std::string(failure) + " \"" + feedback + "\"";
-      };
       findings.demonstration(at + "recorded as " + told(step.success, step.failure, step.feedback) +
                              ", the replay gives " + told(outcome.success, name_of(outcome.failure), outcome.feedback));
     }
-    auto delta = difference(before, world.scene());
+    auto delta = difference(before, episode.world().scene());
     if (same_changes && delta != step.changes) {
       same_changes = false;
       findings.demonstration(at + "other changes than recorded; " + difference_of(step.changes, delta));
     }
     changes.push_back(std::move(delta));
   }
-  if (!world.stopped()) findings.demonstration("does not end with stop()");
+  if (!episode.world().stopped()) findings.demonstration("does not end with stop()");
   return changes;
 }
 
-void check_form(const TaskRecord& task, const Scene& start, const DemonstrationRecord& demonstration,
-                Findings& findings) {
-  if (demonstration.mode != "M1")
-    findings.demonstration("expected the mode \"M1\", not \"" + demonstration.mode + "\"");
+void check_form(const TaskRecord& task, const Scene& start, Findings& findings) {
   if (start.id != task.scene) findings.scene("is called \"" + start.id + "\", not \"" + task.scene + "\"");
   if (name_of(start.simulator) != task.simulator)
     findings.scene("is of " + std::string(name_of(start.simulator)) + ", the task of " + task.simulator);
-  const auto failures = static_cast<int>(std::count_if(demonstration.steps.begin(), demonstration.steps.end(),
-                                                       [](const StepRecord& step) { return !step.success; }));
-  if (task.steps != static_cast<int>(demonstration.steps.size()) || task.failures != failures)
-    findings.task("says " + std::to_string(task.steps) + " steps and " + std::to_string(task.failures) +
-                  " failures, the demonstration has " + std::to_string(demonstration.steps.size()) + " and " +
-                  std::to_string(failures));
-  if (demonstration.steps.size() > kMaxSteps || failures > kMaxFailures)
-    findings.demonstration("is over the limit of 50 steps and 10 failures");
   if (trim(task.instruction).empty()) findings.task("has no instruction");
   for (const auto& node : start.nodes) {
     if (task.instruction.find(node.id) != std::string::npos)
       findings.task("its instruction gives away the object id " + node.id);
   }
+}
+
+void check_counts(const TaskRecord& task, Mode mode, const DemonstrationRecord& demonstration, Findings& findings) {
+  if (demonstration.mode != name_of(mode))
+    findings.demonstration("expected the mode \"" + std::string(name_of(mode)) + "\", not \"" + demonstration.mode +
+                           "\"");
+  const auto steps = static_cast<int>(demonstration.steps.size());
+  const auto failures = static_cast<int>(std::count_if(demonstration.steps.begin(), demonstration.steps.end(),
+                                                       [](const StepRecord& step) { return !step.success; }));
+  for (const TaskRecord::Count& count : task.expert) {
+    if (count.mode != mode || (count.steps == steps && count.failures == failures)) continue;
+    findings.task("says " + std::to_string(count.steps) + " steps and " + std::to_string(count.failures) +
+                  " failures in " + std::string(name_of(mode)) + ", the demonstration has " + std::to_string(steps) +
+                  " and " + std::to_string(failures));
+  }
+}
+
+/// What task and demonstration both speak of.
+bool compares(const TaskRecord& task, const Formula& goal) {
+  return reads_comparisons(goal) ||
+         std::any_of(task.start_constraints.begin(), task.start_constraints.end(), [](const auto& text) {
+           return text.find("(nearest ") != std::string::npos || text.find("(size ") != std::string::npos;
+         });
 }
 
 void check_start_constraints(const TaskRecord& task, const Trace& trace, const TaskFiles& files, Findings& findings) {
@@ -133,11 +154,10 @@ void check_start_constraints(const TaskRecord& task, const Trace& trace, const T
 
 }  // namespace
 
-std::vector<Error> prove_task(const TaskRecord& task, const Scene& start, const DemonstrationRecord& demonstration,
-                              const ValidationBackend& backend, const ValidationOptions& options,
-                              const TaskFiles& files) {
+std::vector<Error> prove_task(const TaskRecord& task, const Scene& start, const ValidationBackend& backend,
+                              const ValidationOptions& options, const TaskFiles& files) {
   Findings findings(files);
-  check_form(task, start, demonstration, findings);
+  check_form(task, start, findings);
   findings.all(prove_start(start, options.rest_m, files.scene));
 
   const auto goal = parse_formula(files.task, task.goal_text, FormulaUse::Goal);
@@ -148,23 +168,28 @@ std::vector<Error> prove_task(const TaskRecord& task, const Scene& start, const 
     findings.task("its goal's text and tree are different formulas: " + task.goal_text + " against " +
                   to_text(task.goal_tree));
   }
-
-  auto world = World::create(start, *backend.knowledge, *backend.profile);
-  if (!world) {
+  if (const auto world = World::create(start, *backend.knowledge, *backend.profile); !world) {
     findings.scene("cannot be rebuilt: " + world.error().message);
     return findings.take();
   }
-  const auto changes = replay(std::move(*world), demonstration, findings);
   if (!goal) return findings.take();
-
-  const bool compares = std::any_of(task.start_constraints.begin(), task.start_constraints.end(), [](const auto& text) {
-    return text.find("(nearest ") != std::string::npos || text.find("(size ") != std::string::npos;
-  });
-  const bool with_comparisons = compares || reads_comparisons(*goal);
-  const auto at_start = to_logic(start, {}, with_comparisons);
+  const auto at_start = to_logic(start, {}, compares(task, *goal));
   check_start_constraints(task, at_start, files, findings);
   if (holds(*goal, at_start)) findings.scene("its goal holds before anything is done");
-  const auto trace = to_logic(start, changes, with_comparisons);
+  return findings.take();
+}
+
+std::vector<Error> prove_demonstration(const TaskRecord& task, const Scene& start, Mode mode,
+                                       const DemonstrationRecord& demonstration, const ValidationBackend& backend,
+                                       const TaskFiles& files) {
+  Findings findings(files);
+  check_counts(task, mode, demonstration, findings);
+  auto world = World::create(start, *backend.knowledge, *backend.profile);
+  if (!world) return findings.take();
+  const auto changes = replay({std::move(*world), mode}, demonstration, findings);
+  const auto goal = parse_formula(files.task, task.goal_text, FormulaUse::Goal);
+  if (!goal) return findings.take();
+  const auto trace = to_logic(start, changes, compares(task, *goal));
   for (const auto& domain : empty_domains(*goal, trace))
     findings.task("its goal speaks of all or a number of " + domain + ", of which the scene has none");
   if (!holds(*goal, trace)) findings.demonstration("its replay does not reach the goal " + task.goal_text);

@@ -10,13 +10,16 @@
 
 namespace unietp {
 
-/// Proves one task in fresh physics; empty when it stands. `task_file`, `scene_file` and `demonstration_file` name
-/// where each came from in messages ("tasks.jsonl:3").
+/// Where a task, its scene and one of its demonstrations came from, for messages ("tasks.jsonl:3").
 struct TaskFiles {
   std::string task, scene, demonstration;
 };
-std::vector<Error> prove_task(const TaskRecord& task, const Scene& start, const DemonstrationRecord& demonstration,
-                              const ValidationBackend& backend, const ValidationOptions& options,
-                              const TaskFiles& files);
+/// Proves one task in fresh physics, but for its demonstrations; empty when it stands.
+std::vector<Error> prove_task(const TaskRecord& task, const Scene& start, const ValidationBackend& backend,
+                              const ValidationOptions& options, const TaskFiles& files);
+/// Proves one demonstration of it in fresh physics, under the rules of its mode.
+std::vector<Error> prove_demonstration(const TaskRecord& task, const Scene& start, Mode mode,
+                                       const DemonstrationRecord& demonstration, const ValidationBackend& backend,
+                                       const TaskFiles& files);
 
 }  // namespace unietp

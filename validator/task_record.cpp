@@ -71,11 +71,15 @@ void read_instruction(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
 
 void read_expert(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields modes(reader, at);
-  if (const auto f = modes.required("M1")) {
+  for (const Mode mode : kModes) {
+    const auto f = mode == Mode::M1 ? modes.required(name_of(mode)) : modes.optional(name_of(mode));
+    if (!f) continue;
+    TaskRecord::Count count{mode};
     JsonFields fields(reader, *f);
-    if (const auto steps = fields.required("steps")) task.steps = whole(reader, *steps);
-    if (const auto failures = fields.required("failures")) task.failures = whole(reader, *failures);
+    if (const auto steps = fields.required("steps")) count.steps = whole(reader, *steps);
+    if (const auto failures = fields.required("failures")) count.failures = whole(reader, *failures);
     fields.finish();
+    task.expert.push_back(count);
   }
   modes.finish();
 }
@@ -125,13 +129,31 @@ T read_part(JsonReader& reader, const JsonAt& at, Result<T> (*read)(std::string_
   return {};
 }
 
+void check_command(JsonReader& reader, const JsonAt& action, const JsonAt& args, const Command& command) {
+  if (reader.error()) return;
+  const auto type = action_named(command.action);
+  if (!type) {
+    std::vector<std::string> names;
+    for (const auto list : {all_actions(), extension_actions()}) {
+      for (const ActionInfo& known : list) names.emplace_back(known.name);
+    }
+    reader.unknown_name(action, "action", names);
+    return;
+  }
+  const std::size_t wanted = info(*type).argument == ActionArgument::None ? 0 : 1;
+  if (command.args.size() != wanted)
+    reader.fail(args, command.action + " takes " + (wanted == 0 ? "no argument" : "one argument"));
+}
+
 StepRecord read_step(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   StepRecord step;
   const auto action = fields.required("action");
   const auto args = fields.required("args");
-  if (action && args)
-    step.action = read_part(reader, at, action_from_json, Json{{"action", action->json}, {"args", args->json}});
+  if (action && args) {
+    step.command = read_part(reader, at, command_from_json, Json{{"action", action->json}, {"args", args->json}});
+    check_command(reader, *action, *args, step.command);
+  }
   if (const auto f = fields.required("success")) step.success = reader.boolean(*f);
   if (const auto f = fields.required("failure")) step.failure = reader.text(*f);
   if (const auto f = fields.required("feedback")) step.feedback = text_or_empty(reader, *f);

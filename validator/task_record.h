@@ -8,7 +8,7 @@
 
 #include "core/result.h"
 #include "logic/formula.h"
-#include "scene/action.h"
+#include "scene/command.h"
 #include "scene/trace.h"
 #include "simulation/world.h"
 
@@ -21,16 +21,20 @@ struct TaskRecord {
   Formula goal_tree;
   std::vector<std::string> start_constraints;
   std::string instruction;
-  int steps = 0, failures = 0;  // of the M1 demonstration
+  struct Count {
+    Mode mode = Mode::M1;
+    int steps = 0, failures = 0;
+  };
+  std::vector<Count> expert;  // of its demonstrations, in the order of the modes; M1 is always there
 };
 
 /// Reads every field strictly. Errors: Parse with line and column; Schema with a JSON pointer for a missing, unknown or
 /// mistyped field. `where` is the file's name; `line` the line's number in it.
 Result<TaskRecord> read_task(std::string_view where, int line, std::string_view text);
 
-/// A step of a demonstration line.
+/// A step of a demonstration line. There is such an action, and it takes so many arguments.
 struct StepRecord {
-  Action action;
+  Command command;
   bool success = false;
   std::string failure, feedback;
   std::vector<VisibleObject> visible;

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kTasks = "tasks.jsonl";
-constexpr const char* kDemonstrations = "demonstrations/M1.jsonl";
 
+std::string demonstrations_file(Mode mode) { return "demonstrations/" + std::string(name_of(mode)) + ".jsonl"; }
 std::string at_line(std::string_view file, std::size_t index) {
   return std::string(file) + ":" + std::to_string(index + 1);
 }
@@ -27,11 +27,15 @@ std::string scene_file(const std::string& scene) { return "scenes/" + scene + ".
 struct Entry {
   std::string name;  // the task's id, or the best guess at it
   Result<TaskRecord> task = Error{};
-  std::optional<std::size_t> line_of_demonstration;
+  struct Shown {
+    Mode mode = Mode::M1;
+    std::size_t line = 0;
+  };
+  std::vector<Shown> demonstrations;
   std::vector<Error> errors;
 };
 
-Result<std::vector<std::string>> lines_of(const fs::path& folder, const char* file) {
+Result<std::vector<std::string>> lines_of(const fs::path& folder, const std::string& file) {
   const auto text = read_file(folder / file);
   if (!text) return text.error();
   auto lines = split(*text, '\n');
@@ -39,59 +43,84 @@ Result<std::vector<std::string>> lines_of(const fs::path& folder, const char* fi
   return lines;
 }
 
+/// The file of one mode.
 struct Demonstrations {
+  Mode mode = Mode::M1;
   std::vector<Result<DemonstrationRecord>> lines;
   std::map<std::string, std::size_t> line_of_task;
 };
 
-Demonstrations read_demonstrations(const std::vector<std::string>& lines, std::vector<Problem>& problems) {
+Demonstrations read_demonstrations(Mode mode, const std::vector<std::string>& lines, std::vector<Problem>& problems) {
   Demonstrations all;
+  all.mode = mode;
+  const std::string file = demonstrations_file(mode);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    all.lines.push_back(read_demonstration(kDemonstrations, static_cast<int>(i + 1), lines[i]));
+    all.lines.push_back(read_demonstration(file, static_cast<int>(i + 1), lines[i]));
     if (!all.lines.back()) continue;
     const auto& task = all.lines.back()->task;
     if (!all.line_of_task.emplace(task, i).second)
-      problems.push_back({task, {Error::Kind::Schema, at_line(kDemonstrations, i), {}, "repeats a demonstration"}});
+      problems.push_back({task, {Error::Kind::Schema, at_line(file, i), {}, "repeats a demonstration"}});
   }
   return all;
 }
 
-/// Reads all tasks and finds each one's demonstration: by name, or, where one of the two does not read, by line.
-std::vector<Entry> read_entries(const std::vector<std::string>& lines, const Demonstrations& demonstrations,
+/// A task's demonstrations in the modes that it counts steps for: by name, or, where one does not read, by line.
+void find_demonstrations(Entry& entry, std::size_t index, const std::vector<Demonstrations>& all) {
+  for (const Demonstrations& shown : all) {
+    const auto counted = [&shown](const TaskRecord::Count& count) { return count.mode == shown.mode; };
+    if (std::none_of(entry.task->expert.begin(), entry.task->expert.end(), counted)) continue;
+    const auto named = shown.line_of_task.find(entry.name);
+    if (named != shown.line_of_task.end()) {
+      entry.demonstrations.push_back({shown.mode, named->second});
+    } else if (index < shown.lines.size() && !shown.lines[index]) {
+      entry.errors.push_back(shown.lines[index].error());
+    } else {
+      entry.errors.push_back(
+          {Error::Kind::Schema, demonstrations_file(shown.mode), {}, "has no demonstration of this task"});
+    }
+  }
+}
+
+/// Demonstrations of no task, or of one that counts no steps for the mode.
+void find_strays(const Demonstrations& shown, const std::vector<Entry>& entries, std::vector<Problem>& problems) {
+  const std::string file = demonstrations_file(shown.mode);
+  for (const auto& [task, line] : shown.line_of_task) {
+    const auto entry =
+        std::find_if(entries.begin(), entries.end(), [&id = task](const auto& e) { return e.name == id; });
+    if (entry == entries.end()) {
+      problems.push_back({task, {Error::Kind::Schema, at_line(file, line), {}, "is of no task in tasks.jsonl"}});
+      continue;
+    }
+    const auto used = [&shown](const Entry::Shown& one) { return one.mode == shown.mode; };
+    if (entry->task && std::none_of(entry->demonstrations.begin(), entry->demonstrations.end(), used))
+      problems.push_back(
+          {task, {Error::Kind::Schema, at_line(file, line), {}, "is in a mode for which its task counts no steps"}});
+  }
+  for (std::size_t i = entries.size(); i < shown.lines.size(); ++i) {
+    if (!shown.lines[i]) problems.push_back({"", shown.lines[i].error()});
+  }
+}
+
+/// Reads all tasks and finds each one's demonstrations.
+std::vector<Entry> read_entries(const std::vector<std::string>& lines, const std::vector<Demonstrations>& shown,
                                 std::vector<Problem>& problems) {
   std::vector<Entry> entries(lines.size());
   std::map<std::string, std::size_t> first_line;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     Entry& entry = entries[i];
-    const auto* beside = i < demonstrations.lines.size() ? &demonstrations.lines[i] : nullptr;
     entry.task = read_task(kTasks, static_cast<int>(i + 1), lines[i]);
     if (!entry.task) {
-      entry.name = beside != nullptr && *beside ? (*beside)->task : at_line(kTasks, i);
+      const auto& beside = shown.front().lines;  // M1
+      entry.name = i < beside.size() && beside[i] ? beside[i]->task : at_line(kTasks, i);
       entry.errors.push_back(entry.task.error());
       continue;
     }
     entry.name = entry.task->id;
     if (!first_line.emplace(entry.name, i).second)
       entry.errors.push_back({Error::Kind::Schema, at_line(kTasks, i), {}, "the id is taken by an earlier task"});
-    const auto named = demonstrations.line_of_task.find(entry.name);
-    if (named != demonstrations.line_of_task.end()) {
-      entry.line_of_demonstration = named->second;
-    } else if (beside != nullptr && !*beside) {
-      entry.errors.push_back(beside->error());
-    } else {
-      entry.errors.push_back({Error::Kind::Schema, kDemonstrations, {}, "has no demonstration of this task"});
-    }
+    find_demonstrations(entry, i, shown);
   }
-  for (const auto& [task, line] : demonstrations.line_of_task) {
-    const bool known =
-        std::any_of(entries.begin(), entries.end(), [&id = task](const auto& e) { return e.name == id; });
-    if (!known)
-      problems.push_back(
-          {task, {Error::Kind::Schema, at_line(kDemonstrations, line), {}, "is of no task in tasks.jsonl"}});
-  }
-  for (std::size_t i = lines.size(); i < demonstrations.lines.size(); ++i) {
-    if (!demonstrations.lines[i]) problems.push_back({"", demonstrations.lines[i].error()});
-  }
+  for (const Demonstrations& one : shown) find_strays(one, entries, problems);
   return entries;
 }
 
@@ -103,7 +132,7 @@ Result<Scene> read_scene(const fs::path& folder, const std::string& file) {
   return scene_from_json(file, *text);
 }
 
-void prove_entry(Entry& entry, std::size_t index, const fs::path& folder, const Demonstrations& demonstrations,
+void prove_entry(Entry& entry, std::size_t index, const fs::path& folder, const std::vector<Demonstrations>& shown,
                  const std::vector<ValidationBackend>& backends, const ValidationOptions& options) {
   if (!entry.task) return;
   const auto& task = *entry.task;
@@ -120,12 +149,18 @@ void prove_entry(Entry& entry, std::size_t index, const fs::path& folder, const 
   }
   const auto scene = read_scene(folder, scene_file(task.scene));
   if (!scene) entry.errors.push_back(scene.error());
-  if (!simulator || !scene || !entry.line_of_demonstration) return;
-  const std::size_t line = *entry.line_of_demonstration;
-  const TaskFiles files{at_line(kTasks, index), scene_file(task.scene), at_line(kDemonstrations, line)};
-  auto found = prove_task(task, *scene, *demonstrations.lines[line], backends[static_cast<std::size_t>(*simulator)],
-                          options, files);
-  entry.errors.insert(entry.errors.end(), found.begin(), found.end());
+  if (!simulator || !scene) return;
+  const auto& backend = backends[static_cast<std::size_t>(*simulator)];
+  const auto found_in = [&entry](std::vector<Error> found) {
+    entry.errors.insert(entry.errors.end(), found.begin(), found.end());
+  };
+  TaskFiles files{at_line(kTasks, index), scene_file(task.scene), ""};
+  found_in(prove_task(task, *scene, backend, options, files));
+  for (const auto& [mode, line] : entry.demonstrations) {
+    files.demonstration = at_line(demonstrations_file(mode), line);
+    found_in(
+        prove_demonstration(task, *scene, mode, *shown[static_cast<std::size_t>(mode)].lines[line], backend, files));
+  }
 }
 
 /// A checksum that fails is the task's own problem when the file belongs to one task alone.
@@ -148,14 +183,18 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
   }
   const auto manifest = check_manifest(folder, knowledge_digest);
   const auto task_lines = lines_of(folder, kTasks);
-  const auto demonstration_lines = lines_of(folder, kDemonstrations);
-  for (const auto* lines : {&task_lines, &demonstration_lines}) {
-    if (!*lines) report.problems.push_back({"", lines->error()});
-  }
+  if (!task_lines) report.problems.push_back({"", task_lines.error()});
   std::vector<Problem> strays;
-  const auto demonstrations =
-      read_demonstrations(demonstration_lines ? *demonstration_lines : std::vector<std::string>{}, strays);
-  auto entries = read_entries(task_lines ? *task_lines : std::vector<std::string>{}, demonstrations, strays);
+  std::vector<Demonstrations> shown;  // by mode
+  for (const Mode mode : kModes) {
+    const auto file = demonstrations_file(mode);
+    std::error_code code;
+    const bool wanted = mode == Mode::M1 || fs::exists(folder / file, code);
+    const auto lines = wanted ? lines_of(folder, file) : std::vector<std::string>{};
+    if (!lines) report.problems.push_back({"", lines.error()});
+    shown.push_back(read_demonstrations(mode, lines ? *lines : std::vector<std::string>{}, strays));
+  }
+  auto entries = read_entries(task_lines ? *task_lines : std::vector<std::string>{}, shown, strays);
   for (const auto& error : manifest.errors) report.problems.push_back({owner_of(error.where, entries), error});
   report.problems.insert(report.problems.end(), strays.begin(), strays.end());
   if (manifest.tasks >= 0 && manifest.tasks != static_cast<int>(entries.size()))
@@ -169,7 +208,7 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < entries.size(); i = next++)
-      prove_entry(entries[i], i, folder, demonstrations, backends, options);
+      prove_entry(entries[i], i, folder, shown, backends, options);
   };
   std::vector<std::thread> threads;
   for (int i = 1; i < options.threads; ++i) threads.emplace_back(work);

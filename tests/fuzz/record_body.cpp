@@ -15,7 +15,7 @@ bool task_body(std::string_view text) {
     check_error(task.error());
     return false;
   }
-  require(task->steps >= 0 && task->failures >= 0);
+  for (const auto& count : task->expert) require(count.steps >= 0 && count.failures >= 0);
   const auto goal = parse_formula("fuzz", task->goal_text, FormulaUse::Goal);
   if (goal && *goal == task->goal_tree) check_formula(task->goal_tree, FormulaUse::Goal);
   return true;
@@ -28,8 +28,8 @@ bool demonstration_body(std::string_view text) {
     return false;
   }
   for (const StepRecord& step : demonstration->steps) {
-    const auto action = action_from_json("fuzz", action_to_json(step.action));
-    require(action && *action == step.action);
+    const auto command = command_from_json("fuzz", command_to_json(step.command));
+    require(command && *command == step.command);
     const auto changes = delta_from_json("fuzz", delta_to_json(step.changes));
     require(changes && *changes == step.changes);
   }

@@ -63,6 +63,10 @@ std::string SchemaChecker::broken(const std::string& word, const Json& rule, con
     const std::string target = parts[0].empty() ? file : parts[0];
     return check(value, root(target).at(Json::json_pointer(parts[1])), target, path);
   }
+  if (word == "anyOf") {
+    const auto fits = [&](const Json& one) { return check(value, one, file, path).empty(); };
+    return unless(std::any_of(rule.begin(), rule.end(), fits));
+  }
   if (word == "type") {
     const std::string type = value.is_number() ? "number" : value.type_name();
     return unless(type == rule);

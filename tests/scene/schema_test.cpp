@@ -8,6 +8,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "random_scene.h"
+#include "scene/command.h"
 #include "scene/node_json.h"
 #include "scene/scene_json.h"
 #include "schema_checker.h"
@@ -38,6 +39,24 @@ TEST(Schemas, EveryWrittenActionFollowsItsSchemaAndNoOtherName) {
   }
   EXPECT_EQ(schema_file("action.schema.json")["properties"]["action"]["enum"].size(), kActionCount);
   EXPECT_NE(checker.check(Json{{"action", "fly"}, {"args", Json::array()}}, "action.schema.json"), "");
+}
+
+TEST(Schemas, EveryWrittenCommandFollowsTheSchemaOfActionsAndReadsBack) {
+  SchemaChecker checker;
+  for (const Command& command : {Command{"stop", {}}, Command{"open", {{"fridge_1", std::nullopt}}},
+                                 Command{"open", {{"", PixelBox{-3, 0, 400, 5}}}}}) {
+    const Json json = command_to_json(command);
+    EXPECT_EQ(checker.check(json, "action.schema.json"), "") << json.dump();
+    const auto read = command_from_json("x", json);
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_EQ(*read, command);
+  }
+  for (const char* bad :
+       {R"({"action":"open","args":[{"bbox":[1,2,3]}]})", R"({"action":"open","args":[{"box":[1,2,3,4]}]})",
+        R"({"action":"open","args":[7]})", R"({"action":"open"})", R"({"action":3,"args":[]})",
+        R"({"action":"open","args":[{"bbox":[1,2,3,1e300]}]})", R"({"action":"open","args":[{"bbox":[1,2,3,0.5]}]})"}) {
+    EXPECT_FALSE(command_from_json("x", Json::parse(bad))) << bad;
+  }
 }
 
 TEST(Schemas, AcceptTheSameNamesAsTheReader) {

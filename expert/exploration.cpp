@@ -1,0 +1,148 @@
+#include "expert/exploration.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <queue>
+#include <tuple>
+
+namespace unietp {
+namespace {
+
+constexpr double kMostSteps = 16;                // of a search, from where it begins
+constexpr std::size_t kMostPoses = 5000;         // looked from
+constexpr int kLeastSide = 4, kLeastArea = 100;  // pixels of a box that can be told from its surroundings
+constexpr std::size_t kMostLookouts = 5;
+constexpr double kElsewhere = 0.5;  // surcharge for looking from furniture that has nothing to do with the object
+
+constexpr std::array kMoves{ActionType::TurnLeft, ActionType::TurnRight,   ActionType::LookDown,
+                            ActionType::LookUp,   ActionType::MoveForward, ActionType::MoveBackward,
+                            ActionType::MoveLeft, ActionType::MoveRight};
+
+/// A pose of the body on the way, and how it came about.
+struct Standing {
+  Agent agent;
+  double cost = 0;
+  std::size_t from = 0;  // itself for a pose without a step before it
+  Action by;
+};
+
+/// Poses a centimetre or a degree apart are the same.
+std::tuple<long, long, long, long> key_of(const Agent& agent) {
+  constexpr double kPlaces = 100, kAngles = 57.3;
+  return {std::lround(agent.position.x() * kPlaces), std::lround(agent.position.y() * kPlaces),
+          std::lround(agent.yaw * kAngles), std::lround(agent.pitch * kAngles)};
+}
+
+const Room* room_of(const Scene& scene, const std::string& id) {
+  for (const Edge& edge : scene.edges) {
+    if (edge.relation == Predicate::InRoom && edge.from == id) return find_room(scene, edge.to);
+  }
+  return nullptr;
+}
+
+class Search {
+ public:
+  Search(const ModeEpisode& episode, const Node& target, const Profile& profile)
+      : episode_(episode), world_(episode.world()), target_(target), profile_(profile) {}
+
+  std::optional<std::vector<Action>> run() {
+    const Agent& here = world_.scene().agent;
+    add({here, 0, 0, {}});
+    if (const Room* room = room_of(world_.scene(), target_.id)) begin_with(room->id, 1);
+    double extra = 0;
+    for (const std::string& id : lookouts_for(world_.scene(), target_.id)) {
+      begin_with(id, 1 + extra);
+      extra = kElsewhere;
+    }
+    while (!open_.empty()) {
+      const std::size_t at = std::get<1>(open_.top());
+      open_.pop();
+      if (shows(poses_[at].agent)) return steps_to(at);
+      if (poses_.size() < kMostPoses && poses_[at].cost < kMostSteps) expand(at);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void add(Standing pose) {
+    if (!known_.emplace(key_of(pose.agent), poses_.size()).second) return;
+    open_.emplace(pose.cost, poses_.size());
+    poses_.push_back(std::move(pose));
+  }
+  void begin_with(const std::string& place, double cost) {
+    const Action action{ActionType::GoTo, {place}};
+    if (!episode_.said(action)) return;
+    if (auto agent = world_.led_to(world_.scene().agent, action)) add({std::move(*agent), cost, 0, action});
+  }
+  void expand(std::size_t at) {
+    for (const ActionType type : kMoves) {
+      const Action action{type, {}};
+      const Agent from = poses_[at].agent;
+      if (auto agent = world_.led_to(from, action)) add({std::move(*agent), poses_[at].cost + 1, at, action});
+    }
+  }
+  bool shows(const Agent& agent) const {
+    if (episode_.mode() == Mode::M2) {
+      const Vec3 eye(agent.position.x(), agent.position.y(), profile_.camera_height_m);
+      if ((target_.pose.position - eye).norm() > profile_.sight_m) return false;
+    }
+    const auto box = world_.pictured_from(agent, target_.id);
+    return box && shows_clearly(*box);
+  }
+  std::vector<Action> steps_to(std::size_t at) const {
+    std::vector<Action> steps;
+    for (; at != 0; at = poses_[at].from) steps.push_back(poses_[at].by);
+    std::reverse(steps.begin(), steps.end());
+    return steps;
+  }
+
+  const ModeEpisode& episode_;
+  const World& world_;
+  const Node& target_;
+  const Profile& profile_;
+  std::vector<Standing> poses_;
+  std::map<std::tuple<long, long, long, long>, std::size_t> known_;
+  using Open = std::pair<double, std::size_t>;  // cheapest first, of equals the one found first
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+};
+
+}  // namespace
+
+bool shows_clearly(const PixelBox& box) {
+  const int wide = box[2] - box[0] + 1, high = box[3] - box[1] + 1;
+  return wide >= kLeastSide && high >= kLeastSide && wide * high >= kLeastArea;
+}
+
+std::vector<std::string> lookouts_for(const Scene& scene, const std::string& id) {
+  const Node* target = find_node(scene, id);
+  if (target == nullptr) return {};
+  const Room* room = room_of(scene, id);
+  std::vector<std::string> carriers;
+  for (const Edge& edge : scene.edges) {
+    if ((edge.relation == Predicate::On || edge.relation == Predicate::Inside) && edge.from == id)
+      carriers.push_back(edge.to);
+  }
+  std::vector<std::tuple<bool, double, std::string>> found;
+  for (const Node& node : scene.nodes) {
+    if (node.movable || node.id == id) continue;
+    const bool carries = std::find(carriers.begin(), carriers.end(), node.id) != carriers.end();
+    const double away = (node.pose.position - target->pose.position).head<2>().norm();
+    if (!carries && (room == nullptr || !has_edge(scene, Predicate::InRoom, node.id, room->id))) continue;
+    found.emplace_back(!carries, away, node.id);
+  }
+  std::sort(found.begin(), found.end());
+  if (found.size() > kMostLookouts) found.resize(kMostLookouts);
+  std::vector<std::string> ids;
+  for (auto& [other, away, name] : found) ids.push_back(std::move(name));
+  return ids;
+}
+
+std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id) {
+  const Node* target = find_node(episode.world().scene(), id);
+  if (target == nullptr) return std::nullopt;
+  return Search(episode, *target, episode.world().profile()).run();
+}
+
+}  // namespace unietp

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "scene/pixel_box.h"
+#include "simulation/camera.h"
+#include "simulation/ray_entry.h"
+
+namespace unietp {
+
+/// A function a x + b y + c over the image, in pixels.
+struct OverImage {
+  double a = 0, b = 0, c = 0;
+  /// Its least and its greatest value over the middles of a box's pixels.
+  double least(const PixelBox& box) const { return a * middle(box, 0, a > 0) + b * middle(box, 1, b > 0) + c; }
+  double most(const PixelBox& box) const { return a * middle(box, 0, a <= 0) + b * middle(box, 1, b <= 0) + c; }
+
+ private:
+  static double middle(const PixelBox& box, std::size_t axis, bool low) { return box[axis + (low ? 0 : 2)] + 0.5; }
+};
+
+/// How a solid, or for a round one the box around it, lies in an image. A box is convex, so it shows exactly where none
+/// of its `sides` is negative, and there 1 / depth is the least of its `faces`.
+struct Outline {
+  Outline(const Solid& solid, const Camera& camera)
+      : target(solid), from(target.to_own * (camera.at - target.centre)), owner(solid.owner) {}
+
+  std::array<OverImage, 6> sides;
+  std::array<OverImage, 3> faces;
+  std::size_t side_count = 0, face_count = 0;
+  PixelBox cover{};                  // all pixels whose middles it may show in
+  std::array<Vec2, 4> extremes{};    // where its corners farthest left, up, right and down are seen
+  double nearest = 0, farthest = 0;  // depth, metres
+  bool round = false;
+  RayTarget target;
+  Vec3 from;  // the eye in the solid's frame
+  std::int32_t owner;
+
+  /// Depth at which the ray through a pixel's middle enters it, bit for bit as Rays finds it; kNever when it misses.
+  double depth_at(const Camera& camera, int x, int y) const;
+};
+
+/// nullopt for a solid that the image does not show, or from whose inside it is seen.
+std::optional<Outline> outline_of(const Solid& solid, const Camera& camera);
+
+}  // namespace unietp

@@ -1,0 +1,168 @@
+// The expert in M2 and M3: the goals of M1 under the rules of the other modes.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "expert/exploration.h"
+#include "expert/mode_expert.h"
+#include "expert/mode_run.h"
+#include "logic/evaluate.h"
+#include "simulation/mode_episode.h"
+#include "tests/expert/house.h"
+
+namespace unietp::testing {
+namespace {
+
+struct Case {
+  const char* name;
+  const char* goal;
+  void (*edit)(Scene&) = nullptr;  // of the house, before it comes to rest
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+void mug_in_fridge(Scene& s) {
+  Node& mug = *find_node(s, "mug_1");
+  mug.pose.position = Vec3(4.4, 3.55, 0.9 + mug.size.z() / 2);
+}
+void all_dirty(Scene& s) {
+  for (Node& node : s.nodes) {
+    if (node.states.has(Predicate::Clean)) node.states.set({Predicate::Dirty, ""});
+  }
+}
+
+const Case kCases[] = {
+    {"open", "(exists (?x - Fridge) (at-end (open ?x)))"},
+    {"pick_up", "(exists (?x - Mug) (at-end (held ?x)))"},
+    {"pick_up_from_a_closed_place",
+     "(exists (?x - (Mug :where (exists (?f - Fridge) (inside ?x ?f)))) (at-end (held ?x)))", mug_in_fridge},
+    {"place_on", "(exists (?x - Mug) (exists (?y - SideTable) (at-end (on ?x ?y))))"},
+    {"place_inside_a_drawer", "(exists (?x - Apple) (exists (?y - Dresser) (at-end (inside ?x ?y))))"},
+    {"heat_without_a_composite_action", "(exists (?x - Potato) (at-end (hot ?x)))"},
+    {"cool_and_place_elsewhere", "(exists (?x - Mug) (exists (?b - SideTable) (at-end (and (cool ?x) (on ?x ?b)))))"},
+    {"slice", "(exists (?s - Apple/slice) (exists (?b - SideTable) (at-end (on ?s ?b))))"},
+    {"two_kinds",
+     "(exists (?c - Fridge) (exists (?x - Mug) (exists (?y - Apple) (at-end (and (inside ?x ?c) (inside ?y ?c))))))"},
+    {"in_order",
+     "(exists (?c - Fridge) (exists (?x - Apple) (exists (?y - Mug) (and (before (inside ?x ?c) (inside ?y ?c)) "
+     "(at-end (and (inside ?x ?c) (inside ?y ?c)))))))"},
+    {"the_dirty_one", "(exists (?x - (Plate :where (dirty ?x))) (exists (?b - SideTable) (at-end (on ?x ?b))))",
+     all_dirty},
+};
+
+class InAnotherMode : public ::testing::TestWithParam<std::tuple<Mode, Case>> {
+ protected:
+  InAnotherMode() : mode_(std::get<0>(GetParam())), goal_(goal(std::get<1>(GetParam()).goal)) {
+    Scene scene = house();
+    if (std::get<1>(GetParam()).edit != nullptr) std::get<1>(GetParam()).edit(scene);
+    start_ = at_rest(std::move(scene));
+  }
+  /// Truth of the goal after the commands, done one after the other whatever comes of them.
+  bool holds_after(const std::vector<Action>& actions) const {
+    ModeEpisode episode(*World::create(start_, knowledge_, profile_), mode_);
+    std::vector<Delta> changes;
+    for (const Action& action : actions) {
+      const Scene before = episode.world().scene();
+      do_in(episode, action);
+      changes.push_back(difference(before, episode.world().scene()));
+    }
+    return holds(goal_, to_logic(start_, changes, reads_comparisons(goal_)));
+  }
+
+  Mode mode_;
+  Formula goal_;
+  Knowledge knowledge_ = house_knowledge();
+  Profile profile_ = house_profile();
+  Scene start_;
+};
+
+TEST_P(InAnotherMode, IsShownByStepsThatReplayUnderItsRulesAndCannotBeMissed) {
+  const auto first = demonstrate(goal_, start_, knowledge_, profile_, {});
+  ASSERT_TRUE(std::holds_alternative<Demonstration>(first)) << std::get<Rejection>(first).detail;
+  const auto shown = demonstrate_in(mode_, goal_, start_, knowledge_, profile_, std::get<Demonstration>(first));
+  ASSERT_TRUE(std::holds_alternative<Demonstration>(shown)) << std::get<Rejection>(shown).detail;
+  const auto& demonstration = std::get<Demonstration>(shown);
+  SCOPED_TRACE(plan_of(demonstration));
+  EXPECT_EQ(demonstration.mode, mode_);
+
+  // A fresh world, and nothing but what the agent said.
+  ModeEpisode episode(*World::create(start_, knowledge_, profile_), mode_);
+  std::vector<Delta> changes;
+  std::vector<Action> actions;
+  for (const DemonstrationStep& step : demonstration.steps) {
+    EXPECT_EQ(episode.visible(), step.visible);
+    const Scene before = episode.world().scene();
+    const Outcome outcome = episode.step(step.command);
+    EXPECT_TRUE(outcome.success) << to_text(step.command) << ": " << outcome.feedback;
+    changes.push_back(difference(before, episode.world().scene()));
+    EXPECT_EQ(changes.back(), step.changes);
+    actions.push_back(step.action);
+  }
+  EXPECT_TRUE(episode.world().stopped());
+  EXPECT_TRUE(holds(goal_, to_logic(start_, changes, reads_comparisons(goal_))));
+
+  for (std::size_t i = 0; i + 1 < actions.size(); ++i) {
+    auto without = actions;
+    without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_FALSE(holds_after(without)) << "without step " << i + 1 << " " << to_text(actions[i]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, InAnotherMode,
+                         ::testing::Combine(::testing::Values(Mode::M2, Mode::M3), ::testing::ValuesIn(kCases)),
+                         [](const auto& param) {
+                           return std::string(name_of(std::get<0>(param.param))) + "_" + std::get<1>(param.param).name;
+                         });
+
+TEST(ModeExpert, LooksInM2ForWhatItUsesAndNamesInM3NothingButRoomsById) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Scene start = at_rest(house());
+  const Formula placed = goal("(exists (?x - Mug) (exists (?y - SideTable) (at-end (on ?x ?y))))");
+  const auto first = std::get<Demonstration>(demonstrate(placed, start, knowledge, profile, {}));
+  const auto m2 = std::get<Demonstration>(demonstrate_in(Mode::M2, placed, start, knowledge, profile, first));
+  std::set<std::string> seen;
+  for (const DemonstrationStep& step : m2.steps) {
+    for (const VisibleObject& object : step.visible) seen.insert(object.id);
+    for (const std::string& id : step.action.args) {
+      const Node* node = find_node(start, id);
+      EXPECT_TRUE(node == nullptr || !node->movable || seen.contains(id)) << to_text(step.action);
+    }
+  }
+  const auto m3 = std::get<Demonstration>(demonstrate_in(Mode::M3, placed, start, knowledge, profile, first));
+  for (const DemonstrationStep& step : m3.steps) {
+    for (const Argument& argument : step.command.args)
+      EXPECT_TRUE(argument.box || find_room(start, argument.id)) << to_text(step.command);
+  }
+  EXPECT_GE(m3.steps.size(), m2.steps.size());
+}
+
+TEST(ModeExpert, SaysWhatStandsInTheWayWhenAModeHasNoDemonstration) {
+  const Knowledge knowledge = house_knowledge();
+  const Scene start = at_rest(house());
+  const Formula held = goal("(exists (?x - Mug) (at-end (held ?x)))");
+  const auto first = std::get<Demonstration>(demonstrate(held, start, knowledge, house_profile(), {}));
+  Profile blind = house_profile();
+  blind.image_width = blind.image_height = 1;
+  const auto shown = demonstrate_in(Mode::M3, held, start, knowledge, blind, first);
+  ASSERT_TRUE(std::holds_alternative<Rejection>(shown));
+  EXPECT_EQ(std::get<Rejection>(shown).stage, "expert");
+  EXPECT_EQ(std::get<Rejection>(shown).reason, "not-in-m3");
+  EXPECT_NE(std::get<Rejection>(shown).detail.find("cannot be found"), std::string::npos)
+      << std::get<Rejection>(shown).detail;
+}
+
+TEST(Exploration, LooksFirstFromWhatCarriesTheObject) {
+  const Scene start = at_rest(house());
+  const Node* carrier = nullptr;
+  for (const Edge& edge : start.edges) {
+    if (edge.relation == Predicate::On && edge.from == "mug_1") carrier = find_node(start, edge.to);
+  }
+  ASSERT_NE(carrier, nullptr);
+  const auto lookouts = lookouts_for(start, "mug_1");
+  ASSERT_FALSE(lookouts.empty());
+  EXPECT_EQ(lookouts.front(), carrier->id);
+  EXPECT_TRUE(lookouts_for(start, "nothing_1").empty());
+}
+
+}  // namespace
+}  // namespace unietp::testing
