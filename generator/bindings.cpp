@@ -20,9 +20,12 @@ class BindingSearch {
   void restrict_to(const std::vector<std::string>& offered) {
     offered_ = offered;
     std::sort(offered_.begin(), offered_.end());
-    for (const auto& type : room_types(knowledge_)) {
-      offers_rooms_ = offers_rooms_ || std::binary_search(offered_.begin(), offered_.end(), type);
-    }
+    const auto& categories = knowledge_.categories();
+    offers_rooms_ = std::any_of(categories.begin(), categories.end(), [&](const Category& category) {
+      return std::any_of(category.rooms.begin(), category.rooms.end(), [&](const std::string& type) {
+        return std::binary_search(offered_.begin(), offered_.end(), type);
+      });
+    });
   }
 
   void enumerate(std::size_t limit, std::vector<Binding>& found) { extend(limit, nullptr, found); }

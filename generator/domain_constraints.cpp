@@ -169,8 +169,10 @@ std::vector<std::string> room_types(const Knowledge& knowledge) {
 
 bool affords(const Parameter& parameter, const std::string& category, const Knowledge& knowledge) {
   if (parameter.affordances == std::vector<std::string>{"room"}) {
-    const auto types = room_types(knowledge);
-    return std::binary_search(types.begin(), types.end(), category);
+    const auto& all = knowledge.categories();
+    return std::any_of(all.begin(), all.end(), [&](const Category& one) {
+      return std::find(one.rooms.begin(), one.rooms.end(), category) != one.rooms.end();
+    });
   }
   if (is_value(parameter)) {
     const auto words = words_for(parameter, knowledge);

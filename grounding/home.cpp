@@ -39,7 +39,7 @@ std::optional<Bounds> sweep_of(const Node& node) {
 Home prepare_home(Scene scene, const Profile& profile) {
   Home home;
   home.physics = physics_of(scene);
-  scene.edges = read_relations(scene, PhysicsWorld(home.physics));
+  scene.edges = read_relations(scene, home.physics);
   PlacementChecker solids;
   set_walls(solids, scene);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -114,9 +114,7 @@ std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const 
 }
 
 Trace state_of(const Home& home, const Scene& scene, bool with_comparisons) {
-  const bool same =
-      scene.nodes == home.scene.nodes && scene.edges == home.scene.edges && scene.agent == home.scene.agent;
-  return same ? home.now : to_logic(scene, {}, with_comparisons);
+  return difference(home.scene, scene).empty() ? home.now : to_logic(scene, {}, with_comparisons);
 }
 
 }  // namespace unietp

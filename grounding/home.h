@@ -18,8 +18,8 @@ namespace unietp {
 /// A scene with all that grounding asks of it again and again, worked out once, so that a candidate costs what it
 /// changes and not what the home holds. Never changes; threads may share it.
 struct Home {
-  Scene scene;           // its edges as physics shows them
-  PhysicsWorld physics;  // of the scene; to be copied, since asking builds what threads cannot share
+  Scene scene;                                     // its edges as physics shows them
+  PhysicsWorld physics;                            // of the scene; to be copied, since what it is asked it remembers
   std::shared_ptr<const PlacementChecker> solids;  // of the scene
   std::vector<Bounds> bounds;                      // of each node where it stands
   std::vector<std::optional<Bounds>> sweeps;       // space that doors and drawers of furniture pass through, by node
@@ -48,7 +48,7 @@ std::vector<Edge> relations_of(const Home& home, const Scene& scene, const Physi
 /// The home's own while nothing that a body bumps into has changed and the agent stands where it stood.
 std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const Profile& profile);
 
-/// Such a scene, its edges read, in the logic.
+/// Such a scene, its edges read, in the logic. Without comparisons those that it has are the home's.
 Trace state_of(const Home& home, const Scene& scene, bool with_comparisons);
 
 }  // namespace unietp

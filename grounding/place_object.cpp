@@ -85,6 +85,30 @@ bool blocks_a_door(const Workspace& workspace, const Bounds& bounds, std::size_t
   return false;
 }
 
+/// Whether a thing that stands with its whole footprint on a surface is in equilibrium there: flat below, its weight
+/// over its base, on the floor or on something level that never moves. Letting it down in physics would show nothing.
+bool stands_firmly(const Workspace& workspace, const StandIn& trial, std::optional<std::size_t> receptacle) {
+  const auto& nodes = workspace.scene().nodes;
+  const Node& node = nodes[trial.body()];
+  const auto& parts = trial.shape().parts;
+  if (node.opening > 0 || !node.boards.empty()) return false;
+  if (std::any_of(parts.begin(), parts.end(), [](const Part& part) { return part.kind == Part::Kind::Sphere; }))
+    return false;
+  if (!receptacle) return true;
+  const Node& host = nodes[*receptacle];
+  return !host.movable && host.opening == 0 && (host.pose.rotation * Vec3::UnitZ()).z() > 1 - 1e-9;
+}
+
+/// Where the thing of the trial comes to rest when it is let go at a pose; nullopt when that is elsewhere.
+std::optional<Pose> let_go(const Workspace& workspace, const StandIn& trial, const Pose& pose) {
+  const std::array<BodyId, 1> self{trial.body()};
+  const Settled settled = workspace.physics().settle(self);
+  const Pose rest = settled.bodies.front().pose;
+  const bool stays =
+      settled.calm && (rest.position - pose.position).norm() < kMostSlide_m && tilt_between(rest, pose) < kMostTilt_rad;
+  return stays ? std::optional(rest) : std::nullopt;
+}
+
 /// Tests one candidate pose; the pose at rest, or nullopt with the obstacle named.
 std::optional<Pose> try_pose(Workspace& workspace, double opening, StandIn& trial, const Pose& pose,
                              std::optional<Predicate> wanted, std::optional<std::size_t> receptacle,
@@ -104,16 +128,17 @@ std::optional<Pose> try_pose(Workspace& workspace, double opening, StandIn& tria
     obstacle = "stands in the way of a door";
     return std::nullopt;
   }
-  if (!options.settle) return Pose{pose.position - Vec3(0, 0, kDropHeight_m - kUnsettledGap_m), pose.rotation};
-  trial.move(pose);
-  const Settled settled = workspace.physics().settle(self);
-  const Pose rest = settled.bodies.front().pose;
-  if (!settled.calm || (rest.position - pose.position).norm() > kMostSlide_m ||
-      tilt_between(rest, pose) > kMostTilt_rad) {
+  // From a hair's breadth: what falls two millimetres takes a fifth longer to come to rest.
+  const Pose let_down{pose.position - Vec3(0, 0, kDropHeight_m - kUnsettledGap_m), pose.rotation};
+  if (!options.settle) return let_down;
+  trial.move(let_down);
+  const auto rest =
+      stands_firmly(workspace, trial, receptacle) ? std::optional(let_down) : let_go(workspace, trial, let_down);
+  if (!rest) {
     obstacle = "does not stay where it is put";
     return std::nullopt;
   }
-  trial.move(rest);
+  trial.move(*rest);
   obstacle = misplaced(workspace, trial.body(), wanted, receptacle ? workspace.scene().nodes[*receptacle].id : "");
   if (!obstacle.empty()) return std::nullopt;
   return rest;

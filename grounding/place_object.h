@@ -24,7 +24,8 @@ struct FoundPlace {
 };
 
 /// A pose at rest for `node` on or inside a receptacle of the workspace: drawn on one of its surfaces, free by FCL with
-/// a gap, let down in physics until it rests, and kept only if it moved little, stands in the relation asked and in no
+/// a gap, let down in physics until it rests (what stands flat on something level that never moves is at rest where it
+/// is put, and is not), and kept only if it moved little, stands in the relation asked and in no
 /// `on` or `inside` that the knowledge lacks; without settling, drawn and free only. `index` is the node's own when it
 /// is in the workspace already, else one past the last. The workspace is unchanged afterwards. Deterministic in rng.
 FoundPlace find_place(Workspace& workspace, const Node& node, std::size_t index, Predicate relation,

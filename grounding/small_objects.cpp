@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <unordered_map>
+#include <utility>
 
 #include "grounding/make_node.h"
 #include "grounding/place_object.h"
@@ -173,18 +175,28 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
   const Category* category = knowledge.find(object.category);
   std::vector<Host> hosts;
   if (category == nullptr) return hosts;
-  std::map<std::string_view, int> instances;
-  for (const Node& node : workspace.scene().nodes) ++instances[node.category];
-  for (std::size_t i = 0; i < workspace.scene().nodes.size(); ++i) {
-    const Node& host = workspace.scene().nodes[i];
-    if (host.id == object.id) continue;
-    for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
-      const Placement* placement =
-          knowledge.placement(object.category, relation == Predicate::On ? "on" : "inside", host.category);
-      if (placement == nullptr || placement->likelihood <= 0) continue;
-      double weight = placement->likelihood / instances[host.category];
-      if (in_usual_room(workspace, *category, host)) weight *= kUsualRoomFactor;
-      hosts.push_back({i, relation, weight});
+  struct Receptacle {
+    double on = 0, inside = 0;  // how likely
+    int nodes = 0;
+  };
+  std::unordered_map<std::string_view, Receptacle> receptacles;  // never iterated
+  for (const Placement* placement : knowledge.placements_of(object.category, "on"))
+    receptacles[placement->receptacle].on = placement->likelihood;
+  for (const Placement* placement : knowledge.placements_of(object.category, "inside"))
+    receptacles[placement->receptacle].inside = placement->likelihood;
+  const auto& nodes = workspace.scene().nodes;
+  std::vector<std::pair<std::size_t, const Receptacle*>> usable;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto found = receptacles.find(nodes[i].category);
+    if (found == receptacles.end() || nodes[i].id == object.id) continue;
+    ++found->second.nodes;
+    usable.emplace_back(i, &found->second);
+  }
+  for (const auto& [node, receptacle] : usable) {
+    const double usual = in_usual_room(workspace, *category, nodes[node]) ? kUsualRoomFactor : 1;
+    for (const auto& [relation, likelihood] :
+         {std::pair(Predicate::On, receptacle->on), std::pair(Predicate::Inside, receptacle->inside)}) {
+      if (likelihood > 0) hosts.push_back({node, relation, likelihood / receptacle->nodes * usual});
     }
   }
   return hosts;

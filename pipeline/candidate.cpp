@@ -6,6 +6,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "pipeline/formula_json.h"
+#include "scene/json_text.h"
 #include "scene/scene_json.h"
 
 namespace unietp {
@@ -55,23 +56,53 @@ std::string task_line(const Task& task) {
   return line_of(json);
 }
 
-std::string demonstration_line(const Task& task, const Demonstration& demonstration) {
-  Json steps = Json::array();
-  for (const auto& step : demonstration.steps) {
-    Json visible = Json::array();
-    for (const auto& object : step.visible) visible.push_back({{"id", object.id}, {"box", object.box}});
-    Json json = command_to_json(step.command);
-    json["success"] = step.outcome.success;
-    json["failure"] = name_of(step.outcome.failure);
-    json["feedback"] = step.outcome.feedback;
-    json["visible"] = std::move(visible);
-    json["changes"] = delta_to_json(step.changes);
-    steps.push_back(std::move(json));
+void write(JsonText& json, const DemonstrationStep& step) {
+  json.open_object();
+  const Json command = command_to_json(step.command);
+  for (const auto& [name, value] : command.items()) {
+    json.key(name);
+    json.raw(line_of(value));
   }
-  return line_of({{"format", "unietp-demonstration/1"},
-                  {"task", task.id},
-                  {"mode", name_of(demonstration.mode)},
-                  {"steps", std::move(steps)}});
+  json.key("success");
+  json.value(step.outcome.success);
+  json.key("failure");
+  json.value(name_of(step.outcome.failure));
+  json.key("feedback");
+  json.value(step.outcome.feedback);
+  json.key("visible");
+  json.open_list();
+  for (const auto& object : step.visible) {
+    json.open_object();
+    json.key("id");
+    json.value(object.id);
+    json.key("box");
+    json.open_list();
+    for (const int edge : object.box) json.value(edge);
+    json.close_list();
+    json.close_object();
+  }
+  json.close_list();
+  json.key("changes");
+  json.raw(delta_to_json(step.changes));
+  json.close_object();
+}
+
+std::string demonstration_line(const Task& task, const Demonstration& demonstration) {
+  std::string line;
+  JsonText json(line);
+  json.open_object();
+  json.key("format");
+  json.value("unietp-demonstration/1");
+  json.key("task");
+  json.value(task.id);
+  json.key("mode");
+  json.value(name_of(demonstration.mode));
+  json.key("steps");
+  json.open_list();
+  for (const auto& step : demonstration.steps) write(json, step);
+  json.close_list();
+  json.close_object();
+  return line;
 }
 
 std::string demonstration_lines(const Task& task) {

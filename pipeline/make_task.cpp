@@ -1,7 +1,5 @@
 #include "pipeline/make_task.h"
 
-#include <chrono>
-
 #include "core/text.h"
 #include "expert/mode_expert.h"
 #include "generator/weighted_binding.h"
@@ -10,32 +8,6 @@
 
 namespace unietp {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Adds the time since it was made, or since the last `enter`, to a stage's cost.
-class StageTimer {
- public:
-  StageTimer(StageCosts* costs, Stage stage) : costs_(costs), stage_(stage), start_(Clock::now()) {}
-  ~StageTimer() { book(); }
-  StageTimer(const StageTimer&) = delete;
-  StageTimer& operator=(const StageTimer&) = delete;
-  void enter(Stage stage) {
-    book();
-    stage_ = stage;
-  }
-
- private:
-  void book() {
-    const auto now = Clock::now();
-    if (costs_ != nullptr)
-      costs_->seconds[static_cast<std::size_t>(stage_)] += std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-  }
-  StageCosts* costs_;
-  Stage stage_;
-  Clock::time_point start_;
-};
 
 std::string task_id(const TaskSlot& slot) {
   auto digits = std::to_string(slot.index + 1);
@@ -105,12 +77,6 @@ std::variant<Instruction, Rejection> instruct(const Specification& specification
 
 }  // namespace
 
-std::string_view name_of(Stage stage) {
-  static constexpr std::array<std::string_view, kStageCount> kNames{"layout",    "generator", "grounding", "expert",
-                                                                    "mutations", "annotator", "writer"};
-  return kNames[static_cast<std::size_t>(stage)];
-}
-
 std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configuration, const Resources& resources,
                                                 LayoutPool& layouts, const TaskSlot& slot, const CandidatePlan& plan,
                                                 const Frequencies& counts, StageCosts* costs) {
@@ -123,7 +89,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   const auto item = static_cast<std::uint64_t>(slot.index) * 1024 + static_cast<std::uint64_t>(plan.attempt);
   const Rng root(configuration.seed);
 
-  StageTimer timer(costs, Stage::Layout);
+  StageTimer timer(costs, Stage::Homes);
   const auto& layout = layouts.layout(slot.simulator, plan.home);
   if (!layout) return rejected({"grounding", "no-layout", layout.error().message});
 
@@ -162,7 +128,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   if (auto* why = std::get_if<Rejection>(&instruction)) return rejected(std::move(*why));
   task.instruction = std::move(std::get<Instruction>(instruction));
 
-  timer.enter(Stage::Expert);
+  timer.enter(Stage::OtherModes);
   for (const Mode mode : configuration.modes) {
     if (mode == Mode::M1) continue;
     auto other =

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <string>
-#include <string_view>
 #include <variant>
 
 #include "annotator/instruction.h"
@@ -11,6 +9,7 @@
 #include "pipeline/candidate_planner.h"
 #include "pipeline/resources.h"
 #include "pipeline/slots.h"
+#include "pipeline/stage_costs.h"
 
 namespace unietp {
 
@@ -33,16 +32,6 @@ struct RejectedCandidate {
   Simulator simulator = Simulator::Ai2thor;
   Split split = Split::Atomic;
   int slot = 0, attempt = 0;
-};
-
-/// The stages that a candidate goes through, in order.
-enum class Stage { Layout, Generator, Grounding, Expert, Mutations, Annotator, Writer };
-inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::Writer) + 1;
-std::string_view name_of(Stage stage);
-
-/// Wall-clock seconds spent by stage. For benchmarks and progress only; never reaches an output.
-struct StageCosts {
-  std::array<double, kStageCount> seconds{};
 };
 
 /// The whole path of one candidate: template and binding → specification → refinement → episode → demonstration →

@@ -50,6 +50,7 @@ class Run {
   /// Makes the planned candidates, several at a time, and adds what comes of it to `found`.
   Result<Done> try_plans(const std::vector<CandidatePlan>& plans, std::vector<CandidateRecord>& found);
   void keep(CandidateRecord record, std::vector<CandidateRecord>& found);
+  void book(const StageCosts& costs);
   std::string duplicate_line(const CandidateRecord& record, Selection::Verdict verdict) const;
   void tell();
 
@@ -92,6 +93,11 @@ void Run::keep(CandidateRecord record, std::vector<CandidateRecord>& found) {
   tell();
 }
 
+void Run::book(const StageCosts& costs) {
+  const std::scoped_lock lock(mutex_);
+  if (options_.costs != nullptr) options_.costs->add(costs);
+}
+
 void Run::in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
   const auto take = [&] {
@@ -117,13 +123,27 @@ void Run::draw_homes() {
   for (const auto simulator : configuration_.simulators) {
     for (int home = 0; home < layouts_.size(simulator); ++home) homes.emplace_back(simulator, home);
   }
-  in_parallel(homes.size(), [&](std::size_t i) { (void)layouts_.layout(homes[i].first, homes[i].second); });
+  in_parallel(homes.size(), [&](std::size_t i) {
+    StageCosts costs;
+    {
+      const StageTimer timer(&costs, Stage::Homes);
+      (void)layouts_.layout(homes[i].first, homes[i].second);
+    }
+    book(costs);
+  });
 }
 
 Result<Done> Run::try_plans(const std::vector<CandidatePlan>& plans, std::vector<CandidateRecord>& found) {
   in_parallel(plans.size(), [&](std::size_t i) {
     const auto& slot = slots_[static_cast<std::size_t>(plans[i].slot)];
-    keep(record_of(make_task(configuration_, resources_, layouts_, slot, plans[i], planner_.counts(), nullptr)), found);
+    StageCosts costs;
+    const auto made = make_task(configuration_, resources_, layouts_, slot, plans[i], planner_.counts(), &costs);
+    StageTimer timer(&costs, Stage::Writing);
+    auto record = record_of(made);
+    timer.enter(Stage::Ledger);
+    keep(std::move(record), found);
+    timer.stop();
+    book(costs);
   });
   if (failure_) return *failure_;
   return Done{};
@@ -143,7 +163,9 @@ Result<bool> Run::fill_slots() {
     if (open.empty() || stopped()) break;
     auto& found = by_attempt[static_cast<std::size_t>(attempt)];
     // Plans are made for all open slots, also those whose candidate an earlier process made: they count for the others.
+    StageTimer timer(options_.costs, Stage::Planning);
     auto plans = planner_.round(open, attempt, taken_);
+    timer.stop();
     std::erase_if(plans, [&](const CandidatePlan& plan) {
       return std::any_of(found.begin(), found.end(), [&](const auto& one) { return one.slot == plan.slot; });
     });
@@ -180,6 +202,7 @@ std::string Run::duplicate_line(const CandidateRecord& record, Selection::Verdic
 }
 
 Result<Done> Run::write(const std::filesystem::path& folder) {
+  const StageTimer timer(options_.costs, Stage::Dataset);
   auto writer = DatasetWriter::begin(folder);
   if (!writer) return writer.error();
   for (const auto& slot : slots_) {

@@ -11,6 +11,7 @@
 #include "pipeline/balance.h"
 #include "pipeline/configuration.h"
 #include "pipeline/resources.h"
+#include "pipeline/stage_costs.h"
 
 namespace unietp {
 
@@ -29,6 +30,7 @@ struct RunOptions {
   bool resume = false;
   const std::atomic<bool>* stop = nullptr;           // set from outside: finish the candidates under way, then return
   std::function<void(const RunProgress&)> progress;  // called with a lock held; may be empty
+  StageCosts* costs = nullptr;                       // what the run spends is added to it
 };
 
 struct UnfilledSlot {

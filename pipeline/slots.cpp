@@ -61,9 +61,15 @@ Result<std::vector<Group>> groups_of(const RunConfiguration& configuration, cons
 }  // namespace
 
 int layouts_per_simulator(const RunConfiguration& configuration) {
+  constexpr int kTasksPerLayout = 5, kFirst = 50;  // of the first tasks of a simulator
+  constexpr int kTasksPerLayoutThen = 25;
+  constexpr int kMostObjects = 90'000;  // in all homes of a run, which then take some 600 MB
+  constexpr int kFurniture = 100;       // about as many pieces stand in a home
   const int simulators = std::max<int>(1, static_cast<int>(configuration.simulators.size()));
-  constexpr int kTasksPerLayout = 5;
-  return std::max(1, (configuration.count + simulators * kTasksPerLayout - 1) / (simulators * kTasksPerLayout));
+  const int tasks = (configuration.count + simulators - 1) / simulators;
+  const int first = std::min(tasks, kFirst), then = tasks - first;
+  const int wanted = (first + kTasksPerLayout - 1) / kTasksPerLayout + then / kTasksPerLayoutThen;
+  return std::clamp(wanted, 1, std::max(1, kMostObjects / (configuration.objects + kFurniture) / simulators));
 }
 
 Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources) {

@@ -1,8 +1,7 @@
 #include "scene/node_json.h"
 
+#include <initializer_list>
 #include <utility>
-
-#include <nlohmann/json.hpp>
 
 #include "core/text.h"
 #include "scene/json_parse.h"
@@ -10,11 +9,24 @@
 namespace unietp {
 namespace {
 
-using Json = nlohmann::ordered_json;
+void write(JsonText& json, std::initializer_list<double> numbers) {
+  json.open_list();
+  for (const double number : numbers) json.value(number);
+  json.close_list();
+}
+void write(JsonText& json, const Vec2& v) { write(json, {v.x(), v.y()}); }
+void write(JsonText& json, const Vec3& v) { write(json, {v.x(), v.y(), v.z()}); }
+void write(JsonText& json, const Quat& q) { write(json, {q.w(), q.x(), q.y(), q.z()}); }
 
-Json json_of(const Vec2& v) { return Json::array({v.x(), v.y()}); }
-Json json_of(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
-Json json_of(const Quat& q) { return Json::array({q.w(), q.x(), q.y(), q.z()}); }
+template <class Value>
+void field(JsonText& json, std::string_view name, const Value& value) {
+  json.key(name);
+  if constexpr (requires { json.value(value); }) {
+    json.value(value);
+  } else {
+    write(json, value);
+  }
+}
 
 std::vector<std::string> names_where(bool (*accepts)(Predicate)) {
   std::vector<std::string> names;
@@ -63,10 +75,12 @@ StateSet states_from_json(JsonReader& reader, const JsonAt& at) {
   return states;
 }
 
-Json board_to_json(const Board& board) {
-  Json json = {{"centre", json_of(board.centre)}, {"size", json_of(board.size)}};
-  if (board.joint >= 0) json["joint"] = board.joint;
-  return json;
+void write(JsonText& json, const Board& board) {
+  json.open_object();
+  field(json, "centre", board.centre);
+  field(json, "size", board.size);
+  if (board.joint >= 0) field(json, "joint", board.joint);
+  json.close_object();
 }
 
 Vec3 extents_from_json(JsonReader& reader, const JsonAt& at) {
@@ -118,34 +132,34 @@ bool is_node_state(Predicate predicate) {
   return info(predicate).arguments.size() == 1 && predicate != Predicate::Held;
 }
 
-Json node_to_json(const Node& node) {
-  Json states = Json::array();
-  for (const State& state : node.states.all()) states.push_back(state_text(state));
-  Json json = Json::object();
-  auto& fields = *json.get_ptr<Json::object_t*>();
-  fields.reserve(17);
-  fields.emplace_back("id", node.id);
-  fields.emplace_back("category", node.category);
-  fields.emplace_back("movable", node.movable);
-  fields.emplace_back("archetype", std::string(name_of(node.archetype)));
-  fields.emplace_back("openable", node.openable);
-  fields.emplace_back("size", json_of(node.size));
-  fields.emplace_back("mass", node.mass);
-  fields.emplace_back("position", json_of(node.pose.position));
-  fields.emplace_back("rotation", json_of(node.pose.rotation));
-  fields.emplace_back("opening", node.opening);
+void write(JsonText& json, const Node& node) {
+  json.open_object();
+  field(json, "id", node.id);
+  field(json, "category", node.category);
+  field(json, "movable", node.movable);
+  field(json, "archetype", name_of(node.archetype));
+  field(json, "openable", node.openable);
+  field(json, "size", node.size);
+  field(json, "mass", node.mass);
+  field(json, "position", node.pose.position);
+  field(json, "rotation", node.pose.rotation);
+  field(json, "opening", node.opening);
   if (!node.boards.empty()) {
-    Json boards = Json::array();
-    for (const Board& board : node.boards) boards.push_back(board_to_json(board));
-    fields.emplace_back("boards", std::move(boards));
+    json.key("boards");
+    json.open_list();
+    for (const Board& board : node.boards) write(json, board);
+    json.close_list();
   }
-  fields.emplace_back("states", std::move(states));
-  if (!node.colour.empty()) fields.emplace_back("colour", node.colour);
-  if (!node.material.empty()) fields.emplace_back("material", node.material);
-  if (!node.asset.empty()) fields.emplace_back("asset", node.asset);
-  if (!node.slice_of.empty()) fields.emplace_back("slice_of", node.slice_of);
-  if (!node.whole_category.empty()) fields.emplace_back("whole_category", node.whole_category);
-  return json;
+  json.key("states");
+  json.open_list();
+  for (const State& state : node.states.all()) json.value(state_text(state));
+  json.close_list();
+  if (!node.colour.empty()) field(json, "colour", node.colour);
+  if (!node.material.empty()) field(json, "material", node.material);
+  if (!node.asset.empty()) field(json, "asset", node.asset);
+  if (!node.slice_of.empty()) field(json, "slice_of", node.slice_of);
+  if (!node.whole_category.empty()) field(json, "whole_category", node.whole_category);
+  json.close_object();
 }
 
 Node node_from_json(JsonReader& reader, const JsonAt& at) {
@@ -187,14 +201,12 @@ Node node_from_json(JsonReader& reader, const JsonAt& at) {
   return node;
 }
 
-Json edge_to_json(const Edge& edge) {
-  Json json = Json::object();
-  auto& fields = *json.get_ptr<Json::object_t*>();
-  fields.reserve(3);
-  fields.emplace_back("relation", std::string(info(edge.relation).name));
-  fields.emplace_back("from", edge.from);
-  fields.emplace_back("to", edge.to);
-  return json;
+void write(JsonText& json, const Edge& edge) {
+  json.open_object();
+  field(json, "relation", info(edge.relation).name);
+  field(json, "from", edge.from);
+  field(json, "to", edge.to);
+  json.close_object();
 }
 
 Edge edge_from_json(JsonReader& reader, const JsonAt& at) {
@@ -215,15 +227,16 @@ Edge edge_from_json(JsonReader& reader, const JsonAt& at) {
   return edge;
 }
 
-Json agent_to_json(const Agent& agent) {
-  Json json = Json::object();
-  auto& fields = *json.get_ptr<Json::object_t*>();
-  fields.reserve(4);
-  fields.emplace_back("position", json_of(agent.position));
-  fields.emplace_back("yaw_rad", agent.yaw);
-  fields.emplace_back("pitch_rad", agent.pitch);
-  fields.emplace_back("held", agent.held);
-  return json;
+void write(JsonText& json, const Agent& agent) {
+  json.open_object();
+  field(json, "position", agent.position);
+  field(json, "yaw_rad", agent.yaw);
+  field(json, "pitch_rad", agent.pitch);
+  json.key("held");
+  json.open_list();
+  for (const std::string& id : agent.held) json.value(id);
+  json.close_list();
+  json.close_object();
 }
 
 Agent agent_from_json(JsonReader& reader, const JsonAt& at) {

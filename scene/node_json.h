@@ -1,17 +1,16 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "scene/json_reader.h"
+#include "scene/json_text.h"
 #include "scene/scene.h"
 
 namespace unietp {
 
 /// The parts that a scene and a delta share. Numbers must be finite. Readers report through `reader` and then return
 /// a value of no use.
-nlohmann::ordered_json node_to_json(const Node& node);
-nlohmann::ordered_json edge_to_json(const Edge& edge);
-nlohmann::ordered_json agent_to_json(const Agent& agent);
+void write(JsonText& json, const Node& node);
+void write(JsonText& json, const Edge& edge);
+void write(JsonText& json, const Agent& agent);
 Node node_from_json(JsonReader& reader, const JsonAt& at);
 Edge edge_from_json(JsonReader& reader, const JsonAt& at);
 Agent agent_from_json(JsonReader& reader, const JsonAt& at);

@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "scene/json_parse.h"
 #include "scene/json_reader.h"
+#include "scene/json_text.h"
 #include "scene/node_json.h"
 
 namespace unietp {
@@ -19,33 +20,87 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "unietp-scene/1";
 
-Json json_of(const Vec2& v) { return Json::array({v.x(), v.y()}); }
-
-Json room_to_json(const Room& room) {
-  Json polygon = Json::array();
-  for (const Vec2& corner : room.polygon) polygon.push_back(json_of(corner));
-  return {{"id", room.id}, {"type", room.type}, {"polygon", std::move(polygon)}};
+void write(JsonText& json, const Vec2& v) {
+  json.open_list();
+  json.value(v.x());
+  json.value(v.y());
+  json.close_list();
 }
 
-Json opening_to_json(const Opening& opening) {
-  return {{"id", opening.id},          {"room_a", opening.room_a},
-          {"room_b", opening.room_b},  {"from", json_of(opening.from)},
-          {"to", json_of(opening.to)}, {"height", opening.height}};
+void write(JsonText& json, const Room& room) {
+  json.open_object();
+  json.key("id");
+  json.value(room.id);
+  json.key("type");
+  json.value(room.type);
+  json.key("polygon");
+  json.open_list();
+  for (const Vec2& corner : room.polygon) write(json, corner);
+  json.close_list();
+  json.close_object();
 }
 
-// Broken UTF-8 in a name becomes U+FFFD: a writer has no way to refuse.
-std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+void write(JsonText& json, const Opening& opening) {
+  json.open_object();
+  json.key("id");
+  json.value(opening.id);
+  json.key("room_a");
+  json.value(opening.room_a);
+  json.key("room_b");
+  json.value(opening.room_b);
+  json.key("from");
+  write(json, opening.from);
+  json.key("to");
+  write(json, opening.to);
+  json.key("height");
+  json.value(opening.height);
+  json.close_object();
+}
+
+/// A field of the scene on a line of its own.
+template <class Value>
+void add_field(std::string& text, std::string_view name, const Value& value) {
+  text += text.size() == 1 ? "\n\"" : ",\n\"";
+  text += name;
+  text += "\": ";
+  JsonText json(text);
+  if constexpr (requires { json.value(value); }) {
+    json.value(value);
+  } else {
+    write(json, value);
+  }
+}
 
 /// `"name": [`, one item a line, `]`: a change of one object is a change of one line.
-template <class Items, class ToJson>
-void add_list(std::string& text, std::string_view name, const Items& items, ToJson to_json) {
-  text += ",\n\"" + std::string(name) + "\": [";
+template <class Items>
+void add_list(std::string& text, std::string_view name, const Items& items) {
+  text += ",\n\"";
+  text += name;
+  text += "\": [";
   const char* separator = "\n";
   for (const auto& item : items) {
-    text += separator + text_of(to_json(item));
+    text += separator;
+    JsonText json(text);
+    write(json, item);
     separator = ",\n";
   }
   text += items.empty() ? "]" : "\n]";
+}
+
+/// A part of a delta, which is left out when it is empty.
+template <class Items>
+void add_part(JsonText& json, std::string_view name, const Items& items) {
+  if (items.empty()) return;
+  json.key(name);
+  json.open_list();
+  for (const auto& item : items) {
+    if constexpr (requires { json.value(item); }) {
+      json.value(item);
+    } else {
+      write(json, item);
+    }
+  }
+  json.close_list();
 }
 
 Simulator simulator_from_json(JsonReader& reader, const JsonAt& at) {
@@ -170,19 +225,18 @@ void sort_edges(JsonReader& reader, std::vector<Edge>& edges, const std::string&
 std::string scene_to_json(const Scene& scene) {
   std::string text;
   text.reserve(1024 + 420 * scene.nodes.size() + 80 * scene.edges.size());
-  text += "{\n\"format\": " + text_of(Json(std::string(kFormat)));
-  text += ",\n\"id\": " + text_of(Json(scene.id));
-  text += ",\n\"simulator\": " + text_of(Json(std::string(name_of(scene.simulator))));
-  text += ",\n\"wall_height\": " + text_of(Json(scene.wall_height));
-  if (scene.wall_thickness != Scene().wall_thickness) {
-    text += ",\n\"wall_thickness\": " + text_of(Json(scene.wall_thickness));
-  }
-  add_list(text, "rooms", scene.rooms, room_to_json);
-  add_list(text, "openings", scene.openings, opening_to_json);
-  text += ",\n\"agent\": " + text_of(agent_to_json(scene.agent));
-  add_list(text, "nodes", scene.nodes, node_to_json);
-  add_list(text, "edges", scene.edges, edge_to_json);
-  return text + "\n}\n";
+  text += '{';
+  add_field(text, "format", kFormat);
+  add_field(text, "id", scene.id);
+  add_field(text, "simulator", name_of(scene.simulator));
+  add_field(text, "wall_height", scene.wall_height);
+  if (scene.wall_thickness != Scene().wall_thickness) add_field(text, "wall_thickness", scene.wall_thickness);
+  add_list(text, "rooms", scene.rooms);
+  add_list(text, "openings", scene.openings);
+  add_field(text, "agent", scene.agent);
+  add_list(text, "nodes", scene.nodes);
+  add_list(text, "edges", scene.edges);
+  return text += "\n}\n";
 }
 
 Result<Scene> scene_from_json(std::string_view where, std::string_view text) {
@@ -209,20 +263,20 @@ Result<Scene> scene_from_json(std::string_view where, std::string_view text) {
   return scene;
 }
 
-Json delta_to_json(const Delta& delta) {
-  Json json = Json::object();
-  const auto add = [&](const char* name, const auto& items, auto to_json) {
-    if (items.empty()) return;
-    Json list = Json::array();
-    for (const auto& item : items) list.push_back(to_json(item));
-    json[name] = std::move(list);
-  };
-  add("nodes", delta.nodes, node_to_json);
-  add("removed", delta.removed, [](const std::string& id) { return Json(id); });
-  add("edges_added", delta.edges_added, edge_to_json);
-  add("edges_removed", delta.edges_removed, edge_to_json);
-  if (delta.agent) json["agent"] = agent_to_json(*delta.agent);
-  return json;
+std::string delta_to_json(const Delta& delta) {
+  std::string text;
+  JsonText json(text);
+  json.open_object();
+  add_part(json, "nodes", delta.nodes);
+  add_part(json, "removed", delta.removed);
+  add_part(json, "edges_added", delta.edges_added);
+  add_part(json, "edges_removed", delta.edges_removed);
+  if (delta.agent) {
+    json.key("agent");
+    write(json, *delta.agent);
+  }
+  json.close_object();
+  return text;
 }
 
 Result<Delta> delta_from_json(std::string_view where, const Json& json) {

@@ -23,7 +23,7 @@ Result<Scene> scene_from_json(std::string_view where, std::string_view text);
 
 /// data/schemas/delta.schema.json and action.schema.json. Empty parts of a delta are left out. Errors: Schema, as
 /// above; an action with the wrong number of arguments is one.
-nlohmann::ordered_json delta_to_json(const Delta& delta);
+std::string delta_to_json(const Delta& delta);
 Result<Delta> delta_from_json(std::string_view where, const nlohmann::ordered_json& json);
 nlohmann::ordered_json action_to_json(const Action& action);
 Result<Action> action_from_json(std::string_view where, const nlohmann::ordered_json& json);

@@ -113,6 +113,37 @@ TEST(PlacementChecker, ForgetsWhatIsTakenOutAndLeavesOutWhatIsIgnored) {
   EXPECT_EQ(checker.hit(cube, Pose{}, 0), std::nullopt) << "a body that is set again has left its old place";
 }
 
+TEST(PlacementChecker, LaidOverAnotherAnswersAsOneThatWasBuiltSo) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    PlacementChecker base, built;
+    for (BodyId id = 0; id < 12; ++id) {
+      const OrientedBox box = random_box(rng, 0.8);
+      base.set(id, shape_of_box(box.size), box.pose, 0);
+      built.set(id, shape_of_box(box.size), box.pose, 0);
+    }
+    const auto below = PlacementChecker::shared(std::move(base));
+    PlacementChecker over(below), untouched(below);
+    for (int change = 0; change < 6; ++change) {
+      const auto id = static_cast<BodyId>(rng.below(14));
+      const OrientedBox box = random_box(rng, 0.8);
+      const bool gone = rng.chance(0.3);
+      for (PlacementChecker* checker : {&over, &built}) {
+        gone ? checker->remove(id) : checker->set(id, shape_of_box(box.size), box.pose, 0);
+      }
+    }
+    int others = 0;
+    for (int probe = 0; probe < 25; ++probe) {
+      const OrientedBox box = random_box(rng, 0.8);
+      const auto expected = built.hit(shape_of_box(box.size), box.pose, 0);
+      EXPECT_EQ(over.hit(shape_of_box(box.size), box.pose, 0), expected);
+      others += untouched.hit(shape_of_box(box.size), box.pose, 0) != expected ? 1 : 0;
+    }
+    EXPECT_GT(others, 0) << "the shared one has changed with it";
+  }
+}
+
 TEST(PlacementChecker, SeesADoorWhereItStandsOpen) {
   const Shape cabinet = make_shape(Archetype::Cabinet, {0.6, 0.5, 0.8}, true);
   PlacementChecker checker;

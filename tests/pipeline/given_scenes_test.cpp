@@ -94,7 +94,8 @@ TEST_F(GivenScenesTest, ARunUsesThemInPlaceOfDrawnHomes) {
   ASSERT_EQ(pool.size(Simulator::Habitat), 2);
   const auto& layout = pool.layout(Simulator::Habitat, 1);
   ASSERT_TRUE(layout);
-  EXPECT_EQ(layout->home.scene, resources.homes[1]);
+  EXPECT_EQ(layout->home.scene.id, "second");
+  EXPECT_EQ(layout->home.scene.nodes, resources.homes[1].nodes);
   EXPECT_THAT(layout->offer.categories, testing::Contains("Mug"));
   const auto slots = plan_slots(configuration, resources);
   ASSERT_FALSE(slots);

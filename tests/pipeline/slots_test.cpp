@@ -90,7 +90,7 @@ TEST(PlanSlots, RefusesAnUnknownTemplateAndASplitThatNoneMakes) {
   EXPECT_THAT(none.error().message, HasSubstr("compositional"));
 }
 
-TEST(LayoutsPerSimulator, OneForEveryFiveTasks) {
+TEST(LayoutsPerSimulator, OneForEveryFiveTasksThenForEvery25AndNoMoreThanMemoryHolds) {
   RunConfiguration configuration;
   configuration.count = 40;
   EXPECT_EQ(layouts_per_simulator(configuration), 2);
@@ -98,6 +98,12 @@ TEST(LayoutsPerSimulator, OneForEveryFiveTasks) {
   EXPECT_EQ(layouts_per_simulator(configuration), 3);
   configuration.count = 1;
   EXPECT_EQ(layouts_per_simulator(configuration), 1);
+  configuration.count = 9000;
+  EXPECT_EQ(layouts_per_simulator(configuration), 98);
+  configuration.count = 1'000'000;
+  EXPECT_EQ(layouts_per_simulator(configuration), 140);
+  configuration.objects = 1000;
+  EXPECT_EQ(layouts_per_simulator(configuration), 20);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ TEST(Schemas, EveryWrittenSceneAndDeltaFollowsItsSchemaForAnySeed) {
     const Scene scene = random_scene(rng);
     EXPECT_EQ(checker.check(Json::parse(scene_to_json(scene)), "scene.schema.json"), "");
     const Delta delta = difference(scene, random_successor(scene, rng));
-    EXPECT_EQ(checker.check(delta_to_json(delta), "delta.schema.json"), "");
+    EXPECT_EQ(checker.check(Json::parse(delta_to_json(delta)), "delta.schema.json"), "");
   }
 }
 

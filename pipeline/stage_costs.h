@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <string_view>
+
+namespace unietp {
+
+/// What a run spends its time on: once for a home, once for a round of candidates, the stages that a candidate goes
+/// through, once for each of them, and once at the end.
+enum class Stage {
+  Homes,
+  Planning,
+  Generator,
+  Grounding,
+  Expert,
+  Mutations,
+  Annotator,
+  OtherModes,
+  Writing,
+  Ledger,
+  Dataset
+};
+inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::Dataset) + 1;
+std::string_view name_of(Stage stage);
+
+/// Wall-clock seconds spent by stage, those of all threads together. For benchmarks and progress only; never reaches an
+/// output.
+struct StageCosts {
+  std::array<double, kStageCount> seconds{};
+  void add(const StageCosts& other);
+};
+
+/// Adds the time since it was made, or since the last `enter`, to a stage's cost until it is stopped. `costs` may be
+/// null.
+class StageTimer {
+ public:
+  StageTimer(StageCosts* costs, Stage stage) : costs_(costs), stage_(stage), start_(Clock::now()) {}
+  ~StageTimer() { stop(); }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+  void enter(Stage stage) {
+    book();
+    stage_ = stage;
+  }
+  void stop() {
+    book();
+    costs_ = nullptr;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void book();
+  StageCosts* costs_;
+  Stage stage_;
+  Clock::time_point start_;
+};
+
+}  // namespace unietp
