@@ -7,6 +7,8 @@
 #include <queue>
 #include <tuple>
 
+#include "simulation/navigation.h"
+
 namespace unietp {
 namespace {
 
@@ -44,8 +46,8 @@ const Room* room_of(const Scene& scene, const std::string& id) {
 
 class Search {
  public:
-  Search(const ModeEpisode& episode, const Node& target, const Profile& profile)
-      : episode_(episode), world_(episode.world()), target_(target), profile_(profile) {}
+  Search(const ModeEpisode& episode, const Node& target, const Profile& profile, bool in_reach)
+      : episode_(episode), world_(episode.world()), target_(target), profile_(profile), in_reach_(in_reach) {}
 
   std::optional<std::vector<Action>> run() {
     const Agent& here = world_.scene().agent;
@@ -84,6 +86,7 @@ class Search {
     }
   }
   bool shows(const Agent& agent) const {
+    if (in_reach_ && reach_distance(target_, agent.position, profile_) > profile_.reach_m) return false;
     if (episode_.mode() == Mode::M2) {
       const Vec3 eye(agent.position.x(), agent.position.y(), profile_.camera_height_m);
       if ((target_.pose.position - eye).norm() > profile_.sight_m) return false;
@@ -102,6 +105,7 @@ class Search {
   const World& world_;
   const Node& target_;
   const Profile& profile_;
+  bool in_reach_;
   std::vector<Standing> poses_;
   std::map<std::tuple<long, long, long, long>, std::size_t> known_;
   using Open = std::pair<double, std::size_t>;  // cheapest first, of equals the one found first
@@ -139,10 +143,10 @@ std::vector<std::string> lookouts_for(const Scene& scene, const std::string& id)
   return ids;
 }
 
-std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id) {
+std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, bool in_reach) {
   const Node* target = find_node(episode.world().scene(), id);
   if (target == nullptr) return std::nullopt;
-  return Search(episode, *target, episode.world().profile()).run();
+  return Search(episode, *target, episode.world().profile(), in_reach).run();
 }
 
 }  // namespace unietp

@@ -16,7 +16,8 @@ bool shows_clearly(const PixelBox& box);
 /// lets it go to in one step, it turns, tilts the camera and walks a little. It may know where to look: the search is
 /// made with the scene at hand, what is done of it an agent could have done. nullopt when nothing within the search
 /// shows the object. Deterministic.
-std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id);
+/// `in_reach`: the agent then stands where its arm reaches the object.
+std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, bool in_reach = false);
 
 /// Furniture to look from when the object itself cannot be found: what it lies on or in first, then what is nearest.
 std::vector<std::string> lookouts_for(const Scene& scene, const std::string& id);

@@ -21,10 +21,11 @@ class Explorer {
     const std::string& id = action.args.front();
     if (!can_say(action) && !see(id)) return unseen(id);
     if (act(action)) return true;
-    // Perhaps from nearer by.
+    if (action.type == ActionType::GoTo) return false;
+    // Perhaps from nearer by: where one is led to, or wherever the arm reaches it and the camera shows it.
     const Action approach{ActionType::GoTo, {id}};
-    if (action.type == ActionType::GoTo || (!can_say(approach) && !see(id)) || !act(approach)) return false;
-    return (can_say(action) || see(id)) && act(action);
+    if ((can_say(approach) || see(id)) && act(approach) && can_say(action) && act(action)) return true;
+    return look(id, true) && act(action);
   }
 
   const std::vector<Action>& done() const { return done_; }
@@ -47,8 +48,8 @@ class Explorer {
     }
     return outcome.success;
   }
-  bool look(const std::string& id) {
-    const auto way = way_to_see(episode_, id);
+  bool look(const std::string& id, bool in_reach = false) {
+    const auto way = way_to_see(episode_, id, in_reach);
     return way && std::all_of(way->begin(), way->end(), [this](const Action& step) { return act(step); });
   }
   /// Looks from here, from the room, and from furniture; furniture that is not in view itself is looked for first.

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "scene/pixel_box.h"
 #include "simulation/camera.h"
@@ -9,15 +11,23 @@
 
 namespace unietp {
 
+/// The middles of a part's pixels: from `middle - half` to `middle + half`.
+struct PartOfImage {
+  explicit PartOfImage(const PixelBox& box)
+      : middle((box[0] + box[2] + 1) / 2.0, (box[1] + box[3] + 1) / 2.0),
+        half((box[2] - box[0]) / 2.0, (box[3] - box[1]) / 2.0) {}
+  Vec2 middle, half;
+};
+
 /// A function a x + b y + c over the image, in pixels.
 struct OverImage {
   double a = 0, b = 0, c = 0;
-  /// Its least and its greatest value over the middles of a box's pixels.
-  double least(const PixelBox& box) const { return a * middle(box, 0, a > 0) + b * middle(box, 1, b > 0) + c; }
-  double most(const PixelBox& box) const { return a * middle(box, 0, a <= 0) + b * middle(box, 1, b <= 0) + c; }
-
- private:
-  static double middle(const PixelBox& box, std::size_t axis, bool low) { return box[axis + (low ? 0 : 2)] + 0.5; }
+  /// Its least and its greatest value over a part.
+  std::pair<double, double> range(const PartOfImage& part) const {
+    const double value = a * part.middle.x() + b * part.middle.y() + c;
+    const double reach = std::abs(a) * part.half.x() + std::abs(b) * part.half.y();
+    return {value - reach, value + reach};
+  }
 };
 
 /// How a solid, or for a round one the box around it, lies in an image. A box is convex, so it shows exactly where none

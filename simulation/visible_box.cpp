@@ -24,14 +24,17 @@ Share share_of(const Outline& outline, const PixelBox& part, const Camera& camer
   Share share;
   if (!meet(outline.cover, part)) return {false, false, 0, 0};
   share.whole = !outline.round && outline.side_count > 0;
+  const PartOfImage middles(part);
   for (std::size_t i = 0; i < outline.side_count; ++i) {
-    if (outline.sides[i].most(part) < -kSlack) return {false, false, 0, 0};
-    share.whole = share.whole && outline.sides[i].least(part) > kSlack;
+    const auto [least, most] = outline.sides[i].range(middles);
+    if (most < -kSlack) return {false, false, 0, 0};
+    share.whole = share.whole && least > kSlack;
   }
   double most = kNever, least = kNever;  // of 1 / depth
   for (std::size_t i = 0; i < outline.face_count; ++i) {
-    most = std::min(most, outline.faces[i].most(part));
-    least = std::min(least, outline.faces[i].least(part));
+    const auto [low, high] = outline.faces[i].range(middles);
+    most = std::min(most, high);
+    least = std::min(least, low);
   }
   if (outline.face_count > 0 && most < -kSlack) return {false, false, 0, 0};
   share.nearest = std::max(outline.nearest, most > kSlack ? 1 / most - kSlack : 0.0);
@@ -65,12 +68,13 @@ std::optional<PixelBox> VisibleBoxes::of(std::int32_t owner) {
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
     if (outlines_[i].nearest <= farthest && meet(outlines_[i].cover, *cover)) stack_.push_back(i);
   }
-  probe_corners();
-  explore(*cover, 0, stack_.size());
+  asked_ = stack_.size();
+  explore(*cover, 0, asked_);
   return box_;
 }
 
-void VisibleBoxes::probe_corners() {
+void VisibleBoxes::probe_corners(std::size_t begin, std::size_t end) {
+  const std::span<const std::size_t> among = std::span(stack_).subspan(begin, end - begin);
   // Left, up, right, down: of all its solids the one that reaches farthest.
   for (std::size_t side = 0; side < 4; ++side) {
     const Outline* farthest = nullptr;
@@ -78,15 +82,15 @@ void VisibleBoxes::probe_corners() {
       const double at = outline.extremes[side][side % 2 == 0 ? 0 : 1];
       return side < 2 ? -at : at;
     };
-    for (const std::size_t i : stack_) {
+    for (const std::size_t i : among) {
       if (outlines_[i].owner != owner_) continue;
       if (farthest == nullptr || reach(outlines_[i]) > reach(*farthest)) farthest = &outlines_[i];
     }
-    probe(*farthest, farthest->extremes[side]);
+    probe(*farthest, farthest->extremes[side], among);
   }
 }
 
-void VisibleBoxes::probe(const Outline& outline, const Vec2& corner) {
+void VisibleBoxes::probe(const Outline& outline, const Vec2& corner, std::span<const std::size_t> among) {
   const PixelBox& cover = outline.cover;
   const Vec2 middle = Vec2(cover[0] + cover[2] + 1, cover[1] + cover[3] + 1) / 2;
   for (const double inwards : {0.7, 2.0}) {  // pixels: a corner may be sharper than one
@@ -95,7 +99,7 @@ void VisibleBoxes::probe(const Outline& outline, const Vec2& corner) {
     const int y = static_cast<int>(std::clamp(at.y(), 1.0 * cover[1], 1.0 * cover[3]));
     const PixelBox pixel{x, y, x, y};
     if (box_ && within(pixel, *box_)) return;
-    if (!shows_owner(x, y, stack_)) continue;
+    if (!shows_owner(x, y, among)) continue;
     box_ = box_ ? around(*box_, pixel) : pixel;
     return;
   }
@@ -144,6 +148,7 @@ void VisibleBoxes::explore_part(const PixelBox& part, std::size_t begin, std::si
   if (any_own && !any_other && filled < kNever) {
     box_ = box_ ? around(*box_, part) : part;
   } else if (any_own) {
+    if (mine == asked_) probe_corners(mine, kept);  // of the whole that may show it
     halve(part, mine, kept);
   }
   stack_.resize(mine);

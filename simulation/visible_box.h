@@ -30,8 +30,8 @@ class VisibleBoxes {
 
  private:
   /// Looks where an object that nothing hides reaches farthest, so that little is left to explore.
-  void probe_corners();
-  void probe(const Outline& outline, const Vec2& corner);
+  void probe_corners(std::size_t begin, std::size_t end);
+  void probe(const Outline& outline, const Vec2& corner, std::span<const std::size_t> among);
   // `begin` and `end`: of the solids on the stack that may show in the part.
   void explore(const PixelBox& whole, std::size_t begin, std::size_t end);
   void explore_part(const PixelBox& part, std::size_t begin, std::size_t end);
@@ -44,6 +44,7 @@ class VisibleBoxes {
   const std::vector<Outline>& outlines_;
   std::int32_t owner_ = -1;
   std::optional<PixelBox> box_;
+  std::size_t asked_ = 0;           // how many solids lie in the way of the owner's cover
   std::vector<std::size_t> stack_;  // of positions in the list: those that matter in each part under way
   std::vector<double> nearest_;     // of those of the part at hand
 };
