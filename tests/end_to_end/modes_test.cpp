@@ -78,6 +78,9 @@ TEST(Modes, EachTaskIsShownInAllThreeAndProven) {
   EXPECT_EQ(verdict.code, 0);
   EXPECT_EQ(verdict.proven, kCount);
   SchemaChecker checker;
+  const auto manifest = Json::parse(*read_file(in_all_modes() / "manifest.json"));
+  EXPECT_EQ(checker.check(manifest, "manifest.schema.json"), "");
+  EXPECT_EQ(manifest["configuration"]["modes"], (Json{"M1", "M2", "M3"}));
   const auto tasks = json_lines(in_all_modes() / "tasks.jsonl");
   ASSERT_EQ(tasks.size(), static_cast<std::size_t>(kCount));
   for (const std::string mode : {"M1", "M2", "M3"}) {
