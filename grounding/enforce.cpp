@@ -202,7 +202,11 @@ bool Enforcer::make_for_some(const Formula& formula, const Names& names, bool tr
 
 bool Enforcer::make_number(const Formula& formula, const Names& names, int at_least, int at_most, int depth) {
   const Formula& body = formula.children.front();
-  while (static_cast<int>(satisfying(formula, names, true).size()) < at_least) {
+  // To make room for one, another may have to go: where there is room for fewer than asked, that never ends.
+  const int most_tries = 2 * at_least + 8;
+  for (int tries = 0; static_cast<int>(satisfying(formula, names, true).size()) < at_least; ++tries) {
+    if (tries == most_tries)
+      return editor_.fail(GroundingReason::NoFreePlace, to_text(formula) + " has no room for so many");
     if (!make_for_some(formula, names, true, depth)) return false;
   }
   for (;;) {
