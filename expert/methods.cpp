@@ -168,6 +168,8 @@ bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
       return std::find(rule->needs.begin(), rule->needs.end(), need) != rule->needs.end();
     };
     if (needs("held")) continue;  // a bottle pours from the hand
+    // What needs no switch happens as a thing is put there, not to one that lay there from the beginning.
+    if (!needs("power_on") && !needs("under_tap") && !hold(id)) continue;
     const Predicate relation = needs("on") ? Predicate::On : Predicate::Inside;
     for (const std::string& tool : nearest_of({rule}, id)) {
       const bool there = has_edge(attempt_.scene(), relation, id, tool) ||

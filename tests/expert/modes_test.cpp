@@ -39,6 +39,8 @@ const Case kCases[] = {
     {"place_inside_a_drawer", "(exists (?x - Apple) (exists (?y - Dresser) (at-end (inside ?x ?y))))"},
     {"heat_without_a_composite_action", "(exists (?x - Potato) (at-end (hot ?x)))"},
     {"cool_and_place_elsewhere", "(exists (?x - Mug) (exists (?b - SideTable) (at-end (and (cool ?x) (on ?x ?b)))))"},
+    {"cool_what_lies_in_the_fridge",
+     "(exists (?x - (Mug :where (exists (?f - Fridge) (inside ?x ?f)))) (at-end (cool ?x)))", mug_in_fridge},
     {"slice", "(exists (?s - Apple/slice) (exists (?b - SideTable) (at-end (on ?s ?b))))"},
     {"two_kinds",
      "(exists (?c - Fridge) (exists (?x - Mug) (exists (?y - Apple) (at-end (and (inside ?x ?c) (inside ?y ?c))))))"},
