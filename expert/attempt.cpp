@@ -4,15 +4,16 @@
 
 namespace unietp {
 
-Attempt::Attempt(const World& start, const Situation& situation, const Alternative& alternative,
+Attempt::Attempt(Rehearsal& rehearsal, const Situation& situation, const Alternative& alternative,
                  const ExpertOptions& options)
-    : situation_(&situation),
+    : rehearsal_(&rehearsal),
+      situation_(&situation),
       alternative_(&alternative),
       options_(options),
-      world_(start),
+      world_(rehearsal.world()),
       come_(alternative.moments.size(), false) {
-  trace_.states.push_back(reader_.read(world_.scene()));
-  trace_.entities = reader_.entities();
+  trace_.states.push_back(rehearsal.facts(world_));
+  trace_.entities = rehearsal.entities();
   mark_moments();
 }
 
@@ -21,7 +22,7 @@ std::optional<EntityIndex> Attempt::current(EntityIndex entity) const {
   const ImaginedSlice& slice = situation_->slice(entity);
   const std::string& whole = situation_->entity(slice.whole).id;
   int ordinal = 0;
-  for (const Node& node : world_.scene().nodes) {
+  for (const Node& node : world_.nodes()) {
     if (node.slice_of != whole || ordinal++ != slice.ordinal) continue;
     for (EntityIndex index = situation_->first_imagined; index < trace_.entities.size(); ++index) {
       if (trace_.entities[index].id == node.id) return index;
@@ -41,7 +42,7 @@ bool Attempt::holds(const Literal& literal) const {
 
 const Node* Attempt::node(EntityIndex entity) const {
   const std::string id = id_of(entity);
-  return id.empty() ? nullptr : find_node(world_.scene(), id);
+  return id.empty() ? nullptr : world_.find(id);
 }
 
 std::string Attempt::id_of(EntityIndex entity) const {
@@ -50,7 +51,7 @@ std::string Attempt::id_of(EntityIndex entity) const {
 }
 
 bool Attempt::is_held(std::string_view id) const {
-  const auto& held = world_.scene().agent.held;
+  const auto& held = world_.agent().held;
   return std::find(held.begin(), held.end(), id) != held.end();
 }
 
@@ -68,22 +69,19 @@ bool Attempt::act(Action action) {
     give_up(std::move(action), "too-many-steps", "needs more than " + std::to_string(options_.max_steps) + " steps");
     return false;
   }
-  std::optional<World> back;
-  if (!alternative_->keeps.empty()) back = world_;
-  const Outcome outcome = world_.step(action);
+  const World back = world_;
+  const Outcome outcome = rehearsal_->step(world_, action);
   if (outcome.success) {
-    FactReader reader = reader_;
-    trace_.states.push_back(reader.read(world_.scene()));
-    trace_.entities = reader.entities();
+    trace_.states.push_back(rehearsal_->facts(world_));
+    const auto& entities = rehearsal_->entities();
+    for (std::size_t e = trace_.entities.size(); e < entities.size(); ++e) trace_.entities.push_back(entities[e]);
     if (keeps_hold()) {
-      reader_ = std::move(reader);
       mark_moments();
       actions_.push_back(std::move(action));
       return true;
     }
     trace_.states.pop_back();
-    trace_.entities = reader_.entities();
-    world_ = std::move(*back);
+    world_ = back;
     trouble_ = Trouble{"action-failed", action, Failure::None, to_text(action) + " would break what has to be kept"};
   } else {
     trouble_ = Trouble{"action-failed", action, outcome.failure, to_text(action) + ": " + outcome.feedback};

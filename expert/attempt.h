@@ -17,7 +17,8 @@ namespace unietp {
 /// that a method can try another tool or place and the expert can choose otherwise next time.
 class Attempt {
  public:
-  Attempt(const World& start, const Situation& situation, const Alternative& alternative, const ExpertOptions& options);
+  Attempt(Rehearsal& rehearsal, const Situation& situation, const Alternative& alternative,
+          const ExpertOptions& options);
 
   /// Does the action; false when it failed, would break a truth to keep, or a budget is used up.
   bool act(ActionType type, const std::string& argument);
@@ -26,7 +27,6 @@ class Attempt {
   const Situation& situation() const { return *situation_; }
   const Alternative& alternative() const { return *alternative_; }
   const World& world() const { return world_; }
-  const Scene& scene() const { return world_.scene(); }
   const std::vector<Action>& actions() const { return actions_; }
 
   bool holds(const Literal& literal) const;
@@ -54,11 +54,11 @@ class Attempt {
   void mark_moments();
   std::optional<EntityIndex> current(EntityIndex entity) const;
 
+  Rehearsal* rehearsal_;
   const Situation* situation_;
   const Alternative* alternative_;
   ExpertOptions options_;
   World world_;
-  FactReader reader_;
   Trace trace_;
   std::vector<bool> come_;
   std::vector<Action> actions_;

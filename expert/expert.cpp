@@ -83,40 +83,35 @@ void learn(Experience& experience, const Situation& situation, const Attempt& at
   }
 }
 
-std::string missing_after(const Formula& goal, const Scene& start, const Demonstration& demonstration) {
-  Monitor monitor(goal);
-  FactReader reader(reads_comparisons(goal));
-  Scene scene = start;
-  Facts facts = reader.read(scene);
-  monitor.observe(reader.entities(), facts);
-  for (const DemonstrationStep& step : demonstration.steps) {
-    scene = apply(std::move(scene), step.changes);
-    facts = reader.read(scene);
-    monitor.observe(reader.entities(), facts);
+std::string missing_after(Rehearsal& rehearsal, const std::vector<Action>& actions) {
+  Monitor monitor(rehearsal.goal());
+  World world = rehearsal.world();
+  monitor.observe(rehearsal.entities(), rehearsal.facts(world));
+  for (const Action& action : actions) {
+    (void)rehearsal.step(world, action);
+    monitor.observe(rehearsal.entities(), rehearsal.facts(world));
   }
   return monitor.missing();
 }
 
-std::vector<Delta> changes_of(const Demonstration& demonstration) {
-  std::vector<Delta> changes;
-  for (const DemonstrationStep& step : demonstration.steps) changes.push_back(step.changes);
-  return changes;
+bool reaches_goal(Rehearsal& rehearsal, const std::vector<Action>& actions) {
+  auto course = rehearsal.course();
+  rehearsal.follow(course, actions);
+  return rehearsal.reaches_goal(course);
 }
 
 }  // namespace
 
-std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,
-                                                   const Profile& profile, const ExpertOptions& options) {
-  const auto world = World::create(start, knowledge, profile);
-  if (!world) return Rejection{"expert", "no-plan", format(world.error())};
-  const Situation situation = look_around(*world, start, goal, knowledge, profile);
+std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const ExpertOptions& options) {
+  const Formula& goal = rehearsal.goal();
+  const Situation situation = look_around(rehearsal);
   Experience experience;
   std::set<std::string> tried;
   Rejection last{"expert", "no-plan", "no way to meet the goal with what the scene has: " + to_text(goal)};
   for (int plan = 0; plan < options.max_plans; ++plan) {
     const auto choice = next_choice(read_goal(goal, situation, experience), situation, tried);
     if (!choice) break;
-    Attempt attempt(*world, situation, choice->alternative, options);
+    Attempt attempt(rehearsal, situation, choice->alternative, options);
     Methods methods(attempt, categories_of(goal));
     const auto failed = carry_out(attempt, methods, choice->habits);
     if (failed) {
@@ -131,19 +126,22 @@ std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Sc
     }
     std::vector<Action> actions = attempt.actions();
     actions.push_back(Action{ActionType::Stop, {}});
-    std::vector<Delta> changes;
-    World trial = *world;
-    perform(trial, actions, changes);
-    if (goal_holds(goal, start, changes)) {
+    if (reaches_goal(rehearsal, actions)) {
       // Only an attempt that had to change its mind leaves detours longer than a step.
-      actions = without_needless(goal, start, *world, std::move(actions), attempt.failures() == 0 ? 1 : 6);
+      actions = without_needless(rehearsal, std::move(actions), attempt.failures() == 0 ? 1 : 6);
+      return record(rehearsal, actions);
     }
-    Demonstration demonstration = record(*world, actions);
-    if (goal_holds(goal, start, changes_of(demonstration))) return demonstration;
-    last = {"expert", "goal-not-met", missing_after(goal, start, demonstration)};
+    last = {"expert", "goal-not-met", missing_after(rehearsal, actions)};
     for (const Literal& literal : choice->alternative.end) experience.literals.emplace_back(literal, 1.0);
   }
   return last;
+}
+
+std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                                                   const Profile& profile, const ExpertOptions& options) {
+  auto rehearsal = Rehearsal::of(goal, start, knowledge, profile);
+  if (!rehearsal) return Rejection{"expert", "no-plan", format(rehearsal.error())};
+  return demonstrate(*rehearsal, options);
 }
 
 }  // namespace unietp

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "akb/knowledge.h"
+#include "expert/rehearsal.h"
 #include "grounding/episode.h"
 #include "logic/formula.h"
 #include "scene/action.h"
@@ -37,6 +38,7 @@ struct ExpertOptions {
 /// Stage: from the goal formula alone: chooses witnesses, orders subgoals, expands them to actions, executes them in
 /// the backend, replans on failure, stops. Knows no template. Kept only if the goal holds on the executed trace by the
 /// direct evaluator. Deterministic.
+std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const ExpertOptions& options);
 std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                                                    const Profile& profile, const ExpertOptions& options);
 
@@ -44,6 +46,7 @@ std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Sc
 /// that wrongly still satisfy the goal although they leave a needed step out: empty when the goal really tests the
 /// plan. A dropped step whose absence makes no difference to the goal (such as closing a door out of good manners) is
 /// reported.
+std::vector<std::string> needless_steps(Rehearsal& rehearsal, const Demonstration& demonstration);
 std::vector<std::string> needless_steps(const Formula& goal, const Scene& start, const Demonstration& demonstration,
                                         const Knowledge& knowledge, const Profile& profile);
 

@@ -156,7 +156,7 @@ class Reader {
   List some_member(const Formula& formula, bool want) {
     std::vector<EntityIndex> witnesses = domain_of(formula);
     if (witnesses.size() > candidates_) {
-      const auto far = [this](EntityIndex e) { return situation_.walk_m[e] + 10 * experience_.surcharge(e); };
+      const auto far = [this](EntityIndex e) { return situation_.walk_m(e) + 10 * experience_.surcharge(e); };
       std::stable_sort(witnesses.begin(), witnesses.end(),
                        [&](EntityIndex a, EntityIndex b) { return far(a) < far(b); });
       witnesses.resize(candidates_);

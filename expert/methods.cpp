@@ -32,7 +32,7 @@ bool not_run_here(const std::optional<Attempt::Trouble>& trouble) {
 
 }  // namespace
 
-const Node* Methods::find(const std::string& id) const { return find_node(attempt_.scene(), id); }
+const Node* Methods::find(const std::string& id) const { return attempt_.world().find(id); }
 
 bool Methods::is(const std::string& id, Predicate state) const {
   const Node* node = find(id);
@@ -85,7 +85,7 @@ bool Methods::change_state(const Literal& literal) {
 
 std::vector<std::string> Methods::nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const {
   std::vector<std::tuple<bool, double, std::string>> found;
-  for (const Node& node : attempt_.scene().nodes) {
+  for (const Node& node : attempt_.world().nodes()) {
     const bool fits =
         std::any_of(rules.begin(), rules.end(), [&node](const Effect* rule) { return rule->tool == node.category; });
     if (!fits || node.id == except) continue;
@@ -105,7 +105,7 @@ bool Methods::with_held_tool(const Literal& literal, ActionType action, std::str
   const StateWay way{literal.predicate, Way::HeldToolOn, action, effect};
   const Node* node = find(id);
   const auto rules = node == nullptr ? std::vector<const Effect*>()
-                                     : rules_for(way, node->category, literal.symbol, attempt_.scene(),
+                                     : rules_for(way, node->category, literal.symbol, attempt_.world().nodes(),
                                                  *attempt_.situation().knowledge);
   if (rules.empty()) return false;
   if (attempt_.is_held(id) && !put_aside(id)) return false;
@@ -139,7 +139,8 @@ bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::
   const StateWay way{literal.predicate, Way::ToolOnHeld, action, effect};
   const Node* node = find(id);
   if (node == nullptr) return false;
-  const auto rules = rules_for(way, node->category, literal.symbol, attempt_.scene(), *attempt_.situation().knowledge);
+  const auto rules =
+      rules_for(way, node->category, literal.symbol, attempt_.world().nodes(), *attempt_.situation().knowledge);
   if (rules.empty() || !hold(id)) return false;
   for (const std::string& tool : nearest_of(rules, id)) {
     if (do_at(action, tool)) return true;
@@ -163,7 +164,7 @@ bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
   if (node == nullptr || !node->movable) return false;
   const StateWay way{literal.predicate, Way::Appliance, ActionType::PlaceIn, effect};
   for (const Effect* rule :
-       rules_for(way, node->category, literal.symbol, attempt_.scene(), *attempt_.situation().knowledge)) {
+       rules_for(way, node->category, literal.symbol, attempt_.world().nodes(), *attempt_.situation().knowledge)) {
     const auto needs = [rule](std::string_view need) {
       return std::find(rule->needs.begin(), rule->needs.end(), need) != rule->needs.end();
     };
@@ -172,7 +173,7 @@ bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
     if (!needs("power_on") && !needs("under_tap") && !hold(id)) continue;
     const Predicate relation = needs("on") ? Predicate::On : Predicate::Inside;
     for (const std::string& tool : nearest_of({rule}, id)) {
-      const bool there = has_edge(attempt_.scene(), relation, id, tool) ||
+      const bool there = attempt_.world().linked(id, relation, tool) ||
                          put(id, needs("on") ? ActionType::PlaceOn : ActionType::PlaceIn, tool);
       const bool runs = needs("power_on") || needs("under_tap");
       if (there && !attempt_.holds(literal)) {
@@ -201,12 +202,8 @@ bool Methods::place(const Literal& literal) {
     case Predicate::InRoom:
       return id == "agent" ? attempt_.act(ActionType::GoTo, target) : place_in_room(id, target);
     case Predicate::NextTo:
-      for (const Edge& edge : attempt_.scene().edges) {
-        if (edge.relation == Predicate::On && edge.from == target) {
-          const std::string support = edge.to;
-          return put(id, ActionType::PlaceOn, support);
-        }
-      }
+      if (const auto supports = attempt_.world().linked_from(target, Predicate::On); !supports.empty())
+        return put(id, ActionType::PlaceOn, *std::min_element(supports.begin(), supports.end()));
       return false;
     default:
       return false;
@@ -215,13 +212,15 @@ bool Methods::place(const Literal& literal) {
 
 bool Methods::place_in_room(const std::string& id, const std::string& room) {
   if (!hold(id)) return false;
-  std::size_t tried = 0;
-  const Scene scene = attempt_.scene();
-  for (const Node& spot : scene.nodes) {
-    if (!has_edge(scene, Predicate::InRoom, spot.id, room) || spot.movable) continue;
-    if (attempt_.situation().knowledge->placement(find(id)->category, "on", spot.category) == nullptr) continue;
-    if (put(id, ActionType::PlaceOn, spot.id)) return true;
-    if (attempt_.exhausted() || ++tried == kMostSpots) break;
+  const std::string category = find(id)->category;
+  std::vector<std::string> spots;
+  for (const Node& spot : attempt_.world().nodes()) {
+    if (spot.movable || spots.size() == kMostSpots || attempt_.world().room_of(spot.id) != room) continue;
+    if (attempt_.situation().knowledge->placement(category, "on", spot.category) != nullptr) spots.push_back(spot.id);
+  }
+  for (const std::string& spot : spots) {
+    if (put(id, ActionType::PlaceOn, spot)) return true;
+    if (attempt_.exhausted()) break;
   }
   return attempt_.act(ActionType::GoTo, room) && attempt_.act(ActionType::Drop);
 }
@@ -230,7 +229,7 @@ bool Methods::place_in_room(const std::string& id, const std::string& room) {
 bool Methods::take_away(const Literal& literal) {
   const std::string id = attempt_.id_of(literal.subject);
   if (literal.predicate != Predicate::InRoom) return hold(id);
-  for (const Room& room : attempt_.scene().rooms) {
+  for (const Room& room : attempt_.situation().start->rooms) {
     if (room.id != attempt_.id_of(literal.object)) return place_in_room(id, room.id);
   }
   return false;
@@ -243,8 +242,8 @@ bool Methods::hold(const std::string& id) {
 
 bool Methods::free_hand(const std::string& wanted) {
   const auto hands = static_cast<std::size_t>(attempt_.situation().profile->hands);
-  while (attempt_.scene().agent.held.size() >= hands) {
-    const std::string held = attempt_.scene().agent.held.front();
+  while (attempt_.world().agent().held.size() >= hands) {
+    const std::string held = attempt_.world().agent().held.front();
     if (held == wanted) return true;
     if (!put_aside(held)) return false;
   }
@@ -259,7 +258,7 @@ bool Methods::put_aside(const std::string& id) {
   const Knowledge& knowledge = *attempt_.situation().knowledge;
   const Node* thing = find(id);
   std::vector<std::tuple<bool, bool, bool, double, std::string>> spots;
-  for (const Node& node : attempt_.scene().nodes) {
+  for (const Node& node : attempt_.world().nodes()) {
     if (node.movable || node.id == id || !attempt_.world().closed_around(node.id).empty()) continue;
     const bool usual = thing != nullptr && knowledge.placement(thing->category, "on", node.category) != nullptr;
     if (!usual && !knowledge.has(node.category, "receptacle")) continue;
@@ -291,7 +290,7 @@ bool Methods::put(const std::string& id, ActionType action, const std::string& t
 
 /// From a seat nothing can be done but to leave it.
 bool Methods::stand_up() {
-  const auto& nodes = attempt_.scene().nodes;
+  const auto& nodes = attempt_.world().nodes();
   const bool seated = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) {
     return node.states.has(Predicate::SatOn) || node.states.has(Predicate::LainOn);
   });

@@ -15,10 +15,9 @@ struct Run {
   std::vector<Delta> changes;
 
   void go_on(const Action& action) {
-    const Scene before = episode.world().scene();
     if (!do_in(episode, action).success) return;
     done.push_back(action);
-    changes.push_back(difference(before, episode.world().scene()));
+    changes.push_back(episode.world().changes());
   }
 };
 
@@ -76,13 +75,12 @@ Demonstration record_in(ModeEpisode episode, const std::vector<Action>& actions)
   for (const Action& action : actions) {
     const auto command = clearly_said(episode, action);
     if (!command) continue;
-    const Scene before = episode.world().scene();
     DemonstrationStep step;
     step.visible = episode.visible();
     step.action = action;
     step.command = *command;
     step.outcome = episode.step(*command);
-    step.changes = difference(before, episode.world().scene());
+    if (step.outcome.success) step.changes = episode.world().changes();
     demonstration.steps.push_back(std::move(step));
   }
   return demonstration;

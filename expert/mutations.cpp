@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <iterator>
+#include <span>
 
-#include "expert/execution.h"
 #include "expert/expert.h"
 #include "expert/situation.h"
 #include "logic/evaluate.h"
@@ -38,26 +38,25 @@ std::vector<Block> blocks_of(const std::vector<Action>& actions) {
 
 class Mutator {
  public:
-  Mutator(const Formula& goal, const Scene& start, const World& world) : goal_(goal), start_(start), world_(world) {}
+  explicit Mutator(Rehearsal& rehearsal) : rehearsal_(rehearsal), goal_(rehearsal.goal()) {}
 
   bool survives(const std::vector<Action>& actions) const {
-    World world = world_;
-    std::vector<Delta> changes;
-    perform(world, actions, changes);
-    return goal_holds(goal_, start_, changes);
+    auto course = rehearsal_.course();
+    rehearsal_.follow(course, actions);
+    return rehearsal_.reaches_goal(course);
   }
 
   void drop_each(const std::vector<Action>& actions, std::vector<std::string>& surviving) const {
-    World here = world_;
-    std::vector<Delta> so_far;
+    auto here = rehearsal_.course();
     for (std::size_t i = 0; i < actions.size(); ++i) {
-      World without = here;
-      std::vector<Delta> changes = so_far;
-      perform(without, {actions.begin() + static_cast<std::ptrdiff_t>(i) + 1, actions.end()}, changes);
-      if (actions[i].type != ActionType::Stop && goal_holds(goal_, start_, changes)) {
-        surviving.push_back("without step " + std::to_string(i + 1) + ": " + to_text(actions[i]));
+      if (actions[i].type != ActionType::Stop) {
+        auto without = here;
+        rehearsal_.follow(without, std::span(actions).subspan(i + 1));
+        if (rehearsal_.reaches_goal(without)) {
+          surviving.push_back("without step " + std::to_string(i + 1) + ": " + to_text(actions[i]));
+        }
       }
-      perform(here, {actions[i]}, so_far);
+      rehearsal_.follow(here, std::span(actions).subspan(i, 1));
     }
   }
 
@@ -111,25 +110,29 @@ class Mutator {
     if (used && survives(mutant)) surviving.push_back("with " + to + " instead of " + from);
   }
 
+  Rehearsal& rehearsal_;
   const Formula& goal_;
-  const Scene& start_;
-  const World& world_;
 };
 
 }  // namespace
 
-std::vector<std::string> needless_steps(const Formula& goal, const Scene& start, const Demonstration& demonstration,
-                                        const Knowledge& knowledge, const Profile& profile) {
-  const auto world = World::create(start, knowledge, profile);
-  if (!world) return {"the start cannot be replayed: " + format(world.error())};
+std::vector<std::string> needless_steps(Rehearsal& rehearsal, const Demonstration& demonstration) {
   std::vector<Action> actions;
   for (const DemonstrationStep& step : demonstration.steps) actions.push_back(step.action);
-  const Mutator mutator(goal, start, *world);
+  const Mutator mutator(rehearsal);
   std::vector<std::string> surviving;
   mutator.drop_each(actions, surviving);
   mutator.swap_neighbours(actions, surviving);
-  mutator.use_distractors(goal, to_logic(start, {}, reads_comparisons(goal)), actions, surviving);
+  const Trace start{rehearsal.entities(), {rehearsal.facts(rehearsal.world())}};
+  mutator.use_distractors(rehearsal.goal(), start, actions, surviving);
   return surviving;
+}
+
+std::vector<std::string> needless_steps(const Formula& goal, const Scene& start, const Demonstration& demonstration,
+                                        const Knowledge& knowledge, const Profile& profile) {
+  auto rehearsal = Rehearsal::of(goal, start, knowledge, profile);
+  if (!rehearsal) return {"the start cannot be replayed: " + format(rehearsal.error())};
+  return needless_steps(*rehearsal, demonstration);
 }
 
 }  // namespace unietp

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "scene/trace.h"
-
 namespace unietp {
 namespace {
 
@@ -39,7 +37,6 @@ void imagine_slices(Situation& situation) {
           Entity::Kind::Object, node->id + "/slice_" + std::to_string(ordinal + 1), effect->gives, node->category});
       situation.imagined.push_back({whole, ordinal});
       situation.nodes.push_back(node);
-      situation.walk_m.push_back(situation.walk_m[whole]);
       situation.shut_in.push_back(situation.shut_in[whole]);
       later.set_exists(slice);
       later.set(Predicate::SliceOf, slice, whole);
@@ -56,27 +53,34 @@ bool has_operator(const Formula& formula, std::initializer_list<Formula::Op> ope
                      [operators](const Formula& part) { return has_operator(part, operators); });
 }
 
-Situation look_around(const World& world, const Scene& start, const Formula& goal, const Knowledge& knowledge,
-                      const Profile& profile) {
-  Situation situation;
-  situation.start = &start;
-  situation.knowledge = &knowledge;
-  situation.profile = &profile;
-  situation.trace = to_logic(start, {}, reads_comparisons(goal));
-  situation.first_imagined = static_cast<EntityIndex>(situation.trace.entities.size());
-  for (const Entity& entity : situation.trace.entities) {
-    const Node* node = find_node(start, entity.id);
-    situation.nodes.push_back(node);
-    const double walk = node == nullptr ? 0.0 : world.walking_distance(entity.id);
-    situation.walk_m.push_back(std::min(walk, Situation::kFar_m));
-    const std::string around = node == nullptr ? std::string() : world.closed_around(entity.id);
-    EntityIndex container = kNobody;
-    for (EntityIndex other = 0; !around.empty() && other < situation.first_imagined; ++other) {
-      if (situation.trace.entities[other].id == around) container = other;
-    }
-    situation.shut_in.push_back(container);
+double Situation::walk_m(EntityIndex index) const {
+  if (is_imagined(index)) return walk_m(slice(index).whole);
+  std::optional<double>& known = walked_m_[index];
+  if (!known) known = nodes[index] == nullptr ? 0.0 : std::min(world_.walking_distance(entity(index).id), kFar_m);
+  return *known;
+}
+
+Situation look_around(const Rehearsal& rehearsal) {
+  Situation situation(rehearsal.world());
+  situation.start = &rehearsal.start();
+  situation.knowledge = &rehearsal.knowledge();
+  situation.profile = &rehearsal.profile();
+  situation.trace.states.push_back(rehearsal.facts(rehearsal.world()));
+  // The agent, the rooms and the nodes of the start; others were there in branches that were tried before.
+  const std::size_t before_nodes = 1 + situation.start->rooms.size();
+  const std::size_t count = before_nodes + situation.start->nodes.size();
+  const auto& entities = rehearsal.entities();
+  situation.trace.entities.assign(entities.begin(), entities.begin() + static_cast<std::ptrdiff_t>(count));
+  situation.first_imagined = static_cast<EntityIndex>(count);
+  situation.walked_m_.resize(count);
+  situation.nodes.resize(count, nullptr);
+  situation.shut_in.resize(count, kNobody);
+  for (std::size_t i = before_nodes; i < count; ++i) {
+    situation.nodes[i] = &situation.start->nodes[i - before_nodes];
+    const std::string around = rehearsal.world().closed_around(entities[i].id);
+    if (!around.empty()) situation.shut_in[i] = rehearsal.find(around).value_or(kNobody);
   }
-  if (ranges_over_slices(goal)) imagine_slices(situation);
+  if (ranges_over_slices(rehearsal.goal())) imagine_slices(situation);
   return situation;
 }
 

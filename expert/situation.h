@@ -1,13 +1,10 @@
 #pragma once
 
 #include <limits>
-#include <string>
+#include <optional>
 #include <vector>
 
-#include "akb/knowledge.h"
-#include "logic/formula.h"
-#include "logic/trace.h"
-#include "simulation/world.h"
+#include "expert/rehearsal.h"
 
 namespace unietp {
 
@@ -30,19 +27,25 @@ struct Situation {
   EntityIndex first_imagined = 0;
   std::vector<ImaginedSlice> imagined;
   std::vector<const Node*> nodes;    // by entity; of an imagined slice its whole's; nullptr for rooms and the agent
-  std::vector<double> walk_m;        // by entity, from where the agent stands; capped at kFar_m
   std::vector<EntityIndex> shut_in;  // by entity: the closed container around it, or kNobody
   static constexpr double kFar_m = 100;
 
+  /// From where the agent stands, capped at kFar_m; of an imagined slice its whole's.
+  double walk_m(EntityIndex index) const;
   const Facts& facts() const { return trace.states.front(); }
   const Entity& entity(EntityIndex index) const { return trace.entities[index]; }
   bool is_imagined(EntityIndex index) const { return index != kNobody && index >= first_imagined; }
   const ImaginedSlice& slice(EntityIndex index) const { return imagined[index - first_imagined]; }
+
+ private:
+  friend Situation look_around(const Rehearsal& rehearsal);
+  explicit Situation(const World& at_start) : world_(at_start) {}
+  World world_;
+  mutable std::vector<std::optional<double>> walked_m_;  // by entity, as far as asked for
 };
 
-/// `start`, the knowledge and the profile must outlive the situation.
-Situation look_around(const World& world, const Scene& start, const Formula& goal, const Knowledge& knowledge,
-                      const Profile& profile);
+/// The rehearsal must outlive the situation.
+Situation look_around(const Rehearsal& rehearsal);
 
 /// True when the formula has one of the operators, at any depth.
 bool has_operator(const Formula& formula, std::initializer_list<Formula::Op> operators);

@@ -151,13 +151,13 @@ double estimate(const Alternative& alternative, const Situation& situation, cons
     }
   }
   for (const EntityIndex thing : visited) cost += experience.surcharge(thing);
-  for (const EntityIndex thing : fetched) cost += 2 + kActionsPerMetre * situation.walk_m[thing];
+  for (const EntityIndex thing : fetched) cost += 2 + kActionsPerMetre * situation.walk_m(thing);
   for (const EntityIndex thing : visited) {
     const bool also_fetched = std::find(fetched.begin(), fetched.end(), thing) != fetched.end();
-    if (!also_fetched) cost += 0.5 * kActionsPerMetre * situation.walk_m[thing];
+    if (!also_fetched) cost += 0.5 * kActionsPerMetre * situation.walk_m(thing);
   }
-  for (const EntityIndex door : doors) cost += 2 + kActionsPerMetre * situation.walk_m[door];
-  for (const EntityIndex whole : cut) cost += 5 + kActionsPerMetre * situation.walk_m[whole];
+  for (const EntityIndex door : doors) cost += 2 + kActionsPerMetre * situation.walk_m(door);
+  for (const EntityIndex whole : cut) cost += 5 + kActionsPerMetre * situation.walk_m(whole);
   return cost;
 }
 

@@ -54,7 +54,7 @@ bool state_achievable(const Literal& literal, const Situation& situation) {
     }
     const bool in_hand = way.way == Way::ToolOnHeld || way.way == Way::Appliance;
     if (in_hand && !node->movable) continue;
-    if (!rules_for(way, category, literal.symbol, *situation.start, *situation.knowledge).empty()) return true;
+    if (!rules_for(way, category, literal.symbol, situation.start->nodes, *situation.knowledge).empty()) return true;
   }
   return false;
 }
@@ -70,12 +70,12 @@ std::vector<StateWay> ways_to(Predicate predicate, const Profile& profile) {
 }
 
 std::vector<const Effect*> rules_for(const StateWay& way, std::string_view category, std::string_view symbol,
-                                     const Scene& scene, const Knowledge& knowledge) {
+                                     const std::vector<Node>& nodes, const Knowledge& knowledge) {
   std::vector<const Effect*> rules;
   for (const Effect* effect : knowledge.effects_on(category, way.needs)) {
     if (!symbol.empty() && symbol != "any" && effect->gives != symbol) continue;
-    const bool present = std::any_of(scene.nodes.begin(), scene.nodes.end(),
-                                     [effect](const Node& node) { return node.category == effect->tool; });
+    const bool present =
+        std::any_of(nodes.begin(), nodes.end(), [effect](const Node& node) { return node.category == effect->tool; });
     if (present) rules.push_back(effect);
   }
   return rules;
@@ -113,7 +113,8 @@ bool achievable(const Literal& literal, const Situation& situation) {
   }
   if (literal.positive) return state_achievable(literal, situation);
   return literal.predicate == Predicate::Covered && node != nullptr && situation.profile->offers(kWipeOff.action) &&
-         !rules_for(kWipeOff, situation.entity(literal.subject).category, "", *situation.start, *situation.knowledge)
+         !rules_for(kWipeOff, situation.entity(literal.subject).category, "", situation.start->nodes,
+                    *situation.knowledge)
               .empty();
 }
 

@@ -114,13 +114,15 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
 
   timer.enter(Stage::Expert);
   const Scene& start = task.episode.start;
-  auto shown = demonstrate(specification.goal, start, backend.knowledge, backend.profile, {});
+  auto rehearsal = Rehearsal::of(specification.goal, start, backend.knowledge, backend.profile,
+                                 physics_of(layout->home, start));
+  if (!rehearsal) return rejected({"expert", "no-plan", format(rehearsal.error())});
+  auto shown = demonstrate(*rehearsal, {});
   if (auto* why = std::get_if<Rejection>(&shown)) return rejected(std::move(*why));
   task.demonstration = std::move(std::get<Demonstration>(shown));
 
   timer.enter(Stage::Mutations);
-  const auto needless =
-      needless_steps(specification.goal, start, task.demonstration, backend.knowledge, backend.profile);
+  const auto needless = needless_steps(*rehearsal, task.demonstration);
   if (!needless.empty()) return rejected({"expert", "mutation-succeeds", join(needless, "; ")});
 
   timer.enter(Stage::Annotator);

@@ -32,9 +32,11 @@ class NodeFinder {
   std::unordered_map<std::string_view, std::size_t> index_;  // made when the orders first differ; never iterated
 };
 
+/// In the order in which facts are kept.
 struct Relation {
+  EntityIndex first;
   Predicate predicate;
-  EntityIndex first, second;
+  EntityIndex second;
   auto operator<=>(const Relation&) const = default;
 };
 
@@ -65,7 +67,7 @@ void add_nearest(const std::vector<Node>& nodes, const std::vector<EntityIndex>&
     }
     for (const Best& winner : best) {
       if (winner.found == 1 || (winner.found > 1 && clearly_nearer(winner.distance, winner.next)))
-        relations.push_back({Predicate::Nearest, index_of_node[winner.node], index_of_node[y]});
+        relations.push_back({index_of_node[winner.node], Predicate::Nearest, index_of_node[y]});
     }
   }
 }
@@ -208,10 +210,17 @@ Facts FactReader::read(const Scene& scene) {
     if (const auto held = find(id); held && facts.exists(*held)) facts.set(Predicate::Held, *held);
   }
   std::vector<Relation> relations;
+  relations.reserve(scene.edges.size());
+  std::string_view last_from;  // edges come in runs of one thing
+  std::optional<EntityIndex> first;
   const auto relate = [&](Predicate relation, std::string_view from, std::string_view to) {
-    const auto first = find(from), second = find(to);
+    if (from != last_from || last_from.empty()) {
+      first = find(from);
+      last_from = from;
+    }
+    const auto second = find(to);
     if (!first || !second || !facts.exists(*first) || !facts.exists(*second)) return;
-    relations.push_back({relation, *first, *second});
+    relations.push_back({*first, relation, *second});
   };
   for (const Edge& edge : scene.edges) relate(edge.relation, edge.from, edge.to);
   for (const Node& node : scene.nodes) {

@@ -6,18 +6,17 @@ namespace unietp {
 
 Outcome move_body(WorldState& state, ActionType type) {
   const BodyMove move = move_of(type).value_or(BodyMove{});
-  const auto after = moved(state.scene.agent, move, state.grid(), *state.profile);
+  const auto after = moved(state.agent(), move, state.grid(), *state.profile);
   if (!after && move.tilt_down != 0)
     return failed(Failure::Blocked, std::string("You cannot look further ") + (move.tilt_down > 0 ? "down." : "up."));
   if (!after) return failed(Failure::Blocked, "Something is in the way of your body.");
-  state.scene.agent = *after;
-  if (move.ahead != 0 || move.left != 0) state.forget_walk();
+  state.edit_agent() = *after;
   if (move.tilt_down == 0) state.carry_along();
   return succeeded();
 }
 
 Outcome reset_head(WorldState& state) {
-  state.scene.agent.pitch = 0;
+  state.edit_agent().pitch = 0;
   return succeeded();
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 /// The node in the first hand, or nullopt.
 std::optional<std::size_t> in_hand(const WorldState& state) {
-  if (state.scene.agent.held.empty()) return std::nullopt;
-  return state.index_of(state.scene.agent.held.front());
+  if (state.agent().held.empty()) return std::nullopt;
+  return state.index_of(state.agent().held.front());
 }
 
 std::optional<std::string> filling_of(const Node& node) {
@@ -47,9 +47,9 @@ Outcome pour_to(WorldState& state, std::size_t target) {
       return failed(Failure::NotFillable, into + " cannot be filled.");
     if (state.node(target).states.has(Predicate::Filled))
       return failed(Failure::AlreadyFull, into + " is full already.");
-    state.node(target).states.set({Predicate::Filled, *substance});
+    state.edit_states(target).set({Predicate::Filled, *substance});
   }
-  state.node(*hand).states.set({Predicate::Empty, ""});
+  state.edit_states(*hand).set({Predicate::Empty, ""});
   look_at(state, state.node(target).pose.position);
   state.carry_along();
   return succeeded();
@@ -63,7 +63,7 @@ Outcome use_up(WorldState& state, std::size_t i) {
     if (auto blocked = out_of_hands_way(state, i)) return *blocked;
   }
   if (state.node(i).states.has(Predicate::UsedUp)) return failed(Failure::NotConsumable, id + " is used up already.");
-  state.node(i).states.set({Predicate::UsedUp, ""});
+  state.edit_states(i).set({Predicate::UsedUp, ""});
   if (!state.held(id)) {
     look_at(state, state.node(i).pose.position);
     state.carry_along();
@@ -85,8 +85,8 @@ Outcome wipe(WorldState& state, std::size_t i) {
                        std::any_of(coats.begin(), coats.end(), [](const auto& coat) { return !is_dust(coat); });
   if (stained && state.node(*hand).states.has(Predicate::Dry))
     return failed(Failure::NotReady, cloth + " is dry; soak it first.");
-  state.node(i).states.clear(Predicate::Covered);
-  if (state.node(i).states.has(Predicate::Dirty)) state.node(i).states.set({Predicate::Clean, ""});
+  state.edit_states(i).clear(Predicate::Covered);
+  if (state.node(i).states.has(Predicate::Dirty)) state.edit_states(i).set({Predicate::Clean, ""});
   look_at(state, state.node(i).pose.position);
   state.carry_along();
   return succeeded();
@@ -101,7 +101,7 @@ Outcome spread_to(WorldState& state, std::size_t i) {
   if (effect == nullptr)
     return failed(Failure::NoEffect, "Nothing comes out of " + state.node(*hand).id + " that covers " + id + ".");
   if (auto blocked = out_of_hands_way(state, i)) return *blocked;
-  state.node(i).states.set({Predicate::Covered, effect->gives});
+  state.edit_states(i).set({Predicate::Covered, effect->gives});
   look_at(state, state.node(i).pose.position);
   state.carry_along();
   return succeeded();

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 
-#include "simulation/relations.h"
 #include "simulation/world_state.h"
 
 namespace unietp {
@@ -33,12 +32,13 @@ bool offered(const Profile& profile, std::string_view effect) {
   return profile.temperature;
 }
 
-bool needs_met(const WorldState& state, const Effect& effect, const Node& tool, const Node& target, bool tap_runs) {
+bool needs_met(const WorldState& state, const Effect& effect, std::size_t tool_at, std::size_t target, bool tap_runs) {
+  const Node& tool = state.node(tool_at);
   return std::all_of(effect.needs.begin(), effect.needs.end(), [&](const std::string& need) {
     if (need == "closed") return !tool.openable || tool.states.has(Predicate::Closed);
     if (need == "power_on") return !tool.states.has(Predicate::PowerOff);
-    if (need == "inside") return has_edge(state.scene, Predicate::Inside, target.id, tool.id);
-    if (need == "on") return has_edge(state.scene, Predicate::On, target.id, tool.id);
+    if (need == "inside") return state.linked(target, Predicate::Inside, tool_at);
+    if (need == "on") return state.linked(target, Predicate::On, tool_at);
     if (need == "under_tap") return tap_runs || tool.states.has(Predicate::PowerOn);
     if (need == "held") return state.held(tool.id);
     return false;
@@ -70,23 +70,24 @@ class Steps {
 }  // namespace
 
 void run_processes(WorldState& state, std::size_t tool, bool tap_runs) {
-  const Node machine = state.node(tool);
-  for (const std::string& id : carried_by(state.scene, machine.id)) {
-    Node& target = state.node(*state.index_of(id));
+  for (const std::size_t target : state.group_of(tool)) {
+    if (target == tool) continue;
     for (const Rule& rule : rules()) {
-      const Effect* effect = state.knowledge->effect(machine.category, rule.effect, target.category);
+      const Effect* effect =
+          state.knowledge->effect(state.node(tool).category, rule.effect, state.node(target).category);
       if (effect == nullptr || !offered(*state.profile, rule.effect) || needs(*effect, "held")) continue;
-      if (!needs_met(state, *effect, machine, target, tap_runs)) continue;
+      if (!needs_met(state, *effect, tool, target, tap_runs)) continue;
+      StateSet& states = state.edit_states(target);
       for (const Predicate predicate : rule.sets) {
-        target.states.set({predicate, predicate == Predicate::Filled ? effect->gives : ""});
+        states.set({predicate, predicate == Predicate::Filled ? effect->gives : ""});
       }
-      if (rule.effect == "washes") target.states.clear(Predicate::Covered);
+      if (rule.effect == "washes") states.clear(Predicate::Covered);
     }
   }
 }
 
 Outcome switch_power(WorldState& state, std::size_t i, bool on) {
-  Node& node = state.node(i);
+  const Node& node = state.node(i);
   if (!node.states.has(Predicate::PowerOn) && !node.states.has(Predicate::PowerOff)) {
     return failed(Failure::NotSwitchable, node.id + " cannot be turned on or off.");
   }
@@ -101,7 +102,7 @@ Outcome switch_power(WorldState& state, std::size_t i, bool on) {
   }
   if (on && state.profile->power_needs_plug && node.states.has(Predicate::Unplugged))
     return failed(Failure::NotPluggedIn, node.id + " is not plugged in.");
-  node.states.set({on ? Predicate::PowerOn : Predicate::PowerOff, ""});
+  state.edit_states(i).set({on ? Predicate::PowerOn : Predicate::PowerOff, ""});
   if (!state.held(node.id)) {
     look_at(state, node.pose.position);
     state.carry_along();
@@ -112,8 +113,8 @@ Outcome switch_power(WorldState& state, std::size_t i, bool on) {
 
 Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect_name) {
   const std::string tool_id = state.node(tool).id;
-  if (state.scene.agent.held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
-  const std::string id = state.scene.agent.held.front();
+  if (state.agent().held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
+  const std::string id = state.agent().held.front();
   const std::size_t item = *state.index_of(id);
   const Effect* effect = state.knowledge->effect(state.node(tool).category, effect_name, state.node(item).category);
   // A bottle that pours has to be held itself: that is another action.
@@ -122,29 +123,26 @@ Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect_
   }
   if (auto blocked = out_of_hands_way(state, tool)) return *blocked;
 
-  WorldState trial = state;
-  const auto closed = [&] { return trial.node(tool).openable && !trial.node(tool).states.has(Predicate::Open); };
+  const auto closed = [&] { return state.node(tool).openable && !state.node(tool).states.has(Predicate::Open); };
   const bool inside = needs(*effect, "inside") || needs(*effect, "under_tap");
   const bool was_closed = closed();
-  const bool switches = needs(*effect, "power_on") && trial.node(tool).states.has(Predicate::PowerOff);
+  const bool switches = needs(*effect, "power_on") && state.node(tool).states.has(Predicate::PowerOff);
   Steps steps("use " + tool_id);
-  if (inside && was_closed) steps.run([&] { return swing(trial, tool, true); });
-  steps.run([&] { return place(trial, tool, inside, true); });
-  if (needs(*effect, "closed") && trial.node(tool).openable) steps.run([&] { return swing(trial, tool, false); });
-  if (switches) steps.run([&] { return switch_power(trial, tool, true); });
+  if (inside && was_closed) steps.run([&] { return swing(state, tool, true); });
+  steps.run([&] { return place(state, tool, inside, true); });
+  if (needs(*effect, "closed") && state.node(tool).openable) steps.run([&] { return swing(state, tool, false); });
+  if (switches) steps.run([&] { return switch_power(state, tool, true); });
   if (needs(*effect, "under_tap")) {
     steps.run([&] {
-      run_processes(trial, tool, true);
+      run_processes(state, tool, true);
       return succeeded();
     });
   }
-  if (switches) steps.run([&] { return switch_power(trial, tool, false); });
-  steps.run([&] { return closed() ? swing(trial, tool, true) : succeeded(); });
-  steps.run([&] { return pick_up(trial, item); });
-  if (was_closed) steps.run([&] { return swing(trial, tool, false); });
-  Outcome outcome = steps.outcome();
-  if (outcome.success) state = std::move(trial);
-  return outcome;
+  if (switches) steps.run([&] { return switch_power(state, tool, false); });
+  steps.run([&] { return closed() ? swing(state, tool, true) : succeeded(); });
+  steps.run([&] { return pick_up(state, item); });
+  if (was_closed) steps.run([&] { return swing(state, tool, false); });
+  return steps.outcome();
 }
 
 Outcome slice(WorldState& state, std::size_t i) {
@@ -153,8 +151,8 @@ Outcome slice(WorldState& state, std::size_t i) {
   if (!state.profile->slicing || !state.knowledge->has(state.node(i).category, "sliceable")) {
     return failed(Failure::NotSliceable, id + " cannot be sliced.");
   }
-  if (state.scene.agent.held.empty()) return failed(Failure::NoKnife, "You need something sharp in your hand.");
-  const std::size_t knife = *state.index_of(state.scene.agent.held.front());
+  if (state.agent().held.empty()) return failed(Failure::NoKnife, "You need something sharp in your hand.");
+  const std::size_t knife = *state.index_of(state.agent().held.front());
   const Effect* effect = state.knowledge->effect(state.node(knife).category, "slices", state.node(i).category);
   if (effect == nullptr) return failed(Failure::NoKnife, state.node(knife).id + " does not slice " + id + ".");
   if (state.node(i).states.has(Predicate::Sliced)) return failed(Failure::NotSliceable, id + " is already sliced.");
@@ -184,30 +182,26 @@ Outcome slice(WorldState& state, std::size_t i) {
     std::size_t index = i;
     if (k == 0) {
       part.states.set({Predicate::Sliced, ""});
-      state.node(i) = part;
+      state.replace(i, part);
     } else {
-      part.id = fresh_id(state.scene, piece->name);
+      part.id = fresh_id(state.scene(), piece->name);
       part.category = piece->name;
       part.slice_of = whole.id;
       part.whole_category = whole.category;
       part.states.clear(Predicate::Whole);
       part.states.clear(Predicate::Sliced);
-      index = state.scene.nodes.size();
-      state.scene.nodes.push_back(part);
+      index = state.add(part);
     }
-    state.physics.set(static_cast<BodyId>(index), shape_of(part), part.pose, 0, part.mass);
     loose.push_back(static_cast<BodyId>(index));
   }
-  const Settled settled = state.physics.settle(loose);
+  const Settled settled = state.physics().settle(loose);
   const Bounds whole_bounds = bounds_of(whole.pose, whole.size);
   std::vector<Bounds> touched{whole_bounds};
   for (const SettledBody& body : settled.bodies) {
-    state.node(body.body).pose = body.pose;
-    state.physics.move(body.body, body.pose);
-    touched.push_back(state.physics.bounds(body.body));
+    state.move(body.body, body.pose);
+    touched.push_back(state.physics().bounds(body.body));
   }
   look_at(state, state.node(i).pose.position);
-  if (std::any_of(touched.begin(), touched.end(), stands_low)) state.forget_grid();
   state.carry_along();
   const std::vector<std::size_t> changed(loose.begin(), loose.end());
   state.refresh(touched, changed);

@@ -14,7 +14,7 @@ const Vec3 kSitter_m(0.3, 0.3, 0.5);
 const Vec3 kLier_m(1.4, 0.4, 0.3);
 
 std::optional<std::size_t> seat_of(const WorldState& state) {
-  for (std::size_t i = 0; i < state.scene.nodes.size(); ++i) {
+  for (std::size_t i = 0; i < state.count(); ++i) {
     const StateSet& states = state.node(i).states;
     if (states.has(Predicate::SatOn) || states.has(Predicate::LainOn)) return i;
   }
@@ -33,15 +33,15 @@ bool free_for_body(const WorldState& state, std::size_t seat, const Pose& pose, 
   Shape body;
   body.parts.push_back({Part::Kind::Box, {}, size, -1});
   std::vector<BodyId> ignore{static_cast<BodyId>(seat)};
-  for (const BodyId id : state.physics.near(bounds_of(pose, size), 0)) {
-    if (id >= state.scene.nodes.size() || !state.node(id).movable) ignore.push_back(id);
+  for (const BodyId id : state.physics().near(bounds_of(pose, size), 0)) {
+    if (id >= state.count() || !state.node(id).movable) ignore.push_back(id);
   }
-  return !state.physics.overlap(body, pose, 0, ignore);
+  return !state.physics().overlap(body, pose, 0, ignore);
 }
 
 bool has_place_for(const WorldState& state, std::size_t seat, const Vec3& body) {
   const Node& node = state.node(seat);
-  const Shape shape = shape_of(node);
+  const Shape& shape = state.collider(seat).shape;
   for (const Surface& surface : shape.surfaces) {
     const Pose frame = node.pose * joint_motion(shape, surface.joint, node.opening);
     for (const bool across : {false, true}) {
@@ -90,10 +90,10 @@ Outcome take_seat(WorldState& state, std::size_t i, Predicate as) {
   if (auto blocked = out_of_the_way(state, i)) return *blocked;
   if (!has_place_for(state, i, lies ? kLier_m : kSitter_m))
     return failed(Failure::NoFreePlace, "There is no free place on " + id + "; something lies there.");
-  state.node(i).states.set({as, ""});
+  state.edit_states(i).set({as, ""});
   const Vec3 front = state.node(i).pose.rotation * -Vec3::UnitY();
-  if (front.head<2>().norm() > 1e-9) state.scene.agent.yaw = std::atan2(front.y(), front.x());
-  state.scene.agent.pitch = 0;
+  if (front.head<2>().norm() > 1e-9) state.edit_agent().yaw = std::atan2(front.y(), front.x());
+  state.edit_agent().pitch = 0;
   state.carry_along();
   return succeeded();
 }
@@ -101,8 +101,8 @@ Outcome take_seat(WorldState& state, std::size_t i, Predicate as) {
 Outcome stand_up(WorldState& state) {
   const auto seat = seat_of(state);
   if (!seat) return failed(Failure::NotSeated, "You stand already.");
-  state.node(*seat).states.clear(Predicate::SatOn);
-  state.node(*seat).states.clear(Predicate::LainOn);
+  state.edit_states(*seat).clear(Predicate::SatOn);
+  state.edit_states(*seat).clear(Predicate::LainOn);
   return succeeded();
 }
 
@@ -114,8 +114,8 @@ Outcome plug(WorldState& state, std::size_t i, bool in) {
   if (auto blocked = out_of_the_way(state, i)) return *blocked;
   if (in && plugged) return failed(Failure::AlreadyPluggedIn, id + " is already plugged in.");
   if (!in && !plugged) return failed(Failure::AlreadyUnplugged, id + " is already unplugged.");
-  state.node(i).states.set({in ? Predicate::PluggedIn : Predicate::Unplugged, ""});
-  if (!in && state.node(i).states.has(Predicate::PowerOn)) state.node(i).states.set({Predicate::PowerOff, ""});
+  state.edit_states(i).set({in ? Predicate::PluggedIn : Predicate::Unplugged, ""});
+  if (!in && state.node(i).states.has(Predicate::PowerOn)) state.edit_states(i).set({Predicate::PowerOff, ""});
   turn_to_work(state, i);
   return succeeded();
 }
@@ -125,14 +125,14 @@ Outcome fold(WorldState& state, std::size_t i) {
   if (!state.knowledge->has(state.node(i).category, "foldable"))
     return failed(Failure::NotFoldable, id + " cannot be folded.");
   if (state.node(i).states.has(Predicate::Folded)) return failed(Failure::AlreadyFolded, id + " is folded already.");
-  if (static_cast<int>(state.scene.agent.held.size()) >= state.profile->hands) {
+  if (static_cast<int>(state.agent().held.size()) >= state.profile->hands) {
     const bool itself = state.held(id);
     return failed(Failure::HandsFull, itself ? "Put " + id + " down to fold it." : "Folding takes a free hand.");
   }
   if (auto blocked = out_of_the_way(state, i)) return *blocked;
   if (const auto group = state.group_of(i); group.size() > 1)
     return failed(Failure::Blocked, state.node(group[1]).id + " lies on " + id + ".");
-  state.node(i).states.set({Predicate::Folded, ""});
+  state.edit_states(i).set({Predicate::Folded, ""});
   turn_to_work(state, i);
   return succeeded();
 }
@@ -143,8 +143,8 @@ Outcome break_apart(WorldState& state, std::size_t i) {
     return failed(Failure::NotBreakable, id + " cannot be broken.");
   if (state.node(i).states.has(Predicate::Broken)) return failed(Failure::AlreadyBroken, id + " is broken already.");
   if (auto blocked = out_of_the_way(state, i)) return *blocked;
-  state.node(i).states.set({Predicate::Broken, ""});
-  if (state.node(i).states.has(Predicate::Filled)) state.node(i).states.set({Predicate::Empty, ""});
+  state.edit_states(i).set({Predicate::Broken, ""});
+  if (state.node(i).states.has(Predicate::Filled)) state.edit_states(i).set({Predicate::Empty, ""});
   turn_to_work(state, i);
   return succeeded();
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include "simulation/world_state.h"
@@ -11,8 +12,14 @@ std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
   const auto& walk = state.walk();
   std::optional<Vec2> best;
   double best_distance = std::numeric_limits<double>::infinity();
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) {
+  Vec2 low = middle, high = middle;
+  for (const Vec2& corner : room.polygon) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  const auto from = grid.cell_at(low), to = grid.cell_at(high);
+  for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
+    for (int x = std::max(0, from.x); x <= std::min(grid.width() - 1, to.x); ++x) {
       if (walk[grid.index({x, y})] < 0) continue;
       const Vec2 at = grid.centre({x, y});
       const double distance = (at - middle).squaredNorm();
@@ -24,21 +31,13 @@ std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
   return best;
 }
 
-namespace {
-
-void move_agent(WorldState& state, const Vec2& to) {
-  state.scene.agent.position = to;
-  state.forget_walk();
-}
-
-}  // namespace
-
 Outcome go_to(WorldState& state, const std::string& id) {
-  if (const Room* room = find_room(state.scene, id)) {
+  if (const Room* room = find_room(state.scene(), id)) {
     const auto place = place_in_room(state, *room);
     if (!place) return failed(Failure::NoStandingPlace, "There is no way to walk into " + id + ".");
-    move_agent(state, *place);
-    state.scene.agent.pitch = 0;
+    Agent& agent = state.edit_agent();
+    agent.position = *place;
+    agent.pitch = 0;
     state.carry_along();
     return succeeded();
   }
@@ -47,9 +46,9 @@ Outcome go_to(WorldState& state, const std::string& id) {
   if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand.");
   // What a closed container hides cannot be seen from anywhere: the agent goes to the container.
   const std::size_t target = state.closed_around(*node).value_or(*node);
-  const auto place = standing_place(state.scene, state.physics, state.grid(), state.walk(), *state.profile, target);
+  const auto place = standing_place(state.scene(), state.physics(), state.grid(), state.walk(), *state.profile, target);
   if (!place) return failed(Failure::NoStandingPlace, "There is no place to stand from which to reach " + id + ".");
-  move_agent(state, *place);
+  state.edit_agent().position = *place;
   look_at(state, state.node(target).pose.position);
   state.carry_along();
   return succeeded();
@@ -59,7 +58,7 @@ Outcome turn_to(WorldState& state, std::size_t node) {
   if (state.held(state.node(node).id))
     return failed(Failure::InvalidArgument, state.node(node).id + " is in your hand.");
   if (state.closed_around(node) ||
-      !sees(state.scene, state.physics, *state.profile, state.scene.agent.position, node)) {
+      !sees(state.scene(), state.physics(), *state.profile, state.agent().position, node)) {
     return failed(Failure::NotVisible, state.node(node).id + " is not in sight from here.");
   }
   look_at(state, state.node(node).pose.position);

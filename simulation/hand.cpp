@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "simulation/relations.h"
 #include "simulation/world_state.h"
 
 namespace unietp {
@@ -17,9 +16,9 @@ constexpr double kSunk_m = 0.003;      // resting contacts sink by up to this mu
 constexpr double kKnocked_m = 0.05;    // neighbours that move farther than this have been knocked over
 
 Bounds group_bounds(const WorldState& state, const std::vector<std::size_t>& group) {
-  Bounds all = state.physics.bounds(static_cast<BodyId>(group.front()));
+  Bounds all = state.physics().bounds(static_cast<BodyId>(group.front()));
   for (const std::size_t i : group) {
-    const Bounds one = state.physics.bounds(static_cast<BodyId>(i));
+    const Bounds one = state.physics().bounds(static_cast<BodyId>(i));
     all.low = all.low.cwiseMin(one.low);
     all.high = all.high.cwiseMax(one.high);
   }
@@ -29,8 +28,8 @@ Bounds group_bounds(const WorldState& state, const std::vector<std::size_t>& gro
 /// Movable bodies that touch the bounds, with all that rests on or in them, without `group`. Sorted.
 std::vector<BodyId> neighbours(const WorldState& state, const Bounds& bounds, const std::vector<std::size_t>& group) {
   std::vector<BodyId> found;
-  for (const BodyId id : state.physics.near(bounds, kTouching_m)) {
-    if (id >= state.scene.nodes.size() || !state.node(id).movable) continue;
+  for (const BodyId id : state.physics().near(bounds, kTouching_m)) {
+    if (id >= state.count() || !state.node(id).movable) continue;
     for (const std::size_t member : state.group_of(id)) {
       if (std::find(group.begin(), group.end(), member) == group.end()) found.push_back(static_cast<BodyId>(member));
     }
@@ -44,12 +43,11 @@ std::vector<BodyId> neighbours(const WorldState& state, const Bounds& bounds, co
 double apply(WorldState& state, const Settled& settled, const std::vector<BodyId>& watched) {
   double farthest = 0;
   for (const SettledBody& body : settled.bodies) {
-    Node& node = state.node(body.body);
+    const Node& node = state.node(body.body);
     if (std::find(watched.begin(), watched.end(), body.body) != watched.end()) {
       farthest = std::max(farthest, (node.pose.position - body.pose.position).norm());
     }
-    node.pose = body.pose;
-    state.physics.move(body.body, body.pose);
+    state.move(body.body, body.pose);
   }
   return farthest;
 }
@@ -89,9 +87,9 @@ void add_head(Shape& shape, const Vec3& size) {
 Spots spots_on(const WorldState& state, std::size_t target, const Vec3& size, bool inside, bool alone, bool attaches) {
   Spots result;
   const Node& receptacle = state.node(target);
-  Shape shape = shape_of(receptacle);
+  Shape shape = state.collider(target).shape;
   if (attaches) add_head(shape, receptacle.size);
-  const Vec2 agent = state.scene.agent.position;
+  const Vec2 agent = state.agent().position;
   for (const Surface& surface : shape.surfaces) {
     if ((surface.cavity >= 0) != inside) continue;
     result.any_surface = true;
@@ -126,7 +124,7 @@ Spots spots_on(const WorldState& state, std::size_t target, const Vec3& size, bo
 bool free_at(const WorldState& state, const std::vector<std::size_t>& group, const Pose& motion) {
   return std::none_of(group.begin(), group.end(), [&](std::size_t i) {
     const Node& node = state.node(i);
-    return state.physics.overlap(shape_of(node), motion * node.pose, node.opening, {}).has_value();
+    return state.physics().overlap(state.collider(i), motion * node.pose, {}).has_value();
   });
 }
 
@@ -140,8 +138,8 @@ Outcome pick_up(WorldState& state, std::size_t i) {
   }
   if (state.node(i).states.has(Predicate::SatOn) || state.node(i).states.has(Predicate::LainOn))
     return failed(Failure::Seated, "You sit on " + id + "; stand up first.");
-  if (static_cast<int>(state.scene.agent.held.size()) >= state.profile->hands) {
-    return failed(Failure::HandsFull, "You already hold " + state.scene.agent.held.front() + ".");
+  if (static_cast<int>(state.agent().held.size()) >= state.profile->hands) {
+    return failed(Failure::HandsFull, "You already hold " + state.agent().held.front() + ".");
   }
   if (auto blocked = out_of_hands_way(state, i)) return *blocked;
   const std::vector<std::size_t> group = state.group_of(i);
@@ -152,17 +150,15 @@ Outcome pick_up(WorldState& state, std::size_t i) {
   look_at(state, state.node(i).pose.position);
   const Bounds before = group_bounds(state, group);
   const auto left_behind = neighbours(state, before, group);
-  for (const std::size_t member : group) state.physics.remove(static_cast<BodyId>(member));
-  state.scene.agent.held.push_back(id);
-  state.hand = {};
-  if (stands_low(before)) state.forget_grid();
+  for (const std::size_t member : group) state.lift(member);
+  state.edit_agent().held.push_back(id);
+  state.set_hand({});
   state.carry_along();
   std::vector<Bounds> touched{before};
   std::vector<std::size_t> changed(left_behind.begin(), left_behind.end());
   if (!left_behind.empty()) {
-    apply(state, state.physics.settle(left_behind), {});
+    apply(state, state.physics().settle(left_behind), {});
     touched.push_back(group_bounds(state, changed));
-    if (stands_low(touched.back())) state.forget_grid();
   }
   changed.insert(changed.end(), group.begin(), group.end());
   state.refresh(touched, changed);
@@ -171,8 +167,8 @@ Outcome pick_up(WorldState& state, std::size_t i) {
 
 Outcome place(WorldState& state, std::size_t target, bool inside, bool within_grasp) {
   const std::string target_id = state.node(target).id;
-  if (state.scene.agent.held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
-  const std::string id = state.scene.agent.held.front();
+  if (state.agent().held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
+  const std::string id = state.agent().held.front();
   const std::size_t i = *state.index_of(id);
   const std::vector<std::size_t> group = state.group_of(i);
   if (std::find(group.begin(), group.end(), target) != group.end()) {
@@ -194,36 +190,31 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
     return failed(Failure::DoesNotFit, id + " does not fit " + (inside ? "into " : "on ") + target_id + ".");
 
   int settles = 0;
+  const std::size_t before = state.mark();
   for (const Spot& spot : spots.spots) {
+    state.back_to(before);
     const Pose motion = spot.pose * inverse(state.node(i).pose);
     if (!free_at(state, group, motion)) continue;
     if (++settles > kMostSettles) break;
-    WorldState trial = state;
     for (const std::size_t member : group) {
-      Node& node = trial.node(member);
-      node.pose = member == i ? spot.pose : motion * node.pose;
-      trial.physics.set(static_cast<BodyId>(member), shape_of(node), node.pose, node.opening, node.mass);
+      state.move(member, member == i ? spot.pose : motion * state.node(member).pose);
+      state.lay(member);
     }
-    look_at(trial, trial.node(i).pose.position);
-    const Bounds let_go = group_bounds(trial, group);
-    const auto beside = neighbours(trial, let_go, group);
+    look_at(state, state.node(i).pose.position);
+    const Bounds let_go = group_bounds(state, group);
+    const auto beside = neighbours(state, let_go, group);
     std::vector<BodyId> loose(group.begin(), group.end());
     loose.insert(loose.end(), beside.begin(), beside.end());
-    const Settled settled = trial.physics.settle(loose);
-    const double knocked = apply(trial, settled, beside);
+    const Settled settled = state.physics().settle(loose);
+    const double knocked = apply(state, settled, beside);
     if (!settled.calm || knocked > kKnocked_m) continue;
-    std::erase(trial.scene.agent.held, id);
+    std::erase(state.edit_agent().held, id);
     const std::vector<std::size_t> changed(loose.begin(), loose.end());
-    const Bounds touched[] = {let_go, group_bounds(trial, changed)};
-    if (stands_low(let_go) || stands_low(touched[1])) trial.forget_grid();
-    trial.refresh(touched, changed);
-    if (!has_edge(trial.scene, inside ? Predicate::Inside : Predicate::On, id, target_id)) continue;
-    if (within_grasp && out_of_hands_way(trial, i)) continue;
-    state = std::move(trial);
-    if (attaches) {
-      Edge edge{Predicate::Attached, id, target_id};
-      state.scene.edges.insert(std::lower_bound(state.scene.edges.begin(), state.scene.edges.end(), edge), edge);
-    }
+    const Bounds touched[] = {let_go, group_bounds(state, changed)};
+    state.refresh(touched, changed);
+    if (!state.linked(i, inside ? Predicate::Inside : Predicate::On, target)) continue;
+    if (within_grasp && out_of_hands_way(state, i)) continue;
+    if (attaches) state.attach(i, target);
     run_processes(state, target);
     return succeeded();
   }
@@ -239,43 +230,37 @@ bool any_sunk(const WorldState& state, const std::vector<std::size_t>& bodies) {
   return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t i) {
     const BodyId self[] = {static_cast<BodyId>(i)};
     const Node& node = state.node(i);
-    return state.physics.overlap(shape_of(node), node.pose, node.opening, self, kSunk_m).has_value();
+    return state.physics().overlap(state.collider(i), node.pose, self, kSunk_m).has_value();
   });
 }
 
 }  // namespace
 
 Outcome drop(WorldState& state) {
-  if (state.scene.agent.held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
-  const std::string id = state.scene.agent.held.front();
+  if (state.agent().held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
+  const std::string id = state.agent().held.front();
   const std::vector<std::size_t> group = state.group_of(*state.index_of(id));
   if (!free_at(state, group, Pose{Vec3::Zero(), Quat::Identity()}))
     return failed(Failure::Blocked, "There is no room to let " + id + " fall here.");
-  WorldState trial = state;
-  for (const std::size_t member : group) {
-    const Node& node = trial.node(member);
-    trial.physics.set(static_cast<BodyId>(member), shape_of(node), node.pose, node.opening, node.mass);
-  }
-  const Bounds let_go = group_bounds(trial, group);
+  for (const std::size_t member : group) state.lay(member);
+  const Bounds let_go = group_bounds(state, group);
   // Whatever lies below may be hit.
   Bounds below = let_go;
   below.low.z() = 0;
-  const auto hit = neighbours(trial, below, group);
+  const auto hit = neighbours(state, below, group);
   std::vector<BodyId> loose(group.begin(), group.end());
   loose.insert(loose.end(), hit.begin(), hit.end());
-  const Settled settled = trial.physics.settle(loose);
-  apply(trial, settled, {});
+  const Settled settled = state.physics().settle(loose);
+  apply(state, settled, {});
   const std::vector<std::size_t> changed(loose.begin(), loose.end());
   const bool in_a_room = std::all_of(changed.begin(), changed.end(), [&](std::size_t i) {
-    return room_at(trial.scene, trial.node(i).pose.position.head<2>()) != nullptr;
+    return room_at(state.scene(), state.node(i).pose.position.head<2>()) != nullptr;
   });
-  if (!settled.calm || !in_a_room || any_sunk(trial, changed))
+  if (!settled.calm || !in_a_room || any_sunk(state, changed))
     return failed(Failure::DidNotRest, id + " would not come to rest here.");
-  std::erase(trial.scene.agent.held, id);
-  const Bounds touched[] = {below, group_bounds(trial, changed)};
-  trial.forget_grid();
-  trial.refresh(touched, changed);
-  state = std::move(trial);
+  std::erase(state.edit_agent().held, id);
+  const Bounds touched[] = {below, group_bounds(state, changed)};
+  state.refresh(touched, changed);
   return succeeded();
 }
 

@@ -12,12 +12,12 @@ constexpr double kNearest_m = 0.25, kFarthest_m = 0.85, kMostAside_m = 0.4;
 
 /// The body that what the hand holds would meet; with a message for the agent.
 std::optional<Outcome> held_meets(const WorldState& state) {
-  for (const std::string& id : state.scene.agent.held) {
+  for (const std::string& id : state.agent().held) {
     for (const std::size_t member : state.group_of(*state.index_of(id))) {
       const Node& node = state.node(member);
-      const auto hit = state.physics.overlap(shape_of(node), node.pose, node.opening, {});
+      const auto hit = state.physics().overlap(state.collider(member), node.pose, {});
       if (!hit) continue;
-      const bool thing = *hit < state.scene.nodes.size();
+      const bool thing = *hit < state.count();
       return failed(Failure::Blocked, id + " would hit " + (thing ? state.node(*hit).id : "a wall") + ".");
     }
   }
@@ -25,29 +25,27 @@ std::optional<Outcome> held_meets(const WorldState& state) {
 }
 
 Outcome with_hand(WorldState& state, const HandPose& hand) {
-  if (state.scene.agent.held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
+  if (state.agent().held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
   const bool in_reach = hand.ahead_m >= kNearest_m - 1e-9 && hand.ahead_m <= kFarthest_m + 1e-9 &&
                         std::abs(hand.left_m) <= kMostAside_m + 1e-9;
   if (!in_reach) return failed(Failure::Blocked, "Your arm does not reach further that way.");
-  WorldState trial = state;
-  trial.hand = hand;
-  trial.carry_along();
-  if (auto blocked = held_meets(trial)) return *blocked;
-  state = std::move(trial);
+  state.set_hand(hand);
+  state.carry_along();
+  if (auto blocked = held_meets(state)) return *blocked;
   return succeeded();
 }
 
 }  // namespace
 
 Outcome move_hand(WorldState& state, double ahead, double left) {
-  HandPose hand = state.hand;
+  HandPose hand = state.hand();
   hand.ahead_m += ahead * kHandStep_m;
   hand.left_m += left * kHandStep_m;
   return with_hand(state, hand);
 }
 
 Outcome rotate_hand(WorldState& state) {
-  HandPose hand = state.hand;
+  HandPose hand = state.hand();
   hand.turn = std::remainder(hand.turn + kHandTurn_deg * std::numbers::pi / 180, 2 * std::numbers::pi);
   return with_hand(state, hand);
 }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "simulation/walls.h"
 
@@ -15,54 +18,65 @@ constexpr double kStepOver_m = 0.05;  // lower things on the floor do not stop a
 constexpr double kLow_m = 0.15;       // movable things that start higher lie on furniture, which blocks the way itself
 constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-/// A solid seen from above: a rectangle turned by its yaw, or its bounds when it does not stand upright.
-struct Footprint {
-  Vec2 centre, along, half;  // `along`: unit, the rectangle's own x
-};
-
-std::optional<Footprint> footprint_of(const Pose& pose, const Vec3& size, double body_height) {
+std::optional<Shadow> shadow_of_part(const Pose& pose, const Vec3& size, double body_height) {
   const Bounds bounds = bounds_of(pose, size);
   if (bounds.high.z() < kStepOver_m || bounds.low.z() > body_height) return std::nullopt;
   const Vec3 up = pose.rotation * Vec3::UnitZ();
   if (std::abs(up.z()) > 0.999) {
     const Vec3 x = pose.rotation * Vec3::UnitX();
-    return Footprint{pose.position.head<2>(), x.head<2>().normalized(), size.head<2>() / 2};
+    return Shadow{pose.position.head<2>(), x.head<2>().normalized(), size.head<2>() / 2};
   }
-  return Footprint{(bounds.low + bounds.high).head<2>() / 2, Vec2::UnitX(), (bounds.high - bounds.low).head<2>() / 2};
+  return Shadow{(bounds.low + bounds.high).head<2>() / 2, Vec2::UnitX(), (bounds.high - bounds.low).head<2>() / 2};
 }
 
-double distance_to(const Footprint& f, const Vec2& point) {
+double distance_to(const Shadow& f, const Vec2& point) {
   const Vec2 d = point - f.centre;
   const Vec2 local(std::abs(d.dot(f.along)), std::abs(d.dot(Vec2(-f.along.y(), f.along.x()))));
   return (local - f.half).cwiseMax(0.0).norm();
 }
 
-std::vector<Footprint> footprints_of(const Node& node, const Shape& shape, double opening, double body_height,
-                                     bool only_moving) {
-  std::vector<Footprint> all;
+/// Lies in the other, and so adds nothing to it.
+bool covered(const Shadow& f, const Shadow& by) {
+  if (f.along != by.along) return false;
+  const Vec2 d = f.centre - by.centre;
+  const Vec2 local(std::abs(d.dot(by.along)), std::abs(d.dot(Vec2(-by.along.y(), by.along.x()))));
+  return ((local + f.half - by.half).array() <= 0).all();
+}
+
+std::vector<Shadow> shadows_of(const Node& node, const Shape& shape, double opening, double body_height,
+                               bool only_moving) {
+  std::vector<Shadow> all;
   for (const Part& part : shape.parts) {
     if (only_moving && part.joint < 0) continue;
     const Pose pose = node.pose * joint_motion(shape, part.joint, opening) * part.pose;
-    if (const auto f = footprint_of(pose, part.size, body_height)) all.push_back(*f);
+    const auto f = shadow_of_part(pose, part.size, body_height);
+    if (!f || std::any_of(all.begin(), all.end(), [&](const Shadow& other) { return covered(*f, other); })) continue;
+    std::erase_if(all, [&](const Shadow& other) { return covered(other, *f); });
+    all.push_back(*f);
   }
   return all;
 }
 
+/// What of a node stands in the way of a body.
+std::vector<Shadow> shadow_of(const Node& node, const Shape& shape, double body_height) {
+  if (node.movable && !stands_low(bounds_of(node.pose, node.size))) return {};
+  return shadows_of(node, shape, node.opening, body_height, false);
+}
+
 /// All that the moving parts sweep, in steps.
-std::vector<Footprint> door_way(const Node& node, const Profile& profile) {
-  std::vector<Footprint> way;
+std::vector<Shadow> door_way(const Node& node, const Shape& shape, const Profile& profile) {
+  std::vector<Shadow> way;
   if (!node.openable) return way;
-  const Shape shape = shape_of(node);
   for (const double opening : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-    const auto parts = footprints_of(node, shape, opening, profile.body_height_m, true);
+    const auto parts = shadows_of(node, shape, opening, profile.body_height_m, true);
     way.insert(way.end(), parts.begin(), parts.end());
   }
   return way;
 }
 
-bool within(const std::vector<Footprint>& footprints, const Vec2& at, double radius) {
+bool within(const std::vector<Shadow>& footprints, const Vec2& at, double radius) {
   return std::any_of(footprints.begin(), footprints.end(),
-                     [&](const Footprint& f) { return distance_to(f, at) < radius; });
+                     [&](const Shadow& f) { return distance_to(f, at) < radius; });
 }
 
 }  // namespace
@@ -70,10 +84,11 @@ bool within(const std::vector<Footprint>& footprints, const Vec2& at, double rad
 bool stands_low(const Bounds& bounds) { return bounds.low.z() < kLow_m; }
 
 bool in_door_way(const Node& node, const Vec2& at, const Profile& profile) {
-  return within(door_way(node, profile), at, profile.body_radius_m);
+  return within(door_way(node, shape_of(node), profile), at, profile.body_radius_m);
 }
 
-NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile) {
+NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
+    : body_radius_(profile.body_radius_m), body_height_(profile.body_height_m), shadows_(scene.nodes.size()) {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Room& room : scene.rooms) {
     for (const Vec2& p : room.polygon) {
@@ -85,7 +100,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile) {
   origin_ = low;
   width_ = static_cast<int>(std::ceil((high.x() - low.x()) / kCell_m));
   height_ = static_cast<int>(std::ceil((high.y() - low.y()) / kCell_m));
-  blocked_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 1);
+  blockers_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 1);
   for (const Room& room : scene.rooms) {
     Vec2 room_low = room.polygon.front(), room_high = room_low;
     for (const Vec2& p : room.polygon) {
@@ -95,7 +110,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile) {
     const Cell from = cell_at(room_low), to = cell_at(room_high);
     for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
       for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
-        if (contains(room.polygon, centre({x, y}))) blocked_[index({x, y})] = 0;
+        if (contains(room.polygon, centre({x, y}))) blockers_[index({x, y})] = 0;
       }
     }
   }
@@ -111,32 +126,51 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile) {
       for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
         const Vec2 way = centre({x, y}) - opening.from;
         const double at = way.dot(along) / length, aside = way.x() * along.y() - way.y() * along.x();
-        if (at >= 0 && at <= length && std::abs(aside) / length <= kDoorway_m) blocked_[index({x, y})] = 0;
+        if (at >= 0 && at <= length && std::abs(aside) / length <= kDoorway_m) blockers_[index({x, y})] = 0;
       }
     }
   }
-  const double radius = profile.body_radius_m;
-  const auto block = [&](const Footprint& f) {
-    const double reach = f.half.norm() + radius;
-    const Cell from = cell_at(f.centre - Vec2::Constant(reach)), to = cell_at(f.centre + Vec2::Constant(reach));
-    for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
-      for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
-        if (distance_to(f, centre({x, y})) < radius) blocked_[index({x, y})] = 1;
-      }
-    }
-  };
   for (const WallPiece& piece : walls_of(scene)) {
-    if (const auto f = footprint_of(piece.pose, piece.size, profile.body_height_m)) block(*f);
+    if (const auto f = shadow_of_part(piece.pose, piece.size, body_height_)) count(*f, 1);
   }
-  for (const Node& node : scene.nodes) {
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
     if (std::find(scene.agent.held.begin(), scene.agent.held.end(), node.id) != scene.agent.held.end()) continue;
-    if (node.movable && !stands_low(bounds_of(node.pose, node.size))) continue;
-    for (const Footprint& f : footprints_of(node, shape_of(node), node.opening, profile.body_height_m, false)) block(f);
+    const Shape shape = shape_of(node);
+    update(i, &node, &shape);
   }
 }
 
+void NavigationGrid::count(const Shadow& f, int by) {
+  const Vec2 &u = f.along, v(-f.along.y(), f.along.x());
+  const Vec2 reach = u.cwiseAbs() * f.half.x() + v.cwiseAbs() * f.half.y() + Vec2::Constant(body_radius_);
+  const Cell from = cell_at(f.centre - reach), to = cell_at(f.centre + reach);
+  const double limit = body_radius_ * body_radius_;
+  for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
+    for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
+      const Vec2 d = centre({x, y}) - f.centre;
+      const double out_u = std::max(0.0, std::abs(d.dot(u)) - f.half.x());
+      const double out_v = std::max(0.0, std::abs(d.dot(v)) - f.half.y());
+      if (out_u * out_u + out_v * out_v >= limit) continue;
+      std::uint16_t& blockers = blockers_[index({x, y})];
+      blockers = static_cast<std::uint16_t>(blockers + by);
+    }
+  }
+}
+
+void NavigationGrid::update(std::size_t i, const Node* node, const Shape* shape) {
+  if (i >= shadows_.size()) shadows_.resize(i + 1);
+  std::vector<Shadow> shadow;
+  if (node != nullptr) shadow = shadow_of(*node, *shape, body_height_);
+  if (shadow == shadows_[i]) return;
+  for (const Shadow& f : shadows_[i]) count(f, -1);
+  for (const Shadow& f : shadow) count(f, 1);
+  shadows_[i] = std::move(shadow);
+  ++version_;
+}
+
 bool NavigationGrid::free(Cell cell) const {
-  return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_ && blocked_[index(cell)] == 0;
+  return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_ && blockers_[index(cell)] == 0;
 }
 
 NavigationGrid::Cell NavigationGrid::cell_at(const Vec2& point) const {
@@ -149,7 +183,7 @@ Vec2 NavigationGrid::centre(Cell cell) const {
 }
 
 std::vector<std::int32_t> NavigationGrid::distances(Cell from) const {
-  std::vector<std::int32_t> steps(blocked_.size(), -1);
+  std::vector<std::int32_t> steps(blockers_.size(), -1);
   if (!free(from)) return steps;
   std::vector<Cell> front{from};
   steps[index(from)] = 0;
@@ -169,16 +203,26 @@ std::vector<std::int32_t> NavigationGrid::distances(Cell from) const {
 }
 
 std::optional<NavigationGrid::Cell> NavigationGrid::nearest_free(const Vec2& point) const {
+  const Cell middle = cell_at(point);
   std::optional<Cell> best;
   double best_distance = std::numeric_limits<double>::infinity();
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) {
-      if (!free({x, y})) continue;
-      const double d = (centre({x, y}) - point).squaredNorm();
-      if (d < best_distance) {
-        best_distance = d;
-        best = Cell{x, y};
-      }
+  const auto look = [&](int x, int y) {
+    const Cell cell{x, y};
+    if (!free(cell)) return;
+    const double d = (centre(cell) - point).squaredNorm();
+    const bool nearer = d < best_distance || (d == best_distance && std::pair(y, x) < std::pair(best->y, best->x));
+    if (!nearer) return;
+    best_distance = d;
+    best = cell;
+  };
+  const int farthest = std::max({middle.x, middle.y, width_ - 1 - middle.x, height_ - 1 - middle.y});
+  for (int ring = 0; ring <= farthest; ++ring) {
+    const double least = (ring - 0.5) * kCell_m;  // from the point to the centre of a cell of this ring
+    if (best && ring > 0 && least * least > best_distance) break;
+    for (int y = std::max(0, middle.y - ring); y <= std::min(height_ - 1, middle.y + ring); ++y) {
+      const bool whole_row = std::abs(y - middle.y) == ring;
+      const int step = whole_row || ring == 0 ? 1 : 2 * ring;
+      for (int x = middle.x - ring; x <= middle.x + ring; x += step) look(x, y);
     }
   }
   return best;
@@ -222,30 +266,53 @@ std::vector<Vec2> NavigationGrid::walk(const Vec2& from, const Vec2& to) const {
   return points;
 }
 
-double reach_distance(const Node& node, const Vec2& at, const Profile& profile) {
-  const Vec3 up = node.pose.rotation * Vec3::UnitZ();
-  if (std::abs(up.z()) > 1 - 1e-9) {  // upright, as most things are: a rectangle and an interval of heights
-    const Vec3 x = node.pose.rotation * Vec3::UnitX();
-    const double sideways = distance_to({node.pose.position.head<2>(), x.head<2>(), node.size.head<2>() / 2}, at);
-    const double low = node.pose.position.z() - node.size.z() / 2, high = low + node.size.z();
-    return std::hypot(sideways, std::max({0.0, low - profile.body_height_m, -high}));
-  }
-  const Pose to_node = inverse(node.pose);
-  const auto distance = [&](double z) {
-    const Vec3 local = to_node * Vec3(at.x(), at.y(), z);
-    return (local.cwiseAbs() - node.size / 2).cwiseMax(0.0).norm();
-  };
-  double low = 0, high = profile.body_height_m;  // the distance is convex along the segment
-  for (int i = 0; i < 40; ++i) {
-    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-    if (distance(a) <= distance(b)) {
-      high = b;
+namespace {
+
+/// Distances of many points from one node: from the body's vertical segment at a point to the node's box.
+class Reach {
+ public:
+  Reach(const Node& node, const Profile& profile) : half_(node.size / 2), height_(profile.body_height_m) {
+    const Vec3 up = node.pose.rotation * Vec3::UnitZ();
+    upright_ = std::abs(up.z()) > 1 - 1e-9;
+    if (upright_) {  // as most things are: a rectangle and an interval of heights
+      const Vec3 x = node.pose.rotation * Vec3::UnitX();
+      rectangle_ = {node.pose.position.head<2>(), x.head<2>(), half_.head<2>()};
+      const double low = node.pose.position.z() - half_.z(), high = low + node.size.z();
+      above_ = std::max({0.0, low - height_, -high});
     } else {
-      low = a;
+      to_node_ = inverse(node.pose);
     }
   }
-  return distance((low + high) / 2);
-}
+
+  double operator()(const Vec2& at) const {
+    if (upright_) return std::hypot(distance_to(rectangle_, at), above_);
+    const auto distance = [&](double z) {
+      const Vec3 local = to_node_ * Vec3(at.x(), at.y(), z);
+      return (local.cwiseAbs() - half_).cwiseMax(0.0).norm();
+    };
+    double low = 0, high = height_;  // the distance is convex along the segment
+    for (int i = 0; i < 40; ++i) {
+      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+      if (distance(a) <= distance(b)) {
+        high = b;
+      } else {
+        low = a;
+      }
+    }
+    return distance((low + high) / 2);
+  }
+
+ private:
+  Vec3 half_;
+  double height_ = 0, above_ = 0;
+  bool upright_ = false;
+  Shadow rectangle_;
+  Pose to_node_;
+};
+
+}  // namespace
+
+double reach_distance(const Node& node, const Vec2& at, const Profile& profile) { return Reach(node, profile)(at); }
 
 std::vector<Vec3> sight_points(const Node& node) {
   constexpr double kInside = 0.9;  // of the way from the centre to a face
@@ -282,12 +349,18 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
   constexpr double kAsideWeight = 2;
   constexpr int kMostChecked = 80;
   const Node& target = scene.nodes[node];
-  const std::vector<Footprint> way = door_way(target, profile);
+  const auto body = static_cast<BodyId>(node);
+  const std::vector<Shadow> way =
+      door_way(target, world.has(body) ? world.collider(body).shape : shape_of(target), profile);
+  const Reach reach(target, profile);
   const Vec3 front = target.pose.rotation * -Vec3::UnitY();
   const Pose to_target = inverse(target.pose);
   struct Candidate {
     double cost;
     NavigationGrid::Cell cell;
+    bool operator>(const Candidate& other) const {
+      return std::tie(cost, cell.y, cell.x) > std::tie(other.cost, other.cell.y, other.cell.x);
+    }
   };
   std::vector<Candidate> candidates;
   const double span = target.size.norm() / 2 + profile.reach_m;
@@ -298,7 +371,7 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
       const NavigationGrid::Cell cell{x, y};
       if (!grid.free(cell) || walk_from_agent[grid.index({x, y})] < 0) continue;
       const Vec2 at = grid.centre(cell);
-      const double distance = reach_distance(target, at, profile);
+      const double distance = reach(at);
       if (distance > profile.reach_m - kReachReserve_m) continue;
       double cost = distance;
       if (!target.movable && (at - middle).norm() > 1e-9) {
@@ -312,10 +385,13 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
       candidates.push_back({cost, cell});
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  // One of the first few mostly does, so the others need no order.
+  std::make_heap(candidates.begin(), candidates.end(), std::greater<>());
   int checked = 0;
-  for (const Candidate& candidate : candidates) {
+  while (!candidates.empty()) {
+    std::pop_heap(candidates.begin(), candidates.end(), std::greater<>());
+    const Candidate candidate = candidates.back();
+    candidates.pop_back();
     const Vec2 at = grid.centre(candidate.cell);
     if (within(way, at, profile.body_radius_m)) continue;
     if (++checked > kMostChecked) break;

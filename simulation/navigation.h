@@ -11,6 +11,14 @@
 
 namespace unietp {
 
+/// A solid seen from above: a rectangle turned by its yaw, or its bounds when it does not stand upright.
+struct Shadow {
+  Vec2 centre = Vec2::Zero(), along = Vec2::UnitX(), half = Vec2::Zero();  // `along`: unit, the rectangle's own x
+  bool operator==(const Shadow& other) const {
+    return centre == other.centre && along == other.along && half == other.half;
+  }
+};
+
 /// Where a body of the profile's radius can stand: a grid of kCell_m over the rooms' bounds. A cell is free when a disc
 /// of the body's radius around its centre meets no wall and no solid between 5 cm and the body's height.
 class NavigationGrid {
@@ -22,6 +30,10 @@ class NavigationGrid {
   };
 
   NavigationGrid(const Scene& scene, const Profile& profile);
+  /// Node i is now as given, with that shape; or, with nullptr, no longer there. The same as a new grid.
+  void update(std::size_t i, const Node* node, const Shape* shape);
+  /// Another number whenever the free cells may be others.
+  std::uint64_t version() const { return version_; }
 
   bool free(Cell cell) const;
   Cell cell_at(const Vec2& point) const;
@@ -45,9 +57,13 @@ class NavigationGrid {
   std::vector<Vec2> walk(const Vec2& from, const Vec2& to) const;
 
  private:
+  void count(const Shadow& shadow, int by);
   int width_ = 0, height_ = 0;
   Vec2 origin_ = Vec2::Zero();
-  std::vector<std::uint8_t> blocked_;
+  double body_radius_ = 0, body_height_ = 0;
+  std::vector<std::uint16_t> blockers_;       // by cell: solids over it, and 1 outside of all rooms
+  std::vector<std::vector<Shadow>> shadows_;  // by node: what of it is counted
+  std::uint64_t version_ = 0;
 };
 
 /// Distance from the agent's body axis (a vertical segment from the floor to the body's height at `at`) to the box of a

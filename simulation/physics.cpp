@@ -1,163 +1,128 @@
 #include "simulation/physics.h"
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <string>
+#include <unordered_map>
 
-#include <btBulletDynamicsCommon.h>
+#include "simulation/plan.h"
+#include "simulation/settle.h"
+#include "simulation/touch.h"
 
 namespace unietp {
 namespace {
 
-constexpr double kMargin_m = 0.001;  // Bullet's default of 40 mm would round off everything in a kitchen
-constexpr double kFriction = 0.7;
-constexpr double kRollingFriction = 0.02;
-constexpr double kGravity_m_s2 = 9.81;
-
-btVector3 to_bullet(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-btTransform to_bullet(const Pose& pose) {
-  const Quat& q = pose.rotation;
-  return btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), to_bullet(pose.position));
-}
-Vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-Pose from_bullet(const btTransform& t) {
-  const btQuaternion q = t.getRotation();
-  return {from_bullet(t.getOrigin()), Quat(q.w(), q.x(), q.y(), q.z()).normalized()};
-}
-
-/// A compound with its children, built from a shape at one joint position.
-struct Solid {
-  std::vector<std::unique_ptr<btCollisionShape>> children;
-  btCompoundShape compound;
-  bool rolls = false;
-
-  Solid(const Shape& shape, double opening) : compound(true, static_cast<int>(shape.parts.size())) {
-    for (const Part& part : shape.parts) {
-      const btVector3 half = to_bullet(part.size / 2);
-      std::unique_ptr<btCollisionShape> child;
-      switch (part.kind) {
-        case Part::Kind::Box:
-          child = std::make_unique<btBoxShape>(half);
-          break;
-        case Part::Kind::Cylinder:
-          child = std::make_unique<btCylinderShapeZ>(half);
-          break;
-        case Part::Kind::Sphere:
-          child = std::make_unique<btSphereShape>(half.x());
-          break;
-      }
-      if (part.kind != Part::Kind::Sphere) child->setMargin(kMargin_m);
-      if (part.kind != Part::Kind::Box) rolls = true;
-      compound.addChildShape(to_bullet(joint_motion(shape, part.joint, opening) * part.pose), child.get());
-      children.push_back(std::move(child));
-    }
-    compound.setMargin(kMargin_m);
-  }
-};
-
 struct Body {
-  std::shared_ptr<Solid> solid;  // shared by the copies of a world: it never changes once built
+  std::shared_ptr<const Collider> collider;  // nullptr: there is no such body. Shared by all that look alike.
   Pose pose;
   double mass = 0;
   Bounds bounds;
+  mutable std::vector<Convex> placed;  // made when first asked for
+  const std::vector<Convex>& parts() const {
+    if (placed.empty()) placed = collider->placed(pose);
+    return placed;
+  }
 };
 
-Bounds solid_bounds(const btCollisionShape& shape, const Pose& pose) {
-  btVector3 low, high;
-  shape.getAabb(to_bullet(pose), low, high);
-  return {from_bullet(low), from_bullet(high)};
+Bounds merged(const Bounds& a, const Bounds& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
+
+Bounds lowered(Bounds bounds, double by) {
+  bounds.low.z() -= by;
+  bounds.high.z() -= by;
+  return bounds;
 }
 
-BodyId id_of(const btCollisionObject* object) { return static_cast<BodyId>(object->getUserIndex()); }
-
-/// Worlds are small and many: Bullet's default pools of 4096 entries would cost more than the work itself.
-btDefaultCollisionConstructionInfo small_pools() {
-  btDefaultCollisionConstructionInfo pools;
-  pools.m_defaultMaxPersistentManifoldPoolSize = 256;
-  pools.m_defaultMaxCollisionAlgorithmPoolSize = 256;
-  return pools;
+/// Of all the ways in which the solids touch, the one that points most upwards.
+std::optional<Touch> most_upward(const std::vector<Convex>& solids, const Body& other, double depth) {
+  std::optional<Touch> best;
+  for (const Convex& solid : solids) {
+    if (!overlap(solid.bounds, other.bounds)) continue;
+    for (const Convex& part : other.parts()) {
+      const auto touching = touch(solid, part);
+      if (!touching || touching->depth < depth) continue;
+      if (!best || touching->normal.z() > best->normal.z()) best = touching;
+    }
+  }
+  return best;
 }
 
-/// Bullet's machinery for questions about fixed poses.
-struct Questions {
-  btDefaultCollisionConfiguration configuration{small_pools()};
-  btCollisionDispatcher dispatcher{&configuration};
-  btDbvtBroadphase broadphase;
-  btCollisionWorld world{&dispatcher, &broadphase, &configuration};
-  std::map<BodyId, std::unique_ptr<btCollisionObject>> objects;
-
-  Questions() { world.setForceUpdateAllAabbs(false); }
-  ~Questions() {
-    for (auto& [id, object] : objects) world.removeCollisionObject(object.get());
+bool any_touch(const std::vector<Convex>& solids, const Body& other, double depth) {
+  for (const Convex& solid : solids) {
+    if (!overlap(solid.bounds, other.bounds)) continue;
+    for (const Convex& part : other.parts()) {
+      const auto touching = touch(solid, part);
+      if (touching && touching->depth >= depth) return true;
+    }
   }
-  Questions(const Questions&) = delete;
-  Questions& operator=(const Questions&) = delete;
+  return false;
+}
 
-  void add(BodyId id, const Body& body) {
-    auto object = std::make_unique<btCollisionObject>();
-    object->setCollisionShape(&body.solid->compound);
-    object->setWorldTransform(to_bullet(body.pose));
-    object->setUserIndex(static_cast<int>(id));
-    world.addCollisionObject(object.get());
-    objects[id] = std::move(object);
-  }
-  void remove(BodyId id) {
-    const auto found = objects.find(id);
-    if (found == objects.end()) return;
-    world.removeCollisionObject(found->second.get());
-    objects.erase(found);
-  }
-};
+void append(std::string& bytes, const void* from, std::size_t size) {
+  bytes.append(static_cast<const char*>(from), size);
+}
 
-/// Collects for each other body the contact whose normal points most upwards.
-struct ContactCollector : btCollisionWorld::ContactResultCallback {
-  const btCollisionObject* self;
-  double deepest_ignored;  // overlaps shallower than this do not count
-  std::map<BodyId, Contact> found;
-
-  ContactCollector(const btCollisionObject* self_object, double depth) : self(self_object), deepest_ignored(depth) {}
-
-  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* a, int, int,
-                           const btCollisionObjectWrapper* b, int, int) override {
-    if (point.getDistance() > -deepest_ignored) return 0;
-    const bool self_is_a = a->getCollisionObject() == self;
-    const btCollisionObject* other = self_is_a ? b->getCollisionObject() : a->getCollisionObject();
-    Vec3 normal = from_bullet(point.m_normalWorldOnB);
-    if (!self_is_a) normal = -normal;
-    const Contact contact{id_of(other), normal, point.getDistance()};
-    const auto [at, fresh] = found.try_emplace(contact.other, contact);
-    if (!fresh && normal.z() > at->second.normal.z()) at->second = contact;
-    return 0;
-  }
-};
-
-struct NearestHit : btCollisionWorld::ClosestRayResultCallback {
-  std::span<const BodyId> ignore;
-  NearestHit(const btVector3& from, const btVector3& to, std::span<const BodyId> ignored)
-      : ClosestRayResultCallback(from, to), ignore(ignored) {}
-  bool needsCollision(btBroadphaseProxy* proxy) const override {
-    const BodyId id = id_of(static_cast<const btCollisionObject*>(proxy->m_clientObject));
-    return std::find(ignore.begin(), ignore.end(), id) == ignore.end();
-  }
-};
+void append(std::string& bytes, const Body& body) {
+  append(bytes, &body.collider->digest, sizeof(Digest));
+  append(bytes, body.pose.position.data(), 3 * sizeof(double));
+  append(bytes, body.pose.rotation.coeffs().data(), 4 * sizeof(double));
+  append(bytes, &body.mass, sizeof(double));
+}
 
 }  // namespace
 
 struct PhysicsWorld::Impl {
-  std::map<BodyId, Body> bodies;
-  mutable std::unique_ptr<Questions> questions;  // built at the first question
+  std::vector<Body> things, walls;
+  mutable std::optional<Plan> plan;  // made at the first question
+  // What settles came to: plans are tried, shortened and mutated, and let the same things fall again and again.
+  mutable std::unordered_map<std::string, Rest> settled;
 
-  Questions& ask() const {
-    if (!questions) {
-      questions = std::make_unique<Questions>();
-      for (const auto& [id, body] : bodies) questions->add(id, body);
+  std::vector<Body>& list_of(BodyId id) { return id < kFirstWall ? things : walls; }
+  static std::size_t place_of(BodyId id) { return id < kFirstWall ? id : id - kFirstWall; }
+
+  const Body* find(BodyId id) const {
+    const auto& list = id < kFirstWall ? things : walls;
+    const std::size_t place = place_of(id);
+    return place < list.size() && list[place].collider != nullptr ? &list[place] : nullptr;
+  }
+  const Body& at(BodyId id) const { return *find(id); }
+
+  template <class Visit>
+  void each(Visit visit) const {
+    for (std::size_t i = 0; i < things.size(); ++i) {
+      if (things[i].collider != nullptr) visit(static_cast<BodyId>(i), things[i]);
     }
-    return *questions;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+      if (walls[i].collider != nullptr) visit(static_cast<BodyId>(kFirstWall + i), walls[i]);
+    }
+  }
+
+  const Plan& ask() const {
+    if (!plan) {
+      std::optional<Bounds> around;
+      each([&](BodyId, const Body& body) { around = around ? merged(*around, body.bounds) : body.bounds; });
+      plan.emplace(around.value_or(Bounds{}));
+      each([&](BodyId id, const Body& body) { plan->insert(id, body.bounds); });
+    }
+    return *plan;
+  }
+
+  std::vector<BodyId> near(const Bounds& bounds, double gap) const {
+    std::vector<BodyId> ids;
+    const Vec3 grown = Vec3::Constant(gap);
+    ask().visit({bounds.low - grown, bounds.high + grown}, [&](BodyId id) {
+      if (unietp::overlap(at(id).bounds, bounds, gap)) ids.push_back(id);
+    });
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    return ids;
   }
 };
 
 PhysicsWorld::PhysicsWorld() : impl_(std::make_unique<Impl>()) {}
 PhysicsWorld::PhysicsWorld(const PhysicsWorld& other) : impl_(std::make_unique<Impl>()) {
-  impl_->bodies = other.impl_->bodies;
+  impl_->things = other.impl_->things;
+  impl_->walls = other.impl_->walls;
+  impl_->plan = other.impl_->plan;
 }
 PhysicsWorld::PhysicsWorld(PhysicsWorld&&) noexcept = default;
 PhysicsWorld& PhysicsWorld::operator=(const PhysicsWorld& other) {
@@ -167,162 +132,139 @@ PhysicsWorld& PhysicsWorld::operator=(const PhysicsWorld& other) {
 PhysicsWorld& PhysicsWorld::operator=(PhysicsWorld&&) noexcept = default;
 PhysicsWorld::~PhysicsWorld() = default;
 
+void PhysicsWorld::set(BodyId id, std::shared_ptr<const Collider> collider, const Pose& pose, double mass) {
+  remove(id);
+  auto& list = impl_->list_of(id);
+  const std::size_t place = Impl::place_of(id);
+  if (place >= list.size()) list.resize(place + 1);
+  const Bounds bounds = collider->bounds(pose);
+  list[place] = {std::move(collider), pose, mass, bounds, {}};
+  if (impl_->plan) impl_->plan->insert(id, bounds);
+}
+
 void PhysicsWorld::set(BodyId id, const Shape& shape, const Pose& pose, double opening, double mass) {
-  if (impl_->questions) impl_->questions->remove(id);
-  auto solid = std::make_shared<Solid>(shape, opening);
-  const Bounds bounds = solid_bounds(solid->compound, pose);
-  Body& body = impl_->bodies[id] = {std::move(solid), pose, mass, bounds};
-  if (impl_->questions) impl_->questions->add(id, body);
+  set(id, std::make_shared<const Collider>(shape, opening), pose, mass);
 }
 
 void PhysicsWorld::move(BodyId id, const Pose& pose) {
-  Body& body = impl_->bodies.at(id);
+  Body& body = impl_->list_of(id).at(Impl::place_of(id));
+  if (impl_->plan) impl_->plan->erase(id, body.bounds);
   body.pose = pose;
-  body.bounds = solid_bounds(body.solid->compound, pose);
-  if (impl_->questions) {
-    btCollisionObject* object = impl_->questions->objects.at(id).get();
-    object->setWorldTransform(to_bullet(pose));
-    impl_->questions->world.updateSingleAabb(object);
-  }
+  body.bounds = body.collider->bounds(pose);
+  body.placed.clear();
+  if (impl_->plan) impl_->plan->insert(id, body.bounds);
 }
 
 void PhysicsWorld::remove(BodyId id) {
-  if (impl_->questions) impl_->questions->remove(id);
-  impl_->bodies.erase(id);
+  const Body* body = impl_->find(id);
+  if (body == nullptr) return;
+  if (impl_->plan) impl_->plan->erase(id, body->bounds);
+  impl_->list_of(id)[Impl::place_of(id)] = {};
 }
 
-bool PhysicsWorld::has(BodyId id) const { return impl_->bodies.contains(id); }
+bool PhysicsWorld::has(BodyId id) const { return impl_->find(id) != nullptr; }
 
-Bounds PhysicsWorld::bounds(BodyId id) const { return impl_->bodies.at(id).bounds; }
+const Collider& PhysicsWorld::collider(BodyId id) const { return *impl_->at(id).collider; }
+
+std::shared_ptr<const Collider> PhysicsWorld::share(BodyId id) const { return impl_->at(id).collider; }
+
+Bounds PhysicsWorld::bounds(BodyId id) const { return impl_->at(id).bounds; }
 
 std::vector<Contact> PhysicsWorld::contacts(BodyId id, double gap) const {
-  const Body& body = impl_->bodies.at(id);
-  btCollisionObject probe;
-  probe.setCollisionShape(&body.solid->compound);
-  probe.setWorldTransform(to_bullet(Pose{body.pose.position - Vec3(0, 0, gap), body.pose.rotation}));
-  ContactCollector collector(&probe, 0.0);
-  impl_->ask().world.contactTest(&probe, collector);
+  const Body& body = impl_->at(id);
+  std::vector<Convex> sunk = body.parts();
+  for (Convex& part : sunk) {
+    part.centre.z() -= gap;
+    part.bounds = lowered(part.bounds, gap);
+  }
   std::vector<Contact> all;
-  for (auto& [other, contact] : collector.found) {
+  for (const BodyId other : impl_->near(lowered(body.bounds, gap), 0)) {
     if (other == id) continue;
-    contact.gap += gap;
-    all.push_back(contact);
+    if (const auto touching = most_upward(sunk, impl_->at(other), 0)) {
+      all.push_back({other, touching->normal, gap - touching->depth});
+    }
   }
   const double above_floor = body.bounds.low.z();
   if (above_floor < gap) all.push_back({kFloor, Vec3::UnitZ(), above_floor});
   return all;
 }
 
-std::optional<BodyId> PhysicsWorld::overlap(const Shape& shape, const Pose& pose, double opening,
-                                            std::span<const BodyId> ignore, double depth) const {
-  Solid solid(shape, opening);
-  btCollisionObject probe;
-  probe.setCollisionShape(&solid.compound);
-  probe.setWorldTransform(to_bullet(pose));
-  ContactCollector collector(&probe, depth);
-  impl_->ask().world.contactTest(&probe, collector);
-  for (const auto& [other, contact] : collector.found) {
-    if (std::find(ignore.begin(), ignore.end(), other) == ignore.end()) return other;
+std::optional<BodyId> PhysicsWorld::overlap(const Collider& collider, const Pose& pose, std::span<const BodyId> ignore,
+                                            double depth) const {
+  const Bounds bounds = collider.bounds(pose);
+  std::vector<Convex> placed;
+  for (const BodyId other : impl_->near(bounds, 0)) {
+    if (std::find(ignore.begin(), ignore.end(), other) != ignore.end()) continue;
+    if (placed.empty()) placed = collider.placed(pose);
+    if (any_touch(placed, impl_->at(other), depth)) return other;
   }
-  if (solid_bounds(solid.compound, pose).low.z() < -depth) return kFloor;
+  if (bounds.low.z() < -depth) return kFloor;
   return std::nullopt;
 }
 
+std::optional<BodyId> PhysicsWorld::overlap(const Shape& shape, const Pose& pose, double opening,
+                                            std::span<const BodyId> ignore, double depth) const {
+  return overlap(Collider(shape, opening), pose, ignore, depth);
+}
+
 std::optional<RayHit> PhysicsWorld::ray(const Vec3& from, const Vec3& to, std::span<const BodyId> ignore) const {
-  const btVector3 start = to_bullet(from), end = to_bullet(to);
-  NearestHit hit(start, end, ignore);
-  impl_->ask().world.rayTest(start, end, hit);
-  if (!hit.hasHit()) return std::nullopt;
-  return RayHit{id_of(hit.m_collisionObject), hit.m_closestHitFraction};
+  const Vec3 way = to - from;
+  std::optional<RayHit> nearest;
+  double best = 1;
+  impl_->ask().along(from, way, [&](const std::vector<BodyId>& here, double entered) {
+    if (entered > best) return false;
+    for (const BodyId id : here) {
+      const Body& body = impl_->at(id);
+      if (!meets(body.bounds, from, way, best)) continue;
+      if (std::find(ignore.begin(), ignore.end(), id) != ignore.end()) continue;
+      for (const Convex& part : body.parts()) {
+        if (!meets(part.bounds, from, way, best)) continue;
+        const auto share = entry(part, from, way);
+        const bool first = share && (!nearest || *share < best || (*share == best && id < nearest->body));
+        if (!first) continue;
+        best = *share;
+        nearest = RayHit{id, best};
+      }
+    }
+    return true;
+  });
+  return nearest;
 }
 
-std::vector<BodyId> PhysicsWorld::near(const Bounds& bounds, double gap) const {
-  std::vector<BodyId> ids;
-  for (const auto& [id, body] : impl_->bodies) {
-    if (unietp::overlap(body.bounds, bounds, gap)) ids.push_back(id);
-  }
-  return ids;
-}
-
-namespace {
-
-/// A small dynamics world that owns what it steps.
-struct Dynamics {
-  btDefaultCollisionConfiguration configuration{small_pools()};
-  btCollisionDispatcher dispatcher{&configuration};
-  btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
-  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
-  btStaticPlaneShape floor_shape{btVector3(0, 0, 1), 0};
-  std::vector<std::unique_ptr<btRigidBody>> bodies;
-
-  Dynamics() {
-    world.getDispatchInfo().m_deterministicOverlappingPairs = true;
-    world.setForceUpdateAllAabbs(false);
-    world.setGravity({0, 0, -kGravity_m_s2});
-    add(&floor_shape, Pose{}, 0, false);
-  }
-  ~Dynamics() {
-    for (auto& body : bodies) world.removeRigidBody(body.get());
-  }
-  Dynamics(const Dynamics&) = delete;
-  Dynamics& operator=(const Dynamics&) = delete;
-
-  btRigidBody& add(btCollisionShape* shape, const Pose& pose, double mass, bool rolls) {
-    btVector3 inertia(0, 0, 0);
-    if (mass > 0) shape->calculateLocalInertia(mass, inertia);
-    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape, inertia);
-    info.m_startWorldTransform = to_bullet(pose);
-    info.m_friction = kFriction;
-    info.m_rollingFriction = rolls ? kRollingFriction : 0;
-    info.m_spinningFriction = rolls ? kRollingFriction : 0;
-    info.m_linearDamping = 0.04;
-    info.m_angularDamping = 0.1;
-    auto body = std::make_unique<btRigidBody>(info);
-    body->setActivationState(DISABLE_DEACTIVATION);
-    world.addRigidBody(body.get());
-    bodies.push_back(std::move(body));
-    return *bodies.back();
-  }
-};
-
-Bounds merged(const Bounds& a, const Bounds& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
-
-}  // namespace
+std::vector<BodyId> PhysicsWorld::near(const Bounds& bounds, double gap) const { return impl_->near(bounds, gap); }
 
 Settled PhysicsWorld::settle(std::span<const BodyId> loose, const SettleOptions& options) const {
   if (loose.empty()) return {{}, true};
-  Dynamics dynamics;
-
-  const auto is_loose = [&](BodyId id) { return std::find(loose.begin(), loose.end(), id) != loose.end(); };
-  Bounds region = impl_->bodies.at(loose.front()).bounds;
-  for (const BodyId id : loose) region = merged(region, impl_->bodies.at(id).bounds);
+  Bounds region = impl_->at(loose.front()).bounds;
+  for (const BodyId id : loose) region = merged(region, impl_->at(id).bounds);
   region.low.z() = -1;  // whatever lies below can be fallen on
-  for (const auto& [id, body] : impl_->bodies) {
-    if (!is_loose(id) && unietp::overlap(body.bounds, region, options.surroundings_m)) {
-      dynamics.add(&body.solid->compound, body.pose, 0, body.solid->rolls);
-    }
-  }
-  std::vector<btRigidBody*> moving;
-  for (const BodyId id : loose) {
-    const Body& body = impl_->bodies.at(id);
-    moving.push_back(&dynamics.add(&body.solid->compound, body.pose, std::max(body.mass, 0.01), body.solid->rolls));
+
+  std::string key;
+  const std::array numbers{static_cast<double>(loose.size()),
+                           options.step_s,
+                           static_cast<double>(options.max_steps),
+                           static_cast<double>(options.calm_steps),
+                           static_cast<double>(options.edge_calm_steps),
+                           options.calm_m_s,
+                           options.calm_rad_s,
+                           options.surroundings_m};
+  append(key, numbers.data(), sizeof numbers);
+  std::vector<SettlingBody> fixed, moving;
+  const auto add = [&](const Body& body, std::vector<SettlingBody>& to) {
+    to.push_back({body.collider.get(), body.pose, body.mass});
+    append(key, body);
+  };
+  for (const BodyId id : loose) add(impl_->at(id), moving);
+  for (const BodyId id : impl_->near(region, options.surroundings_m)) {
+    if (std::find(loose.begin(), loose.end(), id) == loose.end()) add(impl_->at(id), fixed);
   }
 
-  int calm_for = 0;
-  for (int step = 0; step < options.max_steps && calm_for < options.calm_steps; ++step) {
-    dynamics.world.stepSimulation(options.step_s, 0, options.step_s);
-    const bool calm = std::all_of(moving.begin(), moving.end(), [&](const btRigidBody* body) {
-      return body->getLinearVelocity().length() < options.calm_m_s &&
-             body->getAngularVelocity().length() < options.calm_rad_s;
-    });
-    calm_for = calm ? calm_for + 1 : 0;
-  }
-  Settled settled;
-  settled.calm = calm_for >= options.calm_steps;
-  for (std::size_t i = 0; i < moving.size(); ++i) {
-    settled.bodies.push_back({loose[i], from_bullet(moving[i]->getWorldTransform())});
-  }
+  constexpr std::size_t kMostRemembered = 1024;
+  if (impl_->settled.size() >= kMostRemembered) impl_->settled.clear();
+  const auto [known, fresh] = impl_->settled.try_emplace(std::move(key));
+  if (fresh) known->second = come_to_rest(fixed, moving, region, options);
+  Settled settled{{}, known->second.calm};
+  for (std::size_t i = 0; i < loose.size(); ++i) settled.bodies.push_back({loose[i], known->second.poses[i]});
   return settled;
 }
 

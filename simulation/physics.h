@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scene/geometry.h"
-#include "simulation/shape.h"
+#include "simulation/collider.h"
 
 namespace unietp {
 
@@ -30,8 +30,9 @@ struct RayHit {
 
 struct SettleOptions {
   double step_s = 1.0 / 240;
-  int max_steps = 720;  // 3 s
-  int calm_steps = 24;  // 0.1 s of calm in a row ends it
+  int max_steps = 720;        // 3 s
+  int calm_steps = 24;        // 0.1 s of calm in a row ends it
+  int edge_calm_steps = 120;  // 0.5 s, when something rests with its middle near the edge of what carries it
   double calm_m_s = 0.01, calm_rad_s = 0.05;
   double surroundings_m = 0.3;  // fixed bodies farther than this from the loose ones are left out
 };
@@ -45,20 +46,21 @@ struct Settled {
   bool calm = false;                // all came to rest within max_steps
 };
 
-/// All solids of a scene for questions (what touches, what is hit) and for letting things come to rest. Bullet, double
-/// precision. The world is only poses: settling runs in a fresh small dynamics world around the loose bodies and gives
-/// poses back, so equal worlds give equal results, and a copy is cheap to make. Floor: the plane z = 0.
-/// Not thread-safe; one world a thread.
+/// All solids of a scene for questions (what touches, what is hit) and for letting things come to rest. The world is
+/// only poses: settling runs in a fresh small dynamics world (Bullet, double precision) around the loose bodies and
+/// gives poses back, so equal worlds give equal results. Floor: the plane z = 0. What a question costs depends on what
+/// is near, not on the size of the world. Not thread-safe; one world a thread.
 class PhysicsWorld {
  public:
   PhysicsWorld();
-  PhysicsWorld(const PhysicsWorld&);  // rebuilds the collision objects
+  PhysicsWorld(const PhysicsWorld&);
   PhysicsWorld(PhysicsWorld&&) noexcept;
   PhysicsWorld& operator=(const PhysicsWorld&);
   PhysicsWorld& operator=(PhysicsWorld&&) noexcept;
   ~PhysicsWorld();
 
   /// Adds a body or replaces it. `mass` > 0 for bodies that may ever be loose.
+  void set(BodyId id, std::shared_ptr<const Collider> collider, const Pose& pose, double mass);
   void set(BodyId id, const Shape& shape, const Pose& pose, double opening, double mass);
   void move(BodyId id, const Pose& pose);
   void remove(BodyId id);
@@ -68,8 +70,13 @@ class PhysicsWorld {
   /// several contacts with one body are merged into the one whose normal points most upwards. In order of BodyId, floor
   /// last.
   std::vector<Contact> contacts(BodyId id, double gap) const;
-  /// The first body (lowest id) that a shape at a pose would overlap by more than `depth` metres; `ignore` are left
-  /// out.
+  /// The collider of a body that the world has.
+  const Collider& collider(BodyId id) const;
+  std::shared_ptr<const Collider> share(BodyId id) const;
+  /// The first body (lowest id) that a collider or shape at a pose would overlap by more than `depth` metres; `ignore`
+  /// are left out.
+  std::optional<BodyId> overlap(const Collider& collider, const Pose& pose, std::span<const BodyId> ignore,
+                                double depth = 0.0) const;
   std::optional<BodyId> overlap(const Shape& shape, const Pose& pose, double opening, std::span<const BodyId> ignore,
                                 double depth = 0.0) const;
   /// The nearest body that the segment meets.

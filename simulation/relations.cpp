@@ -4,15 +4,17 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "simulation/walls.h"
 
 namespace unietp {
 namespace {
 
-constexpr double kUpward = 0.7;     // cosine of about 45°
-constexpr double kSunk_m = 0.01;    // how far below a cavity's floor something may seem to lie
-constexpr double kStickOut = 0.85;  // an object's lowest part must lie under this share of an open cavity's height
+constexpr double kUpward = 0.7;      // cosine of about 45°
+constexpr double kSunk_m = 0.01;     // how far below a cavity's floor something may seem to lie
+constexpr double kOverhead_m = 2.0;  // `under`: how high above it something may be
+constexpr double kStickOut = 0.85;   // an object's lowest part must lie under this share of an open cavity's height
 
 std::vector<Vec3> corners_of(const Node& node) {
   std::vector<Vec3> corners;
@@ -39,87 +41,51 @@ bool lies_in(const Node& node, const Node& container, const Shape& shape) {
   return false;
 }
 
-/// Reads relations of single nodes; remembers shapes and bounds.
-class Reader {
- public:
-  Reader(const Scene& scene, const PhysicsWorld& world) : scene_(scene), world_(world), shapes_(scene.nodes.size()) {}
+/// next_to: boxes apart by at most kNextTo_m sideways, at overlapping heights, of objects that neither hold nor carry
+/// one another (those overlap sideways).
+void add_beside(const PhysicsWorld& world, std::span<const BodyId> around, const Bounds& bounds,
+                std::vector<Link>& links) {
+  for (const BodyId other : around) {
+    const Bounds that = world.bounds(other);
+    if (bounds.low.z() >= that.high.z() || that.low.z() >= bounds.high.z()) continue;
+    const double dx = std::max({bounds.low.x() - that.high.x(), that.low.x() - bounds.high.x()});
+    const double dy = std::max({bounds.low.y() - that.high.y(), that.low.y() - bounds.high.y()});
+    if (std::max(dx, dy) <= 0) continue;
+    const double gap = std::hypot(std::max(dx, 0.0), std::max(dy, 0.0));
+    if (gap <= kNextTo_m) links.push_back({Predicate::NextTo, other});
+  }
+}
 
-  void relations_from(std::size_t i, std::vector<Edge>& edges) {
-    const Node& node = scene_.nodes[i];
-    const auto id = static_cast<BodyId>(i);
-    const Room* room = room_at(scene_, node.pose.position.head<2>());
-    if (room != nullptr) edges.push_back({Predicate::InRoom, node.id, room->id});
-    if (!node.slice_of.empty()) edges.push_back({Predicate::SliceOf, node.id, node.slice_of});
-    if (!world_.has(id)) return;
-    const Bounds bounds = world_.bounds(id);
-    if (!node.movable && bounds.low.z() < kTouch_m) {  // furniture stands where it was put; no need to ask contacts
-      if (room != nullptr) edges.push_back({Predicate::OnFloor, node.id, room->id});
-      beside(i, bounds, edges);
-      return;
-    }
-    std::vector<std::string> around;
-    for (const BodyId other : world_.near(bounds, 0)) {
-      if (other == id || other >= scene_.nodes.size()) continue;
-      if (lies_in(node, scene_.nodes[other], shape(other))) {
-        around.push_back(scene_.nodes[other].id);
-        edges.push_back({Predicate::Inside, node.id, scene_.nodes[other].id});
-      }
-    }
-    std::vector<std::string> supports;
-    for (const Contact& contact : world_.contacts(id, kTouch_m)) {
-      if (contact.normal.z() < kUpward) continue;
-      if (contact.other == kFloor) {
-        if (room != nullptr) edges.push_back({Predicate::OnFloor, node.id, room->id});
-      } else if (contact.other < scene_.nodes.size()) {
-        const std::string& support = scene_.nodes[contact.other].id;
-        supports.push_back(support);
-        if (std::find(around.begin(), around.end(), support) == around.end()) {
-          edges.push_back({Predicate::On, node.id, support});
-        }
-      }
-    }
-    beside(i, bounds, edges);
-    if (!node.movable) return;
-    const Vec3 top(node.pose.position.x(), node.pose.position.y(), bounds.high.z());
-    const BodyId self[] = {id};
-    const auto roof = world_.ray(top, top + Vec3(0, 0, 2.0), self);
-    if (roof && roof->body < scene_.nodes.size()) {
-      const std::string& over = scene_.nodes[roof->body].id;
-      const bool holds = std::find(around.begin(), around.end(), over) != around.end() ||
-                         std::find(supports.begin(), supports.end(), over) != supports.end();
-      if (!holds) edges.push_back({Predicate::Under, node.id, over});
+bool has(const std::vector<Link>& links, const Link& link) {
+  return std::find(links.begin(), links.end(), link) != links.end();
+}
+
+/// In what it lies and on what, and, when something is over it that does neither, under what.
+void add_contacts(const Scene& scene, const PhysicsWorld& world, std::size_t i, const Bounds& bounds,
+                  std::span<const BodyId> around, const std::optional<std::uint32_t>& room, std::vector<Link>& links) {
+  const Node& node = scene.nodes[i];
+  const auto id = static_cast<BodyId>(i);
+  for (const BodyId other : around) {
+    if (world.collider(other).shape.cavities.empty() || !overlap(world.bounds(other), bounds)) continue;
+    if (lies_in(node, scene.nodes[other], world.collider(other).shape)) links.push_back({Predicate::Inside, other});
+  }
+  std::vector<BodyId> supports;
+  for (const Contact& contact : world.contacts(id, kTouch_m)) {
+    if (contact.normal.z() < kUpward) continue;
+    if (contact.other == kFloor) {
+      if (room) links.push_back({Predicate::OnFloor, *room});
+    } else if (contact.other < scene.nodes.size()) {
+      supports.push_back(contact.other);
+      if (!has(links, {Predicate::Inside, contact.other})) links.push_back({Predicate::On, contact.other});
     }
   }
-
- private:
-  const Shape& shape(std::size_t i) {
-    if (!shapes_[i]) shapes_[i] = shape_of(scene_.nodes[i]);
-    return *shapes_[i];
-  }
-
-  /// next_to: boxes apart by at most kNextTo_m sideways, at overlapping heights, of objects that neither hold nor carry
-  /// one another (those overlap sideways).
-  void beside(std::size_t i, const Bounds& bounds, std::vector<Edge>& edges) const {
-    for (const BodyId other : world_.near(bounds, kNextTo_m)) {
-      if (other == i || other >= scene_.nodes.size()) continue;
-      const Bounds that = world_.bounds(other);
-      if (bounds.low.z() >= that.high.z() || that.low.z() >= bounds.high.z()) continue;
-      const double dx = std::max({bounds.low.x() - that.high.x(), that.low.x() - bounds.high.x()});
-      const double dy = std::max({bounds.low.y() - that.high.y(), that.low.y() - bounds.high.y()});
-      if (std::max(dx, dy) <= 0) continue;
-      const double gap = std::hypot(std::max(dx, 0.0), std::max(dy, 0.0));
-      if (gap <= kNextTo_m) edges.push_back({Predicate::NextTo, scene_.nodes[i].id, scene_.nodes[other].id});
-    }
-  }
-
-  const Scene& scene_;
-  const PhysicsWorld& world_;
-  std::vector<std::optional<Shape>> shapes_;  // made when first asked for
-};
-
-void sort_unique(std::vector<Edge>& edges) {
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  if (!node.movable) return;
+  const Vec3 top(node.pose.position.x(), node.pose.position.y(), bounds.high.z());
+  const BodyId self[] = {id};
+  const auto roof = world.ray(top, top + Vec3(0, 0, kOverhead_m), self);
+  if (!roof || roof->body >= scene.nodes.size() || has(links, {Predicate::Inside, roof->body})) return;
+  if (std::find(supports.begin(), supports.end(), roof->body) == supports.end())
+    links.push_back({Predicate::Under, roof->body});
 }
 
 void add_agent(const Scene& scene, std::vector<Edge>& edges) {
@@ -127,81 +93,127 @@ void add_agent(const Scene& scene, std::vector<Edge>& edges) {
   if (room != nullptr) edges.push_back({Predicate::InRoom, "agent", room->id});
 }
 
-}  // namespace
+void add_links(const Scene& scene, const PhysicsWorld& world, std::size_t i, std::vector<Edge>& edges) {
+  for (const Link& link : links_of(scene, world, i)) edges.push_back(edge_of(scene, i, link));
+}
 
-PhysicsWorld physics_of(const Scene& scene) {
-  PhysicsWorld world;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const Node& node = scene.nodes[i];
-    world.set(static_cast<BodyId>(i), shape_of(node), node.pose, node.opening, node.movable ? node.mass : 0);
-  }
+void sort_unique(std::vector<Edge>& edges) {
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+}
+
+void add_walls(const Scene& scene, PhysicsWorld& world) {
   BodyId wall = kFirstWall;
   for (const WallPiece& piece : walls_of(scene)) {
     Shape box;
     box.parts.push_back({Part::Kind::Box, {}, piece.size, -1});
     world.set(wall++, box, piece.pose, 0, 0);
   }
+}
+
+}  // namespace
+
+PhysicsWorld physics_of(const Scene& scene) {
+  ColliderBook colliders;
+  return physics_of(scene, colliders);
+}
+
+PhysicsWorld physics_of(const Scene& scene, ColliderBook& colliders) {
+  PhysicsWorld world;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    world.set(static_cast<BodyId>(i), colliders.of(node), node.pose, node.movable ? node.mass : 0);
+  }
+  add_walls(scene, world);
   return world;
+}
+
+Edge edge_of(const Scene& scene, std::size_t from, const Link& link) {
+  const Node& node = scene.nodes[from];
+  if (link.relation == Predicate::SliceOf) return {link.relation, node.id, node.slice_of};
+  const bool of_room = link.relation == Predicate::InRoom || link.relation == Predicate::OnFloor;
+  return {link.relation, node.id, of_room ? scene.rooms[link.to].id : scene.nodes[link.to].id};
+}
+
+std::vector<Link> links_of(const Scene& scene, const PhysicsWorld& world, std::size_t i) {
+  const Node& node = scene.nodes[i];
+  std::vector<Link> links;
+  std::optional<std::uint32_t> room;
+  if (const Room* here = room_at(scene, node.pose.position.head<2>())) {
+    room = static_cast<std::uint32_t>(here - scene.rooms.data());
+    links.push_back({Predicate::InRoom, *room});
+  }
+  if (!node.slice_of.empty()) links.push_back({Predicate::SliceOf, 0});
+  const auto id = static_cast<BodyId>(i);
+  if (world.has(id)) {
+    const Bounds bounds = world.bounds(id);
+    std::vector<BodyId> around = world.near(bounds, kNextTo_m);
+    std::erase_if(around, [&](BodyId other) { return other == id || other >= scene.nodes.size(); });
+    if (!node.movable && bounds.low.z() < kTouch_m) {  // furniture stands where it was put; no need to ask contacts
+      if (room) links.push_back({Predicate::OnFloor, *room});
+    } else {
+      add_contacts(scene, world, i, bounds, around, room, links);
+    }
+    add_beside(world, around, bounds, links);
+  }
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  return links;
+}
+
+std::vector<std::size_t> affected_by(const PhysicsWorld& world, std::span<const Bounds> touched,
+                                     std::span<const std::size_t> changed) {
+  std::vector<std::size_t> affected(changed.begin(), changed.end());
+  const auto add = [&](const Bounds& bounds, double gap) {
+    for (const BodyId id : world.near(bounds, gap)) {
+      if (id < kFirstWall) affected.push_back(id);
+    }
+  };
+  for (const Bounds& bounds : touched) {
+    add(bounds, kNextTo_m);
+    // What lies under something that moved is not near it; a column below covers the rays of `under`.
+    Bounds column = bounds;
+    column.low.z() -= kOverhead_m;
+    add(column, 0);
+  }
+  std::sort(affected.begin(), affected.end());
+  affected.erase(std::unique(affected.begin(), affected.end()), affected.end());
+  return affected;
+}
+
+std::vector<Edge> relations_from(const Scene& scene, const PhysicsWorld& world, std::span<const std::size_t> nodes) {
+  std::vector<Edge> edges;
+  for (const std::size_t i : nodes) add_links(scene, world, i, edges);
+  sort_unique(edges);
+  return edges;
 }
 
 std::vector<Edge> read_relations(const Scene& scene, const PhysicsWorld& world, std::span<const Edge> carried) {
   std::vector<Edge> edges(carried.begin(), carried.end());
-  Reader reader(scene, world);
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) reader.relations_from(i, edges);
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) add_links(scene, world, i, edges);
+  add_agent(scene, edges);
+  sort_unique(edges);
+  return edges;
+}
+
+std::vector<Edge> update_relations(const Scene& scene, std::span<const Edge> before, const PhysicsWorld& world,
+                                   std::span<const Edge> carried, std::span<const Bounds> touched,
+                                   std::span<const std::size_t> changed) {
+  const std::vector<std::size_t> affected = affected_by(world, touched, changed);
+  std::vector<std::string_view> ids{"agent"};
+  for (const std::size_t i : affected) ids.push_back(scene.nodes[i].id);
+  std::sort(ids.begin(), ids.end());
+  std::vector<Edge> edges(carried.begin(), carried.end());
+  for (const Edge& edge : before) {
+    if (!std::binary_search(ids.begin(), ids.end(), edge.from)) edges.push_back(edge);
+  }
+  for (const std::size_t i : affected) add_links(scene, world, i, edges);
   add_agent(scene, edges);
   sort_unique(edges);
   return edges;
 }
 
 std::vector<Edge> read_relations(const Scene& scene) { return read_relations(scene, physics_of(scene)); }
-
-std::vector<Edge> relations_from(const Scene& scene, const PhysicsWorld& world, std::span<const std::size_t> nodes) {
-  std::vector<Edge> edges;
-  Reader reader(scene, world);
-  for (const std::size_t i : nodes) reader.relations_from(i, edges);
-  sort_unique(edges);
-  return edges;
-}
-
-std::vector<Edge> update_relations(const Scene& scene, const PhysicsWorld& world, std::span<const Edge> carried,
-                                   std::span<const Bounds> touched, std::span<const std::size_t> changed) {
-  return update_relations(scene, scene.edges, world, carried, touched, changed);
-}
-
-std::vector<Edge> update_relations(const Scene& scene, std::span<const Edge> before, const PhysicsWorld& world,
-                                   std::span<const Edge> carried, std::span<const Bounds> touched,
-                                   std::span<const std::size_t> changed) {
-  std::vector<bool> affected(scene.nodes.size(), false);
-  for (const std::size_t i : changed) affected[i] = true;
-  for (const Bounds& bounds : touched) {
-    for (const BodyId id : world.near(bounds, kNextTo_m)) {
-      if (id < affected.size()) affected[id] = true;
-    }
-    // What lies under something that moved is not near it; a column below covers the rays of `under`.
-    Bounds column = bounds;
-    column.low.z() -= 2.0;
-    for (const BodyId id : world.near(column, 0)) {
-      if (id < affected.size()) affected[id] = true;
-    }
-  }
-  std::vector<std::string> ids;
-  for (std::size_t i = 0; i < affected.size(); ++i) {
-    if (affected[i]) ids.push_back(scene.nodes[i].id);
-  }
-  ids.emplace_back("agent");
-  std::sort(ids.begin(), ids.end());
-  std::vector<Edge> edges(carried.begin(), carried.end());
-  for (const Edge& edge : before) {
-    if (!std::binary_search(ids.begin(), ids.end(), edge.from)) edges.push_back(edge);
-  }
-  Reader reader(scene, world);
-  for (std::size_t i = 0; i < affected.size(); ++i) {
-    if (affected[i]) reader.relations_from(i, edges);
-  }
-  add_agent(scene, edges);
-  sort_unique(edges);
-  return edges;
-}
 
 std::vector<std::string> carried_by(const Scene& scene, std::string_view id) {
   std::vector<std::string> carried{std::string(id)};

@@ -26,12 +26,10 @@ std::vector<std::size_t> riders(const WorldState& state, std::size_t node, const
   const bool slides =
       std::any_of(shape.cavities.begin(), shape.cavities.end(), [](const Cavity& c) { return c.joint >= 0; });
   if (!slides) return riding;
-  for (const Edge& edge : state.scene.edges) {
-    if (edge.relation != Predicate::Inside || edge.to != state.node(node).id) continue;
-    if (const auto i = state.index_of(edge.from)) {
-      const auto group = state.group_of(*i);
-      riding.insert(riding.end(), group.begin(), group.end());
-    }
+  for (const std::uint32_t content : state.carried(node)) {
+    if (!state.linked(content, Predicate::Inside, node)) continue;
+    const auto group = state.group_of(content);
+    riding.insert(riding.end(), group.begin(), group.end());
   }
   std::sort(riding.begin(), riding.end());
   riding.erase(std::unique(riding.begin(), riding.end()), riding.end());
@@ -39,7 +37,7 @@ std::vector<std::size_t> riders(const WorldState& state, std::size_t node, const
 }
 
 std::string name_of_body(const WorldState& state, BodyId body) {
-  return body < state.scene.nodes.size() ? state.node(body).id : body == kFloor ? "the floor" : "a wall";
+  return body < state.count() ? state.node(body).id : body == kFloor ? "the floor" : "a wall";
 }
 
 }  // namespace
@@ -56,7 +54,7 @@ Outcome swing(WorldState& state, std::size_t i, bool open) {
     return failed(Failure::AlreadyOn, id + " is running; turn it off first.");
   }
 
-  const Shape shape = shape_of(state.node(i));
+  const Shape& shape = state.collider(i).shape;  // the same at every opening
   const double from = state.node(i).opening, to = open ? 1.0 : 0.0;
   const std::vector<std::size_t> riding = riders(state, i, shape);
   if (!shape.joints.empty()) {
@@ -65,18 +63,18 @@ Outcome swing(WorldState& state, std::size_t i, bool open) {
     const Shape moving = moving_parts(shape);
     for (int step = 1; step <= kSweepSteps; ++step) {
       const double opening = from + (to - from) * step / kSweepSteps;
-      if (const auto hit = state.physics.overlap(moving, state.node(i).pose, opening, ignore, kScrape_m)) {
+      if (const auto hit = state.physics().overlap(moving, state.node(i).pose, opening, ignore, kScrape_m)) {
         return failed(Failure::Blocked, id + " is blocked by " + name_of_body(state, *hit) + ".");
       }
     }
-    if (in_door_way(state.node(i), state.scene.agent.position, *state.profile)) {
+    if (in_door_way(state.node(i), state.agent().position, *state.profile)) {
       return failed(Failure::Blocked, "You stand in the way of " + id + ".");
     }
   }
 
   look_at(state, state.node(i).pose.position);
   std::vector<std::size_t> changed{i};
-  std::vector<Bounds> touched{state.physics.bounds(static_cast<BodyId>(i))};
+  std::vector<Bounds> touched{state.physics().bounds(static_cast<BodyId>(i))};
   if (!riding.empty()) {
     const int joint =
         std::find_if(shape.cavities.begin(), shape.cavities.end(), [](const Cavity& c) { return c.joint >= 0; })->joint;
@@ -84,19 +82,15 @@ Outcome swing(WorldState& state, std::size_t i, bool open) {
     const Pose motion =
         pose * joint_motion(shape, joint, to) * inverse(joint_motion(shape, joint, from)) * inverse(pose);
     for (const std::size_t rider : riding) {
-      touched.push_back(state.physics.bounds(static_cast<BodyId>(rider)));
-      state.node(rider).pose = motion * state.node(rider).pose;
-      state.physics.move(static_cast<BodyId>(rider), state.node(rider).pose);
-      touched.push_back(state.physics.bounds(static_cast<BodyId>(rider)));
+      touched.push_back(state.physics().bounds(static_cast<BodyId>(rider)));
+      state.move(rider, motion * state.node(rider).pose);
+      touched.push_back(state.physics().bounds(static_cast<BodyId>(rider)));
       changed.push_back(rider);
     }
   }
-  Node& node = state.node(i);
-  node.opening = to;
-  node.states.set({open ? Predicate::Open : Predicate::Closed, ""});
-  state.physics.set(static_cast<BodyId>(i), shape, node.pose, node.opening, node.movable ? node.mass : 0);
-  touched.push_back(state.physics.bounds(static_cast<BodyId>(i)));
-  state.forget_grid();
+  state.edit_states(i).set({open ? Predicate::Open : Predicate::Closed, ""});
+  state.set_opening(i, to);
+  touched.push_back(state.physics().bounds(static_cast<BodyId>(i)));
   state.carry_along();
   state.refresh(touched, changed);
   run_processes(state, i);

@@ -5,154 +5,27 @@
 
 #include "simulation/agent_moves.h"
 #include "simulation/camera.h"
-#include "simulation/relations.h"
+#include "simulation/moment_tree.h"
 #include "simulation/solids.h"
-#include "simulation/view.h"
-#include "simulation/world_state.h"
 
 namespace unietp {
 
-struct World::Impl {
-  WorldState state;
-};
-
-namespace {
-
-Outcome wrong_arguments(const ActionInfo& action) {
-  const char* wants = action.argument == ActionArgument::None ? "no argument" : "one argument";
-  return failed(Failure::InvalidArgument, std::string(action.name) + " takes " + wants + ".");
-}
-
-/// Actions of the body and the hand, which name no object.
-Outcome perform_alone(WorldState& state, ActionType type) {
-  switch (type) {
-    case ActionType::MoveForward:
-    case ActionType::MoveBackward:
-    case ActionType::MoveLeft:
-    case ActionType::MoveRight:
-    case ActionType::TurnLeft:
-    case ActionType::TurnRight:
-    case ActionType::LookUp:
-    case ActionType::LookDown:
-      return move_body(state, type);
-    case ActionType::TurnBaseToLook:
-      return succeeded();  // this body's head does not turn on its own, so it looks where the base points already
-    case ActionType::ResetHead:
-      return reset_head(state);
-    case ActionType::MoveHandForward:
-      return move_hand(state, 1, 0);
-    case ActionType::MoveHandBackward:
-      return move_hand(state, -1, 0);
-    case ActionType::MoveHandLeft:
-      return move_hand(state, 0, 1);
-    case ActionType::MoveHandRight:
-      return move_hand(state, 0, -1);
-    case ActionType::RotateHand:
-      return rotate_hand(state);
-    case ActionType::Drop:
-      return drop(state);
-    case ActionType::StandUp:
-      return stand_up(state);
-    default:
-      return failed(Failure::InvalidAction, std::string(info(type).name) + " needs an object.");
-  }
-}
-
-/// A freezer may be known to freeze a thing without being known to cool it.
-Outcome cool_with(WorldState& state, std::size_t tool) {
-  const Outcome cooled = treat_with(state, tool, "cools");
-  return cooled.failure == Failure::NoEffect ? treat_with(state, tool, "freezes") : cooled;
-}
-
-Outcome perform(WorldState& state, const Action& action) {
-  const ActionInfo& about = info(action.type);
-  if (!state.profile->offers(action.type)) {
-    return failed(Failure::NotOffered,
-                  std::string(name_of(state.scene.simulator)) + " does not offer " + std::string(about.name) + ".");
-  }
-  if (action.args.size() != (about.argument == ActionArgument::None ? 0u : 1u)) return wrong_arguments(about);
-  if (action.type == ActionType::Stop) {
-    state.stopped = true;
-    return succeeded();
-  }
-  if (about.group == ActionClass::Movement || action.type == ActionType::GoTo) {
-    if (auto seated = keeps_seat(state, action.type)) return *seated;
-  }
-  if (action.type == ActionType::GoTo) return go_to(state, action.args.front());
-  if (about.argument == ActionArgument::None) return perform_alone(state, action.type);
-  const auto node = state.index_of(action.args.front());
-  if (!node) return failed(Failure::InvalidArgument, "There is no object " + action.args.front() + ".");
-  switch (action.type) {
-    case ActionType::TurnTo:
-      return turn_to(state, *node);
-    case ActionType::PickUp:
-      return pick_up(state, *node);
-    case ActionType::PlaceOn:
-      return place(state, *node, false);
-    case ActionType::PlaceIn:
-      return place(state, *node, true);
-    case ActionType::Open:
-      return swing(state, *node, true);
-    case ActionType::Close:
-      return swing(state, *node, false);
-    case ActionType::TurnOn:
-      return switch_power(state, *node, true);
-    case ActionType::TurnOff:
-      return switch_power(state, *node, false);
-    case ActionType::Slice:
-      return slice(state, *node);
-    case ActionType::PourTo:
-      return pour_to(state, *node);
-    case ActionType::UseUp:
-      return use_up(state, *node);
-    case ActionType::Wipe:
-      return wipe(state, *node);
-    case ActionType::SpreadTo:
-      return spread_to(state, *node);
-    case ActionType::SoakWith:
-      return treat_with(state, *node, "soaks");
-    case ActionType::HeatWith:
-      return treat_with(state, *node, "heats");
-    case ActionType::CoolWith:
-      return cool_with(state, *node);
-    case ActionType::WashWith:
-      return treat_with(state, *node, "washes");
-    case ActionType::CookWith:
-      return treat_with(state, *node, "cooks");
-    case ActionType::BurnWith:
-      return treat_with(state, *node, "burns");
-    case ActionType::FillWith:
-      return treat_with(state, *node, "fills");
-    case ActionType::SitOn:
-      return take_seat(state, *node, Predicate::SatOn);
-    case ActionType::LieOn:
-      return take_seat(state, *node, Predicate::LainOn);
-    case ActionType::PlugIn:
-      return plug(state, *node, true);
-    case ActionType::Unplug:
-      return plug(state, *node, false);
-    case ActionType::Fold:
-      return fold(state, *node);
-    case ActionType::Break:
-      return break_apart(state, *node);
-    default:
-      return failed(Failure::InvalidAction, std::string(about.name) + " is no action on an object.");
-  }
-}
-
-}  // namespace
-
-World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+World::World(std::shared_ptr<MomentTree> tree) : tree_(std::move(tree)) {}
+World::World(const World& other) : tree_(other.tree_), moment_(other.moment_), changes_(other.changes_) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(const World& other) {
-  if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);
+  if (this != &other) *this = World(other);
   return *this;
 }
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 Result<World> World::create(Scene start, const Knowledge& knowledge, const Profile& profile) {
+  PhysicsWorld physics = physics_of(start);
+  return create(std::move(start), knowledge, profile, std::move(physics));
+}
+
+Result<World> World::create(Scene start, const Knowledge& knowledge, const Profile& profile, PhysicsWorld physics) {
   for (const Node& node : start.nodes) {
     if (knowledge.find(node.category) == nullptr) {
       return Error{Error::Kind::Schema,
@@ -168,70 +41,53 @@ Result<World> World::create(Scene start, const Knowledge& knowledge, const Profi
   if (room_at(start, start.agent.position) == nullptr) {
     return Error{Error::Kind::Schema, start.id, {}, "the agent stands in no room"};
   }
-  auto impl = std::make_unique<Impl>();
-  WorldState& state = impl->state;
-  state.scene = std::move(start);
-  state.knowledge = &knowledge;
-  state.profile = &profile;
-  state.physics = physics_of(state.scene);
-  std::vector<std::size_t> in_hand;
-  for (const std::string& id : state.scene.agent.held) {
-    const auto i = state.index_of(id);
-    if (!i) return Error{Error::Kind::Schema, state.scene.id, {}, "the agent holds " + id + ", which does not exist"};
-    for (const std::size_t member : state.group_of(*i)) in_hand.push_back(member);
-  }
-  std::vector<Edge> carried;
-  for (const Edge& edge : state.scene.edges) {
-    const auto from = state.index_of(edge.from), to = state.index_of(edge.to);
-    const auto is_in_hand = [&](const std::optional<std::size_t>& i) {
-      return i && std::find(in_hand.begin(), in_hand.end(), *i) != in_hand.end();
-    };
-    const bool contact = edge.relation == Predicate::On || edge.relation == Predicate::Inside;
-    if (contact && is_in_hand(from) && is_in_hand(to)) carried.push_back(edge);
-  }
-  for (const std::size_t i : in_hand) state.physics.remove(static_cast<BodyId>(i));
-  std::vector<Edge> before = std::move(state.scene.edges);
-  state.scene.edges = read_relations(state.scene, state.physics, carried);
-  state.keep_attached(before);
-  return World(std::move(impl));
+  auto state = WorldState::of(std::move(start), knowledge, profile, std::move(physics));
+  if (!state) return state.error();
+  return World(std::make_shared<MomentTree>(std::move(*state)));
 }
 
 Outcome World::step(const Action& action) {
-  if (impl_->state.stopped) return failed(Failure::InvalidAction, "The episode has ended.");
-  return perform(impl_->state, action);
+  const MomentTree::Step& done = tree_->step(moment_, action);
+  moment_ = done.next;
+  changes_ = &done.changes;
+  if (shown_ != nullptr && !done.changes.empty()) not_yet_shown_.push_back(changes_);
+  return done.outcome;
 }
 
-const Scene& World::scene() const { return impl_->state.scene; }
-const Profile& World::profile() const { return *impl_->state.profile; }
-bool World::stopped() const { return impl_->state.stopped; }
-
-std::vector<VisibleObject> World::visible() const {
-  const WorldState& state = impl_->state;
-  return state.viewer.view(state.scene, hidden_from_sight(state.scene), state.scene.agent, *state.profile,
-                           state.profile->sight_m);
+const Delta& World::changes() const {
+  static const Delta kNone{};
+  return changes_ == nullptr ? kNone : *changes_;
 }
 
-std::vector<VisibleObject> World::pictured() const {
-  const WorldState& state = impl_->state;
-  return state.viewer.view(state.scene, hidden_from_sight(state.scene), state.scene.agent, *state.profile, kEndless_m);
+const Scene& World::scene() const {
+  if (shown_ == nullptr) shown_ = std::make_unique<Scene>(tree_->at(moment_).whole_scene());
+  for (const Delta* change : not_yet_shown_) *shown_ = apply(std::move(*shown_), *change);
+  not_yet_shown_.clear();
+  return *shown_;
 }
+
+const Profile& World::profile() const { return tree_->profile(); }
+bool World::stopped() const { return tree_->stopped(moment_); }
+
+const std::vector<VisibleObject>& World::visible() const { return tree_->visible(moment_, profile().sight_m); }
+const std::vector<VisibleObject>& World::pictured() const { return tree_->visible(moment_, kEndless_m); }
 
 std::optional<PixelBox> World::pictured_from(const Agent& eye, std::string_view id) const {
-  const WorldState& state = impl_->state;
+  const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);
   if (!node) return std::nullopt;
   // Most places are turned down here, before anything is gathered.
   const Node& target = state.node(*node);
   if (!camera_of(eye, *state.profile).may_show(target.pose.position, sight_radius(target))) return std::nullopt;
-  return state.viewer.box_of(state.scene, hidden_from_sight(state.scene), *node, eye, *state.profile);
+  return tree_->viewer().box_of(state.scene(), state.hidden(), *node, eye, *state.profile);
 }
 
 std::optional<Agent> World::led_to(const Agent& from, const Action& action) const {
-  const WorldState& state = impl_->state;
+  const WorldState& state = tree_->at(moment_);
   if (!state.profile->offers(action.type)) return std::nullopt;
   if (action.type == ActionType::GoTo) {
     Agent agent = from;
-    if (const Room* room = find_room(state.scene, action.args.front())) {
+    if (const Room* room = find_room(state.scene(), action.args.front())) {
       const auto place = place_in_room(state, *room);
       if (!place) return std::nullopt;
       agent.position = *place;
@@ -248,47 +104,81 @@ std::optional<Agent> World::led_to(const Agent& from, const Action& action) cons
   return move ? moved(from, *move, state.grid(), *state.profile) : std::nullopt;
 }
 
+const std::vector<Node>& World::nodes() const { return tree_->at(moment_).scene().nodes; }
+
+const Node* World::find(std::string_view id) const {
+  const WorldState& state = tree_->at(moment_);
+  const auto node = state.index_of(id);
+  return node ? &state.node(*node) : nullptr;
+}
+
+const Agent& World::agent() const { return tree_->at(moment_).agent(); }
+
+bool World::linked(std::string_view from, Predicate relation, std::string_view to) const {
+  const WorldState& state = tree_->at(moment_);
+  const auto first = state.index_of(from), second = state.index_of(to);
+  return first && second && state.linked(*first, relation, *second);
+}
+
+std::vector<std::string> World::linked_from(std::string_view from, Predicate relation) const {
+  const WorldState& state = tree_->at(moment_);
+  std::vector<std::string> ids;
+  const auto node = state.index_of(from);
+  if (!node) return ids;
+  for (const Link& link : state.links(*node)) {
+    if (link.relation == relation) ids.push_back(edge_of(state.scene(), *node, link).to);
+  }
+  return ids;
+}
+
+std::string World::room_of(std::string_view id) const {
+  const auto rooms = linked_from(id, Predicate::InRoom);
+  return rooms.empty() ? "" : rooms.front();
+}
+
 std::optional<Vec2> World::standing_place_for(std::string_view id) const {
-  const WorldState& state = impl_->state;
+  const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);
   if (!node || state.held(id)) return std::nullopt;
-  return standing_place(state.scene, state.physics, state.grid(), state.walk(), *state.profile, *node);
+  return standing_place(state.scene(), state.physics(), state.grid(), state.walk(), *state.profile, *node);
 }
 
 bool World::can_stand_at(std::string_view id) const {
-  const WorldState& state = impl_->state;
+  const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);
   return node && !state.closed_around(*node) && standing_place_for(id).has_value();
 }
 
 double World::walking_distance(std::string_view id) const {
-  const WorldState& state = impl_->state;
+  const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);
   double best = std::numeric_limits<double>::infinity();
   if (!node) return best;
   if (state.held(id)) return 0;
   const NavigationGrid& grid = state.grid();
-  const auto& walk = state.walk();
+  const auto& steps = state.steps();
   const Bounds bounds = bounds_of(state.node(*node).pose, state.node(*node).size);
   const double beside = state.profile->reach_m;
   const auto from = grid.cell_at(bounds.low.head<2>() - Vec2::Constant(beside));
   const auto to = grid.cell_at(bounds.high.head<2>() + Vec2::Constant(beside));
+  std::int32_t fewest = std::numeric_limits<std::int32_t>::max();
   for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
     for (int x = std::max(0, from.x); x <= std::min(grid.width() - 1, to.x); ++x) {
-      const std::int32_t steps = walk[grid.index({x, y})];
-      if (steps >= 0) best = std::min(best, steps * NavigationGrid::kCell_m);
+      const std::int32_t here = steps[grid.index({x, y})];
+      if (here >= 0) fewest = std::min(fewest, here);
     }
   }
-  return best;
+  return fewest == std::numeric_limits<std::int32_t>::max() ? best : fewest * NavigationGrid::kCell_m;
 }
 
 bool World::in_reach(std::string_view id) const {
-  const auto node = impl_->state.index_of(id);
-  return node && !impl_->state.held(id) && !out_of_hands_way(impl_->state, *node);
+  const WorldState& state = tree_->at(moment_);
+  const auto node = state.index_of(id);
+  return node && !state.held(id) && !out_of_hands_way(state, *node);
 }
 
 std::string World::closed_around(std::string_view id) const {
-  const WorldState& state = impl_->state;
+  const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);
   if (!node) return "";
   const auto container = state.closed_around(*node);

@@ -11,9 +11,12 @@
 #include "scene/action.h"
 #include "scene/pixel_box.h"
 #include "scene/scene.h"
+#include "scene/trace.h"
 #include "simulation/profile.h"
 
 namespace unietp {
+
+class PhysicsWorld;
 
 /// An object in the camera's image: the box [x0, y0, x1, y1] around its pixels, x right, y down, both ends included.
 struct VisibleObject {
@@ -29,14 +32,19 @@ struct Outcome {
   std::string feedback;  // a sentence for the agent; "" on success
 };
 
-/// An episode in progress: a value that steps. Start scene in, action in, outcome out; `scene()` is the USG after it. A
-/// failed action changes nothing. Relations are read from physics, never set. Deterministic: equal starts and equal
-/// actions give equal scenes, bit for bit. Copies are independent (a search may branch); knowledge and profile must
+class MomentTree;
+
+/// An episode in progress: a value that steps. Start scene in, action in, outcome and changes out; `scene()` is the USG
+/// after it. A failed action changes nothing. Relations are read from physics, never set. Deterministic: equal starts
+/// and equal actions give equal scenes, bit for bit. A copy costs next to nothing and is independent (a search may
+/// branch); copies remember together what was done already, so they belong to one thread. Knowledge and profile must
 /// outlive them.
 class World {
  public:
   /// Errors: Schema when the scene has a category that the knowledge lacks, or its agent stands nowhere.
   static Result<World> create(Scene start, const Knowledge& knowledge, const Profile& profile);
+  /// The same for a start of which `physics_of` is known already.
+  static Result<World> create(Scene start, const Knowledge& knowledge, const Profile& profile, PhysicsWorld physics);
   World(const World&);
   World(World&&) noexcept;
   World& operator=(const World&);
@@ -44,15 +52,32 @@ class World {
   ~World();
 
   Outcome step(const Action& action);
+  /// What the last step changed: `difference` of the scenes before and after it.
+  const Delta& changes() const;
+  /// The whole scene; the reference tells of this moment until `scene()` is asked again.
   const Scene& scene() const;
   const Profile& profile() const;
   bool stopped() const;  // `stop` was done
+  /// Worlds of one start at moments that are alike in all that can change have equal numbers.
+  std::uint32_t moment() const { return moment_; }
 
   /// What the camera shows now: objects nearer than the profile's sight of which a pixel is met first by its ray, by
   /// id.
-  std::vector<VisibleObject> visible() const;
+  const std::vector<VisibleObject>& visible() const;
   /// The same without a limit of sight: every object of which the picture shows a pixel.
-  std::vector<VisibleObject> pictured() const;
+  const std::vector<VisibleObject>& pictured() const;
+
+  // Parts of the scene without the cost of the whole; what is returned is valid until a copy of this world is asked
+  // anything or steps.
+  const std::vector<Node>& nodes() const;
+  const Node* find(std::string_view id) const;
+  const Agent& agent() const;
+  /// Whether the scene has the edge between two objects.
+  bool linked(std::string_view from, Predicate relation, std::string_view to) const;
+  /// Objects to which one has the relation, by place in the scene.
+  std::vector<std::string> linked_from(std::string_view from, Predicate relation) const;
+  /// The room that an object is in, or "".
+  std::string room_of(std::string_view id) const;
 
   // Questions that a planner may ask; none changes the world.
   /// The body can stand somewhere with the object in reach and sight (as things are now: what is behind a closed door
@@ -73,9 +98,12 @@ class World {
   std::string closed_around(std::string_view id) const;
 
  private:
-  struct Impl;
-  explicit World(std::unique_ptr<Impl> impl);
-  std::unique_ptr<Impl> impl_;
+  explicit World(std::shared_ptr<MomentTree> tree);
+  std::shared_ptr<MomentTree> tree_;  // of all copies, which are moments of it
+  std::uint32_t moment_ = 0;
+  const Delta* changes_ = nullptr;
+  mutable std::unique_ptr<Scene> shown_;             // as of the last call of `scene()`
+  mutable std::vector<const Delta*> not_yet_shown_;  // what changed since then
 };
 
 }  // namespace unietp

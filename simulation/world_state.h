@@ -1,18 +1,24 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <variant>
 #include <vector>
 
 #include "akb/knowledge.h"
+#include "core/result.h"
 #include "scene/action.h"
 #include "scene/scene.h"
+#include "scene/trace.h"
+#include "simulation/digest.h"
 #include "simulation/navigation.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
-#include "simulation/view.h"
+#include "simulation/relations.h"
 #include "simulation/world.h"
 
 namespace unietp {
@@ -20,47 +26,165 @@ namespace unietp {
 /// Where the hand is, seen from the body: this far ahead and to the left, at the height of the hands, and turned.
 struct HandPose {
   double ahead_m = 0.45, left_m = 0, turn = 0;  // radians, counter-clockwise from above
+  bool operator==(const HandPose&) const = default;
 };
 
-/// The inside of World, shared by the files that implement its actions and by nobody else.
-struct WorldState {
-  Scene scene;
+/// The agent, its hand and whether it has said `stop`.
+struct AgentState {
+  Agent agent;
+  HandPose hand;  // back in front of the body whenever something is picked up
+  bool stopped = false;
+  bool operator==(const AgentState&) const = default;
+};
+
+// One change to a state, as the value that was replaced: exchanging it with the present value takes the change back,
+// and exchanging again does it again.
+struct NodeWas {
+  std::size_t node = 0;
+  Node value;
+};
+struct LinksWere {
+  std::size_t node = 0;
+  std::vector<Link> value;
+};
+/// The node's body left or entered physics.
+struct Lifted {
+  std::size_t node = 0;
+};
+/// A node at the end; here while it is taken back.
+struct Added {
+  std::optional<Node> value;
+};
+struct Edit {
+  std::variant<Lifted, NodeWas, LinksWere, Added, AgentState> what;
+};
+
+/// The inside of World, shared by the files that implement its actions and by nobody else: one moment of an episode,
+/// held so that a step costs what it changes. Every change is logged and can be taken back. Relations are kept as links
+/// between places; the edges of `scene()` are not kept up to date.
+class WorldState {
+ public:
+  /// Reads all relations from physics; of the start's own edges only those that the agent carries, and what is
+  /// attached.
+  static Result<WorldState> of(Scene start, const Knowledge& knowledge, const Profile& profile, PhysicsWorld physics);
+
   const Knowledge* knowledge = nullptr;
   const Profile* profile = nullptr;
-  PhysicsWorld physics;  // node i is body i; what is in the hands is not in it
-  bool stopped = false;
-  mutable Viewer viewer;  // a workplace for looking
-  HandPose hand;          // back in front of the body whenever something is picked up
 
-  /// Where the body can walk now, and the steps from the agent to every cell; made at the first question after a
-  /// change.
-  const NavigationGrid& grid() const;
-  const std::vector<std::int32_t>& walk() const;
-  void forget_grid();
-  void forget_walk();
+  const Scene& scene() const { return scene_; }
+  const Agent& agent() const { return scene_.agent; }
+  const HandPose& hand() const { return hand_; }
+  bool stopped() const { return stopped_; }
+  /// Of all that can change.
+  Digest digest() const;
+  const PhysicsWorld& physics() const { return physics_; }
+  const Node& node(std::size_t i) const { return scene_.nodes[i]; }
+  std::size_t count() const { return scene_.nodes.size(); }
+  /// Of a node with its joints as they are, in the world or in the hand.
+  const Collider& collider(std::size_t i) const { return *colliders_[i]; }
 
   std::optional<std::size_t> index_of(std::string_view id) const;
-  Node& node(std::size_t i) { return scene.nodes[i]; }
-  const Node& node(std::size_t i) const { return scene.nodes[i]; }
   bool held(std::string_view id) const;
+  bool linked(std::size_t from, Predicate relation, std::size_t to) const;
+  const std::vector<Link>& links(std::size_t i) const { return links_[i]; }
+  /// What lies on or in a node, directly. Sorted.
+  const std::vector<std::uint32_t>& carried(std::size_t i) const { return carried_[i]; }
   /// The outermost closed container around a node, or nullopt.
   std::optional<std::size_t> closed_around(std::size_t i) const;
-  /// A node and all that rests on or in it, as indices, the node first.
+  /// A node and all that rests on or in it, the node first, then in scene order.
   std::vector<std::size_t> group_of(std::size_t i) const;
-  /// Re-reads the edges near what changed.
+  /// What the hands hold, with all that rests on or in it. Sorted.
+  std::vector<std::size_t> in_hand() const;
+  /// Ids of what no eye sees, sorted: what the agent holds and what is inside something closed.
+  std::vector<std::string> hidden() const;
+  /// All edges, sorted: the scene as others see it.
+  Scene whole_scene() const;
+
+  /// Where the body can walk now.
+  const NavigationGrid& grid() const;
+  /// Which cells the agent can walk to (>= 0), by the grid's index.
+  const std::vector<std::int32_t>& walk() const;
+  /// The steps from the agent to every cell, -1 where it cannot walk.
+  const std::vector<std::int32_t>& steps() const;
+
+  // Changes. A position in the log marks a moment; going back to it takes back what came after.
+  Agent& edit_agent();
+  void set_hand(const HandPose& hand);
+  void stop();
+  /// For states only: what has a part in physics has its own function.
+  StateSet& edit_states(std::size_t i);
+  void move(std::size_t i, const Pose& pose);
+  void set_opening(std::size_t i, double opening);
+  void replace(std::size_t i, Node node);
+  std::size_t add(Node node);
+  /// Takes a node's body out of physics, into the hand; or puts it back where the node is.
+  void lift(std::size_t i);
+  void lay(std::size_t i);
+  /// Adds a link that physics does not show.
+  void attach(std::size_t i, std::size_t to);
+  /// Re-reads the links near what changed.
   void refresh(std::span<const Bounds> touched, std::span<const std::size_t> changed);
   /// Puts what the hands hold in front of the agent, with all that rests on or in it.
   void carry_along();
-  /// Adds those of the `attached` edges before a change whose object still rests on what it was attached to.
-  void keep_attached(std::span<const Edge> before);
+
+  std::size_t mark() const { return log_.size(); }
+  void back_to(std::size_t mark);
+
+  /// What changed since the log began, as others see it, and what the state's digest gained by it.
+  struct Change {
+    Delta seen;
+    Digest gained;
+  };
+  Change change() const;
+  /// Ends the log: what it held takes the state from before to now.
+  std::vector<Edit> take_log();
+  void redo(std::vector<Edit>& log);
+  void undo(std::vector<Edit>& log);
 
  private:
+  WorldState() = default;
+  template <class Was>
+  void log(Was was) {
+    log_.emplace_back().what.emplace<Was>(std::move(was));
+  }
+  void exchange(Edit& edit);
+  void exchange_links(std::size_t i, std::vector<Link>& links);
+  void log_node(std::size_t i);
+  void log_agent();
+  void follow(std::size_t i, const Node& before);
+  void put_body(std::size_t i);
+  void take_in(Node node, std::shared_ptr<const Collider> collider);
+
+  Scene scene_;
+  HandPose hand_;
+  bool stopped_ = false;
+  PhysicsWorld physics_;  // node i is body i; what is in the hands is not in it
+  ColliderBook book_;
+  std::vector<std::shared_ptr<const Collider>> colliders_;
+  struct IdHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view id) const { return std::hash<std::string_view>()(id); }
+  };
+  std::unordered_map<std::string, std::size_t, IdHash, std::equal_to<>> index_;  // never iterated
+  std::vector<std::vector<Link>> links_;
+  std::vector<std::vector<std::uint32_t>> carried_;
+  std::vector<Edit> log_;
+
   mutable std::optional<NavigationGrid> grid_;
-  mutable std::vector<std::int32_t> walk_;
+  mutable std::vector<std::size_t> moved_;  // nodes that the grid has not seen to yet
+  struct Steps {
+    std::vector<std::int32_t> to;
+    std::uint64_t grid_version = 0;
+    NavigationGrid::Cell from;
+  };
+  mutable Steps walk_, steps_;
 };
 
 inline Outcome succeeded() { return {true, Failure::None, ""}; }
 inline Outcome failed(Failure failure, std::string feedback) { return {false, failure, std::move(feedback)}; }
+
+/// Does the action; a failed one may leave changes in the log that are to be taken back.
+Outcome perform(WorldState& state, const Action& action);
 
 /// Why the agent cannot act on a node from where it stands (closed container, reach, sight), or nullopt.
 std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t node);
@@ -69,7 +193,7 @@ std::optional<Vec2> place_in_room(const WorldState& state, const Room& room);
 /// Turns the agent's head and body towards a point.
 void look_at(WorldState& state, const Vec3& point);
 
-// The actions, one function each. A failed one leaves the state as it was.
+// The actions, one function each.
 Outcome go_to(WorldState& state, const std::string& id);
 Outcome turn_to(WorldState& state, std::size_t node);
 Outcome pick_up(WorldState& state, std::size_t node);

@@ -1,0 +1,64 @@
+#include "expert/rehearsal.h"
+
+#include <algorithm>
+
+#include "logic/evaluate.h"
+#include "simulation/relations.h"
+
+namespace unietp {
+
+Result<Rehearsal> Rehearsal::of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                                const Profile& profile) {
+  return of(goal, start, knowledge, profile, physics_of(start));
+}
+
+Result<Rehearsal> Rehearsal::of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                                const Profile& profile, PhysicsWorld physics) {
+  auto world = World::create(start, knowledge, profile, std::move(physics));
+  if (!world) return world.error();
+  return Rehearsal(goal, start, knowledge, profile, std::move(*world));
+}
+
+Rehearsal::Rehearsal(const Formula& goal, const Scene& start, const Knowledge& knowledge, const Profile& profile,
+                     World world)
+    : goal_(&goal),
+      start_(&start),
+      knowledge_(&knowledge),
+      profile_(&profile),
+      world_(std::move(world)),
+      reader_(reads_comparisons(goal)),
+      compares_later_(reads_later_comparisons(goal)) {
+  facts_.emplace_back(reader_.read(start));
+}
+
+Outcome Rehearsal::step(World& world, const Action& action) {
+  const std::uint32_t before = world.moment();
+  Outcome outcome = world.step(action);
+  const std::uint32_t now = world.moment();
+  if (now >= facts_.size()) facts_.resize(now + std::size_t{1});
+  if (!facts_[now]) {
+    facts_[now] = compares_later_ ? reader_.read(world.scene()) : reader_.read(*facts_[before], world.changes());
+  }
+  return outcome;
+}
+
+void Rehearsal::follow(Course& course, std::span<const Action> actions) {
+  for (const Action& action : actions) {
+    if (!step(course.world, action).success) course.all_succeeded = false;
+    course.moments.push_back(course.world.moment());
+  }
+}
+
+bool Rehearsal::reaches_goal(const Course& course) {
+  // No operator of the logic tells a state that lasts from one that does not, so failed steps need no state.
+  std::vector<std::uint32_t> moments = course.moments;
+  moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
+  const auto differ = std::mismatch(judged_.begin(), judged_.end(), moments.begin(), moments.end());
+  trace_.states.resize(static_cast<std::size_t>(differ.first - judged_.begin()));
+  for (auto moment = differ.second; moment != moments.end(); ++moment) trace_.states.push_back(*facts_[*moment]);
+  for (std::size_t e = trace_.entities.size(); e < entities().size(); ++e) trace_.entities.push_back(entities()[e]);
+  judged_ = std::move(moments);
+  return holds(*goal_, trace_);
+}
+
+}  // namespace unietp

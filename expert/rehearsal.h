@@ -1,0 +1,71 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "logic/formula.h"
+#include "scene/action.h"
+#include "scene/trace.h"
+#include "simulation/physics.h"
+#include "simulation/profile.h"
+#include "simulation/world.h"
+
+namespace unietp {
+
+/// A goal and the world in which it is to be reached, with all that was tried from its start: worlds remember steps,
+/// and this remembers what the logic sees at each moment. What one function has executed costs the next one nothing.
+class Rehearsal {
+ public:
+  /// The goal, the start, the knowledge and the profile must outlive it. Errors: as World::create.
+  static Result<Rehearsal> of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                              const Profile& profile);
+  /// The same for a start of which `physics_of` is known already.
+  static Result<Rehearsal> of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                              const Profile& profile, PhysicsWorld physics);
+
+  const Formula& goal() const { return *goal_; }
+  const Scene& start() const { return *start_; }
+  const Knowledge& knowledge() const { return *knowledge_; }
+  const Profile& profile() const { return *profile_; }
+  const World& world() const { return world_; }  // at the start
+
+  /// All things that were there in any branch, those of the start first.
+  const std::vector<Entity>& entities() const { return reader_.entities(); }
+  std::optional<EntityIndex> find(std::string_view id) const { return reader_.find(id); }
+
+  /// Does the action in a world that goes back to this start by steps of this rehearsal.
+  Outcome step(World& world, const Action& action);
+  /// What the logic sees in such a world.
+  const Facts& facts(const World& world) const { return *facts_[world.moment()]; }
+
+  /// A way from the start: the moments passed, one after each action.
+  struct Course {
+    World world;
+    std::vector<std::uint32_t> moments;
+    bool all_succeeded = true;
+  };
+  Course course() const { return {world_, {world_.moment()}, true}; }
+  /// Does the actions, going on after failures.
+  void follow(Course& course, std::span<const Action> actions);
+  /// Truth of the goal, by the direct evaluator, on the course's trace.
+  bool reaches_goal(const Course& course);
+
+ private:
+  Rehearsal(const Formula& goal, const Scene& start, const Knowledge& knowledge, const Profile& profile, World world);
+
+  const Formula* goal_;
+  const Scene* start_;
+  const Knowledge* knowledge_;
+  const Profile* profile_;
+  World world_;
+  FactReader reader_;
+  bool compares_later_;
+  std::deque<std::optional<Facts>> facts_;  // by moment
+  Trace trace_;                             // the last that was judged, and its moments
+  std::vector<std::uint32_t> judged_;
+};
+
+}  // namespace unietp

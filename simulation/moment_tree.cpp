@@ -1,0 +1,86 @@
+#include "simulation/moment_tree.h"
+
+namespace unietp {
+namespace {
+
+std::string key_of(const Action& action) {
+  std::string key(1, static_cast<char>(action.type));
+  for (const std::string& argument : action.args) {
+    key += argument;
+    key += '\0';
+  }
+  return key;
+}
+
+}  // namespace
+
+MomentTree::MomentTree(WorldState start) : state_(std::move(start)) {
+  Moment& first = moments_.emplace_back();
+  first.digest = state_.digest();
+  known_.emplace(first.digest, 0);
+}
+
+void MomentTree::go(MomentId to) {
+  std::vector<MomentId> down;
+  MomentId up = here_, from = to;
+  while (up != from) {
+    if (moments_[up].depth >= moments_[from].depth) {
+      state_.undo(moments_[up].log);
+      up = moments_[up].parent;
+    } else {
+      down.push_back(from);
+      from = moments_[from].parent;
+    }
+  }
+  for (auto next = down.rbegin(); next != down.rend(); ++next) state_.redo(moments_[*next].log);
+  here_ = to;
+}
+
+const WorldState& MomentTree::at(MomentId moment) {
+  if (moment != here_) go(moment);
+  return state_;
+}
+
+const MomentTree::Step& MomentTree::step(MomentId at, const Action& action) {
+  const auto [place, fresh] = moments_[at].steps.try_emplace(key_of(action));
+  Step& step = place->second;
+  if (!fresh) return step;
+  if (at != here_) go(at);
+  step.next = at;
+  step.outcome = perform(state_, action);
+  if (!step.outcome.success) {
+    state_.back_to(0);
+    return step;
+  }
+  WorldState::Change change = state_.change();
+  Digest digest = moments_[at].digest;
+  digest += change.gained;
+  step.changes = std::move(change.seen);
+  std::vector<Edit> log = state_.take_log();
+  const auto [known, is_new] = known_.try_emplace(digest, static_cast<MomentId>(moments_.size()));
+  step.next = known->second;
+  if (is_new) {
+    const std::uint32_t depth = moments_[at].depth + 1;
+    Moment& moment = moments_.emplace_back();
+    moment.parent = at;
+    moment.depth = depth;
+    moment.log = std::move(log);
+    moment.digest = digest;
+    moment.stopped = state_.stopped();
+    here_ = step.next;
+  } else {
+    state_.undo(log);  // the way to a moment is the one by which it was reached first
+  }
+  return step;
+}
+
+const std::vector<VisibleObject>& MomentTree::visible(MomentId moment, double sight_m) {
+  const auto [known, fresh] = moments_[moment].visible.try_emplace(sight_m);
+  if (fresh) {
+    const WorldState& state = at(moment);
+    known->second = viewer_.view(state.scene(), state.hidden(), state.agent(), *state.profile, sight_m);
+  }
+  return known->second;
+}
+
+}  // namespace unietp

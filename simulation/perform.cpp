@@ -1,0 +1,134 @@
+#include "simulation/world_state.h"
+
+namespace unietp {
+namespace {
+
+Outcome wrong_arguments(const ActionInfo& action) {
+  const char* wants = action.argument == ActionArgument::None ? "no argument" : "one argument";
+  return failed(Failure::InvalidArgument, std::string(action.name) + " takes " + wants + ".");
+}
+
+/// Actions of the body and the hand, which name no object.
+Outcome perform_alone(WorldState& state, ActionType type) {
+  switch (type) {
+    case ActionType::MoveForward:
+    case ActionType::MoveBackward:
+    case ActionType::MoveLeft:
+    case ActionType::MoveRight:
+    case ActionType::TurnLeft:
+    case ActionType::TurnRight:
+    case ActionType::LookUp:
+    case ActionType::LookDown:
+      return move_body(state, type);
+    case ActionType::TurnBaseToLook:
+      return succeeded();  // this body's head does not turn on its own, so it looks where the base points already
+    case ActionType::ResetHead:
+      return reset_head(state);
+    case ActionType::MoveHandForward:
+      return move_hand(state, 1, 0);
+    case ActionType::MoveHandBackward:
+      return move_hand(state, -1, 0);
+    case ActionType::MoveHandLeft:
+      return move_hand(state, 0, 1);
+    case ActionType::MoveHandRight:
+      return move_hand(state, 0, -1);
+    case ActionType::RotateHand:
+      return rotate_hand(state);
+    case ActionType::Drop:
+      return drop(state);
+    case ActionType::StandUp:
+      return stand_up(state);
+    default:
+      return failed(Failure::InvalidAction, std::string(info(type).name) + " needs an object.");
+  }
+}
+
+/// A freezer may be known to freeze a thing without being known to cool it.
+Outcome cool_with(WorldState& state, std::size_t tool) {
+  const std::size_t before = state.mark();
+  const Outcome cooled = treat_with(state, tool, "cools");
+  if (cooled.failure != Failure::NoEffect) return cooled;
+  state.back_to(before);
+  return treat_with(state, tool, "freezes");
+}
+
+}  // namespace
+
+Outcome perform(WorldState& state, const Action& action) {
+  if (state.stopped()) return failed(Failure::InvalidAction, "The episode has ended.");
+  const ActionInfo& about = info(action.type);
+  if (!state.profile->offers(action.type)) {
+    return failed(Failure::NotOffered,
+                  std::string(name_of(state.scene().simulator)) + " does not offer " + std::string(about.name) + ".");
+  }
+  if (action.args.size() != (about.argument == ActionArgument::None ? 0u : 1u)) return wrong_arguments(about);
+  if (action.type == ActionType::Stop) {
+    state.stop();
+    return succeeded();
+  }
+  if (about.group == ActionClass::Movement || action.type == ActionType::GoTo) {
+    if (auto seated = keeps_seat(state, action.type)) return *seated;
+  }
+  if (action.type == ActionType::GoTo) return go_to(state, action.args.front());
+  if (about.argument == ActionArgument::None) return perform_alone(state, action.type);
+  const auto node = state.index_of(action.args.front());
+  if (!node) return failed(Failure::InvalidArgument, "There is no object " + action.args.front() + ".");
+  switch (action.type) {
+    case ActionType::TurnTo:
+      return turn_to(state, *node);
+    case ActionType::PickUp:
+      return pick_up(state, *node);
+    case ActionType::PlaceOn:
+      return place(state, *node, false);
+    case ActionType::PlaceIn:
+      return place(state, *node, true);
+    case ActionType::Open:
+      return swing(state, *node, true);
+    case ActionType::Close:
+      return swing(state, *node, false);
+    case ActionType::TurnOn:
+      return switch_power(state, *node, true);
+    case ActionType::TurnOff:
+      return switch_power(state, *node, false);
+    case ActionType::Slice:
+      return slice(state, *node);
+    case ActionType::PourTo:
+      return pour_to(state, *node);
+    case ActionType::UseUp:
+      return use_up(state, *node);
+    case ActionType::Wipe:
+      return wipe(state, *node);
+    case ActionType::SpreadTo:
+      return spread_to(state, *node);
+    case ActionType::SoakWith:
+      return treat_with(state, *node, "soaks");
+    case ActionType::HeatWith:
+      return treat_with(state, *node, "heats");
+    case ActionType::CoolWith:
+      return cool_with(state, *node);
+    case ActionType::WashWith:
+      return treat_with(state, *node, "washes");
+    case ActionType::CookWith:
+      return treat_with(state, *node, "cooks");
+    case ActionType::BurnWith:
+      return treat_with(state, *node, "burns");
+    case ActionType::FillWith:
+      return treat_with(state, *node, "fills");
+    case ActionType::SitOn:
+      return take_seat(state, *node, Predicate::SatOn);
+    case ActionType::LieOn:
+      return take_seat(state, *node, Predicate::LainOn);
+    case ActionType::PlugIn:
+      return plug(state, *node, true);
+    case ActionType::Unplug:
+      return plug(state, *node, false);
+    case ActionType::Fold:
+      return fold(state, *node);
+    case ActionType::Break:
+      return break_apart(state, *node);
+    default:
+      return failed(Failure::InvalidAction, std::string(about.name) + " is no action on an object.");
+  }
+}
+
+}  // namespace unietp
