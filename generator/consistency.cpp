@@ -7,6 +7,7 @@
 #include "generator/domain_constraints.h"
 #include "generator/goal_parts.h"
 #include "scene/states.h"
+#include "symbolic/perform.h"
 #include "templates/init_shape.h"
 
 namespace unietp {
@@ -217,6 +218,8 @@ class GoalReader {
       return GateRefusal{Gate::ExclusiveStates, both, "the goal asks for a thing and its opposite: " + both,
                          "a goal that asks for one of them"};
     }
+    if (auto problem = undone_there(one, other)) return problem;
+    if (auto problem = undone_there(other, one)) return problem;
     if (!is_place(first) || !is_place(second) || !(first.terms[0] == second.terms[0])) return std::nullopt;
     const bool same_place = first.terms[1] == second.terms[1];
     if (same_place ? first.predicate == second.predicate : may_be_equal(one, other)) return std::nullopt;
@@ -225,6 +228,40 @@ class GoalReader {
     if (!same_place && !fixed && !on_both) return std::nullopt;
     return GateRefusal{Gate::OnePlace, both, "the goal asks for one object in two places: " + both,
                        "a goal that asks for one of them, or for two objects"};
+  }
+
+  /// A hot thing inside a freezer: what the place does by itself, without power and open or not, ends the state.
+  std::optional<GateRefusal> undone_there(const Demand& state, const Demand& place) const {
+    if (!is_place(place.literal) || state.literal.op != Op::Atom || state.literal.terms.empty()) return std::nullopt;
+    if (!(place.literal.terms[0] == state.literal.terms[0])) return std::nullopt;
+    const auto objects = categories(place, place.literal.terms[0]);
+    const auto places = categories(place, place.literal.terms[1]);
+    if (objects.empty() || places.empty()) return std::nullopt;
+    for (const auto& object : objects) {
+      for (const auto& tool : places) {
+        if (!ends_by_itself(state.literal.predicate, object, place.literal.predicate, tool)) return std::nullopt;
+      }
+    }
+    const auto both = text_of(state.literal) + " and " + text_of(place.literal);
+    return GateRefusal{Gate::ExclusiveStates, both,
+                       objects.front() + " " + std::string(info(place.literal.predicate).name) + " " + places.front() +
+                           " does not stay " + std::string(info(state.literal.predicate).name),
+                       "another place, or a constraint in the template that keeps such places out"};
+  }
+
+  bool ends_by_itself(Predicate state, const std::string& object, Predicate relation, const std::string& tool) const {
+    const std::vector<std::string> by_itself{relation == Predicate::On ? "on" : "inside"};
+    for (std::size_t t = 0; t < symbolic::kTreatments; ++t) {
+      const auto treatment = static_cast<symbolic::Treatment>(t);
+      const auto rows = knowledge_.effects_on(object, std::string(name_of(treatment)));
+      const auto row =
+          std::find_if(rows.begin(), rows.end(), [&](const Effect* effect) { return effect->tool == tool; });
+      if (row == rows.end() || (*row)->needs != by_itself) continue;
+      for (const auto set : symbolic::sets(treatment)) {
+        if (exclude_each_other(atom(state, {"x"}), atom(set, {"x"}))) return true;
+      }
+    }
+    return false;
   }
 
   const Specification& specification_;

@@ -115,6 +115,11 @@ std::optional<GateRefusal> broken_constraint(const Template& source, const Bindi
 }  // namespace
 
 std::string_view name_of(Gate gate) { return info(gate).name; }
+std::string rejection_of(Gate gate) {
+  auto reason = "gate-" + std::string(name_of(gate));
+  std::replace(reason.begin(), reason.end(), '_', '-');
+  return reason;
+}
 std::string_view meaning_of(Gate gate) { return info(gate).meaning; }
 
 std::variant<Specification, GateRefusal> propose(const Template& source, const Knowledge& knowledge,

@@ -26,8 +26,10 @@ enum class Gate {
   FalseAtStart,     // each part of the goal is false in the starts that meet `init`
   Reachable,        // actions that the simulator offers can make each part of the goal true
 };
-/// "exclusive_states": the names under which refusals are counted.
+/// "exclusive_states"
 std::string_view name_of(Gate gate);
+/// "gate-exclusive-states": the reason of a candidate's rejection.
+std::string rejection_of(Gate gate);
 /// What the gate asks for, in one line for people.
 std::string_view meaning_of(Gate gate);
 

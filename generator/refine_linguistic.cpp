@@ -19,6 +19,25 @@ std::vector<std::string> with_alias(const Specification& plain, const Knowledge&
   return found;
 }
 
+/// Whether some part of the goal is about the end, so that a command can say it.
+bool asks_for_an_end(const Specification& plain) {
+  const auto at_end = [](const Formula& f, const auto& self) -> bool {
+    return f.op == Formula::Op::AtEnd ||
+           std::any_of(f.children.begin(), f.children.end(), [&](const Formula& child) { return self(child, self); });
+  };
+  return at_end(plain.goal, at_end);
+}
+
+/// Whether the start has something that is so, which an instruction can be tied to: "if a fridge is closed, …".
+bool starts_with_something(const Specification& plain) {
+  return std::any_of(plain.init.begin(), plain.init.end(), [](const Formula& start) {
+    const bool some = start.op == Formula::Op::Exists || start.op == Formula::Op::Forall ||
+                      (start.op == Formula::Op::Count && start.number >= 1 &&
+                       (start.comparison == Comparison::AtLeast || start.comparison == Comparison::Equal));
+    return some && (start.children[0].op == Formula::Op::Atom || start.children[0].op == Formula::Op::Exists);
+  });
+}
+
 Specification reworded(const Specification& plain, const std::string& style) {
   auto changed = plain;
   changed.split = Split::Linguistic;
@@ -74,12 +93,16 @@ std::optional<Specification> by_function(const Specification& plain, const Knowl
 std::optional<Specification> refine_linguistic(const Specification& plain, const Knowledge& knowledge,
                                                std::string_view style_asked, Rng rng) {
   if (plain.style != "direct" || plain.split == Split::InstanceGrounding) return std::nullopt;
-  std::vector<std::string> styles = {"alias", "function", "context"};
+  std::vector<std::string> styles = {"alias",     "function",      "context",  "background",
+                                     "bystander", "nested-syntax", "condition"};
   if (!style_asked.empty()) styles = {std::string(style_asked)};
   rng.shuffle(styles);
   for (const auto& style : styles) {
     if (style == "function") {
       if (auto widened = by_function(plain, knowledge, rng)) return widened;
+    } else if (style == "background" || style == "bystander" || (style == "nested-syntax" && asks_for_an_end(plain)) ||
+               (style == "condition" && asks_for_an_end(plain) && starts_with_something(plain))) {
+      return reworded(plain, style);
     } else if (!with_alias(plain, knowledge, style == "alias" ? "synonym" : style).empty()) {
       return reworded(plain, style);
     }

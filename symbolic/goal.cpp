@@ -12,7 +12,8 @@ using FormulaOp = Formula::Op;
 /// Writes a formula out, variable by variable.
 class GoalWriter {
  public:
-  GoalWriter(Goal& goal, const Setting& setting, const World& start) : goal_(goal), setting_(setting), start_(start) {}
+  GoalWriter(Goal& goal, const Setting& setting, const World& start, const SeenStart& seen)
+      : goal_(goal), setting_(setting), start_(start), seen_(seen) {}
 
   std::size_t write(const Formula& formula) {
     switch (formula.op) {
@@ -153,11 +154,26 @@ class GoalWriter {
       }
       return found;
     }
+    if (seen_.trace != nullptr) return seen_members(quantifier);
     if (!trace_) trace_ = whole_trace_of(setting_, start_);
     Assignment assignment;
     for (const auto& [name, id] : scope_) assignment.emplace_back(name, entity_of_id(id));
     for (const auto entity : members_of(domain, quantifier.variable, *trace_, assignment))
       found.push_back(id_of_entity(entity));
+    return found;
+  }
+
+  std::vector<Id> seen_members(const Formula& quantifier) const {
+    Assignment assignment;
+    for (const auto& [name, id] : scope_) {
+      const auto place = std::find(seen_.ids->begin(), seen_.ids->end(), id);
+      if (place != seen_.ids->end())
+        assignment.emplace_back(name, static_cast<EntityIndex>(place - seen_.ids->begin()));
+    }
+    std::vector<Id> found;
+    for (const auto entity : members_of(quantifier.domain, quantifier.variable, *seen_.trace, assignment)) {
+      if (const Id id = (*seen_.ids)[entity]; id != kNobody) found.push_back(id);
+    }
     return found;
   }
 
@@ -214,13 +230,14 @@ class GoalWriter {
   Goal& goal_;
   const Setting& setting_;
   const World& start_;
+  const SeenStart& seen_;
   std::optional<Trace> trace_;
   std::vector<std::pair<std::string, Id>> scope_;
   int depth_ = 0;
 };
 
-Goal::Goal(const Formula& goal, const Setting& setting, const World& start) {
-  root_ = GoalWriter(*this, setting, start).write(goal);
+Goal::Goal(const Formula& goal, const Setting& setting, const World& start, const SeenStart& seen) {
+  root_ = GoalWriter(*this, setting, start, seen).write(goal);
 }
 
 }  // namespace unietp::symbolic

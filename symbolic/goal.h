@@ -15,6 +15,13 @@ struct Atom {
   std::uint8_t symbol = kAnySymbol;
 };
 
+/// The facts from which each `:where` is read, when they are not those of a world: a physical scene's, which also knows
+/// what is next to and nearest to what. `ids`, by entity: kNobody for what is in no world.
+struct SeenStart {
+  const Trace* trace = nullptr;
+  const std::vector<Id>* ids = nullptr;
+};
+
 /// A goal with its quantifiers written out over a cast: `exists` is a disjunction over the members, `forall` a
 /// conjunction, a count a list of members. Made for one start, in which each `:where` is read. Pieces that do not exist
 /// yet are members that have to come into being first.
@@ -32,7 +39,7 @@ class Goal {
   };
 
   /// A goal or a state formula.
-  Goal(const Formula& goal, const Setting& setting, const World& start);
+  Goal(const Formula& goal, const Setting& setting, const World& start, const SeenStart& seen = {});
 
   const Node& node(std::size_t index) const { return nodes_[index]; }
   std::size_t root() const { return root_; }

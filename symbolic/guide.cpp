@@ -6,38 +6,46 @@
 namespace unietp::symbolic {
 namespace {
 
-constexpr std::size_t kMostSteps = 16;  // steps that are worth a try at once
-constexpr std::size_t kMostWays = 3;    // ways that stay open beside the cheapest
-
 const Wish kNothing{};
 const Wish kNever{Wish::kImpossible, {}};
 
-void add_steps(std::vector<Step>& steps, const std::vector<Step>& more) {
-  for (const Step& step : more) {
-    if (steps.size() >= kMostSteps) return;
-    if (std::find(steps.begin(), steps.end(), step) == steps.end()) steps.push_back(step);
-  }
+Wish with_steps_of(Wish wish, const Wish& other) {
+  wish.steps.add(other.steps);
+  return wish;
 }
 
 }  // namespace
 
+void FewSteps::add(const Step& step) {
+  const auto known = all();
+  if (size_ < steps_.size() && std::find(known.begin(), known.end(), step) == known.end()) steps_[size_++] = step;
+}
+
+void FewSteps::add(const FewSteps& more) {
+  for (const Step& step : more.all()) add(step);
+}
+
 Wish together(Wish first, const Wish& second) {
   if (!first.possible() || !second.possible()) return kNever;
   first.cost += second.cost;
-  add_steps(first.steps, second.steps);
+  first.steps.add(second.steps);
   return first;
 }
 
-Wish either(const std::vector<Wish>& ways) {
-  std::vector<const Wish*> open;
-  for (const Wish& way : ways) {
-    if (way.possible()) open.push_back(&way);
-  }
-  if (open.empty()) return kNever;
-  std::stable_sort(open.begin(), open.end(), [](const Wish* a, const Wish* b) { return a->cost < b->cost; });
-  Wish best{open.front()->cost, {}};
-  if (best.cost == 0) return best;
-  for (std::size_t i = 0; i < std::min(open.size(), kMostWays); ++i) add_steps(best.steps, open[i]->steps);
+void Choice::add(const Wish& way) {
+  std::size_t rank = size_;
+  while (rank > 0 && way.cost < ways_[rank - 1].cost) --rank;
+  if (!way.possible() || rank == ways_.size()) return;
+  if (size_ < ways_.size()) ++size_;
+  for (std::size_t i = size_ - 1; i > rank; --i) ways_[i] = ways_[i - 1];
+  ways_[rank] = way;
+}
+
+Wish Choice::wish() const {
+  if (size_ == 0) return kNever;
+  if (ways_[0].cost == 0) return kNothing;
+  Wish best = ways_[0];
+  for (std::size_t i = 1; i < size_; ++i) best.steps.add(ways_[i].steps);
   return best;
 }
 
@@ -61,16 +69,16 @@ Wish Guide::towards(std::size_t index, bool wanted, const World& world, const Pr
         for (const auto child : node.children) all = together(std::move(all), towards(child, wanted, world, progress));
         return all;
       }
-      std::vector<Wish> ways;
-      for (const auto child : node.children) ways.push_back(towards(child, wanted, world, progress));
-      return either(ways);
+      Choice ways;
+      for (const auto child : node.children) ways.add(towards(child, wanted, world, progress));
+      return ways.wish();
     }
     case Goal::Op::Count: {
       if (wanted) return towards_number(node.children, node.least, node.most, world, progress);
-      std::vector<Wish> ways;
-      if (node.least > 0) ways.push_back(towards_number(node.children, 0, node.least - 1, world, progress));
-      if (node.most < INT_MAX) ways.push_back(towards_number(node.children, node.most + 1, INT_MAX, world, progress));
-      return either(ways);
+      Choice ways;
+      if (node.least > 0) ways.add(towards_number(node.children, 0, node.least - 1, world, progress));
+      if (node.most < INT_MAX) ways.add(towards_number(node.children, node.most + 1, INT_MAX, world, progress));
+      return ways.wish();
     }
     case Goal::Op::Compare:
       return towards_comparison(node, wanted, world, progress);
@@ -102,7 +110,7 @@ Wish Guide::towards_number(const std::vector<std::size_t>& children, int least, 
   std::stable_sort(ways.begin(), ways.end(), [](const Wish& a, const Wish& b) { return a.cost < b.cost; });
   Wish all;
   for (std::size_t i = 0; i < needed; ++i) all = together(std::move(all), ways[i]);
-  if (all.possible() && needed < ways.size() && ways[needed].possible()) add_steps(all.steps, ways[needed].steps);
+  if (all.possible() && needed < ways.size() && ways[needed].possible()) return with_steps_of(all, ways[needed]);
   return all;
 }
 
@@ -119,18 +127,18 @@ Wish Guide::towards_comparison(const Goal::Node& node, bool wanted, const World&
   const int a = number(firsts), b = number(seconds);
   const bool strict = node.comparison == Comparison::Greater || node.comparison == Comparison::Less;
   const int margin = strict ? 1 : 0;
-  std::vector<Wish> ways;
+  Choice ways;
   const bool more = node.comparison == Comparison::AtLeast || node.comparison == Comparison::Greater;
   const bool less = node.comparison == Comparison::AtMost || node.comparison == Comparison::Less;
   if (more ? a >= b + margin : less ? b >= a + margin : a == b) return kNothing;
   if (more || (!less && a < b)) {
-    ways.push_back(towards_number(firsts, b + margin, INT_MAX, world, progress));
-    ways.push_back(towards_number(seconds, 0, a - margin, world, progress));
+    ways.add(towards_number(firsts, b + margin, INT_MAX, world, progress));
+    ways.add(towards_number(seconds, 0, a - margin, world, progress));
   } else {
-    ways.push_back(towards_number(seconds, a + margin, INT_MAX, world, progress));
-    ways.push_back(towards_number(firsts, 0, b - margin, world, progress));
+    ways.add(towards_number(seconds, a + margin, INT_MAX, world, progress));
+    ways.add(towards_number(firsts, 0, b - margin, world, progress));
   }
-  return either(ways);
+  return ways.wish();
 }
 
 Wish Guide::towards_moment(const Goal::Node& node, const World& world, const Progress& progress) const {

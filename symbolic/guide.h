@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "symbolic/goal.h"
@@ -7,11 +9,25 @@
 
 namespace unietp::symbolic {
 
+/// A few different steps; what does not fit in any more is left out. In place, since a search makes many.
+class FewSteps {
+ public:
+  void add(const Step& step);
+  void add(const FewSteps& more);
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+  std::span<const Step> all() const { return {steps_.data(), size_}; }
+
+ private:
+  std::array<Step, 16> steps_;
+  std::size_t size_ = 0;
+};
+
 /// How far it is to a truth, and what to do next.
 struct Wish {
   static constexpr int kImpossible = 1000000;
-  int cost = 0;             // actions other than going somewhere, as if parts did not get in each other's way
-  std::vector<Step> steps;  // first steps of ways to it, each worth a try; empty when it holds or cannot be
+  int cost = 0;    // actions other than going somewhere, as if parts did not get in each other's way
+  FewSteps steps;  // first steps of ways to it, each worth a try; empty when it holds or cannot be
   bool possible() const { return cost < kImpossible; }
 };
 
@@ -40,7 +56,16 @@ Wish towards(const Setting& setting, const World& world, const Atom& atom, bool 
 
 /// What one needs after another: costs add up, and what is still to be done of any of them may be done now.
 Wish together(Wish first, const Wish& second);
-/// One of several ways: the cheapest decides, near ones stay open.
-Wish either(const std::vector<Wish>& ways);
+/// One of several ways: the cheapest decides, the two next stay open.
+class Choice {
+ public:
+  void add(const Wish& way);
+  std::size_t size() const { return size_; }  // ways that are possible, at most three
+  Wish wish() const;
+
+ private:
+  std::array<Wish, 3> ways_;  // the cheapest first, of equal ones the first that came
+  std::size_t size_ = 0;
+};
 
 }  // namespace unietp::symbolic

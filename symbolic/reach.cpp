@@ -80,7 +80,8 @@ bool Reach::works(Id tool, Id target, const Reaction& reaction) const {
   if ((reaction.needs & (kHeld | kUnknown)) != 0) return false;
   const auto action = action_for(reaction.treatment);
   const bool composite = action && offered(*action);
-  if ((reaction.needs & kUnderTap) != 0 && !composite) return false;
+  const bool runs = setting_.kind_of(tool).switchable && may_have(tool, Predicate::PowerOn);
+  if ((reaction.needs & kUnderTap) != 0 && !composite && !runs) return false;
   if ((reaction.needs & kPowerOn) != 0 && setting_.kind_of(tool).switchable && !may_have(tool, Predicate::PowerOn))
     return false;
   if (holds(setting_, start_, Predicate::On, target, tool, kAnySymbol) ||

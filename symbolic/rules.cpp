@@ -10,6 +10,16 @@ constexpr std::array<std::string_view, kTreatments> kTreatmentNames{"heats",    
                                                                     "dispenses", "drains", "attaches"};
 constexpr std::size_t kMostSymbols = 32;
 
+}  // namespace
+
+Offer offer_of(Simulator simulator, ActionProfile profile) {
+  Offer offer;
+  offer.actions = actions_of(simulator, profile);
+  offer.power_needs_plug = offer.has(ActionType::PlugIn);
+  offer.attaching = profile == ActionProfile::Wide && simulator == Simulator::Behavior;
+  return offer;
+}
+
 std::uint8_t needs_of(const Effect& row) {
   std::uint8_t needs = 0;
   for (const auto& need : row.needs) {
@@ -30,14 +40,10 @@ std::uint8_t needs_of(const Effect& row) {
   return needs;
 }
 
-}  // namespace
-
-Offer offer_of(Simulator simulator, ActionProfile profile) {
-  Offer offer;
-  offer.actions = actions_of(simulator, profile);
-  offer.power_needs_plug = offer.has(ActionType::PlugIn);
-  offer.attaching = profile == ActionProfile::Wide && simulator == Simulator::Behavior;
-  return offer;
+std::optional<Treatment> treatment_named(std::string_view name) {
+  const auto found = std::find(kTreatmentNames.begin(), kTreatmentNames.end(), name);
+  if (found == kTreatmentNames.end()) return std::nullopt;
+  return static_cast<Treatment>(found - kTreatmentNames.begin());
 }
 
 std::string_view name_of(Treatment treatment) { return kTreatmentNames[static_cast<std::size_t>(treatment)]; }

@@ -44,9 +44,12 @@ enum class Treatment : std::uint8_t {
 };
 inline constexpr std::size_t kTreatments = static_cast<std::size_t>(Treatment::Attaches) + 1;
 std::string_view name_of(Treatment treatment);  // "heats"
+std::optional<Treatment> treatment_named(std::string_view name);
 
 /// What has to be so before a treatment happens; bits of Reaction::needs.
 enum Need : std::uint8_t { kClosed = 1, kPowerOn = 2, kInside = 4, kOn = 8, kUnderTap = 16, kHeld = 32, kUnknown = 64 };
+
+std::uint8_t needs_of(const Effect& row);
 
 /// One row of the effect table, between two kinds.
 struct Reaction {

@@ -1,10 +1,18 @@
 #include "symbolic/way.h"
 
+#include <algorithm>
+
 namespace unietp::symbolic {
 namespace {
 
 constexpr std::size_t kMostPlaces = 3;  // places tried where any will do
 const Wish kNever{Wish::kImpossible, {}};
+
+Wish one_step(const Step& step) {
+  Wish wish{1, {}};
+  wish.steps.add(step);
+  return wish;
+}
 
 }  // namespace
 
@@ -34,7 +42,7 @@ Wish Way::to(const Atom& atom, bool wanted, int depth) const {
       return wanted ? to_bring(atom.first, atom.second, depth) : to_hold(atom.first, depth);
     case Predicate::NextTo:
     case Predicate::Under:
-      return wanted ? to_neighbour(atom, depth) : either({to_hold(atom.first, depth), to_hold(atom.second, depth)});
+      return wanted ? to_neighbour(atom, depth) : to_part(atom, depth);
     case Predicate::Covered:
       return wanted ? to_cover(atom, depth) : to_clean(atom.first, depth);
     case Predicate::SliceOf:
@@ -54,7 +62,10 @@ Id Way::missing_of(const Atom& atom) const {
 
 Wish Way::then(Wish need, const Step& step) const {
   if (!need.possible() || !offered(step.action)) return kNever;
-  if (need.cost == 0) need.steps = {step};
+  if (need.cost == 0) {
+    need.steps = {};
+    need.steps.add(step);
+  }
   need.cost += 1;
   return need;
 }
@@ -82,15 +93,15 @@ bool Way::takes(Id id, Predicate relation, Id place) const {
 Wish Way::to_free_hand(int depth) const {
   if (world_.held == kNobody) return {};
   Wish wish{1, {}};
-  if (offered(ActionType::Drop)) wish.steps.push_back({ActionType::Drop});
+  if (offered(ActionType::Drop)) wish.steps.add({ActionType::Drop});
   const Id id = world_.held;
   for (const bool furniture : {true, false}) {
     for (std::size_t i = 0; i < world_.things.size() && wish.steps.size() <= kMostPlaces; ++i) {
       const auto place = static_cast<Id>(i);
       if (kind(place).movable == furniture || closed_around(setting_, world_, place) != kNobody) continue;
-      if (takes(id, Predicate::On, place)) wish.steps.push_back({ActionType::PlaceOn, place});
+      if (takes(id, Predicate::On, place)) wish.steps.add({ActionType::PlaceOn, place});
       const bool open = !kind(place).openable || world_[place].has(Predicate::Open);
-      if (open && takes(id, Predicate::Inside, place)) wish.steps.push_back({ActionType::PlaceIn, place});
+      if (open && takes(id, Predicate::Inside, place)) wish.steps.add({ActionType::PlaceIn, place});
     }
   }
   if (!wish.steps.empty()) return wish;
@@ -106,11 +117,28 @@ Wish Way::to_place(Id id, Predicate relation, Id place, Id beside, int depth) co
   if (fits == 0 || id == place || depth > kDeepestNeed) return kNever;
   Wish need;
   if (!takes(id, relation, place) && root_of(world_, place) != id) need = to_make_room(id, relation, place, depth);
-  const bool into = relation == Predicate::Inside && kind(place).openable && !world_[place].has(Predicate::Open);
-  need = together(std::move(need), into ? to_state(place, Predicate::Open, 0, depth + 1) : to_reach(place, depth));
-  if (world_.held != id) need = together(std::move(need), to_hold(id, depth));
+  if (world_.held != id && root_of(world_, place) == world_.held) {  // the hand is freed once for both
+    if (!kind(id).pickupable) return kNever;
+    need = together(together(std::move(need), to_free_hand(depth + 1)), after(to_reach(id, depth), 1));
+  } else {
+    const bool into = relation == Predicate::Inside && kind(place).openable && !world_[place].has(Predicate::Open);
+    need = together(std::move(need), into ? to_state(place, Predicate::Open, 0, depth + 1) : to_reach(place, depth));
+    if (world_.held != id) need = together(std::move(need), to_hold(id, depth));
+  }
   const auto action = relation == Predicate::On ? ActionType::PlaceOn : ActionType::PlaceIn;
-  return then(std::move(need), {action, place, beside});
+  const Wish put = then(std::move(need), {action, place, beside});
+  if (!treats_by_power(place, id)) return put;
+  Choice ways;  // what runs treats what is put there, which may be what is wanted or not
+  ways.add(put);
+  ways.add(together(to_state(place, Predicate::PowerOff, 0, depth + 1), put));
+  return ways.wish();
+}
+
+bool Way::treats_by_power(Id tool, Id id) const {
+  if (!kind(tool).switchable || !world_[tool].has(Predicate::PowerOn)) return false;
+  const auto& reactions = setting_.rules->reactions(setting_.kind_number(tool), setting_.kind_number(id));
+  return std::any_of(reactions.begin(), reactions.end(),
+                     [](const Reaction& reaction) { return (reaction.needs & (kPowerOn | kUnderTap)) != 0; });
 }
 
 Wish Way::to_attach(Id id, Id place, int depth) const {
@@ -124,20 +152,21 @@ Wish Way::to_attach(Id id, Id place, int depth) const {
 
 Wish Way::to_make_room(Id id, Predicate relation, Id place, int depth) const {
   const Where where = relation == Predicate::On ? Where::On : Where::Inside;
-  std::vector<Wish> ways;
+  Choice ways;
   for (std::size_t i = 0; i < world_.things.size(); ++i) {
     const auto other = static_cast<Id>(i);
     if (other == id || !world_[other].exists || world_[other].where != where || world_[other].at != place) continue;
-    ways.push_back(after(to_hold(other, depth + 1), 1));
+    if (setting_.kind_number(other) != setting_.kind_number(id)) continue;  // those take no room from it
+    ways.add(after(to_hold(other, depth + 1), 1));
   }
-  return either(ways);
+  return ways.wish();
 }
 
 Wish Way::to_room(Id room, bool wanted) const {
-  if (wanted) return {1, {{ActionType::GoTo, room}}};
+  if (wanted) return one_step({ActionType::GoTo, room});
   for (std::size_t r = 0; r < setting_.cast.rooms.size(); ++r) {
     const auto other = static_cast<Id>(kFirstRoom + static_cast<Id>(r));
-    if (other != room) return {1, {{ActionType::GoTo, other}}};
+    if (other != room) return one_step({ActionType::GoTo, other});
   }
   return kNever;
 }
@@ -149,35 +178,59 @@ Wish Way::to_drop(Id id, Id room, int depth) const {
 }
 
 Wish Way::to_bring(Id id, Id room, int depth) const {
-  std::vector<Wish> ways;
+  Choice ways;
   for (std::size_t i = 0; i < world_.things.size() && ways.size() < kMostPlaces; ++i) {
     const auto place = static_cast<Id>(i);
     if (kind(place).movable || !world_[place].exists || room_of(world_, place) != room) continue;
     for (const auto relation : {Predicate::On, Predicate::Inside}) {
-      if (takes(id, relation, place)) ways.push_back(to_place(id, relation, place, kNobody, depth));
+      if (takes(id, relation, place)) ways.add(to_place(id, relation, place, kNobody, depth));
     }
   }
-  ways.push_back(to_drop(id, room, depth));
-  return either(ways);
+  ways.add(to_drop(id, room, depth));
+  return ways.wish();
 }
 
 Wish Way::to_neighbour(const Atom& atom, int depth) const {
-  const bool under = atom.predicate == Predicate::Under;
-  std::vector<Wish> ways;
-  const auto bring = [&](Id id, Id other) {
-    const Thing& host = world_[other];
-    if (host.where == Where::Floor) {
-      Wish need = together(to_hold(id, depth), to_reach(other, depth));
-      if (need.possible() && world_.by != other) need = together(std::move(need), Wish{1, {{ActionType::GoTo, other}}});
-      ways.push_back(then(std::move(need), {ActionType::Drop, kNobody, other, under}));
-    } else if (!under && (host.where == Where::On || host.where == Where::Inside)) {
-      const auto relation = host.where == Where::On ? Predicate::On : Predicate::Inside;
-      ways.push_back(to_place(id, relation, host.at, other, depth));
+  Choice ways;
+  ways.add(to_bring_beside(atom.first, atom.second, atom.predicate == Predicate::Under, depth));
+  if (atom.predicate == Predicate::NextTo) {
+    ways.add(to_bring_beside(atom.second, atom.first, false, depth));
+    if (ways.size() == 0) ways.add(to_bring_both(atom.first, atom.second, depth));
+  }
+  return ways.wish();
+}
+
+Wish Way::to_bring_beside(Id id, Id other, bool under, int depth) const {
+  const Thing& host = world_[other];
+  if (host.where == Where::Floor) {
+    Wish need = together(to_hold(id, depth), to_reach(other, depth));
+    if (need.possible() && world_.by != other) need = together(std::move(need), one_step({ActionType::GoTo, other}));
+    return then(std::move(need), {ActionType::Drop, kNobody, other, under});
+  }
+  if (under || (host.where != Where::On && host.where != Where::Inside)) return kNever;
+  return to_place(id, host.where == Where::On ? Predicate::On : Predicate::Inside, host.at, other, depth);
+}
+
+Wish Way::to_bring_both(Id first, Id second, int depth) const {
+  Choice ways;
+  for (const Id id : {first, second}) {
+    const Id other = id == first ? second : first;
+    if (!kind(other).pickupable) continue;
+    if (world_.room != kNobody) ways.add(after(to_drop(id, world_.room, depth), 2));
+    for (std::size_t i = 0; i < world_.things.size(); ++i) {
+      const auto place = static_cast<Id>(i);
+      if (takes(id, Predicate::On, place) && takes(other, Predicate::On, place))
+        ways.add(after(to_place(id, Predicate::On, place, kNobody, depth), 2));
     }
-  };
-  bring(atom.first, atom.second);
-  if (!under) bring(atom.second, atom.first);
-  return either(ways);
+  }
+  return ways.wish();
+}
+
+Wish Way::to_part(const Atom& atom, int depth) const {
+  Choice ways;
+  ways.add(to_hold(atom.first, depth));
+  ways.add(to_hold(atom.second, depth));
+  return ways.wish();
 }
 
 Wish towards(const Setting& setting, const World& world, const Atom& atom, bool wanted) {

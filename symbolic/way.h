@@ -38,6 +38,12 @@ class Way {
   Wish to_drop(Id id, Id room, int depth) const;
   Wish to_bring(Id id, Id room, int depth) const;
   Wish to_neighbour(const Atom& atom, int depth) const;
+  Wish to_bring_beside(Id id, Id other, bool under, int depth) const;
+  /// To a place that takes both, where neither goes to where the other is.
+  Wish to_bring_both(Id first, Id second, int depth) const;
+  /// No longer beside or under each other.
+  Wish to_part(const Atom& atom, int depth) const;
+  bool treats_by_power(Id tool, Id id) const;
   template <class Use>
   void each_tool(Treatment treatment, Id target, Use use) const {
     for (std::size_t i = 0; i < world_.things.size(); ++i) {
@@ -54,7 +60,7 @@ class Way {
   /// Wiped or washed: no dirt and nothing that covers it.
   Wish to_clean(Id id, int depth) const;
   /// Held and treated with a tool, or put where the tool works by itself.
-  void treated(Id id, Treatment treatment, std::uint8_t symbol, int depth, std::vector<Wish>& ways) const;
+  void treated(Id id, Treatment treatment, std::uint8_t symbol, int depth, Choice& ways) const;
   Wish by_composite(Id id, Id tool, ActionType action, const Reaction& reaction, int depth) const;
   Wish by_itself(Id id, Id tool, const Reaction& reaction, int depth) const;
   Wish to_fill(Id id, std::uint8_t symbol, int depth) const;

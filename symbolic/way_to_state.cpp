@@ -17,16 +17,16 @@ Wish Way::with_held(Id tool, ActionType action, Id target, Wish need, int depth)
 }
 
 Wish Way::to_cover(const Atom& atom, int depth) const {
-  std::vector<Wish> ways;
+  Choice ways;
   each_tool(Treatment::Dispenses, atom.first, [&](Id tool, const Reaction& reaction) {
     if (atom.symbol == kAnySymbol || atom.symbol == reaction.symbol)
-      ways.push_back(with_held(tool, ActionType::SpreadTo, atom.first, {}, depth));
+      ways.add(with_held(tool, ActionType::SpreadTo, atom.first, {}, depth));
   });
-  return either(ways);
+  return ways.wish();
 }
 
 Wish Way::to_clean(Id id, int depth) const {
-  std::vector<Wish> ways;
+  Choice ways;
   treated(id, Treatment::Washes, kAnySymbol, depth, ways);
   each_tool(Treatment::Wipes, id, [&](Id tool, const Reaction&) {
     const auto dust = setting_.rules->symbol_named("dust");
@@ -34,18 +34,18 @@ Wish Way::to_clean(Id id, int depth) const {
     const bool wet = stains != 0 || world_[id].has(Predicate::Dirty);
     Wish need;
     if (wet && world_[tool].has(Predicate::Dry)) need = to_state(tool, Predicate::Soaked, 0, depth + 1);
-    ways.push_back(with_held(tool, ActionType::Wipe, id, std::move(need), depth));
+    ways.add(with_held(tool, ActionType::Wipe, id, std::move(need), depth));
   });
-  return either(ways);
+  return ways.wish();
 }
 
-void Way::treated(Id id, Treatment treatment, std::uint8_t symbol, int depth, std::vector<Wish>& ways) const {
+void Way::treated(Id id, Treatment treatment, std::uint8_t symbol, int depth, Choice& ways) const {
   each_tool(treatment, id, [&](Id tool, const Reaction& reaction) {
     if ((reaction.needs & (kHeld | kUnknown)) != 0) return;
     if (treatment == Treatment::Fills && symbol != kAnySymbol && symbol != reaction.symbol) return;
     const auto action = action_for(treatment);
-    if (action && offered(*action)) ways.push_back(by_composite(id, tool, *action, reaction, depth));
-    if ((reaction.needs & kUnderTap) == 0) ways.push_back(by_itself(id, tool, reaction, depth));
+    if (action && offered(*action)) ways.add(by_composite(id, tool, *action, reaction, depth));
+    if ((reaction.needs & kUnderTap) == 0) ways.add(by_itself(id, tool, reaction, depth));
   });
 }
 
@@ -81,7 +81,7 @@ Wish Way::by_itself(Id id, Id tool, const Reaction& reaction, int depth) const {
 }
 
 Wish Way::to_fill(Id id, std::uint8_t symbol, int depth) const {
-  std::vector<Wish> ways;
+  Choice ways;
   treated(id, Treatment::Fills, symbol, depth, ways);
   if (kind(id).fillable && offered(ActionType::PourTo)) {
     for (std::size_t i = 0; i < world_.things.size(); ++i) {
@@ -90,28 +90,27 @@ Wish Way::to_fill(Id id, std::uint8_t symbol, int depth) const {
       Wish need;
       if (world_[id].has(Predicate::Filled)) need = to_state(id, Predicate::Empty, 0, depth + 1);
       if (!holds(setting_, world_, Predicate::Filled, vessel, kNobody, symbol)) {
-        std::vector<Wish> fillings;
+        Choice fillings;
         if (depth + 2 <= kDeepestNeed) treated(vessel, Treatment::Fills, symbol, depth + 2, fillings);
-        need = together(std::move(need), either(fillings));
+        need = together(std::move(need), fillings.wish());
       }
-      ways.push_back(with_held(vessel, ActionType::PourTo, id, std::move(need), depth));
+      ways.add(with_held(vessel, ActionType::PourTo, id, std::move(need), depth));
     }
   }
-  return either(ways);
+  return ways.wish();
 }
 
 Wish Way::to_empty(Id id, int depth) const {
-  std::vector<Wish> drains, vessels;  // what is poured into another vessel fills that one
+  Choice drains, vessels;  // what is poured into another vessel fills that one
   for (std::size_t i = 0; i < world_.things.size(); ++i) {
     const auto target = static_cast<Id>(i);
     if (target == id || !world_[target].exists) continue;
     const bool drain = kind(target).drain || setting_.rules->reaction(setting_.kind_number(target), Treatment::Drains,
                                                                       setting_.kind_number(id)) != nullptr;
     const bool takes_it = kind(target).fillable && world_[target].has(Predicate::Empty);
-    if (drain || takes_it) (drain ? drains : vessels).push_back(with_held(id, ActionType::PourTo, target, {}, depth));
+    if (drain || takes_it) (drain ? drains : vessels).add(with_held(id, ActionType::PourTo, target, {}, depth));
   }
-  const Wish away = either(drains);
-  return away.possible() ? away : either(vessels);
+  return drains.size() > 0 ? drains.wish() : vessels.wish();
 }
 
 Wish Way::done_to(Id id, ActionType action, Wish need, int depth, bool also_in_hand) const {
@@ -130,7 +129,7 @@ Wish Way::to_fold(Id id, int depth) const {
 
 Wish Way::to_state(Id id, Predicate state, std::uint8_t symbol, int depth) const {
   if (depth > kDeepestNeed) return kNever;
-  std::vector<Wish> ways;
+  Choice ways;
   switch (state) {
     case Predicate::Open: {
       if (!kind(id).openable) return kNever;
@@ -169,8 +168,8 @@ Wish Way::to_state(Id id, Predicate state, std::uint8_t symbol, int depth) const
     case Predicate::Sliced:
       if (!kind(id).sliceable) return kNever;
       each_tool(Treatment::Slices, id,
-                [&](Id tool, const Reaction&) { ways.push_back(with_held(tool, ActionType::Slice, id, {}, depth)); });
-      return either(ways);
+                [&](Id tool, const Reaction&) { ways.add(with_held(tool, ActionType::Slice, id, {}, depth)); });
+      return ways.wish();
     case Predicate::Clean:
       return to_clean(id, depth);
     case Predicate::Filled:
@@ -184,7 +183,7 @@ Wish Way::to_state(Id id, Predicate state, std::uint8_t symbol, int depth) const
         if (std::find(states.begin(), states.end(), state) != states.end())
           treated(id, treatment, kAnySymbol, depth, ways);
       }
-      return either(ways);
+      return ways.wish();
   }
 }
 
@@ -192,11 +191,11 @@ Wish Way::away_from(const Atom& atom, int depth) const {
   for (const StateGroup* group : kind(atom.first).groups) {
     const auto& states = group->predicates;
     if (std::find(states.begin(), states.end(), atom.predicate) == states.end()) continue;
-    std::vector<Wish> ways;
+    Choice ways;
     for (const Predicate other : states) {
-      if (other != atom.predicate) ways.push_back(to_state(atom.first, other, kAnySymbol, depth));
+      if (other != atom.predicate) ways.add(to_state(atom.first, other, kAnySymbol, depth));
     }
-    return either(ways);
+    return ways.wish();
   }
   return kNever;
 }

@@ -25,7 +25,7 @@ struct Place {
 struct Entry {
   int priority = 0;
   std::size_t order = 0;  // of discovery: ties go to the older
-  std::vector<Step> next;
+  FewSteps next;
   bool operator<(const Entry& other) const {
     return priority != other.priority ? priority > other.priority : order > other.order;
   }
@@ -80,7 +80,7 @@ class Search {
     while (!open_.empty() && places_.size() < options_.most_worlds) {
       const Entry entry = open_.top();
       open_.pop();
-      for (const Step& step : entry.next) {
+      for (const Step& step : entry.next.all()) {
         auto reached = after(entry.order, step);
         if (!reached) continue;
         if (met(*reached)) {
@@ -101,7 +101,7 @@ class Search {
     Wish wish = guide_.wish(place.world, place.progress);
     if (!wish.possible() || wish.steps.empty()) return;
     const int done = static_cast<int>(place.length);
-    open_.push({done + kEagerness * wish.cost, places_.size(), std::move(wish.steps)});
+    open_.push({done + kEagerness * wish.cost, places_.size(), wish.steps});
     places_.push_back(std::move(place));
   }
 
@@ -132,36 +132,31 @@ class Search {
     return plan;
   }
 
-  /// How many steps of a plan whose every step succeeds it takes until the goal holds; nullopt when it never does or a
-  /// step fails.
-  std::optional<std::size_t> reaches(const std::vector<Step>& plan) const {
+  /// The steps of a plan that succeed, up to the one that the goal holds after; nullopt when it never does.
+  std::optional<std::vector<Step>> working(const std::vector<Step>& plan) const {
     Place place{start_, Progress(goal_), 0, {}, 0};
     place.progress.observe(goal_, setting_, start_);
-    for (std::size_t i = 0; i < plan.size(); ++i) {
-      if (!take(place, plan[i])) return std::nullopt;
-      if (met(place)) return i + 1;
+    for (const Step& step : plan) {
+      if (take(place, step) && met(place)) return std::move(place.steps);
     }
     return std::nullopt;
   }
 
+  /// Steps are left out singly, with all that fails without them, and in short runs.
   std::optional<std::vector<Step>> minimal(std::vector<Step> plan) const {
-    bool shorter = true;
-    while (shorter) {
-      shorter = false;
-      for (std::size_t run = 1; run <= kLongestRun; ++run) {
-        for (std::size_t i = 0; i + run <= plan.size();) {
-          auto without = plan;
-          const auto from = without.begin() + static_cast<std::ptrdiff_t>(i);
-          without.erase(from, from + static_cast<std::ptrdiff_t>(run));
-          if (const auto length = reaches(without)) {
-            without.resize(*length);
-            plan = std::move(without);
-            shorter = true;
-          } else {
-            ++i;
-          }
+    for (std::size_t run = 1; run <= kLongestRun;) {
+      const auto before = plan.size();
+      for (std::size_t i = 0; i + run <= plan.size();) {
+        auto without = plan;
+        const auto from = without.begin() + static_cast<std::ptrdiff_t>(i);
+        without.erase(from, from + static_cast<std::ptrdiff_t>(run));
+        if (auto rest = working(without)) {
+          plan = std::move(*rest);
+        } else {
+          ++i;
         }
       }
+      run = plan.size() < before && before > 1 ? 1 : run + 1;
     }
     if (!unietp::holds(formula_, trace_of(setting_, replay(setting_, start_, plan)))) return std::nullopt;
     return plan;

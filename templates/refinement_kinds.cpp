@@ -7,7 +7,7 @@ namespace {
 
 using enum Split;
 
-constexpr std::array<RefinementKind, 19> kKinds = {{
+constexpr std::array<RefinementKind, 23> kKinds = {{
     {"referring", InstanceGrounding, true, "the goal itself says which objects are meant, by its :where"},
     {"by-state", InstanceGrounding, false, "the dirty mug"},
     {"by-relation", InstanceGrounding, false, "the mug on the desk, in the sink, next to the laptop"},
@@ -27,6 +27,10 @@ constexpr std::array<RefinementKind, 19> kKinds = {{
     {"coreference", Linguistic, true, "a place is named by what is kept there"},
     {"implicit-need", Linguistic, true, "the need is said, and what to do follows from it"},
     {"vague-quantity", Linguistic, true, "a couple, a few"},
+    {"background", Linguistic, true, "sentences before that give some background and ask for nothing"},
+    {"bystander", Linguistic, true, "something of the home is named that the goal has nothing to do with"},
+    {"nested-syntax", Linguistic, true, "one long sentence with clauses inside clauses"},
+    {"condition", Linguistic, true, "tied to a condition that the start meets: if a fridge is closed, ..."},
 }};
 
 }  // namespace

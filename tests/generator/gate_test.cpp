@@ -84,6 +84,11 @@ TEST(Gate, CountsWhatCanBeReached) {
   EXPECT_EQ(more.gate, Gate::Reachable);
 }
 
+TEST(Gate, ARefusalCountsUnderTheGatesName) {
+  EXPECT_EQ(rejection_of(Gate::ExclusiveStates), "gate-exclusive-states");
+  EXPECT_EQ(rejection_of(Gate::Start), "gate-start");
+}
+
 TEST(Gate, EveryGateHasANameOfItsOwnAndAMeaning) {
   std::set<std::string_view> names;
   for (int i = 0; i <= static_cast<int>(Gate::Reachable); ++i) {

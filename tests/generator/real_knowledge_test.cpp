@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 
+#include "generator/gate.h"
 #include "generator/specification.h"
 #include "real_tables.h"
 #include "small_home.h"
@@ -80,6 +82,24 @@ TEST(RealKnowledge, ATemplateLeavesASimulatorOutOnlyWhereItCannotBeDone) {
       }
     }
   }
+}
+
+/// A freezer cools what is in it, open or shut, so nothing in it stays hot; a fridge that cools only when it is shut
+/// can hold what is hot, and a cabinet anything.
+TEST(RealKnowledge, NoStateIsAskedForWhereThePlaceEndsIt) {
+  const auto extended = load_templates(std::filesystem::path(UNIETP_SOURCE_DIR) / "templates/extended");
+  const auto& templates = extended.templates;
+  const auto heat = std::find_if(templates.begin(), templates.end(),
+                                 [](const Template& source) { return source.name == "heat-and-place-inside"; });
+  ASSERT_NE(heat, templates.end());
+  const auto refusal_of = [&](Simulator simulator, const Binding& binding) {
+    const auto proposed = propose(*heat, real_tables(simulator), binding);
+    const auto* refusal = std::get_if<GateRefusal>(&proposed);
+    return refusal == nullptr ? "" : std::string(name_of(refusal->gate)) + ": " + refusal->reason;
+  };
+  EXPECT_EQ(refusal_of(Simulator::Behavior, {{"A", "chicken_wing"}, {"B", "freezer"}, {"T", "microwave"}}),
+            "exclusive_states: chicken_wing inside freezer does not stay hot");
+  EXPECT_EQ(refusal_of(Simulator::Ai2thor, {{"A", "Potato"}, {"B", "Fridge"}, {"T", "Microwave"}}), "");
 }
 
 TEST(RealKnowledge, OffersReferringConstraintsForMostTemplates) {

@@ -256,7 +256,7 @@ TEST(RefineLinguistic, FunctionAcceptsEveryCategoryThatServes) {
     ASSERT_TRUE(refined);
     EXPECT_EQ(refined->split, Split::Linguistic);
     if (refined->style != "function") {
-      EXPECT_EQ(refined->style, "alias");
+      EXPECT_NE(refined->style, "context");  // no sentence is told of mugs
       EXPECT_EQ(refined->goal, plain.goal);
       EXPECT_EQ(refined->init, plain.init);
       continue;
@@ -270,19 +270,28 @@ TEST(RefineLinguistic, FunctionAcceptsEveryCategoryThatServes) {
   EXPECT_TRUE(seen);
 }
 
-TEST(RefineLinguistic, ContextAndAliasKeepTheGoal) {
+TEST(RefineLinguistic, AnotherStyleKeepsTheGoal) {
   const auto knowledge = small_home(Simulator::Ai2thor);
   const auto plain = made("place-one-on", {{"A", "Apple"}, {"B", "Table"}});
-  const auto refined = refine_linguistic(plain, knowledge, "", Rng(1));
-  ASSERT_TRUE(refined);
-  EXPECT_EQ(refined->style, "context");
-  EXPECT_EQ(refined->goal, plain.goal);
+  for (const char* style : {"context", "background", "bystander", "nested-syntax"}) {
+    const auto refined = refine_linguistic(plain, knowledge, style, Rng(1));
+    ASSERT_TRUE(refined) << style;
+    EXPECT_EQ(refined->style, style);
+    EXPECT_EQ(refined->goal, plain.goal);
+  }
+}
+
+TEST(RefineLinguistic, TiesToAConditionOnlyWhereTheStartHasSomethingThatIsSo) {
+  const auto knowledge = small_home(Simulator::Ai2thor);
+  EXPECT_TRUE(refine_linguistic(made("open-one", {{"A", "Fridge"}}), knowledge, "condition", Rng(1)));
+  EXPECT_FALSE(
+      refine_linguistic(made("place-one-on", {{"A", "Apple"}, {"B", "Table"}}), knowledge, "condition", Rng(1)));
 }
 
 TEST(RefineLinguistic, DoesNotApplyWithoutWordsForIt) {
   const auto knowledge = small_home(Simulator::Ai2thor);
-  EXPECT_FALSE(refine_linguistic(made("place-one-on", {{"A", "Plate"}, {"B", "Table"}}), knowledge, "", Rng(1)));
-  EXPECT_FALSE(refine_linguistic(made("open-one", {{"A", "Fridge"}}), knowledge, "", Rng(1)));
+  EXPECT_FALSE(refine_linguistic(made("place-one-on", {{"A", "Plate"}, {"B", "Table"}}), knowledge, "alias", Rng(1)));
+  EXPECT_FALSE(refine_linguistic(made("open-one", {{"A", "Fridge"}}), knowledge, "function", Rng(1)));
 }
 
 }  // namespace

@@ -45,15 +45,14 @@ class NaiveDraw {
     std::vector<Goal> constraints;
     read(constraints);
     for (int i = 0; i < kRepairs; ++i) {
+      come_to_rest();
       const auto broken = std::find_if(constraints.begin(), constraints.end(), [&](const Goal& goal) {
         return !holds(goal, goal.root(), scene_.setting, scene_.start, symbolic::Progress(goal));
       });
       if (broken == constraints.end()) return true;
-      const auto& formula = scenes_.specification_.init[static_cast<std::size_t>(broken - constraints.begin())];
-      std::vector<Formula> atoms;
-      read_atoms(formula, atoms);
-      if (atoms.empty()) return false;  // too many or too few of something
-      if (redraw(formula, rng_.pick(atoms))) read(constraints);
+      const auto& constraint = scenes_.constraints_[static_cast<std::size_t>(broken - constraints.begin())];
+      if (constraint.atoms.empty()) return false;  // too many or too few of something
+      if (redraw(constraint)) read(constraints);
     }
     return false;
   }
@@ -64,17 +63,22 @@ class NaiveDraw {
   }
 
  private:
-  static void read_atoms(const Formula& formula, std::vector<Formula>& atoms) {
-    if (formula.op == Formula::Op::Atom) atoms.push_back(formula);
-    for (const auto& child : formula.children) read_atoms(child, atoms);
-  }
-
   const symbolic::Kind& kind(Id id) const { return scene_.setting.kind_of(id); }
+  const symbolic::Kind& kind_numbered(int number) const { return scenes_.rules_.kind(number); }
   Id random_room() { return static_cast<Id>(kFirstRoom + static_cast<Id>(rng_.below(scenes_.room_types_.size()))); }
 
   void read(std::vector<Goal>& constraints) {
     constraints.clear();
-    for (const auto& start : scenes_.specification_.init) constraints.emplace_back(start, scene_.setting, scene_.start);
+    for (const auto& one : scenes_.constraints_) constraints.emplace_back(*one.formula, scene_.setting, scene_.start);
+  }
+
+  /// What is done to things where they are, without anybody's doing, has been done.
+  void come_to_rest() {
+    for (std::size_t i = 0; i < scene_.start.things.size(); ++i) {
+      const auto& thing = scene_.start.things[i];
+      const bool lies = thing.where == Where::On || thing.where == Where::Inside;
+      if (lies) run_processes(scene_.setting, scene_.start, thing.at, false);
+    }
   }
 
   void add(int kind_number, int n) {
@@ -92,7 +96,8 @@ class NaiveDraw {
     if (about.coverable) draw_coat(id);
   }
 
-  /// Furniture that the goal does not speak of in each room, so that things can be put down everywhere.
+  /// Furniture that the goal does not speak of in each room, and so much of it that all of a kind that the goal speaks
+  /// of could be put down there.
   void furnish_rooms() {
     for (std::size_t k = scenes_.named_; k < scenes_.categories_.size(); ++k) {
       if (scenes_.rules_.kind(static_cast<int>(k)).movable) continue;
@@ -101,6 +106,20 @@ class NaiveDraw {
         for_rooms_.emplace_back(static_cast<Id>(scene_.start.things.size() - 1), r);
       }
     }
+    for (std::size_t k = 0; k < scenes_.named_; ++k) make_room_for(static_cast<int>(k));
+  }
+
+  void make_room_for(int movable) {
+    if (!scenes_.rules_.kind(movable).movable) return;
+    int number = 0, room = 0, spacious = -1;
+    const auto space = [&](int place) { return scenes_.rules_.capacity(movable, Predicate::On, place); };
+    for (const auto& role : scene_.setting.cast.things) {
+      number += role.kind == movable ? 1 : 0;
+      if (static_cast<std::size_t>(role.kind) < scenes_.named_ || kind_numbered(role.kind).movable) continue;
+      room += space(role.kind);
+      if (space(role.kind) > 0 && (spacious < 0 || space(role.kind) > space(spacious))) spacious = role.kind;
+    }
+    for (int n = 20; spacious >= 0 && room < number; ++n, room += space(spacious)) add(spacious, n);
   }
 
   void dress(symbolic::Role& role, const symbolic::Kind& about) {
@@ -154,16 +173,17 @@ class NaiveDraw {
   }
 
   /// Draws something of one object anew; true when the constraints have to be read again.
-  bool redraw(const Formula& broken, const Formula& atom) {
+  bool redraw(const NaiveScenes::Constraint& broken) {
+    const auto& atom = rng_.pick(broken.atoms);
     if (atom.terms[0].kind == Term::Kind::Agent) {
       scene_.start.room = random_room();
       return false;
     }
     std::vector<Id> concerned;
     for (std::size_t i = 0; i < scene_.start.things.size(); ++i) {
-      for (const auto& name : categories_of(broken)) {
-        if (kind(static_cast<Id>(i)).category == name) concerned.push_back(static_cast<Id>(i));
-      }
+      const auto id = static_cast<Id>(i);
+      const auto& kinds = broken.kinds;
+      if (std::find(kinds.begin(), kinds.end(), scene_.setting.kind_number(id)) != kinds.end()) concerned.push_back(id);
     }
     if (concerned.empty()) return false;
     const Id id = rng_.pick(concerned);
@@ -191,6 +211,7 @@ class NaiveDraw {
         move(id);
         return false;
       default:
+        if (rng_.chance(0.3)) move(id);  // it may be so because of where it is
         for (const auto* group : kind(id).groups) {
           const auto& states = group->predicates;
           if (std::find(states.begin(), states.end(), atom.predicate) != states.end()) draw_state(id, *group);

@@ -102,6 +102,11 @@ std::vector<std::string> sorted_names(const Specification& specification, const 
   return found;
 }
 
+void read_atoms(const Formula& formula, std::vector<Formula>& atoms) {
+  if (formula.op == Formula::Op::Atom) atoms.push_back(formula);
+  for (const auto& child : formula.children) read_atoms(child, atoms);
+}
+
 }  // namespace
 
 NaiveScenes::NaiveScenes(const Specification& specification, const Knowledge& knowledge, Rng rng, ActionProfile profile)
@@ -109,22 +114,32 @@ NaiveScenes::NaiveScenes(const Specification& specification, const Knowledge& kn
       categories_(sorted_names(specification, knowledge, rng, false)),
       room_types_(sorted_names(specification, knowledge, rng, true)),
       rules_(knowledge, offer_of(knowledge.simulator(), profile), categories_) {
-  for (named_ = 0; named_ < categories_.size() && names_of(specification, knowledge).count(categories_[named_]) > 0;)
-    ++named_;
+  const auto names = names_of(specification, knowledge);
+  while (named_ < categories_.size() && names.count(categories_[named_]) > 0) ++named_;
   for (const char* type : kOtherRooms) room_types_.emplace_back(type);
   read_substances(specification.goal, rules_, with_nearest_);
   for (const auto& start : specification.init) read_substances(start, rules_, with_nearest_);
   if (rules_.symbols().empty()) rules_.symbol_number("water");
   read_coats(specification.goal, rules_, coats_);
   for (const auto& start : specification.init) read_coats(start, rules_, coats_);
+  for (const auto& start : specification.init) {
+    Constraint constraint{&start, {}, {}};
+    read_atoms(start, constraint.atoms);
+    for (const auto& name : categories_of(start)) {
+      if (const int number = rules_.kind_named(name); number >= 0) constraint.kinds.push_back(number);
+    }
+    constraints_.push_back(std::move(constraint));
+  }
   for (const auto& category : categories_) {
-    int most = 0;
+    int most = 0, different = 0;
     for (const auto& start : specification.init) {
       const bool speaks = start.domain.members.size() == 1 && start.domain.members[0].category == category;
       if (speaks && start.op == Formula::Op::Count) most = std::max(most, start.number);
+      if (speaks && start.op == Formula::Op::Exists) ++different;  // one open and one closed, perhaps
     }
     demanded_.push_back(most);
-    limits_.push_back(all_are_meant(specification.goal, category) ? room_for(rules_, category) : kMany);
+    const bool all = all_are_meant(specification.goal, category);
+    limits_.push_back(all ? std::max(different, room_for(rules_, category)) : kMany);
   }
 }
 

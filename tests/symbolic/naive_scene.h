@@ -19,7 +19,8 @@ struct NaiveScene {
 
 /// Random symbolic scenes that meet a specification's `init`, by blind trial: states and places are drawn at random,
 /// and one of an object that a broken constraint ranges over is drawn again until all hold. Several objects of each
-/// category, two that the goal does not speak of, and places to put things aside. Shares no code with StartSampler.
+/// category, two that the goal does not speak of, and places to put all that moves aside. What lies where something is
+/// done to it by itself (in a freezer, under power) is as that leaves it. Shares no code with StartSampler.
 class NaiveScenes {
  public:
   NaiveScenes(const Specification& specification, const Knowledge& knowledge, Rng rng,
@@ -28,7 +29,14 @@ class NaiveScenes {
 
  private:
   friend class NaiveDraw;
+  /// One of `init`, read once.
+  struct Constraint {
+    const Formula* formula = nullptr;
+    std::vector<Formula> atoms;
+    std::vector<int> kinds;  // that it speaks of
+  };
   const Specification& specification_;
+  std::vector<Constraint> constraints_;
   std::vector<std::string> categories_, room_types_;
   std::vector<std::uint8_t> coats_;
   std::size_t named_ = 0;      // the first so many categories are the specification's
