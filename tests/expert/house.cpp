@@ -76,6 +76,9 @@ Knowledge house_knowledge() {
     for (const char* place : {"CounterTop", "DiningTable", "Dresser", "SideTable"}) {
       placements.push_back({thing, "on", place, 1, 4, kCurated});
     }
+    for (const char* place : {"Box", "Dresser", "Fridge", "Microwave", "Sink"}) {
+      if (std::string_view(thing) != place) placements.push_back({thing, "inside", place, 1, 4, kCurated});
+    }
   }
   std::vector<Effect> effects{
       {"Fridge", "cools", "Mug", "", 0, {"closed", "inside"}, kCurated},

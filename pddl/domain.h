@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "pddl/process_class.h"
+#include "scene/action.h"
+
+namespace unietp::pddl {
+
+/// A predicate: "(fits-on ?x - movable ?y - thing)".
+struct PredicateText {
+  std::string name, arguments;
+};
+
+/// An action: its parts as PDDL, without the outer brackets that all share.
+struct ActionText {
+  std::string name, parameters;
+  std::vector<std::string> needs, effects;
+};
+
+/// "unietp-ai2thor".
+std::string domain_name(Simulator simulator);
+
+/// The domain of a simulator: what its actions need and do to symbols, for all its knowledge. Typed, with negative
+/// preconditions; effects are conditional only where one action does different things to different objects (what lies
+/// in a fridge when its door shuts) or where monitors of temporal goals are kept. Deterministic.
+std::string domain_text(const Knowledge& knowledge);
+
+/// Its actions other than those that keep monitors.
+std::vector<ActionText> actions_of(const Knowledge& knowledge, const std::vector<ProcessClass>& processes);
+/// Its predicates other than those of monitors.
+std::vector<PredicateText> predicates_of(const std::vector<ProcessClass>& processes);
+
+/// "(hot ?w) (not (cool ?w)) (not (room_temperature ?w))"
+std::string becomes(Predicate state, const std::string& thing);
+/// The name of the composite action that a process stands for on a tool, such as
+/// "heat_with-inside-closed-running-door".
+std::string composite_name(const ProcessClass& process);
+
+}  // namespace unietp::pddl

@@ -1,0 +1,253 @@
+#include <algorithm>
+#include <climits>
+
+#include "pddl/monitors.h"
+#include "pddl/problem.h"
+
+namespace unietp::pddl {
+namespace {
+
+using symbolic::Goal;
+
+constexpr std::size_t kMostText = 400'000;  // bytes of a goal
+const std::string kTrue = "(and)", kFalse = "(or)";
+
+class GoalTextWriter {
+ public:
+  GoalTextWriter(const Goal& goal, const Problem& names) : goal_(goal), names_(names) {}
+
+  Result<GoalText> write() {
+    if (!goal_.understood()) refuse("a temporal operator stands within another");
+    made_.goal = text(goal_.root(), true);
+    if (made_.goal.size() > kMostText) refuse("its numbers take too many literals");
+    if (!problem_.empty()) return Error{Error::Kind::Unsatisfiable, "goal", {}, problem_};
+    return std::move(made_);
+  }
+
+ private:
+  void refuse(const std::string& why) {
+    if (problem_.empty()) problem_ = why;
+  }
+
+  static std::string joined(const std::string& op, std::vector<std::string> parts) {
+    const auto& neutral = op == "and" ? kTrue : kFalse;
+    const auto& zero = op == "and" ? kFalse : kTrue;
+    std::string text;
+    std::size_t number = 0;
+    for (const auto& part : parts) {
+      if (part == zero) return zero;
+      if (part == neutral) continue;
+      text += " " + part;
+      ++number;
+    }
+    if (number == 0) return neutral;
+    return number == 1 ? text.substr(1) : "(" + op + text + ")";
+  }
+
+  /// The node, or with `wanted` false its opposite; "not" stands only before atoms.
+  std::string text(std::size_t index, bool wanted) {
+    if (!problem_.empty()) return kTrue;
+    const auto& node = goal_.node(index);
+    switch (node.op) {
+      case Goal::Op::Atom:
+        return atom(node.atom, wanted);
+      case Goal::Op::Not:
+        return text(node.children[0], !wanted);
+      case Goal::Op::AtEnd:
+        return text(node.children[0], wanted);
+      case Goal::Op::And:
+      case Goal::Op::Or: {
+        std::vector<std::string> parts;
+        for (const auto child : node.children) parts.push_back(text(child, wanted));
+        return joined((node.op == Goal::Op::And) == wanted ? "and" : "or", std::move(parts));
+      }
+      case Goal::Op::Count: {
+        const auto enough = at_least(node.children, node.least, wanted);
+        const auto few =
+            node.most == INT_MAX ? (wanted ? kTrue : kFalse) : at_least(node.children, node.most + 1, !wanted);
+        return joined(wanted ? "and" : "or", {enough, few});
+      }
+      case Goal::Op::Compare:
+        return compared(node, wanted);
+      default:
+        return monitored(node, wanted);
+    }
+  }
+
+  /// At least k of the children, or not, as one of all choices of k.
+  std::string at_least(const std::vector<std::size_t>& children, int k, bool wanted) {
+    if (k <= 0) return wanted ? kTrue : kFalse;
+    const auto n = static_cast<int>(children.size());
+    if (k > n) return wanted ? kFalse : kTrue;
+    std::vector<std::string> ways;
+    std::vector<int> chosen(static_cast<std::size_t>(k));
+    std::size_t length = 0;
+    const auto choose = [&](auto&& self, int from, int place) -> void {
+      if (length > kMostText) return refuse("its numbers take too many literals");
+      if (place == k) {
+        std::vector<std::string> parts;
+        for (const int i : chosen) parts.push_back(text(children[static_cast<std::size_t>(i)], wanted));
+        ways.push_back(joined(wanted ? "and" : "or", std::move(parts)));
+        length += ways.back().size();
+        return;
+      }
+      for (int i = from; i <= n - (k - place); ++i) {
+        chosen[static_cast<std::size_t>(place)] = i;
+        self(self, i + 1, place + 1);
+      }
+    };
+    choose(choose, 0, 0);
+    return joined(wanted ? "or" : "and", std::move(ways));
+  }
+
+  std::string compared(const Goal::Node& node, bool wanted) {
+    const auto middle = node.children.begin() + static_cast<std::ptrdiff_t>(node.split);
+    std::vector<std::size_t> a(node.children.begin(), middle), b(middle, node.children.end());
+    // `more` of `x` than of `y`, by `margin`: for each k, k of y bring k + margin of x.
+    const auto more = [&](const auto& x, const auto& y, int margin) {
+      std::vector<std::string> parts;
+      for (int k = 0; k <= static_cast<int>(y.size()); ++k) {
+        const auto y_has = at_least(y, k, !wanted);
+        const auto x_has = at_least(x, k + margin, wanted);
+        parts.push_back(joined(wanted ? "or" : "and", {y_has, x_has}));
+      }
+      return joined(wanted ? "and" : "or", std::move(parts));
+    };
+    switch (node.comparison) {
+      case Comparison::AtLeast:
+        return more(a, b, 0);
+      case Comparison::Greater:
+        return more(a, b, 1);
+      case Comparison::AtMost:
+        return more(b, a, 0);
+      case Comparison::Less:
+        return more(b, a, 1);
+      case Comparison::Equal:
+        break;
+    }
+    return joined(wanted ? "and" : "or", {more(a, b, 0), more(b, a, 0)});
+  }
+
+  std::string atom(const symbolic::Atom& atom, bool wanted) {
+    const auto fact = fact_of(atom, names_);
+    if (!fact) {
+      refuse("(" + std::string(info(atom.predicate).name) + " …) is nothing that the domain's actions bring about");
+      return kTrue;
+    }
+    return wanted ? *fact : "(not " + *fact + ")";
+  }
+
+  std::string flag(const std::string& fact, bool wanted) { return wanted ? fact : "(not " + fact + ")"; }
+
+  std::string monitored(const Goal::Node& node, bool wanted) {
+    // Parts of parts: what is said of all of several is said of each.
+    const auto& children = node.children;
+    if (node.op == Goal::Op::Always && goal_.node(children[0]).op == Goal::Op::And) {
+      std::vector<std::string> parts;
+      for (const auto child : goal_.node(children[0]).children) {
+        const auto watch = monitor(child);
+        if (watch) parts.push_back(flag("(missed " + name(*watch) + ")", !wanted));
+      }
+      return joined(wanted ? "and" : "or", std::move(parts));
+    }
+    const auto first = monitor(children[0]);
+    const auto second = children.size() > 1 ? monitor(children[1]) : first;
+    if (!first || !second) return kTrue;
+    const auto both = " " + name(*first) + " " + name(*second) + ")";
+    switch (node.op) {
+      case Goal::Op::Sometime:
+        return flag("(seen " + name(*first) + ")", wanted);
+      case Goal::Op::Always:
+        return flag("(missed " + name(*first) + ")", !wanted);
+      case Goal::Op::Before:
+        made_.ordered.emplace_back(*first, *second);
+        return flag("(in-order" + both, wanted);
+      default:
+        made_.kept.emplace_back(*first, *second);
+        return joined(wanted ? "and" : "or",
+                      {flag("(seen " + name(*second) + ")", wanted), flag("(not-kept" + both, !wanted)});
+    }
+  }
+
+  std::string name(std::size_t monitor) const { return made_.monitors[monitor].name; }
+
+  /// A monitor of an atom or its opposite.
+  std::optional<std::size_t> monitor(std::size_t index) {
+    bool negative = false;
+    auto at = index;
+    for (;;) {
+      const auto& node = goal_.node(at);
+      const bool single = (node.op == Goal::Op::And || node.op == Goal::Op::Or) && node.children.size() == 1;
+      if (node.op == Goal::Op::Not) negative = !negative;
+      if (node.op != Goal::Op::Not && !single) break;
+      at = node.children[0];
+    }
+    const auto& node = goal_.node(at);
+    if (node.op != Goal::Op::Atom) {
+      refuse("a temporal operator speaks of more than one truth at a time");
+      return std::nullopt;
+    }
+    if (!fact_of(node.atom, names_) || node.atom.predicate == Predicate::SliceOf ||
+        (node.atom.predicate == Predicate::Covered && node.atom.symbol == symbolic::kAnySymbol)) {
+      refuse("a temporal operator speaks of (" + std::string(info(node.atom.predicate).name) +
+             " …), which no monitor watches");
+      return std::nullopt;
+    }
+    for (std::size_t i = 0; i < made_.monitors.size(); ++i) {
+      const auto& known = made_.monitors[i];
+      if (known.negative == negative && fact_of(known.atom, names_) == fact_of(node.atom, names_)) return i;
+    }
+    made_.monitors.push_back({"m" + std::to_string(made_.monitors.size() + 1), node.atom, negative});
+    return made_.monitors.size() - 1;
+  }
+
+  const Goal& goal_;
+  const Problem& names_;
+  GoalText made_;
+  std::string problem_;
+};
+
+}  // namespace
+
+std::optional<std::string> fact_of(const symbolic::Atom& atom, const Problem& names) {
+  using enum Predicate;
+  const auto thing = [&](symbolic::Id id) { return " " + names.things[static_cast<std::size_t>(id)]; };
+  const auto room = [&](symbolic::Id id) {
+    return " " + names.rooms[static_cast<std::size_t>(id - symbolic::kFirstRoom)];
+  };
+  const auto word = std::string(info(atom.predicate).name);
+  if (atom.predicate == InRoom && atom.first == symbolic::kAgent) return "(agent-in" + room(atom.second) + ")";
+  if (atom.first < 0 || symbolic::is_room(atom.first)) return std::nullopt;
+  const bool symbol = atom.symbol != symbolic::kAnySymbol;
+  switch (atom.predicate) {
+    case On:
+    case Inside:
+      return "(" + word + thing(atom.first) + thing(atom.second) + ")";
+    case OnFloor:
+    case InRoom:
+      return "(" + word + thing(atom.first) + room(atom.second) + ")";
+    case SliceOf:
+      return "(present" + thing(atom.first) + ")";
+    case Filled:
+      return symbol ? "(filled-with" + thing(atom.first) + " " + names.substances[atom.symbol] + ")"
+                    : "(filled" + thing(atom.first) + ")";
+    case Covered: {
+      if (symbol) return "(covered-with" + thing(atom.first) + " " + names.substances[atom.symbol] + ")";
+      return std::nullopt;
+    }
+    default:
+      break;
+  }
+  const auto& all = all_watched();
+  const bool known = std::any_of(all.begin(), all.end(), [&](const Watched& watched) {
+    return watched.predicate == atom.predicate && watched.name == word && watched.variables == "?x";
+  });
+  if (!known) return std::nullopt;
+  return "(" + word + thing(atom.first) + ")";
+}
+
+Result<GoalText> goal_text(const symbolic::Goal& goal, const Problem& names) {
+  return GoalTextWriter(goal, names).write();
+}
+
+}  // namespace unietp::pddl

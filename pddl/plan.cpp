@@ -1,0 +1,177 @@
+#include "pddl/plan.h"
+
+#include "pddl/domain.h"
+
+namespace unietp::pddl {
+namespace {
+
+using symbolic::Id;
+using symbolic::kNobody;
+using symbolic::Step;
+using symbolic::Treatment;
+using symbolic::World;
+
+class StepWriter {
+ public:
+  StepWriter(const symbolic::Setting& setting, const Problem& problem, const World& world)
+      : setting_(setting), problem_(problem), world_(world) {}
+
+  std::string write(const Step& step) const {
+    const auto word = std::string(info(step.action).name);
+    const auto at = [&] { return " " + name(step.target); };
+    const auto held = [&] { return " " + name(world_.held); };
+    const bool in_hand = step.target != kNobody && world_.held == step.target;
+    const auto on_target = "(" + word + (in_hand ? "-held" : "") + (step.target == kNobody ? "" : at()) + ")";
+    switch (step.action) {
+      case ActionType::GoTo: {
+        if (symbolic::is_room(step.target)) return "(" + word + "-room" + at() + ")";
+        const Id root = root_of(world_, step.target);
+        return "(" + word + at() + " " + name(root) + " " + name(world_[root].at) + ")";
+      }
+      case ActionType::PlaceOn:
+      case ActionType::PlaceIn:
+      case ActionType::Slice:
+        return "(" + word + held() + at() + ")";
+      case ActionType::Drop:
+        return "(" + word + held() + " " + name(world_.room) + ")";
+      case ActionType::TurnOn: {
+        const bool shuts = setting_.kind_of(step.target).shuts_to_run && setting_.rules->offer().power_needs_closed;
+        return shuts ? "(" + word + "-shut" + at() + ")" : on_target;
+      }
+      case ActionType::PourTo: {
+        const bool away = setting_.kind_of(step.target).drain || reaction(step.target, Treatment::Drains) != nullptr;
+        return "(" + word + (away ? "-away" : "") + held() + at() + " " +
+               problem_.substances[world_[world_.held].filling] + ")";
+      }
+      case ActionType::Wipe:
+        return "(" + word + (world_[world_.held].has(Predicate::Dry) ? "-dry" : "") + held() + at() + ")";
+      case ActionType::SpreadTo: {
+        const auto* spread = setting_.rules->reaction(setting_.kind_number(world_.held), Treatment::Dispenses,
+                                                      setting_.kind_number(step.target));
+        return "(" + word + held() + at() + " " + problem_.substances[spread->symbol] + ")";
+      }
+      default:
+        break;
+    }
+    for (std::size_t t = 0; t < symbolic::kTreatments; ++t) {
+      const auto treatment = static_cast<Treatment>(t);
+      if (symbolic::action_for(treatment) != step.action) continue;
+      const auto* own = reaction(step.target, treatment);
+      if (own == nullptr) continue;
+      const bool fills = treatment == Treatment::Fills;
+      return "(" + composite_name(*class_of(setting_, step.target, *own)) + held() + at() +
+             (fills ? " " + problem_.substances[own->symbol] : "") + ")";
+    }
+    return on_target;
+  }
+
+ private:
+  const symbolic::Reaction* reaction(Id tool, Treatment treatment) const {
+    return setting_.rules->reaction(setting_.kind_number(tool), treatment, setting_.kind_number(world_.held));
+  }
+  const std::string& name(Id id) const {
+    return symbolic::is_room(id) ? problem_.rooms[static_cast<std::size_t>(id - symbolic::kFirstRoom)]
+                                 : problem_.things[static_cast<std::size_t>(id)];
+  }
+
+  const symbolic::Setting& setting_;
+  const Problem& problem_;
+  const World& world_;
+};
+
+bool is_of_body(ActionType action) {
+  return action <= ActionType::RotateHand || action == ActionType::TurnTo || action == ActionType::Stop;
+}
+
+class PlanWriter {
+ public:
+  PlanWriter(const symbolic::Setting& setting, const World& start, const symbolic::Goal& goal, const Problem& problem,
+             const std::vector<std::pair<std::string, std::string>>& pieces)
+      : setting_(setting), goal_(goal), problem_(problem), pieces_(pieces), world_(start), progress_(goal) {
+    progress_.observe(goal_, setting_, world_);
+  }
+
+  Result<std::vector<std::string>> write(const std::vector<Action>& actions) {
+    for (const auto& action : actions) {
+      if (is_of_body(action.type)) continue;
+      const Id target = action.args.empty() ? kNobody : id_of(action.args.front());
+      if (!action.args.empty() && target == kNobody) return refused(action, Failure::InvalidArgument);
+      const Step step{action.type, target};
+      auto trial = world_;
+      if (perform(setting_, trial, step) == Failure::TooFar) (void)take({ActionType::GoTo, target});
+      if (const Failure failure = take(step); failure != Failure::None) return refused(action, failure);
+    }
+    if (!holds(goal_, goal_.root(), setting_, world_, progress_))
+      return Error{Error::Kind::Unsatisfiable, "plan", {}, "reaches the goal in physics, but not in symbols"};
+    return std::move(lines_);
+  }
+
+ private:
+  static Error refused(const Action& action, Failure failure) {
+    return {Error::Kind::Unsatisfiable,
+            "plan",
+            {},
+            "the symbols do not allow " + to_text(action) + ": " + std::string(name_of(failure))};
+  }
+
+  Failure take(const Step& step) {
+    auto trial = world_;
+    if (const Failure failure = perform(setting_, trial, step); failure != Failure::None) return failure;
+    lines_.push_back(step_text(setting_, problem_, world_, step));
+    if (problem_.watching) lines_.insert(lines_.end(), {"(note)", "(judge)"});
+    world_ = std::move(trial);
+    progress_.observe(goal_, setting_, world_);
+    return Failure::None;
+  }
+
+  Id named(const std::string& name) const {
+    for (std::size_t i = 0; i < setting_.cast.things.size(); ++i) {
+      if (setting_.cast.things[i].id == name) return static_cast<Id>(i);
+    }
+    for (std::size_t i = 0; i < setting_.cast.rooms.size(); ++i) {
+      if (setting_.cast.rooms[i].id == name) return static_cast<Id>(symbolic::kFirstRoom + static_cast<Id>(i));
+    }
+    return kNobody;
+  }
+
+  /// Pieces bear other names in physics: the n-th made of a whole is the n-th here.
+  Id id_of(const std::string& name) const {
+    if (const Id id = named(name); id != kNobody) return id;
+    for (const auto& [piece, whole] : pieces_) {
+      if (piece != name) continue;
+      std::size_t place = 0;
+      for (const auto& [other, same] : pieces_) {
+        if (other == piece) break;
+        if (same == whole) ++place;
+      }
+      const Id cut = named(whole);
+      for (std::size_t i = 0; i < world_.things.size(); ++i) {
+        if (setting_.cast.things[i].whole == cut && place-- == 0) return static_cast<Id>(i);
+      }
+    }
+    return kNobody;
+  }
+
+  const symbolic::Setting& setting_;
+  const symbolic::Goal& goal_;
+  const Problem& problem_;
+  const std::vector<std::pair<std::string, std::string>>& pieces_;
+  World world_;
+  symbolic::Progress progress_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::string step_text(const symbolic::Setting& setting, const Problem& problem, const World& world, const Step& step) {
+  return StepWriter(setting, problem, world).write(step);
+}
+
+Result<std::vector<std::string>> plan_for(const symbolic::Setting& setting, const World& start,
+                                          const symbolic::Goal& goal, const Problem& problem,
+                                          const std::vector<Action>& actions,
+                                          const std::vector<std::pair<std::string, std::string>>& pieces) {
+  return PlanWriter(setting, start, goal, problem, pieces).write(actions);
+}
+
+}  // namespace unietp::pddl

@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "data_set.h"
+#include "program.h"
+#include "tests/pddl/reader.h"
+
+namespace unietp::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const std::map<std::string, std::string>& files, const std::string& name) {
+  const auto found = files.find(name);
+  return found == files.end() ? "" : found->second;
+}
+
+/// Each demonstration, as a plan, is valid in its exported problem and reaches the goal, read by code of the tests
+/// alone.
+TEST(ExportPddl, EveryDemonstrationIsAPlanOfItsProblem) {
+  const ScratchFolder folder;
+  const auto out = folder.at("pddl");
+  const auto ended = run_program({"export", "--format", "pddl", small_data_set().string(), "--out", out});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto files = bytes_below(out);
+  std::map<std::string, PddlDomain> domains;
+  std::size_t valid = 0;
+  for (const auto& [name, bytes] : files) {
+    if (name.ends_with("/domain.pddl")) domains[fs::path(name).parent_path()] = read_pddl_domain(bytes);
+  }
+  for (const auto& [name, bytes] : files) {
+    if (!name.ends_with(".pddl") || name.ends_with("/domain.pddl")) continue;
+    SCOPED_TRACE(name);
+    const auto& domain = domains.at(fs::path(name).parent_path());
+    const auto problem = read_pddl_problem(bytes, domain);
+    PddlMachine machine(domain, problem);
+    EXPECT_FALSE(machine.goal_holds());
+    for (const auto& step : read_pddl_plan(text_of(files, fs::path(name).replace_extension(".plan"))))
+      ASSERT_TRUE(machine.perform(step)) << step[0] << (step.size() > 1 ? " " + step[1] : "");
+    EXPECT_TRUE(machine.goal_holds());
+    ++valid;
+  }
+  const auto left_out = text_of(files, "left-out.csv");
+  EXPECT_EQ(left_out.substr(0, 12), "task,reason\n");
+  EXPECT_GE(3 * valid, 2 * json_lines(small_data_set() / "tasks.jsonl").size()) << left_out;
+
+  const auto again = run_program({"export", "--format", "pddl", small_data_set().string(), "--out", out});
+  EXPECT_EQ(again.code, 2) << "a folder that is there is not written over";
+}
+
+}  // namespace
+}  // namespace unietp::testing

@@ -1,0 +1,50 @@
+#include "pddl/domain.h"
+
+#include <gtest/gtest.h>
+
+#include "pddl/names.h"
+#include "reader.h"
+#include "tests/generator/real_tables.h"
+
+namespace unietp {
+namespace {
+
+TEST(PddlDomain, OfEachSimulatorReadsStrictly) {
+  for (const auto simulator : kSimulators) {
+    SCOPED_TRACE(name_of(simulator));
+    const auto text = pddl::domain_text(real_tables(simulator));
+    ASSERT_NO_THROW(testing::read_pddl_domain(text));
+    const auto domain = testing::read_pddl_domain(text);
+    EXPECT_EQ(domain.name, pddl::domain_name(simulator));
+    for (const char* action : {"go_to", "pick_up", "place_on", "place_in", "open", "close", "note", "judge"})
+      EXPECT_EQ(domain.actions.count(action), 1U) << action;
+  }
+  const auto habitat = testing::read_pddl_domain(pddl::domain_text(real_tables(Simulator::Habitat)));
+  EXPECT_EQ(habitat.actions.count("turn_on"), 0U) << "an action that the simulator does not offer";
+}
+
+TEST(PddlDomain, AStrictReaderRefusesWhatIsNotDeclared) {
+  const std::string head =
+      "(define (domain d) (:requirements :strips :typing) (:types a b - object) (:predicates (p ?x - a)) ";
+  const auto refuses = [&](const std::string& action) {
+    EXPECT_THROW(testing::read_pddl_domain(head + action + ")"), std::runtime_error) << action;
+  };
+  EXPECT_NO_THROW(testing::read_pddl_domain(
+      head + "(:action go :parameters (?x - a) :precondition (and (p ?x)) :effect (and (not (p ?x)))))"));
+  refuses("(:action go :parameters (?x - b) :precondition (and (p ?x)) :effect (and))");
+  refuses("(:action go :parameters (?x - a) :precondition (and (q ?x)) :effect (and))");
+  refuses("(:action go :parameters (?x - a) :precondition (and (not (p ?x))) :effect (and))");
+  refuses("(:action go :parameters (?x - a) :precondition (and) :effect (forall (?y - a) (p ?y)))");
+  refuses("(:action go :parameters (?x - a) :precondition (and (p ?y)) :effect (and))");
+  refuses("(:action go :parameters (?x - c) :precondition (and) :effect (and))");
+}
+
+TEST(PddlNames, AreWordsOfPddlAndDifferWhateverTheCase) {
+  EXPECT_EQ(pddl::name_for("coffee_table.n.01"), "coffee_table_n_01");
+  EXPECT_EQ(pddl::name_for("3d printer"), "x_3d_printer");
+  EXPECT_EQ(pddl::name_for("Object"), "object_1");
+  EXPECT_EQ(pddl::names_for({"Mug 1", "mug_1", "MUG_1"}), (std::vector<std::string>{"mug_1", "mug_1-2", "mug_1-3"}));
+}
+
+}  // namespace
+}  // namespace unietp

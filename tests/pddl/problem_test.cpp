@@ -1,0 +1,149 @@
+#include "pddl/problem.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+#include "core/text.h"
+#include "logic/evaluate.h"
+#include "pddl/domain.h"
+#include "pddl/plan.h"
+#include "reader.h"
+#include "symbolic/witness.h"
+#include "templates/template.h"
+#include "tests/generator/real_tables.h"
+#include "tests/symbolic/naive_scene.h"
+
+namespace unietp {
+namespace {
+
+using testing::PddlFact;
+using testing::PddlMachine;
+
+const std::vector<Template>& library() {
+  static const auto kRead = load_templates(std::filesystem::path(UNIETP_SOURCE_DIR) / "templates/library").templates;
+  return kRead;
+}
+
+const testing::PddlDomain& domain_of(Simulator simulator) {
+  static std::map<Simulator, testing::PddlDomain> read;
+  auto found = read.find(simulator);
+  if (found == read.end())
+    found = read.emplace(simulator, testing::read_pddl_domain(pddl::domain_text(real_tables(simulator)))).first;
+  return found->second;
+}
+
+PddlFact words(const std::string& step) { return testing::read_pddl_plan(step).front(); }
+
+bool is_of_monitors(const PddlFact& fact) {
+  static const std::set<std::string> kNames{"watching", "ready",    "to-note", "to-judge",   "now",     "seen",
+                                            "missed",   "in-order", "ordered", "kept-until", "not-kept"};
+  return kNames.count(fact[0]) > 0 || fact[0].starts_with("watches-");
+}
+
+/// What differs between the machine's state and a world's facts.
+std::string difference(const PddlMachine& machine, const NaiveScene& scene, const symbolic::World& world,
+                       const pddl::Problem& problem) {
+  std::set<PddlFact> wanted;
+  for (const auto& fact : pddl::facts_of(scene.setting, world, problem)) wanted.insert(words(fact));
+  std::string text;
+  for (const auto& fact : machine.state()) {
+    if (!is_of_monitors(fact) && wanted.count(fact) == 0) text += " too much: " + join(fact, " ");
+  }
+  for (const auto& fact : wanted) {
+    if (machine.state().count(fact) == 0) text += " missing: " + join(fact, " ");
+  }
+  return text;
+}
+
+struct Drawn {
+  Specification specification;
+  std::unique_ptr<NaiveScenes> scenes;
+  std::optional<NaiveScene> scene;
+};
+
+std::unique_ptr<Drawn> draw(const Template& source, Simulator simulator, std::uint64_t seed) {
+  const auto& knowledge = real_tables(simulator);
+  const Rng rng = Rng(seed).fork(source.name, static_cast<std::uint64_t>(simulator));
+  const auto binding = sample_binding(source, knowledge, {}, rng);
+  if (!binding) return nullptr;
+  auto made = instantiate(source, knowledge, *binding);
+  if (!made) return nullptr;
+  auto drawn = std::make_unique<Drawn>();
+  drawn->specification = std::move(*made);
+  drawn->scenes = std::make_unique<NaiveScenes>(drawn->specification, knowledge, rng.fork("bystanders", 0));
+  drawn->scene = drawn->scenes->draw(rng.fork("scene", 0));
+  return drawn->scene ? std::move(drawn) : nullptr;
+}
+
+/// Symbols say what is true after each step; the exported actions, read and executed by a reader that knows only PDDL,
+/// make the same of it, and reach the goal with the last step and not before.
+TEST(PddlProblem, AWitnessIsAPlanOfItAndEachStepDoesWhatTheSymbolsDo) {
+  std::size_t written = 0, watching = 0;
+  std::map<std::string, std::string> left_out;
+  for (const auto& source : library()) {
+    for (const auto simulator : source.simulators) {
+      SCOPED_TRACE(source.name + " " + std::string(name_of(simulator)));
+      const auto drawn = draw(source, simulator, 1);
+      if (drawn == nullptr) continue;
+      const auto& scene = *drawn->scene;
+      const symbolic::Goal goal(drawn->specification.goal, scene.setting, scene.start);
+      const auto problem = pddl::problem_for(source.name, simulator, scene.setting, scene.start, goal);
+      if (!problem) {
+        left_out[source.name] = problem.error().message;
+        continue;
+      }
+      const auto plan = find_witness(drawn->specification.goal, scene.setting, scene.start);
+      ASSERT_TRUE(plan);
+      const auto& domain = domain_of(simulator);
+      testing::PddlProblem read;
+      ASSERT_NO_THROW(read = testing::read_pddl_problem(problem->text, domain)) << problem->text;
+      PddlMachine machine(domain, read);
+      auto world = scene.start;
+      ASSERT_EQ(difference(machine, scene, world, *problem), "");
+      for (const auto& step : *plan) {
+        ASSERT_FALSE(machine.goal_holds()) << "before " << to_text(scene.setting, step);
+        const auto text = pddl::step_text(scene.setting, *problem, world, step);
+        ASSERT_TRUE(machine.perform(words(text))) << text;
+        ASSERT_EQ(perform(scene.setting, world, step), Failure::None);
+        ASSERT_EQ(difference(machine, scene, world, *problem), "") << text;
+        for (const char* watch : {"note", "judge"}) ASSERT_EQ(machine.perform({watch}), problem->watching);
+      }
+      ASSERT_TRUE(machine.goal_holds()) << problem->text;
+      ++written;
+      watching += problem->watching ? 1 : 0;
+    }
+  }
+  for (const auto& [name, why] : left_out) std::cout << "left out " << name << ": " << why << "\n";
+  std::cout << written << " problems, " << watching << " with monitors\n";
+  EXPECT_GE(written, 300U);
+  EXPECT_GE(watching, 30U);
+}
+
+/// The shortest plan of the exported problem is no longer than the witness, and there is one.
+TEST(PddlProblem, ASearchThatKnowsOnlyPddlFindsAPlan) {
+  std::size_t found = 0;
+  for (const char* name : {"open-one", "pick-up-one", "close-one", "switch-on-one"}) {
+    const auto source = std::find_if(library().begin(), library().end(), [&](const auto& t) { return t.name == name; });
+    ASSERT_NE(source, library().end()) << name;
+    const auto drawn = draw(*source, source->simulators.front(), 3);
+    ASSERT_NE(drawn, nullptr);
+    const auto& scene = *drawn->scene;
+    const symbolic::Goal goal(drawn->specification.goal, scene.setting, scene.start);
+    const auto problem = pddl::problem_for(name, source->simulators.front(), scene.setting, scene.start, goal);
+    ASSERT_TRUE(problem) << format(problem.error());
+    const auto plan = find_witness(drawn->specification.goal, scene.setting, scene.start);
+    ASSERT_TRUE(plan);
+    if (plan->size() > 2) continue;  // further is for real planners
+    const auto& domain = domain_of(source->simulators.front());
+    const auto read = testing::read_pddl_problem(problem->text, domain);
+    EXPECT_EQ(testing::shortest_pddl_plan(domain, read, 2), static_cast<int>(plan->size())) << name;
+    ++found;
+  }
+  EXPECT_GE(found, 2U);
+}
+
+}  // namespace
+}  // namespace unietp
