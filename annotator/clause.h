@@ -61,7 +61,8 @@ struct Clause {
   bool removal = false;                       // Simple: "remove every A from B", subject No
   Comparison comparison = Comparison::Equal;  // Compare: Equal, Greater or AtLeast
   std::vector<Clause> parts;                  // And, Or
-  std::vector<NounPhrase> given;              // of a part of Or: only where such things are at the start
+  std::vector<NounPhrase> given;              // of a part of Or: only where such things are at the start; of the
+                                              // clause of a Final: "if a fridge is open, …"
 };
 
 struct Requirement {

@@ -80,6 +80,10 @@ class Composer {
       for (const NounPhrase& phrase : requirement.clauses[0].subjects) resolve(phrase, text);
       return;
     }
+    if (!requirement.clauses[0].given.empty()) {
+      parts.push_back(conditional(requirement.clauses[0]));
+      return;
+    }
     std::vector<Formula> said;
     for (const Clause& clause : requirement.clauses) said.push_back(state(clause, text));
     if (requirement.inverted) std::swap(said[0], said[1]);
@@ -114,6 +118,17 @@ class Composer {
         parts.push_back(at_end(said[1]));
         break;
     }
+  }
+
+  /// "if a fridge is open, close a cabinet": what is named in it is named for this sentence only.
+  Formula conditional(const Clause& clause) {
+    const std::size_t before = referents_.size();
+    Box condition, own;
+    for (const NounPhrase& there : clause.given) introduced(there, condition);
+    leave(before);
+    Formula then = state(clause, own);
+    leave(before);
+    return any_of_parts({negation(boxed(condition, conjunction({}))), at_end(boxed(own, std::move(then)))});
   }
 
   static std::string numbered(int number) { return std::string("n").append(std::to_string(number)); }

@@ -18,21 +18,31 @@ struct Instruction {
   std::string writer;               // "grammar", or "llm:<model>"
   std::string style;                // as asked, or "direct" after a fallback
   std::vector<std::string> checks;  // names of the checks that it passed
+  std::string why;                  // why the grammar wrote where another writer was asked; "" otherwise
+};
+
+/// Which ways to say a thing: those of training and those of the benchmark share no turn of phrase, whatever the nouns.
+enum class Phrasings { All, Training, Benchmark };
+
+struct WritingOptions {
+  Phrasings phrasings = Phrasings::All;
+  std::vector<std::string> around;  // categories in the start scene: what a text may name beside the goal (bystander)
 };
 
 /// Words a goal in English: every object, count, quantifier, order and referring constraint, and nothing else.
 /// Deterministic in rng. `nouns` is made of `knowledge`; without it, it is made for this text alone, which costs more
-/// than the writing. Errors: Unsatisfiable when the grammar has no words for a part of the goal (names the part).
+/// than the writing. Errors: Unsatisfiable when the grammar has no words for a part of the goal (names the part), or
+/// none among the phrasings asked for.
 Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge,
-                                      const NounTable& nouns, Rng rng);
+                                      const NounTable& nouns, const WritingOptions& options, Rng rng);
 Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge, Rng rng);
 
 /// Reads an instruction of the grammar back into a goal formula: an independent reading of the words with the knowledge
 /// base as lexicon. Errors: Parse with the column of the first word that is not understood.
 Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowledge);
 
-/// The checks every instruction must pass, whoever wrote it: it parses back to a formula equivalent to the goal (same
-/// normal form), and no object id leaks. Empty when it passes, else what is wrong.
+/// The checks of a text in the grammar's English: its form (word_check.h), and it reads back as a goal that is proven
+/// to mean the same. Empty when it passes, else what is wrong.
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge, const NounTable& nouns);
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,

@@ -1,59 +1,187 @@
 #include "annotator/llm_writer.h"
 
+#include <algorithm>
+#include <optional>
+
+#include "annotator/conditions.h"
+#include "annotator/equivalence.h"
+#include "annotator/function_phrases.h"
+#include "annotator/judge.h"
+#include "annotator/meaning.h"
+#include "annotator/style.h"
+#include "annotator/word_check.h"
+#include "annotator/wording_request.h"
 #include "core/text.h"
-#include "llm/one_field.h"
 
 namespace unietp {
 namespace {
 
-constexpr int kSamples = 3;  // wordings of the grammar that the prompt shows
-constexpr const char* kField = "instruction";
+constexpr std::uint64_t kSamples = 3;  // wordings of the grammar that a prompt shows
+constexpr int kReadings = 2;           // tries of the judge to give a formula that can be read
 
-/// The reader only knows controlled English, so the prompt teaches it by examples of this very goal.
-std::string request_for(const Specification& specification, const std::vector<Instruction>& samples) {
-  std::string text = "Goal formula: " + to_text(specification.goal) + "\nStyle: " + specification.style +
-                     "\nWordings of this goal that are right:\n";
-  for (const Instruction& sample : samples) text += "- " + sample.text + "\n";
-  return text + "Write one more, in your own words but in the same plain constructions.";
-}
+/// One task on its way through the rounds.
+struct Draft {
+  WordingTask task;
+  std::optional<NounTable> narrowed;
+  std::vector<std::string> samples;
+  std::optional<Result<Instruction>> done;
+  std::optional<Instruction> grammar;
+  std::string text;       // of the round, "" when there is none to judge
+  std::string complaint;  // why the last text was refused
+  bool judging = false;
+  std::string reading_complaint;
 
-constexpr const char* kRules =
-    "You word tasks for a household robot. Say every object, number, quantifier, order and description of the goal, "
-    "and nothing else. Call objects what the examples call them; never use an id such as mug_3. Say 'a' for some "
-    "object, "
-    "'that' for one named before, 'every' for all, 'exactly', 'at least' or 'at most' before numbers. Answer with "
-    "JSON: {\"instruction\": \"...\"}.";
+  const NounTable& nouns() const { return narrowed ? *narrowed : *task.nouns; }
+};
+
+class Rounds {
+ public:
+  Rounds(const std::vector<WordingTask>& tasks, const LlmWriterOptions& options) : options_(options) {
+    for (const WordingTask& task : tasks) {
+      Draft draft;
+      draft.task = task;
+      draft.narrowed = narrowed_for(task.specification, *task.knowledge, *task.nouns);
+      for (std::uint64_t i = 0; i < kSamples && !draft.done; ++i) {
+        const Rng rng = i == 0 ? task.rng : task.rng.fork("sample", i);
+        auto sample = write_instruction(task.specification, *task.knowledge, *task.nouns,
+                                        {options.phrasings, task.categories}, rng);
+        if (!sample) {
+          draft.done = sample.error();
+          break;
+        }
+        draft.samples.push_back(sample->text);
+        if (!draft.grammar) draft.grammar = std::move(*sample);
+      }
+      drafts_.push_back(std::move(draft));
+    }
+  }
+
+  std::vector<LlmRequest> requests() const {
+    std::vector<LlmRequest> all;
+    for (const Draft& draft : drafts_)
+      if (!draft.done) all.push_back(wording_request(draft.task, draft.samples, draft.complaint));
+    return all;
+  }
+
+  std::vector<Result<Instruction>> run() {
+    for (int round = 0; round <= options_.rewrites && any_open(); ++round) {
+      write();
+      for (int reading = 0; reading < kReadings; ++reading) judge();
+      for (Draft& draft : drafts_)
+        if (draft.judging) refuse(draft, draft.reading_complaint);
+    }
+    std::vector<Result<Instruction>> all;
+    for (Draft& draft : drafts_) {
+      if (!draft.done) fall_back(draft, "refused: " + draft.complaint);
+      all.push_back(std::move(*draft.done));
+    }
+    return all;
+  }
+
+ private:
+  bool any_open() const {
+    return std::any_of(drafts_.begin(), drafts_.end(), [](const Draft& draft) { return !draft.done; });
+  }
+
+  static void fall_back(Draft& draft, std::string why) {
+    draft.grammar->why = std::move(why);
+    draft.done = *draft.grammar;
+  }
+
+  static void refuse(Draft& draft, std::string complaint) {
+    draft.judging = false;
+    draft.complaint = std::move(complaint);
+  }
+
+  /// What never came ends the task; what came and is of no use is told to the model.
+  static bool lost(Draft& draft, const Result<LlmAnswer>& answer) {
+    if (answer || answer.error().kind == Error::Kind::Schema) return false;
+    fall_back(draft, answer.error().message);
+    return true;
+  }
+
+  void write() {
+    std::vector<Draft*> open;
+    for (Draft& draft : drafts_)
+      if (!draft.done) open.push_back(&draft);
+    const auto answers = options_.ask(requests());
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      Draft& draft = *open[i];
+      if (lost(draft, answers[i])) continue;
+      const auto text = answers[i] ? worded(*answers[i]) : Result<std::string>(answers[i].error());
+      if (!text) {
+        refuse(draft, text.error().message);
+        continue;
+      }
+      const auto wrong = faults(*text, draft);
+      if (!wrong.empty()) {
+        refuse(draft, "\"" + *text + "\": " + join(wrong, "; "));
+        continue;
+      }
+      draft.text = *text;
+      draft.judging = true;
+      draft.reading_complaint.clear();
+    }
+  }
+
+  static std::vector<std::string> faults(const std::string& text, const Draft& draft) {
+    const Specification& specification = draft.task.specification;
+    auto wrong = form_faults(text, specification);
+    const auto said = saying_faults(std::string(draft.nouns().behind_context(text)), specification, draft.nouns());
+    wrong.insert(wrong.end(), said.begin(), said.end());
+    auto style = style_fault(text, specification.style, specification.goal, draft.task.categories, draft.nouns());
+    if (!style.empty()) wrong.push_back(std::move(style));
+    return wrong;
+  }
+
+  void judge() {
+    std::vector<Draft*> open;
+    std::vector<LlmRequest> requests;
+    for (Draft& draft : drafts_) {
+      if (draft.done || !draft.judging) continue;
+      WordingTask read = draft.task;
+      read.nouns = &draft.nouns();
+      open.push_back(&draft);
+      requests.push_back(judging_request(draft.text, read, draft.reading_complaint));
+    }
+    if (requests.empty()) return;
+    const auto answers = options_.ask(requests);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      Draft& draft = *open[i];
+      if (lost(draft, answers[i])) continue;
+      const auto read = answers[i] ? judged(*answers[i]) : Result<Formula>(answers[i].error());
+      if (!read) {
+        draft.reading_complaint = format(read.error());
+        continue;
+      }
+      const Specification& specification = draft.task.specification;
+      const Formula meant =
+          specification.style == "condition" ? without_conditions(expanded(*read), specification.init) : *read;
+      if (!equivalent(meant, specification.goal)) {
+        refuse(draft, "\"" + draft.text + "\" was understood as " + to_text(*read));
+        continue;
+      }
+      draft.done = Instruction{draft.text,
+                               "llm:" + options_.model,
+                               draft.task.specification.style,
+                               {"form", "words", "style", "judged-back"},
+                               ""};
+    }
+  }
+
+  const LlmWriterOptions& options_;
+  std::vector<Draft> drafts_;
+};
 
 }  // namespace
 
-Result<Instruction> write_instruction_with_llm(const Specification& specification, const Knowledge& knowledge,
-                                               const LlmWriterOptions& options, Rng rng) {
-  const NounTable nouns(knowledge);
-  std::vector<Instruction> samples;
-  for (int i = 0; i < kSamples; ++i) {
-    auto sample = write_instruction(specification, knowledge, nouns, rng.fork("sample", static_cast<std::uint64_t>(i)));
-    if (!sample) return sample;  // a goal the reader could never check
-    samples.push_back(std::move(*sample));
-  }
-  const auto prompt = request_for(specification, samples);
-  auto request = one_field_request(kRules, prompt, kField);
-  for (int round = 0; round <= options.rewrites; ++round) {
-    LlmOptions asking = options.ask;
-    asking.seed = rng.fork("ask", static_cast<std::uint64_t>(round)).next();
-    const auto answer = ask_all(options.endpoint, {request}, asking, options.cache).front();
-    if (!answer && answer.error().kind != Error::Kind::Schema) break;
-    const auto text = answer ? field_of(*answer, kField) : answer.error();
-    std::vector<std::string> wrong;
-    if (text) {
-      wrong = check_instruction(*text, specification, knowledge, nouns);
-      if (wrong.empty())
-        return Instruction{*text, "llm:" + options.endpoint.model, specification.style, {"parses-back", "no-ids"}};
-    } else {
-      wrong.push_back(format(text.error()));
-    }
-    request.user = prompt + "\nYour last answer was refused: " + join(wrong, "; ");
-  }
-  return samples.front();
+std::vector<Result<Instruction>> write_instructions_with_llm(const std::vector<WordingTask>& tasks,
+                                                             const LlmWriterOptions& options) {
+  return Rounds(tasks, options).run();
+}
+
+std::vector<LlmRequest> first_requests(const std::vector<WordingTask>& tasks, const LlmWriterOptions& options) {
+  return Rounds(tasks, options).requests();
 }
 
 }  // namespace unietp

@@ -1,21 +1,34 @@
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "annotator/instruction.h"
+#include "annotator/wording_task.h"
 #include "llm/ask.h"
 
 namespace unietp {
 
+/// Gives an answer for each request, in their order: `ask_all` at an endpoint, or the answers of batch files.
+using Asker = std::function<std::vector<Result<LlmAnswer>>(const std::vector<LlmRequest>&)>;
+
 struct LlmWriterOptions {
-  LlmEndpoint endpoint;
-  LlmOptions ask;             // of each exchange; its seed is drawn from the writer's rng
-  int rewrites = 3;           // further tries after an answer that fails a check
-  LlmCache* cache = nullptr;  // may be null
+  Asker ask;
+  std::string model;  // stands in Instruction::writer
+  int rewrites = 2;   // further tries of a task whose text was refused
+  Phrasings phrasings =
+      Phrasings::All;  // of the grammar's texts: those that a prompt shows, and the one that stands in
 };
 
-/// As write_instruction, but an LLM words it. Each answer must pass check_instruction; one that fails goes back with
-/// what is wrong; after the last, or when the endpoint does not answer, the grammar writes. Instruction.writer says who
-/// wrote. Not deterministic where the endpoint is not and there is no cache.
-Result<Instruction> write_instruction_with_llm(const Specification& specification, const Knowledge& knowledge,
-                                               const LlmWriterOptions& options, Rng rng);
+/// Has a language model word all tasks, many requests at once. Each text must pass the checks of word_check.h, keep the
+/// promise of its style, and be read by a second, separate call (judge.h) as a formula that is equivalent to the goal.
+/// A text that fails goes back with what is wrong; after the last try, or when no answer comes, the grammar's text
+/// stands in, and `Instruction::why` says why. In the order of the tasks; deterministic in the answers, whatever their
+/// order of arrival. Errors, of single tasks: those of write_instruction.
+std::vector<Result<Instruction>> write_instructions_with_llm(const std::vector<WordingTask>& tasks,
+                                                             const LlmWriterOptions& options);
+
+/// The requests of the first round, for people to look at.
+std::vector<LlmRequest> first_requests(const std::vector<WordingTask>& tasks, const LlmWriterOptions& options);
 
 }  // namespace unietp

@@ -324,9 +324,11 @@ bool match(const Formula& left, const Formula& right, Pairing& pairing) {
 
 Formula expanded(const Formula& formula) { return Expansion().expand(formula, false, false); }
 
-bool same_meaning(const Formula& left, const Formula& right) {
+bool same_meaning(const Formula& left, const Formula& right) { return same_expanded(expanded(left), expanded(right)); }
+
+bool same_expanded(const Formula& left, const Formula& right) {
   Pairing pairing;
-  return match(expanded(left), expanded(right), pairing);
+  return match(left, right, pairing);
 }
 
 Formula without_at_end(const Formula& formula) {

@@ -14,6 +14,9 @@ Formula expanded(const Formula& formula);
 /// and neighbouring quantifiers stand. True means equal on every trace; the converse is not claimed.
 bool same_meaning(const Formula& left, const Formula& right);
 
+/// The same for goals that are `expanded` already.
+bool same_expanded(const Formula& left, const Formula& right);
+
 /// The formula without its at-end operators. For formulas whose every atom stands under one.
 Formula without_at_end(const Formula& formula);
 

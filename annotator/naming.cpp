@@ -28,8 +28,8 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
     const NounTable::Name* display = lexicon_.display(member.category);
     if (display == nullptr) return std::nullopt;
     NounTable::Name name = *display;
-    const auto others = lexicon_.synonyms(member.category);
-    if (!others.empty() && style_ == "alias") name = rng_.pick(others);
+    if (style_ == "alias")
+      if (const auto others = lexicon_.synonyms(member.category); !others.empty()) name = rng_.pick(others);
     if (name.singular.empty()) return std::nullopt;
     found = chosen_.emplace(member.category, name).first;
   }

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <set>
 
+#include "annotator/asides.h"
+#include "annotator/plural.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -24,14 +25,6 @@ std::string spaced(const std::string& name) {
     text += name[i] == '_' ? ' ' : name[i];
   }
   return lower(text);
-}
-
-std::string plural_of(const std::string& noun) {
-  const auto ends = [&](std::string_view tail) { return noun.size() > tail.size() && noun.ends_with(tail); };
-  if (ends("s") || ends("x") || ends("ch") || ends("sh")) return noun + "es";
-  if (ends("y") && std::string_view("aeiou").find(noun[noun.size() - 2]) == std::string_view::npos)
-    return noun.substr(0, noun.size() - 1) + "ies";
-  return noun + "s";
 }
 
 constexpr std::array kUsualRooms{"Bathroom", "Bedroom", "Kitchen", "LivingRoom"};  // for a base that names none
@@ -86,11 +79,13 @@ NounTable::NounTable(const Knowledge& knowledge) {
     colours.insert(category.colours.begin(), category.colours.end());
     materials.insert(category.materials.begin(), category.materials.end());
   }
+  for (const std::string_view sentence : backgrounds()) made.contexts.emplace(sentence);
   std::map<std::string, std::set<std::string>> served;
   for (const Alias& alias : knowledge.aliases()) {
     const Category* category = knowledge.find(alias.category);
     if (category == nullptr) continue;
     if (alias.kind == "function") served[lower(alias.text)].insert(alias.category);
+    if (alias.kind == "context") made.contexts.insert(alias.text);
     if (alias.kind != "synonym") continue;
     const Name name{alias.text, category->countable ? plural_of(alias.text) : alias.text, category->countable};
     made.synonyms[alias.category].push_back(name);
@@ -183,6 +178,15 @@ bool NounTable::is_colour(const std::string& word) const {
 
 bool NounTable::is_material(const std::string& word) const {
   return std::binary_search(fixed_->materials.begin(), fixed_->materials.end(), word);
+}
+
+std::string_view NounTable::behind_context(std::string_view text) const {
+  for (std::size_t end = text.find_first_of(".!?"); end != std::string_view::npos;) {
+    const bool known = fixed_->contexts.contains(text.substr(0, end + 1));
+    if (known) text = trim(text.substr(end + 1));
+    end = text.find_first_of(".!?", known ? 0 : end + 1);
+  }
+  return trim(text);
 }
 
 NounTable::Reading NounTable::longest(const Index& index, const std::vector<Token>& tokens, std::size_t at) {

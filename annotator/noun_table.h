@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,8 @@ class NounTable {
   bool is_room_type(const std::string& category) const;
   bool is_colour(const std::string& word) const;
   bool is_material(const std::string& word) const;
+  /// The text behind what it begins with of context sentences of the alias table and of backgrounds (asides.h).
+  std::string_view behind_context(std::string_view text) const;
   /// Whether some category is called exactly this.
   bool is_name(const std::string& text) const;
 
@@ -77,6 +80,7 @@ class NounTable {
     std::map<std::string, Name, std::less<>> names;
     std::map<std::string, std::vector<Name>, std::less<>> synonyms;
     std::vector<std::string> room_types, colours, materials;  // sorted
+    std::set<std::string, std::less<>> contexts;
     Index nouns;
   };
   std::shared_ptr<const Names> fixed_;

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "annotator/asides.h"
 #include "annotator/compose.h"
 #include "annotator/reading.h"
 #include "core/text.h"
@@ -104,7 +105,14 @@ class TextReader {
     for (bool more = true; more;) {
       more = false;
       for (const std::string_view request : kRequests) more |= words_.accept(request);
+      for (const std::string_view opening : nested_openings()) more |= words_.accept(opening);
     }
+    for (const std::string_view never_mind : never_minds())
+      if (words_.accept(never_mind)) {  // asks for nothing
+        if (words_.phrase().determiner != Determiner::The) words_.fail("expected 'the …' before this");
+        return end_sentence();
+      }
+    if (words_.accept("if")) return conditional();
     if (words_.accept("choose")) {
       Clause chosen;
       chosen.subjects.push_back(words_.phrase());
@@ -139,6 +147,17 @@ class TextReader {
       return end_sentence();
     }
     commands();
+    end_sentence();
+  }
+
+  /// "if a fridge is open, close a cabinet"
+  void conditional() {
+    NounPhrase there = condition();
+    words_.expect(",");
+    words_.accept_one({"please", "then"});
+    Clause then = command_list();
+    then.given.push_back(std::move(there));
+    say(Kind::Final, {std::move(then)});
     end_sentence();
   }
 
@@ -249,7 +268,11 @@ class TextReader {
 
   /// "… if a fridge is open": the condition of an alternative, read at the start.
   Clause given(Clause part) {
-    if (!words_.accept("if")) return part;
+    if (words_.accept("if")) part.given.push_back(condition());
+    return part;
+  }
+
+  NounPhrase condition() {
     NounPhrase there = words_.phrase();
     if (there.determiner != Determiner::New) words_.fail("expected 'a …' before this");
     be();
@@ -257,8 +280,7 @@ class TextReader {
     words_.complements(said);
     if (said.any_complement) words_.fail("a condition says all of its object that it asks for");
     there.modifiers = std::move(said.complements);
-    part.given.push_back(std::move(there));
-    return part;
+    return there;
   }
 
   Clause statement_list() {

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "annotator/conditions.h"
 #include "annotator/meaning.h"
 
 namespace unietp {
@@ -14,7 +15,8 @@ using Scope = std::map<std::string, Domain>;
 
 class Planner {
  public:
-  Planner(const std::vector<Formula>& start, bool choosing, Rng rng) : choosing_(choosing), rng_(rng) {
+  Planner(const std::vector<Formula>& start, PlanOptions options, Rng rng) : choosing_(options.choosing), rng_(rng) {
+    if (options.conditions) conditions_ = conditions_of(start);
     for (const Formula& f : start) {
       if (f.op != Op::Count || f.comparison != Comparison::Equal || f.number != 2) continue;
       pairs_.insert(pair_key(f.variable, f.domain, f.children[0]));
@@ -22,7 +24,7 @@ class Planner {
   }
 
   Result<Plan> plan(const Formula& goal) {
-    Formula body = expanded(goal);
+    Formula body = goal;
     while (body.op == Op::Exists) {
       scope_[body.variable] = body.domain;
       Formula inner = body.children[0];
@@ -51,6 +53,8 @@ class Planner {
     for (Clause& said : clauses) plan_.message.push_back({Requirement::Kind::Final, {std::move(said)}});
     for (Requirement& requirement : late) plan_.message.push_back(std::move(requirement));
     if (choosing_ && rng_.chance(0.5)) choose_first();
+    for (const Formula& f : conditions_) add_condition(f);
+    rng_.shuffle(plan_.conditions);
     return plan_;
   }
 
@@ -58,6 +62,21 @@ class Planner {
   void fail(const Formula& part) {
     if (!error_)
       error_ = Error{Error::Kind::Unsatisfiable, "goal", {}, "the grammar has no words for " + to_text(part)};
+  }
+
+  /// Where it is said plainly: of something that is so, not of what it is not.
+  void add_condition(const Formula& condition) {
+    NounPhrase phrase;
+    phrase.noun = condition.domain;
+    phrase.noun.where.clear();
+    const Formula where = expanded(condition.domain.where[0]);
+    for (const Formula& part : scattered(where, condition.variable)) {
+      if (part.op != Op::Atom && part.op != Op::Exists) return;
+      const auto said = complement(part, condition.variable, Determiner::New);
+      if (!said) return;
+      phrase.modifiers.push_back(*said);
+    }
+    if (!phrase.modifiers.empty()) plan_.conditions.push_back(std::move(phrase));
   }
 
   static std::vector<Formula> conjuncts(const Formula& f) {
@@ -324,8 +343,33 @@ class Planner {
     return result;
   }
 
+  /// "not (some closed fridge)": of an `or`, what the rest is tied to.
+  static bool excludes(const Formula& f) {
+    return f.op == Op::Forall && !f.domain.where.empty() && f.children[0].op == Op::Or &&
+           f.children[0].children.empty();
+  }
+
+  /// "if a fridge is closed, …"
+  Clause conditional(const Formula& f) {
+    Formula rest = f;
+    std::erase_if(rest.children, excludes);
+    if (rest.children.size() != 1) {
+      fail(f);
+      return {};
+    }
+    const Scope outer = scope_;
+    const Formula* body = &rest.children[0];
+    for (; body->op == Op::Exists; body = &body->children[0]) scope_[body->variable] = body->domain;
+    Clause said = clause(*body);
+    for (const Formula& part : f.children)
+      if (excludes(part)) said.given.push_back(quantified(part, Determiner::New));
+    scope_ = outer;
+    return said;
+  }
+
   Clause alternatives(const Formula& f) {
     Clause said;
+    if (std::any_of(f.children.begin(), f.children.end(), excludes)) return conditional(f);
     if (const auto* first = subject_of(f.children[0]); first != nullptr) {
       bool shared = true;
       for (const Formula& part : f.children) shared = shared && subject_of(part) && *subject_of(part) == *first;
@@ -427,6 +471,7 @@ class Planner {
 
   bool choosing_;
   Rng rng_;
+  std::vector<Formula> conditions_;
   std::set<std::string> pairs_;  // pair_key of what the start has exactly two of
   Scope scope_;
   Plan plan_;
@@ -435,8 +480,8 @@ class Planner {
 
 }  // namespace
 
-Result<Plan> plan_message(const Formula& goal, const std::vector<Formula>& start, bool choosing, Rng rng) {
-  return Planner(start, choosing, rng).plan(goal);
+Result<Plan> plan_message(const Formula& goal, const std::vector<Formula>& start, PlanOptions options, Rng rng) {
+  return Planner(start, options, rng).plan(goal);
 }
 
 }  // namespace unietp

@@ -15,12 +15,17 @@ namespace unietp {
 struct Plan {
   Message message;
   std::set<std::pair<std::string, std::string>> distinct;  // variables said to be different objects, both ways
+  std::vector<NounPhrase> conditions;                      // that the start meets: "a fridge is closed"
 };
 
-/// Deterministic in rng, which chooses among equal orders and groupings. `choosing`: may open with "Choose a kitchen.",
-/// which clears up the scope of what follows. `start`: the start constraints; where they say that there are exactly two
-/// of something, the text may say "both".
+struct PlanOptions {
+  bool choosing = false;    // may open with "Choose a kitchen.", which clears up the scope of what follows
+  bool conditions = false;  // fill in Plan::conditions
+};
+
+/// Deterministic in rng, which chooses among equal orders and groupings. `goal` is `expanded` (meaning.h). `start`: the
+/// start constraints; where they say that there are exactly two of something, the text may say "both".
 /// Errors: Unsatisfiable, naming the part of the goal that no clause can say.
-Result<Plan> plan_message(const Formula& goal, const std::vector<Formula>& start, bool choosing, Rng rng);
+Result<Plan> plan_message(const Formula& goal, const std::vector<Formula>& start, PlanOptions options, Rng rng);
 
 }  // namespace unietp

@@ -111,9 +111,11 @@ const std::string& PhraseReader::peek(std::size_t ahead) const {
 }
 
 bool PhraseReader::comes(std::string_view words) const {
-  std::size_t ahead = 0;
-  for (const std::string& word : split(words, ' '))
-    if (peek(ahead++) != word) return false;
+  for (std::size_t ahead = 0; !words.empty(); ++ahead) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    if (peek(ahead) != words.substr(0, end)) return false;
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <initializer_list>
 
+#include "annotator/asides.h"
 #include "annotator/naming.h"
 #include "annotator/verbs.h"
 #include "core/text.h"
@@ -32,16 +33,22 @@ std::string sentence(std::string text, char end) {
 class Realiser {
  public:
   Realiser(const Plan& plan, const NounTable& lexicon, const std::string& style, Rng rng)
-      : plan_(plan), rng_(rng), naming_(plan, lexicon, style, rng_), statement_share_(rng_.chance(0.3) ? 0.8 : 0.1) {}
+      : plan_(plan),
+        rng_(rng),
+        naming_(plan, lexicon, style, rng_),
+        statement_share_(rng_.chance(0.3) ? 0.8 : 0.1),
+        nested_(style == "nested-syntax") {}
 
   Text text() {
     std::vector<std::string> sentences;
     const Message& message = plan_.message;
     for (std::size_t i = 0; i < message.size();) {
       Text next;
-      if (message[i].kind == Kind::Final) {
+      if (message[i].kind == Kind::Final && message[i].clauses[0].given.empty()) {
         std::size_t end = i + 1;
-        while (end < message.size() && message[end].kind == Kind::Final && rng_.chance(0.75)) ++end;
+        while (end < message.size() && message[end].kind == Kind::Final && message[end].clauses[0].given.empty() &&
+               (nested_ || rng_.chance(0.75)))
+          ++end;
         next = final_sentence(i, end, sentences.empty());
         i = end;
       } else {
@@ -61,7 +68,7 @@ class Realiser {
 
   Text final_sentence(std::size_t from, std::size_t to, bool is_first) {
     std::vector<std::string> parts;
-    const bool stated = rng_.chance(statement_share_);
+    const bool stated = !nested_ && rng_.chance(statement_share_);
     const std::string be = pick({"should be", "must be", "has to be"});
     const std::size_t frame = rng_.below(6);
     for (std::size_t i = from; i < to; ++i) {
@@ -94,6 +101,7 @@ class Realiser {
   }
 
   std::string asked(const std::string& command, bool is_first) {
+    if (nested_) return nested(command);
     const bool forbids = command.starts_with("do not ") || command.find(" do not ") != std::string::npos;
     if (forbids) return sentence((rng_.chance(0.3) ? "please " : "") + command, '.');  // "could you do not" is wrong
     switch (rng_.below(12)) {
@@ -120,11 +128,20 @@ class Realiser {
     }
   }
 
+  /// One long sentence: "I was wondering whether you, who …, could put …".
+  std::string nested(const std::string& command) {
+    const auto openings = nested_openings();
+    std::string text(openings[rng_.below(openings.size())]);
+    text = replace_all(replace_all(text, " ,", ","), " i ", " I ");
+    if (text.starts_with("i ")) text[0] = 'I';
+    return sentence(text + " " + command, '.');
+  }
+
   Text special_sentence(const Requirement& said) {
     const auto& clauses = said.clauses;
     switch (said.kind) {
       case Kind::Final:
-        break;
+        return conditional(clauses[0]);
       case Kind::Choose: {
         const auto named = naming_.phrase(clauses[0].subjects[0], {});
         if (!named) return std::nullopt;
@@ -176,6 +193,14 @@ class Realiser {
       }
     }
     return std::nullopt;
+  }
+
+  /// "if a fridge is open, close a cabinet"
+  Text conditional(const Clause& clause) {
+    const Text condition = given(clause);
+    const Text then = condition ? command(clause) : std::nullopt;
+    if (!then) return std::nullopt;
+    return framed(condition->substr(1) + pick({", please ", ", then "}), then, "");
   }
 
   /// "a hot potato on a table"
@@ -423,6 +448,7 @@ class Realiser {
   Rng rng_;
   Naming naming_;
   double statement_share_;
+  bool nested_;
 };
 
 }  // namespace

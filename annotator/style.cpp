@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "annotator/evidence.h"
+
 namespace unietp {
 namespace {
 
@@ -63,6 +65,21 @@ bool want(Message& message) {
   return false;
 }
 
+/// All of it in one sentence, tied to something that is so at the start.
+bool tie(Plan& plan) {
+  if (plan.conditions.empty()) return false;
+  Clause all;
+  all.kind = Clause::Kind::And;
+  for (const Requirement& requirement : plan.message) {
+    if (requirement.kind != Kind::Final) return false;
+    all.parts.push_back(requirement.clauses[0]);
+  }
+  Clause said = all.parts.size() == 1 ? all.parts[0] : all;
+  said.given = {plan.conditions.front()};
+  plan.message = {{Kind::Final, {said}}};
+  return true;
+}
+
 struct Mark {
   std::string_view style, words;
 };
@@ -81,7 +98,60 @@ constexpr std::array kMarks = {
     Mark{"implicit-need", "somebody needs"},
     Mark{"vague-quantity", "a couple of"},
     Mark{"vague-quantity", "a few"},
+    Mark{"condition", "if"},
 };
+
+std::vector<std::string> sentences_of(const std::string& text) {
+  std::vector<std::string> sentences;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(".!?", from), text.size());
+    sentences.push_back(text.substr(from, end - from));
+    from = end + 1;
+  }
+  return sentences;
+}
+
+/// At least two sentences that name nothing, before one that does.
+std::string background_fault(const std::string& text, const NounTable& lexicon) {
+  int idle = 0;
+  for (const std::string& sentence : sentences_of(text)) {
+    const std::vector<Token> words = tokens_of(sentence);
+    bool names = false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const bool determined = i > 0 && (words[i - 1].text == "a" || words[i - 1].text == "an" ||
+                                        words[i - 1].text == "the" || words[i - 1].text == "every");
+      names = names || (determined && lexicon.noun_at(words, i).length > 0);
+    }
+    if (names) break;
+    ++idle;
+  }
+  return idle >= 2 ? "" : "the background style begins with at least two sentences that name no thing";
+}
+
+std::string bystander_fault(const std::vector<Token>& words, const Formula& goal,
+                            const std::vector<std::string>& around, const NounTable& lexicon) {
+  const auto own = categories_of(goal);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    for (const Domain& noun : lexicon.noun_at(words, i).nouns)
+      for (const Domain::Member& member : noun.members)
+        if (std::find(own.begin(), own.end(), member.category) == own.end() &&
+            std::find(around.begin(), around.end(), member.category) != around.end())
+          return "";
+  return "the bystander style names something that is in the home and no part of the goal";
+}
+
+/// One sentence of twenty words or more with two subordinate clauses.
+std::string nesting_fault(const std::string& text) {
+  constexpr std::string_view kSubordinate =
+      "that. which. who. if. as. because. since. where. once. whether. what. when.";
+  for (const std::string& sentence : sentences_of(text)) {
+    const std::vector<Token> words = tokens_of(sentence);
+    const auto clauses =
+        std::count_if(words.begin(), words.end(), [&](const Token& word) { return is_among(word.text, kSubordinate); });
+    if (words.size() >= 20 && clauses >= 2) return "";
+  }
+  return "the nested-syntax style has a sentence of at least twenty words with two subordinate clauses";
+}
 
 }  // namespace
 
@@ -89,11 +159,13 @@ bool turn_to_style(Plan& plan, std::string_view style) {
   if (style == "inverted-order") return invert(plan.message);
   if (style == "relative-clause") return relate(plan.message);
   if (style == "implicit-need") return want(plan.message);
+  if (style == "condition") return tie(plan);
   return true;
 }
 
 std::string style_fault(const std::string& text, std::string_view style, const Formula& goal,
-                        const NounTable& lexicon) {
+                        const std::vector<std::string>& around, const NounTable& lexicon) {
+  if (style == "direct") return "";
   const std::vector<Token> tokens = tokens_of(text);
   if (style == "function") {
     for (const auto& [phrase, served] : lexicon.function_phrases())
@@ -109,6 +181,9 @@ std::string style_fault(const std::string& text, std::string_view style, const F
     }
     return "";
   }
+  if (style == "background") return background_fault(text, lexicon);
+  if (style == "bystander") return bystander_fault(tokens, goal, around, lexicon);
+  if (style == "nested-syntax") return nesting_fault(text);
   const auto of_style = [&](const Mark& mark) { return mark.style == style; };
   const bool marked = std::any_of(kMarks.begin(), kMarks.end(),
                                   [&](const Mark& mark) { return of_style(mark) && says(tokens, mark.words); });

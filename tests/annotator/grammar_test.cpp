@@ -4,6 +4,8 @@
 
 #include "annotator/meaning.h"
 #include "annotator/noun_table.h"
+#include "annotator/plural.h"
+#include "annotator/style.h"
 #include "small_knowledge.h"
 
 namespace unietp {
@@ -68,14 +70,51 @@ TEST(ReadInstruction, RefusesWhatHasTwoReadings) {
   }
 }
 
-TEST(WriteInstruction, HasAtLeastTenTextsForASimpleGoal) {
+std::set<std::string> texts_of(const std::string& goal, Phrasings phrasings) {
+  static const Knowledge knowledge = small_knowledge();
+  static const NounTable nouns(knowledge);
   std::set<std::string> texts;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const auto written = write_instruction(asking(kMugOnTable), small_knowledge(), Rng(seed));
-    ASSERT_TRUE(written) << format(written.error());
-    texts.insert(written->text);
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const auto written = write_instruction(asking(goal), knowledge, nouns, {phrasings, {}}, Rng(seed));
+    EXPECT_TRUE(written) << format(written.error());
+    if (written) texts.insert(written->text);
   }
-  EXPECT_GE(texts.size(), 10u);
+  return texts;
+}
+
+TEST(WriteInstruction, HasAtLeastTwentyTextsForASimpleGoalInTrainingAndInTheBenchmark) {
+  for (const std::string goal :
+       {kMugOnTable, "(exists (?a - Fridge) (at-end (open ?a)))", "(exists (?a - Lamp) (at-end (power_on ?a)))",
+        "(forall (?a - Mug) (at-end (clean ?a)))", "(exists (?r - kitchen) (at-end (in_room agent ?r)))",
+        "(exists (?b - Fridge) (at-end (count = 2 (?a - Mug) (inside ?a ?b))))"})
+    for (const Phrasings phrasings : {Phrasings::All, Phrasings::Training, Phrasings::Benchmark})
+      EXPECT_GE(texts_of(goal, phrasings).size(), 20u) << goal << " " << static_cast<int>(phrasings);
+}
+
+TEST(WriteInstruction, TrainingAndBenchmarkShareNoTurnOfPhrase) {
+  // The same but for its nouns: what is learned for mugs would be known of bowls.
+  const auto skeletons = [](const std::string& goal, Phrasings phrasings) {
+    std::set<std::string> found;
+    for (std::string text : texts_of(goal, phrasings)) {
+      for (const char* noun : {"mug", "bowl", "coffee table", "table", "beaker"})
+        for (std::size_t at = text.find(noun); at != std::string::npos; at = text.find(noun))
+          text.replace(at, std::string(noun).size(), "_");
+      found.insert(text);
+    }
+    return found;
+  };
+  const auto training = skeletons(kMugOnTable, Phrasings::Training);
+  for (const auto& text :
+       skeletons("(exists (?a - Bowl) (exists (?b - CoffeeTable) (at-end (on ?a ?b))))", Phrasings::Benchmark))
+    EXPECT_FALSE(training.contains(text)) << text;
+}
+
+TEST(WriteInstruction, TiesAGoalToAConditionOfTheStart) {
+  const auto written = write_instruction(
+      asking("(imply (exists (?c - (Fridge :where (open ?c))) (and)) (exists (?a - Lamp) (at-end (power_on ?a))))"),
+      small_knowledge(), Rng(1));
+  ASSERT_TRUE(written) << format(written.error());
+  EXPECT_TRUE(written->text.starts_with("If a fridge is open")) << written->text;
 }
 
 TEST(WriteInstruction, SaysTheSameForTheSameSeed) {
@@ -99,6 +138,37 @@ TEST(WriteInstruction, KeepsThePromiseOfItsStyle) {
   }
 }
 
+TEST(WriteInstruction, TheHarderStylesAreHardInTheWayTheyClaim) {
+  const Knowledge knowledge = small_knowledge();
+  const NounTable nouns(knowledge);
+  const WritingOptions options{Phrasings::All, {"Apple", "Bowl", "Mug", "Table"}};
+  const auto start = parse_formula("test", "(count >= 1 (?a - Lamp) (power_off ?a))", FormulaUse::State);
+  ASSERT_TRUE(start);
+  for (const char* style : {"background", "bystander", "nested-syntax", "condition"})
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      SCOPED_TRACE(style);
+      auto specification = asking(kMugOnTable, style);
+      specification.init = {*start};
+      const auto written = write_instruction(specification, knowledge, nouns, options, Rng(seed));
+      ASSERT_TRUE(written) << format(written.error());
+      EXPECT_EQ(written->style, style) << written->text;
+      EXPECT_EQ(style_fault(written->text, style, specification.goal, options.around, nouns), "") << written->text;
+      EXPECT_TRUE(check_instruction(written->text, specification, knowledge, nouns).empty()) << written->text;
+      const auto plain = write_instruction(asking(kMugOnTable), knowledge, nouns, options, Rng(seed));
+      EXPECT_NE(style_fault(plain->text, style, specification.goal, options.around, nouns), "") << plain->text;
+    }
+}
+
+TEST(CheckInstruction, TakesAConditionOnlyFromTheStart) {
+  auto specification = asking(kMugOnTable, "condition");
+  const char* text = "If a lamp is switched off, please put a mug on a table.";
+  EXPECT_FALSE(check_instruction(text, specification, small_knowledge()).empty());
+  specification.init = {*parse_formula("test", "(exists (?x - Lamp) (power_off ?x))", FormulaUse::State)};
+  EXPECT_TRUE(check_instruction(text, specification, small_knowledge()).empty());
+  specification.style = "direct";
+  EXPECT_FALSE(check_instruction(text, specification, small_knowledge()).empty());
+}
+
 TEST(WriteInstruction, NamesThePartItHasNoWordsFor) {
   const auto nested = asking("(exists (?a - Lamp) (always (before (open ?a) (closed ?a))))");
   const auto written = write_instruction(nested, small_knowledge(), Rng(1));
@@ -116,6 +186,25 @@ TEST(Articles, FollowTheSoundOfTheWord) {
   EXPECT_EQ(with_article("umbrella"), "an umbrella");
   EXPECT_EQ(with_article("hourglass"), "an hourglass");
   EXPECT_EQ(with_article("mug"), "a mug");
+}
+
+TEST(Plurals, AreThoseOfTheLanguage) {
+  const std::pair<const char*, const char*> words[] = {{"mug", "mugs"},
+                                                       {"bookshelf", "bookshelves"},
+                                                       {"butter knife", "butter knives"},
+                                                       {"dish", "dishes"},
+                                                       {"box", "boxes"},
+                                                       {"berry", "berries"},
+                                                       {"tray", "trays"},
+                                                       {"loaf of bread", "loaves of bread"},
+                                                       {"pair of scissors", "pairs of scissors"},
+                                                       {"kitchen scissors", "kitchen scissors"},
+                                                       {"mouse", "mice"},
+                                                       {"photo", "photos"},
+                                                       {"potato", "potatoes"},
+                                                       {"glass of milk", "glasses of milk"},
+                                                       {"snowman", "snowmen"}};
+  for (const auto& [one, many] : words) EXPECT_EQ(plural_of(one), many);
 }
 
 TEST(Articles, SuitMassAndPluralNouns) {

@@ -62,7 +62,7 @@ TEST(WriteInstruction, EveryTemplateOfTheLibraryReadsBackAndItsNeighboursDoNot) 
                                            : Result<Specification>(Error{Error::Kind::Unsatisfiable, "", {}, "none"});
         if (!specification) continue;
         for (std::uint64_t draw = 0; draw < 20; ++draw) {
-          const auto text = write_instruction(*specification, *knowledge, nouns, Rng(draw));
+          const auto text = write_instruction(*specification, *knowledge, nouns, {}, Rng(draw));
           ASSERT_TRUE(text) << format(text.error());
           ++written;
           if (draw > 0) continue;

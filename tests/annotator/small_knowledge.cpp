@@ -9,6 +9,7 @@ Knowledge small_knowledge() {
     c.display = display;
     c.plural = plural;
     c.countable = countable;
+    c.movable = c.name != "CoffeeTable" && c.name != "Fridge" && c.name != "Table";
     c.rooms = {"kitchen", "living_room"};
     c.colours = {"red"};
     c.materials = {"wood"};

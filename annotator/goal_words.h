@@ -1,0 +1,23 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "logic/formula.h"
+
+namespace unietp {
+
+/// What a goal speaks of, as far as single words can say it.
+struct GoalWords {
+  std::set<Predicate> predicates;    // its states and relations, in the goal itself and in what is meant (`:where`)
+  std::set<std::string> symbols;     // colours, materials, substances
+  std::set<std::string> categories;  // also those of slices
+  std::set<int> numbers;             // of counts above one
+  bool every = false, none = false;  // `forall` of something, of nothing
+  bool exactly = false, at_least = false, at_most = false;  // of counts
+  bool order = false;                                       // before, until
+  bool throughout = false, sometime = false;                // always; sometime
+};
+GoalWords words_of_goal(const Formula& goal);
+
+}  // namespace unietp

@@ -1,0 +1,339 @@
+#include "annotator/trace_draft.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "logic/membership.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+using P = Predicate;
+
+constexpr EntityIndex kAgent = 0;
+constexpr EntityIndex kNone = 0xffffffff;
+
+/// Of what has one of these states, the other is not true. Facts of the second are kept as the first's absence.
+constexpr std::array<std::pair<P, P>, 12> kExcluding = {{{P::Open, P::Closed},
+                                                         {P::PowerOn, P::PowerOff},
+                                                         {P::Clean, P::Dirty},
+                                                         {P::Cooked, P::Raw},
+                                                         {P::Burnt, P::Unburnt},
+                                                         {P::Frozen, P::Thawed},
+                                                         {P::Sliced, P::Whole},
+                                                         {P::Soaked, P::Dry},
+                                                         {P::UsedUp, P::Unused},
+                                                         {P::Broken, P::Intact},
+                                                         {P::Folded, P::Unfolded},
+                                                         {P::PluggedIn, P::Unplugged}}};
+
+std::optional<P> first_of(P second) {
+  for (const auto& [one, other] : kExcluding)
+    if (other == second) return one;
+  return std::nullopt;
+}
+
+bool pass(Comparison comparison, int left, int right) {
+  switch (comparison) {
+    case Comparison::Equal:
+      return left == right;
+    case Comparison::AtLeast:
+      return left >= right;
+    case Comparison::AtMost:
+      return left <= right;
+    case Comparison::Greater:
+      return left > right;
+    case Comparison::Less:
+      return left < right;
+  }
+  return false;
+}
+
+}  // namespace
+
+TraceDraft::TraceDraft(const std::vector<const Formula*>& formulas, Rng rng) : rng_(rng) {
+  for (const Formula* formula : formulas) collect(*formula);
+  add({Entity::Kind::Agent, "agent", "agent", ""}, 1);
+  add({Entity::Kind::Room, "room", "some other room", ""}, 1);
+  add({Entity::Kind::Object, "thing", "some other thing", ""}, 1);
+  for (const Formula* formula : formulas) add_entities(*formula);
+  states_.resize(2 + rng_.below(4));
+  for (const Entity& entity : entities_) {
+    const bool late = !entity.slice_of.empty() && rng_.chance(0.3);
+    since_.push_back(late ? rng_.below(states_.size()) : 0);
+  }
+  fill();
+}
+
+/// Which facts there are, which categories are rooms, and how many of a kind a count may ask for.
+void TraceDraft::collect(const Formula& formula) {
+  if (formula.op == Op::Atom) {
+    const bool symbolic = !formula.terms.empty() && formula.terms.back().kind == Term::Kind::Symbol;
+    const P kept = first_of(formula.predicate).value_or(formula.predicate);
+    kinds_.insert({kept, symbolic ? formula.terms.back().name : ""});
+  }
+  if (formula.op == Op::Count) most_ = std::max(most_, formula.number);
+  for (const Formula& where : formula.domain.where) collect(where);
+  for (const Formula& child : formula.children) collect(child);
+  const auto stands_for_room = [&](const Formula& f, const auto& self) -> bool {
+    if (f.op == Op::Atom && (f.predicate == P::InRoom || f.predicate == P::OnFloor) && f.terms.size() == 2 &&
+        f.terms[1].name == formula.variable)
+      return true;
+    const auto inside = [&](const Formula& part) { return self(part, self); };
+    return std::any_of(f.children.begin(), f.children.end(), inside) ||
+           std::any_of(f.domain.where.begin(), f.domain.where.end(), inside);
+  };
+  if (formula.variable.empty() || !stands_for_room(formula, stands_for_room)) return;
+  for (const Domain::Member& member : formula.domain.members) rooms_.insert(member.category);
+}
+
+void TraceDraft::add(Entity entity, int copies) {
+  for (int i = 0; i < copies; ++i) {
+    entities_.push_back(entity);
+    entities_.back().id += std::to_string(entities_.size());
+  }
+}
+
+void TraceDraft::add_entities(const Formula& formula) {
+  for (const Domain::Member& member : formula.domain.members) {
+    Domain alone;
+    alone.members = {member};
+    if (!members(alone).empty()) continue;
+    const bool room = rooms_.contains(member.category);
+    const Entity entity{room ? Entity::Kind::Room : Entity::Kind::Object, "e",
+                        member.slice ? "slice of " + member.category : member.category,
+                        member.slice ? member.category : ""};
+    add(entity, most_ + 1 + static_cast<int>(rng_.below(2)));
+  }
+  for (const Formula& where : formula.domain.where) add_entities(where);
+  for (const Formula& child : formula.children) add_entities(child);
+}
+
+TraceDraft::Fact TraceDraft::random_fact() {
+  const auto kind = std::next(kinds_.begin(), static_cast<std::ptrdiff_t>(rng_.below(kinds_.size())));
+  const bool two = info(kind->predicate).arguments.size() == 2 && kind->symbol.empty();
+  const auto entity = [&] { return static_cast<EntityIndex>(rng_.below(entities_.size())); };
+  const EntityIndex first = entity();
+  return {kind->predicate, first, two ? entity() : kNone, kind->symbol};
+}
+
+void TraceDraft::fill() {
+  if (kinds_.empty()) return;
+  const std::uint64_t most = 1 + rng_.below(4 * entities_.size());
+  for (std::uint64_t i = 0; i < most; ++i) set(0, random_fact(), true);
+  for (std::size_t i = 1; i < states_.size(); ++i) {
+    states_[i] = states_[i - 1];
+    for (std::uint64_t k = rng_.below(4); k > 0; --k) set(i, random_fact(), rng_.chance(0.5));
+  }
+}
+
+void TraceDraft::set(std::size_t position, const Fact& fact, bool value) {
+  const auto& [predicate, first, second, symbol] = fact;
+  if (first == kNone || (second == first)) return;
+  const auto kept = first_of(predicate);
+  Fact stored = fact;
+  if (kept) std::get<0>(stored) = *kept;
+  if (value != kept.has_value()) {
+    states_[position].insert(stored);
+  } else {
+    states_[position].erase(stored);
+  }
+}
+
+void TraceDraft::nudge() {
+  if (kinds_.empty()) return;
+  const Fact fact = random_fact();
+  const bool value = rng_.chance(0.5);
+  const std::size_t position = position_from(0);
+  const bool everywhere = rng_.chance(0.3);
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (everywhere || i == position) set(i, fact, value);
+}
+
+std::vector<EntityIndex> TraceDraft::members(const Domain& domain) const {
+  std::vector<EntityIndex> found;
+  for (EntityIndex e = 0; e < entities_.size(); ++e)
+    if (is_of(entities_[e], domain)) found.push_back(e);
+  return found;
+}
+
+EntityIndex TraceDraft::value(const Term& term, const Scope& scope) const {
+  if (term.kind == Term::Kind::Agent) return kAgent;
+  for (auto i = scope.rbegin(); i != scope.rend(); ++i)
+    if (i->first == term.name) return i->second;
+  return kNone;
+}
+
+void TraceDraft::press(const Formula& formula, bool wanted) {
+  Scope scope;
+  press(formula, 0, wanted, scope);
+}
+
+void TraceDraft::press(const Formula& formula, std::size_t position, bool wanted, Scope& scope) {
+  switch (formula.op) {
+    case Op::Atom:
+      return press_atom(formula, position, wanted, scope);
+    case Op::Equal:
+    case Op::Number:
+      return;
+    case Op::Not:
+      return press(formula.children[0], position, !wanted, scope);
+    case Op::And:
+    case Op::Or:
+      if (formula.children.empty()) return;
+      if ((formula.op == Op::And) != wanted)
+        return press(formula.children[rng_.below(formula.children.size())], position, wanted, scope);
+      for (const Formula& child : formula.children) press(child, position, wanted, scope);
+      return;
+    case Op::Imply:
+      if (!wanted) {
+        press(formula.children[0], position, true, scope);
+        return press(formula.children[1], position, false, scope);
+      }
+      if (rng_.chance(0.5)) return press(formula.children[0], position, false, scope);
+      return press(formula.children[1], position, true, scope);
+    case Op::Forall:
+    case Op::Exists:
+      return press_quantifier(formula, position, wanted, scope);
+    case Op::Count:
+    case Op::CountCompare:
+      return press_counts(formula, position, wanted, scope);
+    default:
+      return press_over_time(formula, position, wanted, scope);
+  }
+}
+
+void TraceDraft::press_atom(const Formula& formula, std::size_t position, bool wanted, const Scope& scope) {
+  const bool symbolic = formula.terms.back().kind == Term::Kind::Symbol;
+  const bool two = formula.terms.size() == 2 && !symbolic;
+  const Fact fact{formula.predicate, value(formula.terms[0], scope), two ? value(formula.terms[1], scope) : kNone,
+                  symbolic ? formula.terms.back().name : ""};
+  if (two && std::get<2>(fact) == kNone) return;
+  set(position, fact, wanted);
+}
+
+void TraceDraft::press_member(const Formula& binder, EntityIndex member, std::size_t position, bool wanted,
+                              Scope& scope) {
+  scope.emplace_back(binder.variable, member);
+  const bool there = wanted || rng_.chance(0.7);  // what is not there fails a `:where`, too
+  for (const Formula& where : binder.domain.where) press(where, 0, there, scope);
+  if (wanted || there || binder.domain.where.empty()) press(binder.children[0], position, wanted, scope);
+  scope.pop_back();
+}
+
+void TraceDraft::press_quantifier(const Formula& formula, std::size_t position, bool wanted, Scope& scope) {
+  const auto all = members(formula.domain);
+  if (all.empty()) return;
+  const bool body = wanted;
+  if ((formula.op == Op::Exists) == wanted) {  // some member decides
+    const EntityIndex member = all[rng_.below(all.size())];
+    scope.emplace_back(formula.variable, member);
+    for (const Formula& where : formula.domain.where) press(where, 0, true, scope);
+    press(formula.children[0], position, body, scope);
+    scope.pop_back();
+    return;
+  }
+  for (const EntityIndex member : all) {
+    scope.emplace_back(formula.variable, member);
+    const bool meant = formula.domain.where.empty() || rng_.chance(0.6);
+    for (const Formula& where : formula.domain.where) press(where, 0, meant, scope);
+    if (meant) press(formula.children[0], position, body, scope);
+    scope.pop_back();
+  }
+}
+
+void TraceDraft::press_number(const Formula& binder, int number, std::size_t position, Scope& scope) {
+  auto all = members(binder.domain);
+  rng_.shuffle(all);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    press_member(binder, all[i], position, static_cast<int>(i) < number, scope);
+}
+
+void TraceDraft::press_counts(const Formula& formula, std::size_t position, bool wanted, Scope& scope) {
+  const bool compared = formula.op == Op::CountCompare;
+  const auto size = [&](const Formula& binder) { return static_cast<int>(members(binder.domain).size()); };
+  const Formula& first = compared ? formula.children[0] : formula;
+  for (int tries = 0; tries < 16; ++tries) {
+    const int left = static_cast<int>(rng_.below(static_cast<std::uint64_t>(size(first)) + 1));
+    const int right = compared ? static_cast<int>(rng_.below(static_cast<std::uint64_t>(size(formula.children[1])) + 1))
+                               : formula.number;
+    // Numbers close to the border tell comparisons apart.
+    if (pass(formula.comparison, left, right) != wanted || std::abs(left - right) > 1 + tries / 4) continue;
+    press_number(first, left, position, scope);
+    if (compared) press_number(formula.children[1], right, position, scope);
+    return;
+  }
+}
+
+void TraceDraft::press_over_time(const Formula& formula, std::size_t position, bool wanted, Scope& scope) {
+  const std::size_t last = states_.size() - 1;
+  const auto from_to = [&](const Formula& part, std::size_t from, std::size_t end, bool value) {
+    for (std::size_t i = from; i < end; ++i) press(part, i, value, scope);
+  };
+  const Formula& f = formula.children[0];
+  const Formula& g = formula.children.back();
+  const std::size_t at = position_from(position);
+  switch (formula.op) {
+    case Op::AtEnd:
+      return press(f, last, wanted, scope);
+    case Op::Sometime:
+    case Op::Always:
+      if ((formula.op == Op::Sometime) == wanted) return press(f, at, wanted, scope);
+      return from_to(f, position, last + 1, wanted);
+    case Op::Until:
+      if (wanted) {
+        from_to(f, position, at, true);
+        return press(g, at, true, scope);
+      }
+      if (rng_.chance(0.4)) return from_to(g, position, last + 1, false);
+      from_to(g, position, at + 1, false);
+      return press(f, at, false, scope);
+    case Op::Before: {
+      if (!wanted && rng_.chance(0.3)) return from_to(rng_.chance(0.5) ? f : g, position, last + 1, false);
+      // First times: of `f` and then of `g`, or, when it is to fail, of `g` and then or at once of `f`.
+      const Formula& sooner = wanted ? f : g;
+      const Formula& later = wanted ? g : f;
+      if (at == last && wanted) return from_to(g, position, last + 1, false);
+      from_to(later, position, at + (wanted ? 1 : 0), false);
+      from_to(sooner, position, at, false);
+      press(sooner, at, true, scope);
+      if (at < last) return press(later, at + 1 + rng_.below(last - at), true, scope);
+      return press(later, at, true, scope);
+    }
+    default:
+      return;
+  }
+}
+
+Trace TraceDraft::trace() const {
+  Trace made;
+  made.entities = entities_;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    Facts facts;
+    const auto exists = [&](EntityIndex e) { return since_[e] <= i; };
+    for (EntityIndex e = 0; e < entities_.size(); ++e)
+      if (exists(e)) facts.set_exists(e);
+    for (const auto& [predicate, first, second, symbol] : states_[i]) {
+      if (!exists(first)) continue;
+      if (!symbol.empty()) {
+        facts.set(predicate, first, symbol);
+      } else if (second == kNone) {
+        facts.set(predicate, first);
+      } else if (exists(second)) {
+        facts.set(predicate, first, second);
+      }
+    }
+    for (const auto& [one, other] : kExcluding) {
+      if (!kinds_.contains({one, ""})) continue;
+      for (EntityIndex e = 3; e < entities_.size(); ++e)  // what stands for other things has no such state
+        if (exists(e) && entities_[e].kind == Entity::Kind::Object && !states_[i].contains({one, e, kNone, ""}))
+          facts.set(other, e);
+    }
+    made.states.push_back(std::move(facts));
+  }
+  return made;
+}
+
+}  // namespace unietp

@@ -1,0 +1,284 @@
+#include "annotator/word_check.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "annotator/evidence.h"
+#include "annotator/goal_words.h"
+#include "annotator/naming.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+using P = Predicate;
+using Words = std::vector<Token>;
+
+bool is_number(std::string_view word) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
+}
+
+/// The words of a text that are no part of a name of the lexicon, and the names.
+struct Sorted {
+  Words plain;
+  std::vector<NounTable::Reading> nouns;
+  std::set<std::string> of_names;  // words that stand in a name
+};
+
+/// "can you", "would like": words that are also the name of something.
+bool is_helper(const Words& words, std::size_t i) {
+  const std::string next = i + 1 < words.size() ? words[i + 1].text : "";
+  const std::string last = i > 0 ? words[i - 1].text : "";
+  if (words[i].text == "can") return next == "you" || next == "i" || last == "you" || last == "i";
+  return false;
+}
+
+Sorted sorted(const Words& words, const NounTable& nouns) {
+  Sorted found;
+  for (std::size_t i = 0; i < words.size();) {
+    const auto function = nouns.function_at(words, i);
+    const auto noun = nouns.noun_at(words, i);
+    const auto& taken = function.length > 0 ? function : noun;
+    if (taken.length == 0 || is_helper(words, i)) {
+      found.plain.push_back(words[i++]);
+      continue;
+    }
+    for (std::size_t k = 0; k < taken.length; ++k) found.of_names.insert(words[i + k].text);
+    if (taken.length == 1) found.plain.push_back(words[i]);  // "light" is a name and a verb
+    found.nouns.push_back(taken);
+    i += taken.length;
+  }
+  return found;
+}
+
+bool any_word(const Words& words, std::string_view list) {
+  return std::any_of(words.begin(), words.end(), [&](const Token& word) { return is_among(word.text, list); });
+}
+
+bool names(const NounTable::Reading& noun, const std::set<std::string>& categories) {
+  return std::any_of(noun.nouns.begin(), noun.nouns.end(), [&](const Domain& domain) {
+    if (domain.kind != Domain::Kind::Categories) return true;
+    return std::any_of(domain.members.begin(), domain.members.end(),
+                       [&](const Domain::Member& member) { return categories.contains(member.category); });
+  });
+}
+
+bool is_named(const std::string& category, const Sorted& text) {
+  return std::any_of(text.nouns.begin(), text.nouns.end(), [&](const auto& noun) { return names(noun, {category}); });
+}
+
+/// Words of their own that are one letter off some name.
+constexpr std::string_view kCommon =
+    "place. places. placed. these. there. their. where. which. while. would. could. should. still. thing. things. "
+    "clean. "
+    "close. closed. takes. makes. other. water. light. right. whole. stand. after. again. before. every. first. until. "
+    "under. above. below. inside. house. lights. large. small. three. seven. eight. either. ensure. please. leave.";
+
+bool one_letter_off(std::string_view a, std::string_view b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  if (b.size() - a.size() > 1 || a == b) return false;
+  std::size_t i = 0;
+  while (i < a.size() && a[i] == b[i]) ++i;
+  if (a.size() < b.size()) return a.substr(i) == b.substr(i + 1);
+  const bool turned = i + 1 < a.size() && a[i] == b[i + 1] && a[i + 1] == b[i] && a.substr(i + 2) == b.substr(i + 2);
+  return turned || a.substr(i + 1) == b.substr(i + 1);
+}
+
+std::optional<int> number_of(const std::string& word) {
+  for (int i = 2; i <= 12; ++i)
+    if (word == number_word(i)) return i;
+  if (is_number(word) && word.size() < 5) return std::stoi(word);
+  return std::nullopt;
+}
+
+class Check {
+ public:
+  Check(const std::string& text, const Specification& specification, const NounTable& nouns)
+      : nouns_(nouns),
+        specification_(specification),
+        goal_(words_of_goal(specification.goal)),
+        words_(tokens_of(text)),
+        text_(sorted(words_, nouns)) {}
+
+  std::vector<std::string> faults() {
+    categories();
+    symbols();
+    states();
+    numbers();
+    quantifiers();
+    times();
+    spelling();
+    return std::move(faults_);
+  }
+
+ private:
+  void lacks(const std::string& what) { faults_.push_back("the text does not say " + what); }
+  void exceeds(const std::string& what) { faults_.push_back("the text asks for more than the goal: " + what); }
+
+  void categories() {
+    const bool by_function = std::any_of(text_.nouns.begin(), text_.nouns.end(), [](const auto& noun) {
+      return !noun.nouns.empty() && noun.nouns.front().members.size() > 1;
+    });
+    for (const std::string& category : goal_.categories)
+      if (!is_named(category, text_) && !by_function) lacks("what '" + shown(category) + "' is about");
+    for (const auto& noun : text_.nouns)
+      if (!names(noun, goal_.categories) && !beside(noun) && !is_said_by(noun))
+        exceeds("'" + shown(noun.nouns.front()) + "'");
+  }
+
+  /// What these styles name beside the goal: something that is around, and what a condition is about.
+  bool beside(const NounTable::Reading& noun) const {
+    if (specification_.style == "bystander") return true;
+    if (specification_.style != "condition") return false;
+    std::set<std::string> started;
+    for (const Formula& start : specification_.init)
+      for (const std::string& category : categories_of(start)) started.insert(category);
+    return names(noun, started);
+  }
+
+  /// "on the floor of the kitchen": the name of something, and the word for a relation of the goal.
+  bool is_said_by(const NounTable::Reading& noun) const {
+    const std::string word = shown(noun.nouns.front());
+    return word.find(' ') == std::string::npos &&
+           std::any_of(goal_.predicates.begin(), goal_.predicates.end(),
+                       [&](P predicate) { return is_among(word, words_for(predicate)); });
+  }
+
+  std::string shown(const std::string& category) const {
+    const auto* name = nouns_.display(category);
+    return name == nullptr ? category : name->singular;
+  }
+  std::string shown(const Domain& domain) const {
+    return domain.members.empty() ? to_text(domain) : shown(domain.members.front().category);
+  }
+
+  void symbols() {
+    for (const std::string& symbol : goal_.symbols) {
+      const bool wood = symbol == "wood" && any_word(words_, "wooden. wood.");
+      const bool size = symbol == "large" || symbol == "small" || symbol == "any";
+      if (!wood && !size && !says(words_, replace_all(symbol, "_", " "))) lacks("'" + symbol + "'");
+    }
+    for (const Token& word : text_.plain)
+      if (nouns_.is_colour(word.text) && !goal_.symbols.contains(word.text) && !in_a_symbol(word.text))
+        exceeds("the colour '" + word.text + "'");
+  }
+
+  bool in_a_symbol(const std::string& word) const {
+    return std::any_of(goal_.symbols.begin(), goal_.symbols.end(),
+                       [&](const std::string& symbol) { return symbol.find(word) != std::string::npos; });
+  }
+
+  void states() {
+    for (const P predicate : goal_.predicates) {
+      const auto list = words_for(predicate);
+      if (!list.empty() && !any_word(words_, list)) lacks("'" + std::string(info(predicate).name) + "'");
+    }
+    if (specification_.style == "condition") return;  // says states of the start, too
+    for (const PredicateInfo& other : all_predicates()) {
+      if (goal_.predicates.contains(other.predicate)) continue;
+      const auto list = words_only_for(other.predicate);
+      const auto word = std::find_if(text_.plain.begin(), text_.plain.end(), [&](const Token& w) {
+        return is_among(w.text, list) && !said_by_another(w.text) && !in_a_symbol(w.text);
+      });
+      if (word != text_.plain.end()) exceeds("'" + word->text + "'");
+    }
+  }
+
+  /// "pour out" says that it is empty, "pour in" that it is filled; "cut" is in several lists.
+  bool said_by_another(const std::string& word) const {
+    return std::any_of(goal_.predicates.begin(), goal_.predicates.end(),
+                       [&](P predicate) { return is_among(word, words_for(predicate)); }) ||
+           text_.of_names.contains(word);
+  }
+
+  bool start_has(int number) const {
+    return std::any_of(specification_.init.begin(), specification_.init.end(),
+                       [&](const Formula& f) { return f.op == Formula::Op::Count && f.number == number; });
+  }
+
+  void numbers() {
+    const auto said = [&](int number) {
+      if (number == 2 && any_word(words_, "couple. pair. both. two. twice.")) return true;
+      if (number == 3 && any_word(words_, "few. three.")) return true;
+      return std::any_of(words_.begin(), words_.end(), [&](const Token& w) { return number_of(w.text) == number; });
+    };
+    for (const int number : goal_.numbers)
+      if (!said(number)) lacks("the number " + number_word(number));
+    for (const Token& word : text_.plain) {
+      const auto number = number_of(word.text);
+      const bool of_two = number == 2 && (goal_.predicates.contains(P::Size) || same_twice());
+      if (number && !goal_.numbers.contains(*number) && !start_has(*number) && !of_two)
+        exceeds("the number " + word.text);
+    }
+  }
+
+  /// "two mugs" may also be a mug and another one.
+  bool same_twice() const { return to_text(specification_.goal).find("(= ") != std::string::npos; }
+
+  void quantifiers() {
+    if (goal_.every && !any_word(words_, "every each all. both. any. everything. none. no. always. whatever"))
+      lacks("that all are meant ('every', 'all')");
+    if (goal_.none && !any_word(words_,
+                                "no. not. none. nothing. never. without. remove take. clear off. out. away. "
+                                "empty. nowhere neither any. avoid don't. isn't. aren't. nor."))
+      lacks("that none is ('no', 'not', 'remove')");
+    if (goal_.exactly && !any_word(words_, "exactly precisely just. only. as. equal same. more."))
+      lacks("that the number is exact ('exactly')");
+    if (goal_.at_least && !any_word(words_, "least. fewer. minimum. more. couple. pair. few. as. or. two. three."))
+      lacks("'at least'");
+    if (goal_.at_most && !any_word(words_, "most. more. maximum. up. than. beyond. exceed")) lacks("'at most'");
+    if (!goal_.every && !goal_.none && any_word(text_.plain, "every. each. everything.") && !at_all_times())
+      exceeds("'every'");
+    if (!goal_.exactly && any_word(text_.plain, "exactly. precisely.")) exceeds("'exactly'");
+  }
+
+  bool at_all_times() const { return goal_.throughout && says(words_, "every time"); }
+
+  void times() {
+    if (goal_.order &&
+        !any_word(words_, "before. first. then. until. till. after. afterwards once. later. only. when. while. prior"))
+      lacks("the order ('first … then', 'before', 'until')");
+    if (goal_.throughout && !any_word(words_,
+                                      "always. whole. time. times. throughout. keep never. stay remain leave. "
+                                      "ever. moment. all. along. entire while."))
+      lacks("that it holds the whole time");
+    if (goal_.sometime && !any_word(words_, "some. sometime once. again. then. ever. point. moment. after. first."))
+      lacks("that it happens at some point");
+    const bool ordered = says(words_, "until") || says(words_, "before you") ||
+                         (any_word(words_, "first.") && any_word(words_, "then. after."));
+    if (ordered && !goal_.order && !goal_.sometime) exceeds("an order");
+    if (!goal_.throughout && (says(words_, "the whole time") || any_word(words_, "always. never. throughout.")))
+      exceeds("that something holds the whole time");
+  }
+
+  void spelling() {
+    for (const std::string& category : goal_.categories) {
+      const auto* name = nouns_.display(category);
+      if (name == nullptr) continue;
+      for (const Token& known : tokens_of(name->singular)) {
+        if (known.text.size() < 5) continue;
+        for (const Token& word : text_.plain)
+          if (!is_among(word.text, kCommon) && one_letter_off(word.text, known.text) && word.text != known.text + "s" &&
+              !text_.of_names.contains(word.text))
+            faults_.push_back("the word '" + word.text + "' looks like a slip for '" + known.text + "'");
+      }
+    }
+  }
+
+  const NounTable& nouns_;
+  const Specification& specification_;
+  GoalWords goal_;
+  Words words_;
+  Sorted text_;
+  std::vector<std::string> faults_;
+};
+
+}  // namespace
+
+std::vector<std::string> saying_faults(const std::string& text, const Specification& specification,
+                                       const NounTable& nouns) {
+  return Check(text, specification, nouns).faults();
+}
+
+}  // namespace unietp

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+#include "llm/ask.h"
+
+namespace unietp {
+
+/// What a provider's batch service takes and gives: files of JSON lines, one request or answer a line, each answer with
+/// the `custom_id` of its request. A request's id is its digest, so that equal requests are one and answers find their
+/// requests in any later run.
+inline constexpr std::size_t kBatchLines = 50'000;                  // requests in a file, the provider's limit
+inline constexpr std::size_t kBatchBytes = std::size_t{190} << 20;  // of a file; the provider's limit is 200 MB
+
+/// The endpoint that batch requests are digested with: they name a path and no host.
+LlmEndpoint batch_endpoint(std::string model);
+
+/// One line, without its end. The key is no part of it.
+std::string batch_line(const LlmEndpoint& endpoint, const LlmRequest& request);
+
+/// The id of a request line, or "" when the line is none.
+std::string id_of_batch_line(std::string_view line);
+
+/// Lines cut into files of at most so many lines and bytes.
+std::vector<std::string> batch_files(const std::vector<std::string>& lines, std::size_t most_lines = kBatchLines,
+                                     std::size_t most_bytes = kBatchBytes);
+
+/// Answers by request id, in whatever order and files they came. An answer wins over a failure for the same request.
+struct BatchAnswers {
+  std::map<std::string, Result<LlmAnswer>> by_id;  // errors: Io, what the service says; Schema, no usable answer
+  std::map<std::string, int> failures;             // how often a request was given up
+  std::vector<Error> unreadable;                   // lines that are no answers, with file and line
+};
+void read_batch_answers(std::string_view where, std::string_view text, BatchAnswers& into);
+
+}  // namespace unietp

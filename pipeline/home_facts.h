@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "annotator/noun_table.h"
+#include "scene/scene.h"
+
+namespace unietp {
+
+/// A home as a writer is told of it: a line a room with its things, counted and in the words of the knowledge base.
+/// "kitchen: 2 mugs, fridge, counter top"
+std::string home_in_words(const Scene& scene, const NounTable& nouns);
+
+/// The categories of a scene's objects and the types of its rooms, sorted.
+std::vector<std::string> categories_in(const Scene& scene);
+
+}  // namespace unietp

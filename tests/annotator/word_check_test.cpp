@@ -1,0 +1,68 @@
+#include "annotator/word_check.h"
+
+#include <gtest/gtest.h>
+
+#include "small_knowledge.h"
+
+namespace unietp {
+namespace {
+
+using testing_support::asking;
+using testing_support::small_knowledge;
+
+constexpr const char* kTwoMugs = "(exists (?b - Table) (at-end (count = 2 (?a - Mug) (on ?a ?b))))";
+constexpr const char* kOrder =
+    "(exists (?a - Mug) (exists (?b - Fridge) (and (before (clean ?a) (inside ?a ?b)) (at-end (inside ?a ?b)))))";
+
+std::vector<std::string> said(const char* goal, const char* text) {
+  static const NounTable nouns(small_knowledge());
+  return saying_faults(text, asking(goal), nouns);
+}
+
+TEST(FormFaults, AreIdsCoordinatesTemplatesMarkupAndOtherLanguages) {
+  auto specification = asking(kTwoMugs);
+  specification.template_name = "put-two-on";
+  for (const char* text : {"Put mug_3 on the table.", "Put mug3 on the table.", "Put mug-12 on the table.",
+                           "Put a mug at 1.25, 3.5.", "**Put** two mugs on the table.", "Do put-two-on with mugs.",
+                           "Put ?a on the table (on ?a ?b) [1].", "Stelle genau zwei Becher auf den Tisch.",
+                           "Pon dos tazas sobre la mesa grande ahora.", "Put the caf\xc3\xa9 cup.", "", "Mugs."})
+    EXPECT_FALSE(form_faults(text, specification).empty()) << text;
+  EXPECT_TRUE(form_faults("Put exactly two mugs on a table.", specification).empty());
+  EXPECT_FALSE(form_faults(std::string(2000, 'a') + std::string(400, ' '), specification).empty() &&
+               form_faults(
+                   [] {
+                     std::string many;
+                     for (int i = 0; i < 200; ++i) many += "put a mug ";
+                     return many;
+                   }(),
+                   specification)
+                   .empty());
+}
+
+TEST(SayingFaults, AreWhatTheTextLacks) {
+  EXPECT_TRUE(said(kTwoMugs, "Exactly two mugs have to stand on one table.").empty());
+  EXPECT_FALSE(said(kTwoMugs, "Put some mugs on one table, exactly that.").empty());   // the number
+  EXPECT_FALSE(said(kTwoMugs, "Put two mugs on one table.").empty());                  // that it is exact
+  EXPECT_FALSE(said(kTwoMugs, "Put exactly two of them on one table.").empty());       // of what
+  EXPECT_FALSE(said(kOrder, "Put a clean mug in the fridge.").empty());                // the order
+  EXPECT_FALSE(said(kOrder, "First take a mug, then put it in the fridge.").empty());  // the state
+  EXPECT_TRUE(said(kOrder, "Rinse a mug, and only after that store it in the fridge.").empty());
+}
+
+TEST(SayingFaults, AreWhatTheTextHasTooMuch) {
+  EXPECT_FALSE(said(kTwoMugs, "Put exactly two mugs and a bowl on one table.").empty());
+  EXPECT_FALSE(said(kTwoMugs, "Wash exactly two mugs and put them on one table.").empty());
+  EXPECT_FALSE(said(kTwoMugs, "Put exactly two red mugs on one table.").empty());
+  EXPECT_FALSE(said(kTwoMugs, "Put exactly two mugs on one of the four tables.").empty());
+  EXPECT_FALSE(said(kTwoMugs, "Keep exactly two mugs on one table the whole time.").empty());
+  EXPECT_FALSE(said(kTwoMugs, "First find exactly two mugs, then put them on every table.").empty());
+}
+
+TEST(SayingFaults, AreSlipsOfThePen) {
+  constexpr const char* kFridge = "(exists (?b - Fridge) (at-end (open ?b)))";
+  EXPECT_TRUE(said(kFridge, "Open a fridge.").empty());
+  EXPECT_FALSE(said(kFridge, "Open a frigde, that is the fridge.").empty());
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include <unistd.h>
+
+#include "annotator/equivalence.h"
+#include "annotator/instruction.h"
+#include "annotator/meaning.h"
+#include "annotator/word_check.h"
+#include "goal_mutations.h"
+#include "templates/template.h"
+
+namespace unietp {
+namespace {
+
+using testing_support::rewritten;
+using testing_support::wrong_goals;
+
+/// How many texts of a kind there were, and how many each check refused.
+struct Tally {
+  int texts = 0, by_reading = 0, by_judging = 0, by_words = 0, by_any_llm_check = 0;
+};
+
+class WrongTexts : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto root = std::filesystem::path(UNIETP_SOURCE_DIR);
+    library_ = load_templates(root / "templates/library");
+    ASSERT_TRUE(library_.errors.empty());
+    const auto path = std::filesystem::path(::testing::TempDir()) / ("wrong_" + std::to_string(::getpid()) + ".sqlite");
+    ASSERT_TRUE(compile_knowledge(root / "data/akb", path).empty());
+    auto knowledge = load_knowledge(path, Simulator::Ai2thor);
+    ASSERT_TRUE(knowledge);
+    knowledge_ = std::make_unique<Knowledge>(std::move(*knowledge));
+    nouns_ = std::make_unique<NounTable>(*knowledge_);
+  }
+
+  /// A task of each template, plain and, where it can be, with a referent.
+  std::vector<Specification> tasks() const {
+    std::vector<Specification> all;
+    for (const Template& source : library_.templates) {
+      const auto binding = sample_binding(source, *knowledge_, {}, Rng(11));
+      const auto plain = binding ? instantiate(source, *knowledge_, *binding)
+                                 : Result<Specification>(Error{Error::Kind::Unsatisfiable, "", {}, "none"});
+      if (!plain) continue;
+      all.push_back(*plain);
+      if (auto refined = refine_referring(*plain, *knowledge_, {}, "", Rng(12))) all.push_back(std::move(*refined));
+    }
+    return all;
+  }
+
+  void look(Tally& tally, const std::string& text, const Formula& said, const Specification& asked, Rng& rng) const {
+    ++tally.texts;
+    const bool words = !form_faults(text, asked).empty() || !saying_faults(text, asked, *nouns_).empty();
+    const Formula answer = rewritten(said, rng);
+    const bool judged = !equivalent(answer, asked.goal);
+    if (judged && said == asked.goal)
+      std::printf("right goal refused: %s\n  for %s\n", to_text(answer).c_str(), to_text(asked.goal).c_str());
+    tally.by_reading += check_instruction(text, asked, *knowledge_, *nouns_).empty() ? 0 : 1;
+    tally.by_words += words ? 1 : 0;
+    tally.by_judging += judged ? 1 : 0;
+    tally.by_any_llm_check += words || judged ? 1 : 0;
+  }
+
+  Result<Instruction> text_of(const Specification& asked, std::uint64_t seed) const {
+    Specification direct = asked;
+    direct.style = "direct";
+    return write_instruction(direct, *knowledge_, *nouns_, {}, Rng(seed));
+  }
+
+  TemplateReading library_;
+  std::unique_ptr<Knowledge> knowledge_;
+  std::unique_ptr<NounTable> nouns_;
+};
+
+std::string with_id(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find(name);
+  return at == std::string::npos ? text + " It is " + name + "_3."
+                                 : std::string(text).replace(at, name.size(), name + "_3");
+}
+
+/// A judge is asked in words and answers in a form of its own; here it reads what the text says, without a slip.
+TEST_F(WrongTexts, AreCaughtAndRightOnesAreNot) {
+  std::vector<std::string> others;
+  for (const auto& category : knowledge_->categories())
+    if (category.movable) others.push_back(category.name);
+  Tally right;
+  std::map<std::string, Tally> wrong;
+  std::uint64_t number = 0;
+  for (const Specification& task : tasks()) {
+    SCOPED_TRACE(to_text(task.goal));
+    Rng rng = Rng(5).fork("task", ++number);
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+      const auto text = text_of(task, rng.fork("right", seed).next());
+      ASSERT_TRUE(text) << format(text.error());
+      look(right, text->text, task.goal, task, rng);
+      for (const std::string& fault : saying_faults(text->text, task, *nouns_))
+        std::printf("right text refused by its words: \"%s\": %s\n", text->text.c_str(), fault.c_str());
+      if (seed > 0) continue;
+      const std::string category = categories_of(task.goal).front();
+      look(wrong["leaked id"], with_id(text->text, nouns_->display(category)->singular), Formula{}, task, rng);
+    }
+    for (const auto& [kind, goal] : wrong_goals(task.goal, others, rng.fork("wrong", 0))) {
+      if (same_meaning(goal, task.goal)) continue;
+      Specification other = task;
+      other.goal = goal;
+      const auto text = text_of(other, rng.next());
+      if (!text) continue;  // the grammar has no words for every goal that is one step off
+      look(wrong[kind], text->text, goal, task, rng);
+    }
+  }
+  Tally all;
+  std::printf("%-16s %6s %8s %8s %8s %8s\n", "kind", "texts", "reading", "judging", "words", "j or w");
+  const auto print = [](const char* kind, const Tally& t) {
+    std::printf("%-16s %6d %8d %8d %8d %8d\n", kind, t.texts, t.by_reading, t.by_judging, t.by_words,
+                t.by_any_llm_check);
+  };
+  for (const auto& [kind, tally] : wrong) {
+    print(kind.c_str(), tally);
+    all.texts += tally.texts;
+    all.by_reading += tally.by_reading;
+    all.by_judging += tally.by_judging;
+    all.by_words += tally.by_words;
+    all.by_any_llm_check += tally.by_any_llm_check;
+  }
+  print("all wrong", all);
+  print("right", right);
+  EXPECT_GE(all.texts, 500);
+  EXPECT_GE(all.by_reading * 100, all.texts * 99);
+  EXPECT_GE(all.by_any_llm_check * 100, all.texts * 99);
+  EXPECT_LE(right.by_reading * 100, right.texts);
+  EXPECT_LE(right.by_any_llm_check * 100, right.texts);
+}
+
+}  // namespace
+}  // namespace unietp
