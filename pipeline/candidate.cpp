@@ -6,6 +6,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "pipeline/formula_json.h"
+#include "pipeline/instruction_json.h"
 #include "scene/json_text.h"
 #include "scene/scene_json.h"
 
@@ -46,11 +47,7 @@ std::string task_line(const Task& task) {
             {"refinement", specification.refinement},
             {"goal", {{"text", to_text(specification.goal)}, {"tree", formula_to_json(specification.goal)}}},
             {"start", {{"constraints", std::move(init)}, {"edits", task.episode.edits}}},
-            {"instruction",
-             {{"text", task.instruction.text},
-              {"writer", task.instruction.writer},
-              {"style", task.instruction.style},
-              {"checks", task.instruction.checks}}},
+            {"instruction", instruction_to_json(task.instruction)},
             {"expert", std::move(expert)},
             {"seed", {{"run", task.seed}, {"slot", task.slot}, {"attempt", task.attempt}}}};
   return line_of(json);
@@ -111,6 +108,19 @@ std::string demonstration_lines(const Task& task) {
   return lines;
 }
 
+std::string rejection_text(int slot, int attempt, std::string_view template_name, std::string_view simulator,
+                           std::string_view split, const Rejection& rejection) {
+  return line_of({{"format", "unietp-rejection/1"},
+                  {"slot", slot},
+                  {"attempt", attempt},
+                  {"template", template_name},
+                  {"simulator", simulator},
+                  {"split", split},
+                  {"stage", rejection.stage},
+                  {"reason", rejection.reason},
+                  {"detail", rejection.detail}});
+}
+
 /// Key of what is done in which start, whatever the scene is called: `scene` is the start's text without its id.
 std::string start_key(const Task& task, std::string_view scene) {
   const auto& specification = task.episode.specification;
@@ -122,15 +132,22 @@ std::string start_key(const Task& task, std::string_view scene) {
 }  // namespace
 
 std::string rejection_line(const RejectedCandidate& candidate) {
-  return line_of({{"format", "unietp-rejection/1"},
-                  {"slot", candidate.slot},
-                  {"attempt", candidate.attempt},
-                  {"template", candidate.template_name},
-                  {"simulator", name_of(candidate.simulator)},
-                  {"split", name_of(candidate.split)},
-                  {"stage", candidate.rejection.stage},
-                  {"reason", candidate.rejection.reason},
-                  {"detail", candidate.rejection.detail}});
+  return rejection_text(candidate.slot, candidate.attempt, candidate.template_name, name_of(candidate.simulator),
+                        name_of(candidate.split), candidate.rejection);
+}
+
+std::string repetition_line(const CandidateRecord& record, bool same_start) {
+  const auto task = Json::parse(record.task);
+  return rejection_text(record.slot, record.attempt, record.template_name, task.at("simulator").get<std::string>(),
+                        task.at("split").get<std::string>(),
+                        {"pipeline", same_start ? "duplicate-start" : "duplicate-text",
+                         same_start ? "an earlier task has this template, binding and start"
+                                    : "an earlier task in this home has this instruction"});
+}
+
+CandidateRecord outline_of(CandidateRecord record) {
+  for (auto* text : {&record.task, &record.demonstration, &record.scene, &record.rejection}) *text = {};
+  return record;
 }
 
 std::string normalised_text(std::string_view text) {

@@ -28,6 +28,11 @@ struct CandidateRecord {
 CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate);
 
 std::string rejection_line(const RejectedCandidate& candidate);
+/// The same for a candidate that was accepted, and then turned out to repeat a task.
+std::string repetition_line(const CandidateRecord& record, bool same_start);
+
+/// Only slot, attempt, accepted, template, keys and traits.
+CandidateRecord outline_of(CandidateRecord record);
 
 /// Lower case, letters and digits only, single blanks: instructions that differ in nothing else are the same.
 std::string normalised_text(std::string_view text);

@@ -28,13 +28,14 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
                                                    const Frequencies& taken) {
   counts_ = taken;
   auto& counts = counts_;
-  const auto turn_of = [&](int slot) -> Turn& { return turns_[static_cast<std::size_t>(slot)]; };
+  const auto position = [&](int slot) { return static_cast<std::size_t>(slot - slots_.front().index); };
+  const auto turn_of = [&](int slot) -> Turn& { return turns_[position(slot)]; };
   for (const int slot : open) {  // who goes on with a template counts before anyone draws one
     if (turn_of(slot).left > 0) counts.add({Dimension::Template, resources_.templates[turn_of(slot).source].name});
   }
   std::vector<CandidatePlan> plans;
   for (const int number : open) {
-    const auto& slot = slots_[static_cast<std::size_t>(number)];
+    const auto& slot = slots_[position(number)];
     auto& turn = turn_of(number);
     const auto item = static_cast<std::uint64_t>(number) * 1024 + static_cast<std::uint64_t>(attempt);
     const Rng rng = Rng(configuration_.seed).fork("plan", item);

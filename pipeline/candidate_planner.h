@@ -28,7 +28,7 @@ struct CandidatePlan {
 /// whatever the threads do between them.
 class CandidatePlanner {
  public:
-  /// The slots and what they were planned from must outlive it.
+  /// The slots (a block's: numbered one after the other) and what they were planned from must outlive it.
   CandidatePlanner(const RunConfiguration& configuration, const Resources& resources, LayoutPool& layouts,
                    const std::vector<TaskSlot>& slots);
 

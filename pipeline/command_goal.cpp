@@ -2,12 +2,12 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
 #include "logic/formula.h"
 #include "pipeline/action_page.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/commands.h"
 #include "pipeline/configuration.h"
 #include "pipeline/formula_json.h"
@@ -94,7 +94,7 @@ Exit list_actions(const Options& options, const DataFolders& folders) {
 
 }  // namespace
 
-void add_goal_command(CLI::App& app, CommandLine& program) {
+void add_goal_command(CommandParser& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = app.add_subcommand(
       "goal",
@@ -107,7 +107,7 @@ void add_goal_command(CLI::App& app, CommandLine& program) {
   command->callback([options, &program] { program.exit = parse(*options, program); });
 }
 
-void add_actions_command(CLI::App& app, CommandLine& program) {
+void add_actions_command(CommandParser& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = app.add_subcommand("actions", "List the actions, the modes that offer them, and what they do");
   command->add_option("--simulators", options->simulators, "Only those that one of these offers");

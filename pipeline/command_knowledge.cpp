@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "akb/importers.h"
 #include "core/text.h"
+#include "pipeline/command_parser.h"
 
 namespace unietp {
 namespace {
@@ -83,9 +83,9 @@ nlohmann::ordered_json json_of(const Fact& fact) {
           {"confidence", fact.source.confidence}};
 }
 
-void add_knowledge_command(CLI::App& app, CommandLine& program) {
+void add_knowledge_command(CommandParser& app, CommandLine& program) {
   auto* command = app.add_subcommand("knowledge", kHelp);
-  command->require_subcommand(1);
+  command->require_subcommand();
   command->add_subcommand("build", "Check and compile the tables; tells where the database is")->callback([&program] {
     program.exit = build(program);
   });

@@ -12,11 +12,11 @@
 namespace unietp {
 
 // Each adds one subcommand of `unietp knowledge`.
-void add_knowledge_show_command(CLI::App& knowledge, CommandLine& program);
-void add_knowledge_stats_command(CLI::App& knowledge, CommandLine& program);
-void add_knowledge_why_command(CLI::App& knowledge, CommandLine& program);
-void add_knowledge_diff_command(CLI::App& knowledge, CommandLine& program);
-void add_knowledge_complete_command(CLI::App& knowledge, CommandLine& program);
+void add_knowledge_show_command(CommandParser& knowledge, CommandLine& program);
+void add_knowledge_stats_command(CommandParser& knowledge, CommandLine& program);
+void add_knowledge_why_command(CommandParser& knowledge, CommandLine& program);
+void add_knowledge_diff_command(CommandParser& knowledge, CommandLine& program);
+void add_knowledge_complete_command(CommandParser& knowledge, CommandLine& program);
 
 /// The knowledge bases of some simulators, compiled first where they are not. `errors` as of compiled_knowledge.
 std::vector<Knowledge> load_some(const CommandLine& program, const std::vector<Simulator>& simulators,

@@ -1,13 +1,14 @@
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "akb/complete.h"
 #include "core/text.h"
 #include "pipeline/command_knowledge.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/commands.h"
 #include "pipeline/configuration.h"
+#include "pipeline/llm_options.h"
 #include "pipeline/progress_line.h"
 
 namespace unietp {
@@ -28,14 +29,10 @@ constexpr const char* kHelp =
     "nothing.";
 
 struct Options {
-  std::string simulator, facts, url, model;
-  std::filesystem::path cache;
+  std::string simulator, facts;
+  LlmChoice llm;
   int batch = 8, limit = 0;
-  double temperature = 0;
-  int max_tokens = 0;
-  LlmOptions ask;
-  LlmPrice price;
-  bool dry_run = false, json = false;
+  bool json = false;
 };
 
 Result<std::vector<FactKind>> parse_facts(const std::string& text) {
@@ -93,11 +90,7 @@ void tell(const CompletionPlan& plan, const CompletionReport& report, const Opti
   if (report.unused > 0)
     print_line("unused     " + std::to_string(report.unused) +
                " completed facts that another source tells, or that name two things");
-  print_line("tokens     " + std::to_string(totals.prompt_tokens) + " in, " + std::to_string(totals.completion_tokens) +
-             " out" +
-             (options.price.prompt + options.price.completion > 0
-                  ? ", cost " + number_text(cost_of(totals, options.price))
-                  : ""));
+  print_line(cost_line(totals, options.llm.price));
 }
 
 Json json_of(const CompletionPlan& plan, const CompletionReport& report, const Options& options) {
@@ -113,7 +106,7 @@ Json json_of(const CompletionPlan& plan, const CompletionReport& report, const O
           {"rejected", rejected},
           {"unused", report.unused},
           {"tokens", {{"prompt", totals.prompt_tokens}, {"completion", totals.completion_tokens}}},
-          {"cost", cost_of(totals, options.price)},
+          {"cost", cost_of(totals, options.llm.price)},
           {"stopped", report.stopped}};
 }
 
@@ -124,10 +117,10 @@ Exit complete(const Options& options, const CommandLine& program) {
   if (!simulators) return refuse(simulators.error());
   const auto facts = parse_facts(options.facts);
   if (!facts) return refuse(facts.error());
-  const auto url = chat_url(options.url);
+  const auto url = chat_url(options.llm.url);
   if (!url) return refuse(url.error());
-  const LlmEndpoint endpoint{*url, options.model, program.llm_key};
-  const auto cache_file = options.cache.empty() ? program.folders.cache / "llm-answers.sqlite" : options.cache;
+  const LlmEndpoint endpoint{*url, options.llm.model, program.llm_key};
+  const auto cache_file = options.llm.cache.empty() ? program.folders.cache / "llm-answers.sqlite" : options.llm.cache;
   auto cache = LlmCache::open(cache_file);
   if (!cache) return refuse(cache.error());
 
@@ -137,15 +130,15 @@ Exit complete(const Options& options, const CommandLine& program) {
   completion.overrides = program.folders.overrides;
   completion.batch = options.batch;
   if (options.limit > 0) completion.limit = options.limit;
-  completion.ask = options.ask;
+  completion.ask = options.llm.ask;
   completion.ask.stop = program.interrupted;
-  if (options.temperature >= 0) completion.temperature = options.temperature;
-  if (options.max_tokens > 0) completion.max_tokens = options.max_tokens;
+  if (options.llm.temperature >= 0) completion.temperature = options.llm.temperature;
+  if (options.llm.max_tokens > 0) completion.max_tokens = options.llm.max_tokens;
 
   std::vector<Error> errors;
   auto plan = plan_completion(program.folders.tables(), endpoint, completion, &*cache, errors);
   if (!errors.empty()) return refuse(errors);
-  if (options.dry_run) {
+  if (options.llm.dry_run) {
     for (const auto& request : plan.requests) print_line(shown(request));
     print_line(std::to_string(plan.requests.size()) + " requests; nothing was sent");
     return Exit::Ok;
@@ -170,46 +163,16 @@ Exit complete(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_knowledge_complete_command(CLI::App& knowledge, CommandLine& program) {
+void add_knowledge_complete_command(CommandParser& knowledge, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   options->facts = "size,mass,synset,aliases,function,context,placements,affordances";
-  options->temperature = -1;
   auto* command = knowledge.add_subcommand("complete", kHelp);
-  const auto positive = CLI::Range(1, 1'000'000);
   command->add_option("simulator", options->simulator, "ai2thor, virtualhome, habitat or behavior (default: all)");
-  command->add_option("--llm-url", options->url, "OpenAI-compatible server: .../v1 or .../v1/chat/completions")
-      ->required();
-  command->add_option("--llm-model", options->model, "Model, as the server names it; part of each fact's source")
-      ->required();
-  command->add_option("--facts", options->facts, "Kinds of fact, joined by commas")->capture_default_str();
+  add_llm_options(*command, options->llm, true);
+  command->add_option("--facts", options->facts, "Kinds of fact, joined by commas")->shows_default();
   command->add_option("--limit", options->limit, "Ask about so many categories at most; cached ones do not count")
-      ->check(positive);
-  command->add_option("--batch", options->batch, "Categories a request")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
-  command->add_option("--at-once", options->ask.at_once, "Requests under way at a time")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command->add_option("--cache", options->cache, "File of answers (default: llm-answers.sqlite in the cache folder)");
-  command->add_option("--llm-timeout", options->ask.attempt_s, "Seconds for one attempt")
-      ->check(CLI::Range(0.01, 86400.0))
-      ->capture_default_str();
-  command->add_option("--llm-total", options->ask.total_s, "Seconds for the whole command")
-      ->check(CLI::Range(0.01, 864000.0))
-      ->capture_default_str();
-  command->add_option("--llm-attempts", options->ask.max_attempts, "Attempts of one request")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
-  command->add_option("--llm-wait", options->ask.first_wait_s, "Seconds before the second attempt; then doubled")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  command->add_option("--temperature", options->temperature, "Sent when given")->check(CLI::Range(0.0, 2.0));
-  command->add_option("--max-tokens", options->max_tokens, "Of one answer; sent when given")->check(positive);
-  command->add_option("--price-in", options->price.prompt, "Price of a million tokens of prompts")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--price-out", options->price.completion, "Price of a million tokens of answers")
-      ->check(CLI::NonNegativeNumber);
-  command->add_flag("--dry-run", options->dry_run, "Print the prompts and send nothing");
+      ->within(1, 1'000'000);
+  command->add_option("--batch", options->batch, "Categories a request")->within(1, 100)->shows_default();
   command->add_flag("--json", options->json, "Tell the result as JSON");
   command->callback([options, &program] { program.exit = complete(*options, program); });
 }

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "akb/difference.h"
 #include "akb/tables.h"
 #include "core/text.h"
 #include "pipeline/command_knowledge.h"
+#include "pipeline/command_parser.h"
 
 namespace unietp {
 namespace {
@@ -102,7 +102,7 @@ Exit diff(const Options& options) {
 
 }  // namespace
 
-void add_knowledge_diff_command(CLI::App& knowledge, CommandLine& program) {
+void add_knowledge_diff_command(CommandParser& knowledge, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = knowledge.add_subcommand("diff", kHelp);
   command->add_option("old", options->old, "Folder of tables or compiled file")->required();

@@ -1,11 +1,11 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
 #include "pipeline/command_knowledge.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/configuration.h"
 
 namespace unietp {
@@ -111,7 +111,7 @@ Exit show(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_knowledge_show_command(CLI::App& knowledge, CommandLine& program) {
+void add_knowledge_show_command(CommandParser& knowledge, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = knowledge.add_subcommand("show", kHelp);
   command->add_option("simulator", options->simulator, "ai2thor, virtualhome, habitat or behavior")->required();

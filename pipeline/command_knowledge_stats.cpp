@@ -1,12 +1,12 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "akb/coverage.h"
 #include "core/text.h"
 #include "pipeline/command_knowledge.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/configuration.h"
 
 namespace unietp {
@@ -137,7 +137,7 @@ Exit print_sizes(const CommandLine& program) {
   return Exit::Ok;
 }
 
-void add_knowledge_stats_command(CLI::App& knowledge, CommandLine& program) {
+void add_knowledge_stats_command(CommandParser& knowledge, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = knowledge.add_subcommand("stats", kHelp);
   command->add_option("simulator", options->simulator,

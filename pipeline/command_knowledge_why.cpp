@@ -1,6 +1,5 @@
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "akb/override.h"
@@ -8,6 +7,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "pipeline/command_knowledge.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/configuration.h"
 
 namespace unietp {
@@ -176,7 +176,7 @@ Exit why(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_knowledge_why_command(CLI::App& knowledge, CommandLine& program) {
+void add_knowledge_why_command(CommandParser& knowledge, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = knowledge.add_subcommand("why", kHelp);
   command->add_option("simulator", options->simulator, "ai2thor, virtualhome, habitat or behavior")->required();

@@ -1,13 +1,13 @@
 #include <array>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
 #include "core/png.h"
 #include "core/text.h"
 #include "grounding/scene_svg.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/commands.h"
 #include "scene/scene_json.h"
 #include "simulation/navigation.h"
@@ -109,15 +109,14 @@ Exit render(const Options& options, const DataFolders& folders) {
 
 }  // namespace
 
-void add_render_command(CLI::App& app, CommandLine& program) {
+void add_render_command(CommandParser& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = app.add_subcommand("render", kHelp);
   command->add_option("dataset", options->dataset, "A finished data set")->required();
   command->add_option("task", options->task, "A task of the data set")->required();
   command->add_option("--out", options->out, "The file to write: .png for the agent's view, else SVG")->required();
   command->add_option("--step", options->step, "PNG: before which step of the demonstration; one more: after the last");
-  command->add_option("--mode", options->mode, "Of which demonstration: M1, M2 or M3")
-      ->check(CLI::IsMember({"M1", "M2", "M3"}));
+  command->add_option("--mode", options->mode, "Of which demonstration: M1, M2 or M3")->one_of({"M1", "M2", "M3"});
   command->add_flag("--boxes", options->boxes, "PNG: frame what the agent is told to see");
   command->callback([options, &program] { program.exit = render(*options, program.folders); });
 }

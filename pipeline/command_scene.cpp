@@ -1,6 +1,5 @@
 #include "pipeline/command_scene.h"
-
-#include <CLI/CLI.hpp>
+#include "pipeline/command_parser.h"
 
 namespace unietp {
 namespace {
@@ -21,9 +20,9 @@ constexpr const char* kHelp =
 
 }  // namespace
 
-void add_scene_command(CLI::App& app, CommandLine& program) {
+void add_scene_command(CommandParser& app, CommandLine& program) {
   auto* group = app.add_subcommand("scene", kHelp);
-  group->require_subcommand(1);
+  group->require_subcommand();
   add_scene_fit_command(*group, program);
   add_scene_export_command(*group, program);
   add_scene_import_command(*group, program);

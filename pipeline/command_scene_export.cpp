@@ -3,10 +3,9 @@
 #include <map>
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "core/files.h"
 #include "interchange/formats.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_scene.h"
 #include "pipeline/configuration.h"
 #include "scene/scene_json.h"
@@ -60,7 +59,7 @@ Exit write_out(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_scene_export_command(CLI::App& group, CommandLine& program) {
+void add_scene_export_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = group.add_subcommand("export", "Write a scene as a file that a simulator loads");
   command->footer(kHelp);

@@ -1,9 +1,8 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "grounding/layout_fit.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_scene.h"
 
 namespace unietp {
@@ -36,7 +35,7 @@ Exit fit(const Options& options, const DataFolders& folders) {
 
 }  // namespace
 
-void add_scene_fit_command(CLI::App& group, CommandLine& program) {
+void add_scene_fit_command(CommandParser& group, CommandLine& program) {
   auto* command = group.add_subcommand("fit", kHelp);
   auto options = std::make_shared<Options>();
   command->add_option("upstream", options->upstream, "folder of the simulators' own files")->required();

@@ -6,11 +6,11 @@
 #include <optional>
 #include <set>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
 #include "core/text.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_scene.h"
 #include "pipeline/each_home.h"
 #include "pipeline/foreign_scenes.h"
@@ -189,7 +189,7 @@ Exit import(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_scene_import_command(CLI::App& group, CommandLine& program) {
+void add_scene_import_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   options->threads = program.processors;
   auto* command = group.add_subcommand("import", "Turn the simulators' own scene files into scenes");
@@ -202,7 +202,7 @@ void add_scene_import_command(CLI::App& group, CommandLine& program) {
                       "What the models are that scenes only name: a table for Habitat, the inventory for BEHAVIOR");
   command->add_flag("--no-settle", options->not_settled, "Everything where the file says, without physics");
   command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->check(CLI::Range(1, 1024));
+      ->within(1, 1024);
   command->add_flag("--json", options->json, "Report on stdout as JSON");
   command->callback([options, &program] { program.exit = import(*options, program); });
 }

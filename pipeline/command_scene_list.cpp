@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "grounding/layout_library.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_scene.h"
 #include "pipeline/configuration.h"
 
@@ -56,7 +56,7 @@ Exit list(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_scene_list_command(CLI::App& group, CommandLine& program) {
+void add_scene_list_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = group.add_subcommand("list", "The homes of the benchmark");
   command->footer(kHelp);

@@ -2,10 +2,10 @@
 #include <memory>
 #include <optional>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_scene.h"
 #include "pipeline/configuration.h"
 #include "pipeline/each_home.h"
@@ -138,26 +138,22 @@ Exit make(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_scene_make_command(CLI::App& group, CommandLine& program) {
+void add_scene_make_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   options->threads = program.processors;
   auto* command = group.add_subcommand("make", "Make homes as scene files");
   command->footer(kHelp);
   auto* simulator = command->add_option("--simulator", options->simulator, "Of ai2thor,virtualhome,habitat,behavior");
-  command->add_option("--count", options->wanted.count, "How many new homes")
-      ->check(CLI::Range(1, 1000000))
-      ->needs(simulator);
+  command->add_option("--count", options->wanted.count, "How many new homes")->within(1, 1000000)->needs(simulator);
   command->add_option("--seed", options->wanted.seed, "Number that names the new homes")->needs(simulator);
-  command->add_option("--rooms", options->wanted.rooms, "Rooms of a new home")
-      ->check(CLI::Range(4, 12))
-      ->needs(simulator);
+  command->add_option("--rooms", options->wanted.rooms, "Rooms of a new home")->within(4, 12)->needs(simulator);
   command->add_option("--objects", options->wanted.objects, "Objects of a new home (default: 30 a room)")
-      ->check(CLI::Range(50, 600))
+      ->within(50, 600)
       ->needs(simulator);
   command->add_option("--layout", options->layouts, "Ids of homes of the benchmark, separated by commas");
   command->add_flag("--benchmark", options->benchmark, "All homes of the benchmark");
   command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->check(CLI::Range(1, 1024));
+      ->within(1, 1024);
   command->add_option("--out", options->out, "Folder for the files")->required();
   command->add_flag("--json", options->json, "Report on stdout as JSON");
   command->callback([options, &program] { program.exit = make(*options, program); });

@@ -1,11 +1,10 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "core/files.h"
 #include "core/text.h"
 #include "grounding/scene_svg.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_scene.h"
 #include "pipeline/home_files.h"
 
@@ -64,7 +63,7 @@ Exit show(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_scene_show_command(CLI::App& group, CommandLine& program) {
+void add_scene_show_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = group.add_subcommand("show", "Draw a home from above");
   command->footer(kHelp);

@@ -4,12 +4,12 @@
 #include <memory>
 #include <set>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
 #include "core/text.h"
 #include "grounding/scene_statistics.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_scene.h"
 #include "pipeline/configuration.h"
 #include "pipeline/each_home.h"
@@ -159,7 +159,7 @@ Exit stats(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_scene_stats_command(CLI::App& group, CommandLine& program) {
+void add_scene_stats_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   options->threads = program.processors;
   auto* command = group.add_subcommand("stats", "What homes hold on average, and how far two sets are apart");
@@ -170,7 +170,7 @@ void add_scene_stats_command(CLI::App& group, CommandLine& program) {
   command->add_option("--simulator", options->simulator,
                       "Of ai2thor,virtualhome,habitat,behavior, when a set has several");
   command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->check(CLI::Range(1, 1024));
+      ->within(1, 1024);
   command->add_flag("--json", options->json, "As JSON");
   command->callback([options, &program] { program.exit = stats(*options, program); });
 }

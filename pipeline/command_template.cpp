@@ -1,6 +1,5 @@
 #include "pipeline/command_template.h"
-
-#include <CLI/CLI.hpp>
+#include "pipeline/command_parser.h"
 
 namespace unietp {
 namespace {
@@ -21,9 +20,9 @@ constexpr const char* kHelp =
 
 }  // namespace
 
-void add_template_command(CLI::App& app, CommandLine& program) {
+void add_template_command(CommandParser& app, CommandLine& program) {
   auto* group = app.add_subcommand("template", kHelp);
-  group->require_subcommand(1);
+  group->require_subcommand();
   add_template_list_command(*group, program);
   add_template_show_command(*group, program);
   add_template_vocabulary_command(*group, program);

@@ -5,13 +5,13 @@
 namespace unietp {
 
 // Each adds one subcommand of `unietp template`.
-void add_template_coverage_command(CLI::App& group, CommandLine& program);
-void add_template_lint_command(CLI::App& group, CommandLine& program);
-void add_template_list_command(CLI::App& group, CommandLine& program);
-void add_template_new_command(CLI::App& group, CommandLine& program);
-void add_template_show_command(CLI::App& group, CommandLine& program);
-void add_template_try_command(CLI::App& group, CommandLine& program);
-void add_template_vocabulary_command(CLI::App& group, CommandLine& program);
-void add_template_why_not_command(CLI::App& group, CommandLine& program);
+void add_template_coverage_command(CommandParser& group, CommandLine& program);
+void add_template_lint_command(CommandParser& group, CommandLine& program);
+void add_template_list_command(CommandParser& group, CommandLine& program);
+void add_template_new_command(CommandParser& group, CommandLine& program);
+void add_template_show_command(CommandParser& group, CommandLine& program);
+void add_template_try_command(CommandParser& group, CommandLine& program);
+void add_template_vocabulary_command(CommandParser& group, CommandLine& program);
+void add_template_why_not_command(CommandParser& group, CommandLine& program);
 
 }  // namespace unietp

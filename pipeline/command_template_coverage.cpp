@@ -1,13 +1,14 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_template.h"
 #include "pipeline/coverage.h"
 #include "pipeline/each_home.h"
+#include "pipeline/expert_success.h"
 #include "pipeline/library_options.h"
 #include "pipeline/mode_success.h"
 
@@ -43,10 +44,9 @@ Json json_of(const CoverageCell& cell) {
   auto reasons = Json::array();
   for (const auto& why : cell.reasons)
     reasons.push_back({{"stage", why.stage}, {"reason", why.reason}, {"count", why.count}, {"example", why.example}});
-  return {{"candidates", cell.candidates},
-          {"accepted", cell.accepted},
-          {"example", cell.example},
-          {"reasons", std::move(reasons)}};
+  const auto success = expert_success(cell);
+  return {{"candidates", cell.candidates}, {"accepted", cell.accepted}, {"grounded", success.grounded},
+          {"shown", success.shown},        {"example", cell.example},   {"reasons", std::move(reasons)}};
 }
 
 Json json_of(const std::vector<CoverageRow>& rows, const Options& options) {
@@ -87,6 +87,8 @@ void print(const std::vector<CoverageRow>& rows, const Options& options, const s
     for (const auto& why : rows[row].cells[simulator].reasons)
       std::printf("  %3d %s %s: %s\n", why.count, why.stage.c_str(), why.reason.c_str(), why.example.c_str());
   }
+  std::printf("\nof the candidates with a start, those that the expert showed:\n%s",
+              expert_success_tables(rows).c_str());
   if (modes.size() > 1) std::printf("\n%s", to_text(mode_success(rows), modes).c_str());
   std::printf("%s%zu of %zu claimed cells have a proven task\n", empty == 0 ? "" : "\n", claimed - empty, claimed);
 }
@@ -164,23 +166,23 @@ Exit coverage(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_template_coverage_command(CLI::App& group, CommandLine& program) {
+void add_template_coverage_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   options->threads = program.processors;
   options->simulators = "ai2thor,virtualhome,habitat,behavior";
   auto* command = group.add_subcommand("coverage", kHelp);
   command->add_option("--tries", options->tries, "Candidates of each template on each simulator (default: none)")
-      ->check(CLI::Range(0, 1024));
+      ->within(0, 1024);
   command->add_option("--template", options->names, "Names (default: all)")
       ->type_name("NAME,...")
       ->delimiter(',')
-      ->allow_extra_args(false);
+      ->one_each();
   command->add_option("--simulators", options->simulators, "Some of ai2thor,virtualhome,habitat,behavior");
   command->add_option("--modes", options->modes, "Of M1,M2,M3: those to demonstrate each candidate in (default: M1)");
-  command->add_option("--homes", options->homes, "Homes drawn for each simulator")->check(CLI::Range(1, 100));
+  command->add_option("--homes", options->homes, "Homes drawn for each simulator")->within(1, 100);
   command->add_option("--seed", options->seed, "Number that names homes and candidates");
   command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->check(CLI::Range(1, 1024));
+      ->within(1, 1024);
   command->add_flag("--json", options->json, "As JSON, with all reasons");
   command->add_flag("--markdown", options->markdown, "As a page");
   add_library_options(*command, program);

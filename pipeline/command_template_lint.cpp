@@ -2,9 +2,9 @@
 #include <map>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/command_parser.h"
 #include "pipeline/command_template.h"
 #include "pipeline/lint_template.h"
 #include "templates/template_files.h"
@@ -96,7 +96,7 @@ Exit lint(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_template_lint_command(CLI::App& group, CommandLine& program) {
+void add_template_lint_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = group.add_subcommand("lint", kHelp);
   command->add_option("paths", options->paths, "Template files or folders")->required();

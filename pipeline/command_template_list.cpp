@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_template.h"
 #include "pipeline/configuration.h"
 #include "pipeline/library_options.h"
@@ -113,7 +113,7 @@ Exit list(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_template_list_command(CLI::App& group, CommandLine& program) {
+void add_template_list_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = group.add_subcommand("list", kHelp);
   command->add_flag("--json", options->json, "As JSON, with the goals");

@@ -4,11 +4,10 @@
 #include <iostream>
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "core/files.h"
 #include "core/text.h"
 #include "pipeline/ask_template.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_template.h"
 #include "pipeline/library_options.h"
 #include "pipeline/template_choice.h"
@@ -104,7 +103,7 @@ Exit create(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_template_new_command(CLI::App& group, CommandLine& program) {
+void add_template_new_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   options->draft.split = "";
   auto& draft = options->draft;
@@ -117,7 +116,7 @@ void add_template_new_command(CLI::App& group, CommandLine& program) {
   command->add_option("--refinement", draft.refinement, "by-state, alias, ... (default: none)");
   command->add_option("--simulators", options->simulators, "Such as ai2thor,behavior (default: all four)");
   const auto many = [&](const char* name, std::vector<std::string>& into, const char* says) {
-    command->add_option(name, into, says)->allow_extra_args(false);  // one each time it is given
+    command->add_option(name, into, says)->one_each();  // one each time it is given
   };
   many("--parameter", draft.parameters, "Such as 'A - pickupable'; once a placeholder");
   many("--constraint", draft.constraints, "Such as '(fits-on A B 2)'");

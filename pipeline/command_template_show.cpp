@@ -1,11 +1,11 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
 #include "generator/binding_summary.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_template.h"
 #include "pipeline/library_options.h"
 #include "pipeline/template_choice.h"
@@ -159,7 +159,7 @@ Exit show(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_template_show_command(CLI::App& group, CommandLine& program) {
+void add_template_show_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = group.add_subcommand("show", kHelp);
   command->add_option("template", options->name, "Its name, or a file")->required();

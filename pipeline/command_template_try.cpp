@@ -1,10 +1,10 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_template.h"
 #include "pipeline/each_home.h"
 #include "pipeline/given_binding.h"
@@ -85,22 +85,15 @@ void print(const TemplateTrial& trial, const std::string& name, Simulator simula
 }
 
 Exit try_one(const Options& options, const CommandLine& program) {
-  const auto choice = choose_template(program.folders, options.name);
+  const auto choice = choose_template(program.folders, options.name, options.binding, options.simulators);
   if (!choice.errors.empty()) return refuse(choice.errors);
   const Template& source = choice.source();
-  const auto binding = read_binding(options.binding, source);
-  if (!binding) return refuse(binding.error());
-  auto simulators = simulators_for(source, *binding, choice.resources.backends);
-  if (!options.simulators.empty()) {
-    auto asked = parse_simulators("--simulator", options.simulators);
-    if (!asked) return refuse(asked.error());
-    simulators = std::move(*asked);
-  }
+  const auto& simulators = choice.simulators;
 
   RunConfiguration configuration;
   configuration.seed = options.seed;
   configuration.simulators = simulators;
-  configuration.binding = *binding;
+  configuration.binding = choice.binding;
   LayoutPool layouts(configuration, choice.resources, options.homes);
   std::vector<TemplateTrial> trials(simulators.size());
   const bool whole = for_each_home(
@@ -130,19 +123,19 @@ Exit try_one(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_template_try_command(CLI::App& group, CommandLine& program) {
+void add_template_try_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   options->threads = program.processors;
   auto* command = group.add_subcommand("try", kHelp);
   command->add_option("template", options->name, "Name of a template, or its file")->required();
   command->add_option("--simulator,--simulators", options->simulators, "Some of ai2thor,virtualhome,habitat,behavior");
   command->add_option("--bind", options->binding, "Categories for some or all placeholders: A=Mug B=Fridge");
-  command->add_option("--count", options->count, "Tasks on each simulator")->check(CLI::Range(1, 1000));
-  command->add_option("--tries", options->tries, "Candidates on each simulator, at most")->check(CLI::Range(1, 1024));
-  command->add_option("--homes", options->homes, "Homes drawn for each simulator")->check(CLI::Range(1, 100));
+  command->add_option("--count", options->count, "Tasks on each simulator")->within(1, 1000);
+  command->add_option("--tries", options->tries, "Candidates on each simulator, at most")->within(1, 1024);
+  command->add_option("--homes", options->homes, "Homes drawn for each simulator")->within(1, 100);
   command->add_option("--seed", options->seed, "Number that names homes and candidates");
   command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->check(CLI::Range(1, 1024));
+      ->within(1, 1024);
   command->add_flag("--json", options->json, "As JSON");
   add_library_options(*command, program);
   command->callback([options, &program] { program.exit = try_one(*options, program); });

@@ -1,9 +1,9 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/command_parser.h"
 #include "pipeline/command_template.h"
 #include "pipeline/template_vocabulary.h"
 
@@ -45,7 +45,7 @@ Exit tell(const Options& options) {
 
 }  // namespace
 
-void add_template_vocabulary_command(CLI::App& group, CommandLine& program) {
+void add_template_vocabulary_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = group.add_subcommand("vocabulary", kHelp);
   auto* json = command->add_flag("--json", options->json, "Tell it as JSON");

@@ -1,10 +1,10 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/command_template.h"
 #include "pipeline/given_binding.h"
 #include "pipeline/library_options.h"
@@ -76,22 +76,15 @@ TemplateTrial in_homes(const Options& options, const TemplateChoice& choice, Sim
 }
 
 Exit why_not(const Options& options, const CommandLine& program) {
-  const auto choice = choose_template(program.folders, options.name);
+  const auto choice = choose_template(program.folders, options.name, options.binding, options.simulators);
   if (!choice.errors.empty()) return refuse(choice.errors);
   const Template& source = choice.source();
-  const auto binding = read_binding(options.binding, source);
-  if (!binding) return refuse(binding.error());
-  auto simulators = simulators_for(source, *binding, choice.resources.backends);
-  if (!options.simulators.empty()) {
-    auto asked = parse_simulators("--simulator", options.simulators);
-    if (!asked) return refuse(asked.error());
-    simulators = std::move(*asked);
-  }
+  const auto& simulators = choice.simulators;
 
   bool refused = false;
   auto json = Json::array();
   for (const auto simulator : simulators) {
-    const auto verdict = why_not(source, choice.resources.backend(simulator).knowledge, *binding);
+    const auto verdict = why_not(source, choice.resources.backend(simulator).knowledge, choice.binding);
     std::optional<TemplateTrial> trial;
     if (!verdict.refusal && options.in_homes) trial = in_homes(options, choice, simulator, verdict.binding, program);
     refused = refused || verdict.refusal || (trial && trial->tasks.empty());
@@ -113,7 +106,7 @@ Exit why_not(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_template_why_not_command(CLI::App& group, CommandLine& program) {
+void add_template_why_not_command(CommandParser& group, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   auto* command = group.add_subcommand("why-not", kHelp);
   command->add_option("template", options->name, "Name of a template, or its file")->required();
@@ -122,8 +115,8 @@ void add_template_why_not_command(CLI::App& group, CommandLine& program) {
       ->type_name("A=Mug ...");
   command->add_option("--simulator,--simulators", options->simulators, "Some of ai2thor,virtualhome,habitat,behavior");
   command->add_flag("--try", options->in_homes, "Also build starts in a few homes and run the expert");
-  command->add_option("--tries", options->tries, "Candidates, at most")->check(CLI::Range(1, 1024));
-  command->add_option("--homes", options->homes, "Homes drawn for each simulator")->check(CLI::Range(1, 100));
+  command->add_option("--tries", options->tries, "Candidates, at most")->within(1, 1024);
+  command->add_option("--homes", options->homes, "Homes drawn for each simulator")->within(1, 100);
   command->add_option("--seed", options->seed, "Number that names homes and candidates");
   command->add_flag("--json", options->json, "As JSON");
   add_library_options(*command, program);

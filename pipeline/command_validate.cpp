@@ -1,10 +1,10 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "pipeline/command_parser.h"
 #include "pipeline/commands.h"
 #include "validator/validate.h"
 
@@ -80,13 +80,12 @@ Exit validate(const Options& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_validate_command(CLI::App& app, CommandLine& program) {
+void add_validate_command(CommandParser& app, CommandLine& program) {
   auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
   options->validation.threads = program.processors;
   auto* command = app.add_subcommand("validate", kHelp);
   command->add_option("folder", options->folder, "A finished data set")->required();
-  command->add_option("--threads", options->validation.threads, "Threads (default: one a processor)")
-      ->check(CLI::Range(1, 1024));
+  command->add_option("--threads", options->validation.threads, "Threads (default: one a processor)")->within(1, 1024);
   command->add_flag("--json", options->json, "Report on stdout as JSON");
   command->callback([options, &program] { program.exit = validate(*options, program); });
 }

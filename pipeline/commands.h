@@ -7,11 +7,9 @@
 #include "core/error.h"
 #include "pipeline/resources.h"
 
-namespace CLI {
-class App;
-}
-
 namespace unietp {
+
+class CommandParser;
 
 /// What the program's end tells a script.
 enum class Exit : int { Ok = 0, Wrong = 1, BadInput = 2, Interrupted = 130 };
@@ -27,14 +25,19 @@ struct CommandLine {
 };
 
 // Each adds a command whose parsing runs it and sets `program.exit`. `program` outlives the parse.
-void add_generate_command(CLI::App& app, CommandLine& program);
-void add_validate_command(CLI::App& app, CommandLine& program);
-void add_render_command(CLI::App& app, CommandLine& program);
-void add_knowledge_command(CLI::App& app, CommandLine& program);
-void add_template_command(CLI::App& app, CommandLine& program);
-void add_goal_command(CLI::App& app, CommandLine& program);
-void add_scene_command(CLI::App& app, CommandLine& program);
-void add_actions_command(CLI::App& app, CommandLine& program);
+void add_generate_command(CommandParser& app, CommandLine& program);
+void add_benchmark_command(CommandParser& app, CommandLine& program);
+void add_training_command(CommandParser& app, CommandLine& program);
+void add_merge_command(CommandParser& app, CommandLine& program);
+void add_validate_command(CommandParser& app, CommandLine& program);
+void add_export_command(CommandParser& app, CommandLine& program);
+void add_render_command(CommandParser& app, CommandLine& program);
+void add_knowledge_command(CommandParser& app, CommandLine& program);
+void add_template_command(CommandParser& app, CommandLine& program);
+void add_annotate_command(CommandParser& app, CommandLine& program);
+void add_goal_command(CommandParser& app, CommandLine& program);
+void add_scene_command(CommandParser& app, CommandLine& program);
+void add_actions_command(CommandParser& app, CommandLine& program);
 
 /// Writes each error on a line of its own to stderr; Exit::BadInput.
 Exit refuse(const std::vector<Error>& errors);

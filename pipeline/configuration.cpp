@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
 #include "core/text.h"
 
 namespace unietp {
@@ -37,27 +35,14 @@ Result<std::vector<T>> parse_names(std::string_view option, std::string_view tex
 
 }  // namespace
 
-nlohmann::ordered_json to_json(const RunConfiguration& configuration) {
-  auto simulators = nlohmann::ordered_json::array();
-  for (const auto simulator : configuration.simulators) simulators.push_back(name_of(simulator));
-  auto splits = nlohmann::ordered_json::array();
-  for (const auto split : configuration.splits) splits.push_back(name_of(split));
-  nlohmann::ordered_json json{{"count", configuration.count},       {"simulators", std::move(simulators)},
-                              {"splits", std::move(splits)},        {"templates", configuration.templates},
-                              {"attempts", configuration.attempts}, {"rooms", configuration.rooms},
-                              {"objects", configuration.objects}};
-  if (configuration.modes.size() > 1) {
-    auto& modes = json["modes"] = nlohmann::ordered_json::array();
-    for (const auto mode : configuration.modes) modes.push_back(name_of(mode));
-  }
-  if (configuration.extended) json["extended"] = true;
-  if (!configuration.own.empty()) json["own"] = configuration.own;
-  if (!configuration.binding.empty()) {
-    auto& binding = json["binding"] = nlohmann::ordered_json::array();
-    for (const auto& [placeholder, category] : configuration.binding) binding.push_back(placeholder + "=" + category);
-  }
-  if (!configuration.scenes.empty()) json["scenes"] = configuration.scenes;
-  return json;
+std::string_view name_of(HomeSource source) {
+  static constexpr std::array<std::string_view, kHomeSources.size()> kNames{"drawn", "benchmark", "training"};
+  return kNames[static_cast<std::size_t>(source)];
+}
+
+std::string_view name_of(Phrasings phrasings) {
+  static constexpr std::array<std::string_view, kPhrasings.size()> kNames{"all", "training", "benchmark"};
+  return kNames[static_cast<std::size_t>(phrasings)];
 }
 
 const std::vector<Split>& all_splits() {

@@ -1,5 +1,6 @@
 #include "core/text.h"
 #include "pipeline/coverage.h"
+#include "pipeline/expert_success.h"
 
 namespace unietp {
 namespace {
@@ -63,6 +64,15 @@ std::string coverage_page(const std::vector<CoverageRow>& rows, int tries, std::
   }
   text += table_of(rows);
   if (tries > 0 && empty > 0) text += "\n## Cells without a task\n\n" + reasons_of(rows);
+  if (tries > 0) {
+    text +=
+        "\n## The expert\n\nOf the candidates that passed the geometric gates (the start was built, rests and meets "
+        "its "
+        "constraints), those that\nthe expert showed: its plan was executed, makes the goal true, and no step of it "
+        "can be "
+        "left out.\n\n" +
+        expert_success_tables(rows);
+  }
   return text + "\n## Predicates\n\nHow many templates use each predicate in their goal, by simulator.\n\n" +
          predicates_of(rows);
 }

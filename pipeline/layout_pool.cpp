@@ -2,8 +2,6 @@
 
 #include <set>
 
-#include "pipeline/slots.h"
-
 namespace unietp {
 namespace {
 
@@ -22,8 +20,8 @@ Layout layout_of(Scene scene, const Backend& backend) {
   return layout;
 }
 
-Result<Layout> make_layout(const RunConfiguration& configuration, const Resources& resources, Simulator simulator,
-                           int index) {
+Result<Scene> draw_home(const RunConfiguration& configuration, const Resources& resources, Simulator simulator,
+                        int number) {
   const auto& backend = resources.backend(simulator);
   LayoutOptions options;
   options.rooms = configuration.rooms;
@@ -32,29 +30,69 @@ Result<Layout> make_layout(const RunConfiguration& configuration, const Resource
   Error last;
   for (std::uint64_t attempt = 0; attempt < kTriesPerLayout; ++attempt) {
     auto scene = generate_layout(resources.recipe(simulator), backend.knowledge, backend.profile, options,
-                                 layout_id(simulator, index),
-                                 stream.fork("home", static_cast<std::uint64_t>(index) * kTriesPerLayout + attempt));
-    if (scene) return layout_of(std::move(*scene), backend);
+                                 layout_id(simulator, number),
+                                 stream.fork("home", static_cast<std::uint64_t>(number) * kTriesPerLayout + attempt));
+    if (scene) return scene;
     last = scene.error();
   }
   return last;
 }
 
+Result<Scene> benchmark_home(const Resources& resources, Simulator simulator, int number) {
+  int passed = 0;
+  for (const BenchmarkLayout& layout : resources.benchmark) {
+    if (layout.simulator != simulator || passed++ != number) continue;
+    const auto& backend = resources.backend(simulator);
+    return benchmark_layout(layout, resources.recipe(simulator), backend.knowledge, backend.profile);
+  }
+  return Error{Error::Kind::Usage,
+               "benchmark.csv",
+               {},
+               "has no home number " + std::to_string(number + 1) + " of " + std::string(name_of(simulator))};
+}
+
+Result<Scene> make_home(const RunConfiguration& configuration, const Resources& resources, Simulator simulator,
+                        int number) {
+  const auto& backend = resources.backend(simulator);
+  switch (configuration.homes) {
+    case HomeSource::Drawn:
+      return draw_home(configuration, resources, simulator, number);
+    case HomeSource::Benchmark:
+      return benchmark_home(resources, simulator, number);
+    case HomeSource::Training:
+      return training_layout(resources.recipe(simulator), backend.knowledge, backend.profile,
+                             static_cast<std::uint64_t>(number), configuration.seed);
+  }
+  return draw_home(configuration, resources, simulator, number);
+}
+
+BlockHomes first_homes(const Resources& resources, int homes) {
+  BlockHomes ranges{};
+  for (auto& range : ranges) range.count = homes;
+  if (resources.homes.empty()) return ranges;
+  ranges = {};
+  for (const Scene& home : resources.homes) ++ranges[static_cast<std::size_t>(home.simulator)].count;
+  return ranges;
+}
+
 }  // namespace
 
-LayoutPool::LayoutPool(const RunConfiguration& configuration, const Resources& resources)
-    : LayoutPool(configuration, resources, layouts_per_simulator(configuration)) {}
-
 LayoutPool::LayoutPool(const RunConfiguration& configuration, const Resources& resources, int homes)
+    : LayoutPool(configuration, resources, first_homes(resources, homes)) {}
+
+LayoutPool::LayoutPool(const RunConfiguration& configuration, const Resources& resources, const BlockHomes& homes)
     : configuration_(configuration), resources_(resources) {
-  for (const Scene& home : resources.homes) {
-    auto& own = entries_[static_cast<std::size_t>(home.simulator)];
-    own.push_back(std::make_unique<Entry>());
-    own.back()->given = &home;
-  }
-  if (!resources.homes.empty()) return;
-  for (auto& own : entries_) {
-    for (int i = 0; i < homes; ++i) own.push_back(std::make_unique<Entry>());
+  for (const Simulator simulator : kSimulators) {
+    const auto s = static_cast<std::size_t>(simulator);
+    std::vector<const Scene*> given;
+    for (const Scene& home : resources.homes) {
+      if (home.simulator == simulator) given.push_back(&home);
+    }
+    for (int number = homes[s].first; number < homes[s].first + homes[s].count; ++number) {
+      entries_[s].push_back(std::make_unique<Entry>());
+      entries_[s].back()->number = number;
+      if (!given.empty()) entries_[s].back()->given = given[static_cast<std::size_t>(number)];
+    }
   }
 }
 
@@ -62,8 +100,10 @@ const Result<Layout>& LayoutPool::layout(Simulator simulator, int index) {
   Entry& entry = *of(simulator)[static_cast<std::size_t>(index)];
   std::call_once(entry.once, [&] {
     const auto made = [&]() -> Result<Layout> {
-      if (entry.given == nullptr) return make_layout(configuration_, resources_, simulator, index);
-      return layout_of(*entry.given, resources_.backend(simulator));
+      auto home = entry.given != nullptr ? Result<Scene>(*entry.given)
+                                         : make_home(configuration_, resources_, simulator, entry.number);
+      if (!home) return home.error();
+      return layout_of(std::move(*home), resources_.backend(simulator));
     };
     entry.layout = std::make_unique<Result<Layout>>(made());
   });

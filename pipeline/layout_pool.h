@@ -9,6 +9,7 @@
 #include "core/result.h"
 #include "generator/scene_offer.h"
 #include "grounding/home.h"
+#include "pipeline/blocks.h"
 #include "pipeline/configuration.h"
 #include "pipeline/resources.h"
 
@@ -20,16 +21,17 @@ struct Layout {
   SceneOffer offer;  // categories: those that it has, or that can be put somewhere in it; and its room types
 };
 
-/// The homes of a run: the given ones of Resources::homes, or else each is drawn when it is first asked for and then
-/// shared. Which thread draws it does not matter: a home depends on (seed, simulator, index) only. Safe to use from
-/// several threads.
+/// Homes of a run: given ones of Resources::homes, or else each is made when it is first asked for and then shared.
+/// Which thread makes it does not matter: a home depends on the configuration's source and seed, the simulator and its
+/// number only. Safe to use from several threads.
 class LayoutPool {
  public:
-  LayoutPool(const RunConfiguration& configuration, const Resources& resources);
-  /// With so many homes drawn for each simulator, when none are given.
+  /// The homes of a block.
+  LayoutPool(const RunConfiguration& configuration, const Resources& resources, const BlockHomes& homes);
+  /// The first so many homes of each simulator, or all that are given.
   LayoutPool(const RunConfiguration& configuration, const Resources& resources, int homes);
 
-  /// How many homes a simulator has, > 0.
+  /// How many homes a simulator has here.
   int size(Simulator simulator) const { return static_cast<int>(of(simulator).size()); }
   /// `index` in [0, size(simulator)). Errors: those of generate_layout, after a few tries. The reference lives as the
   /// pool does.
@@ -38,6 +40,7 @@ class LayoutPool {
  private:
   struct Entry {
     std::once_flag once;
+    int number = 0;                // in the run
     const Scene* given = nullptr;  // of Resources::homes
     std::unique_ptr<Result<Layout>> layout;
   };

@@ -47,6 +47,29 @@ Result<Ledger> Ledger::open(const std::filesystem::path& path, const std::string
   }
 }
 
+Result<Ledger> Ledger::read_only(const std::filesystem::path& path, const std::string& identity) {
+  try {
+    SqliteFile file(path, SqliteFile::Mode::Read);
+    auto query = file.prepare("SELECT identity FROM run");
+    if (!query.step() || query.text(0) != identity)
+      return Error{Error::Kind::Usage, path.string(), {}, "is of another run than the folder says that it lies in"};
+    return Ledger(std::move(file));
+  } catch (const std::exception& reason) {
+    return failure("cannot read " + path.string(), reason);
+  }
+}
+
+Result<Done> Ledger::copy_to(const std::filesystem::path& path) {
+  try {
+    auto copy = file_.prepare("VACUUM INTO ?");
+    copy.bind(1, std::string_view(path.string()));
+    copy.step();
+    return Done{};
+  } catch (const std::exception& reason) {
+    return failure("cannot write " + path.string(), reason);
+  }
+}
+
 Result<Done> Ledger::add(const CandidateRecord& record) {
   try {
     auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?,?)");
@@ -64,11 +87,14 @@ Result<Done> Ledger::add(const CandidateRecord& record) {
   }
 }
 
-Result<std::vector<CandidateRecord>> Ledger::outlines() {
+Result<std::vector<CandidateRecord>> Ledger::outlines(int first, int slots) {
   try {
     std::vector<CandidateRecord> records;
     auto query = file_.prepare(
-        "SELECT slot, attempt, accepted, template, start_key, text_key, traits FROM candidate ORDER BY attempt, slot");
+        "SELECT slot, attempt, accepted, template, start_key, text_key, traits FROM candidate "
+        "WHERE slot >= ? AND slot < ? ORDER BY attempt, slot");
+    query.bind(1, std::int64_t{first});
+    query.bind(2, std::int64_t{first} + slots);
     while (query.step()) {
       CandidateRecord record;
       record.slot = static_cast<int>(query.integer(0));

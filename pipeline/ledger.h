@@ -18,12 +18,15 @@ class Ledger {
   /// Opens or makes the file. `identity` names the run (version, knowledge, configuration, seed): a file of another run
   /// is refused (Usage) with both named.
   static Result<Ledger> open(const std::filesystem::path& path, const std::string& identity);
+  /// One that is only read, as `copy_to` has made it. Errors: also Usage when it is of another run.
+  static Result<Ledger> read_only(const std::filesystem::path& path, const std::string& identity);
+  /// Writes all of it to one new file, which is at rest.
+  Result<Done> copy_to(const std::filesystem::path& path);
 
   Result<Done> add(const CandidateRecord& record);
 
-  /// All candidates in order of (attempt, slot), without their texts: only slot, attempt, accepted, template, keys and
-  /// traits.
-  Result<std::vector<CandidateRecord>> outlines();
+  /// The candidates of `slots` slots from `first` on, in order of (attempt, slot), as outlines.
+  Result<std::vector<CandidateRecord>> outlines(int first, int slots);
   /// One candidate, whole. Errors: Io also when there is none.
   Result<CandidateRecord> read(int slot, int attempt);
 

@@ -1,15 +1,14 @@
 #include "pipeline/library_options.h"
-
-#include <CLI/CLI.hpp>
+#include "pipeline/command_parser.h"
 
 namespace unietp {
 
-void add_library_options(CLI::App& command, CommandLine& program) {
+void add_library_options(CommandParser& command, CommandLine& program) {
   command
       .add_option("--templates", program.folders.templates,
                   "Folder (or file) of your own templates, which load beside the built-in ones; may be given again")
       ->type_name("DIR")
-      ->allow_extra_args(false);  // one place each time it is given
+      ->one_each();  // one place each time it is given
   command.add_flag("--extended,--all", program.folders.extended_library,
                    "Take the extended library too (templates/extended)");
 }

@@ -5,6 +5,6 @@
 namespace unietp {
 
 /// Adds `--templates DIR` and `--extended`: which templates a command works with, besides the default library.
-void add_library_options(CLI::App& command, CommandLine& program);
+void add_library_options(CommandParser& command, CommandLine& program);
 
 }  // namespace unietp

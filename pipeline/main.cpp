@@ -8,8 +8,7 @@
 #include <string>
 #include <thread>
 
-#include <CLI/CLI.hpp>
-
+#include "pipeline/command_parser.h"
 #include "pipeline/commands.h"
 #include "pipeline/manifest.h"
 
@@ -41,8 +40,11 @@ std::string llm_key() {
 constexpr const char* kAbout =
     "Makes verified embodied-planning tasks for four simulators, offline.\n"
     "\n"
-    "  unietp generate --count 40 --seed 1 --out out/first    make a data set\n"
+    "  unietp benchmark --out out/benchmark                   make the benchmark of 536 tasks\n"
+    "  unietp training --out out/training                     make 9,000 tasks to learn from\n"
+    "  unietp generate --count 40 --seed 1 --out out/first    make a data set of another kind\n"
     "  unietp validate out/first                              prove it again from its files\n"
+    "  unietp annotate out/first --writer llm --llm-url URL --llm-model M    have a language model word it\n"
     "  unietp render out/first ai2thor-00001 --out home.svg   see a task from above\n"
     "\n"
     "Exit codes: 0 done; 1 finished, but something is wrong; 2 bad input; 130 interrupted.\n"
@@ -58,32 +60,35 @@ int main(int argc, char** argv) {
   program.terminal = ::isatty(STDERR_FILENO) != 0;
   program.processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 
-  CLI::App app(kAbout, "unietp");
-  app.set_version_flag("--version", "unietp " + std::string(unietp::program_version()));
+  unietp::CommandParser app(kAbout, "unietp");
+  app.version_flag("--version", "unietp " + std::string(unietp::program_version()));
   app.add_option("--data", program.folders.root,
                  "Folder that holds data/ and templates/library/ (default: the source folder of this build)")
-      ->check(CLI::ExistingDirectory);
+      ->existing_folder();
   app.add_option("--overrides", program.folders.overrides,
                  "CSV files of your own facts, which win over all tables: simulator,category,fact,value,reason")
-      ->allow_extra_args(false)  // one file each time it is given
-      ->check(CLI::ExistingFile);
-  app.require_subcommand(1);
-  app.fallthrough();
+      ->one_each()  // one file each time it is given
+      ->existing_file();
+  app.require_subcommand();
+  app.fall_through();
+  unietp::add_benchmark_command(app, program);
+  unietp::add_training_command(app, program);
   unietp::add_generate_command(app, program);
+  unietp::add_merge_command(app, program);
   unietp::add_validate_command(app, program);
+  unietp::add_export_command(app, program);
   unietp::add_render_command(app, program);
   unietp::add_scene_command(app, program);
   unietp::add_template_command(app, program);
   unietp::add_knowledge_command(app, program);
+  unietp::add_annotate_command(app, program);
   unietp::add_goal_command(app, program);
   unietp::add_actions_command(app, program);
 
   (void)std::signal(SIGINT, on_interrupt);
   (void)std::signal(SIGTERM, on_interrupt);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(unietp::Exit::BadInput);
+    if (const int refused = app.parse(argc, argv); refused != 0) return refused;
   } catch (const std::exception& error) {
     (void)std::fprintf(stderr, "unietp: internal error: %s\n", error.what());
     return static_cast<int>(unietp::Exit::Wrong);

@@ -2,9 +2,12 @@
 
 #include "core/text.h"
 #include "expert/mode_expert.h"
+#include "generator/gate.h"
 #include "generator/weighted_binding.h"
 #include "grounding/ground.h"
 #include "pipeline/given_binding.h"
+#include "pipeline/home_facts.h"
+#include "pipeline/wording_stream.h"
 
 namespace unietp {
 namespace {
@@ -24,8 +27,10 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
     return Rejection{
         "generator", "no-binding",
         "no categories that " + layout.home.scene.id + " can offer meet the constraints of " + source.name};
-  auto plain = instantiate(source, knowledge, *binding);
-  if (!plain) return Rejection{"generator", "unsatisfiable", to_text(*binding) + ": " + plain.error().message};
+  auto proposed = propose(source, knowledge, *binding);
+  if (const auto* refusal = std::get_if<GateRefusal>(&proposed))
+    return Rejection{"generator", rejection_of(refusal->gate), to_text(*binding) + ": " + refusal->reason};
+  const auto* plain = std::get_if<Specification>(&proposed);
   if (as_it_is && plain->split == Split::InstanceGrounding && !can_refer(*plain, knowledge, layout.offer))
     return Rejection{"generator", "no-referring-constraint", to_text(*binding)};
   if (plain->split == split) return *plain;  // also one that its template has refined
@@ -64,14 +69,11 @@ std::variant<Specification, Rejection> specify(const Template& source, const Lay
 }
 
 std::variant<Instruction, Rejection> instruct(const Specification& specification, const Backend& backend,
-                                              const Rng& rng) {
-  auto instruction = write_instruction(specification, backend.knowledge, backend.nouns, rng);
+                                              const WritingOptions& options, const Rng& rng) {
+  auto instruction = write_instruction(specification, backend.knowledge, backend.nouns, options, rng);
   if (!instruction) return Rejection{"annotator", "no-words", instruction.error().message};
   if (instruction->style != specification.style)
     return Rejection{"annotator", "no-words", "no words in the style " + specification.style};
-  const auto problems = check_instruction(instruction->text, specification, backend.knowledge, backend.nouns);
-  if (!problems.empty())
-    return Rejection{"annotator", "check-failed", "\"" + instruction->text + "\": " + join(problems, "; ")};
   return std::move(*instruction);
 }
 
@@ -114,8 +116,8 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
 
   timer.enter(Stage::Expert);
   const Scene& start = task.episode.start;
-  auto rehearsal = Rehearsal::of(specification.goal, start, backend.knowledge, backend.profile,
-                                 physics_of(layout->home, start));
+  auto rehearsal =
+      Rehearsal::of(specification.goal, start, backend.knowledge, backend.profile, physics_of(layout->home, start));
   if (!rehearsal) return rejected({"expert", "no-plan", format(rehearsal.error())});
   auto shown = demonstrate(*rehearsal, {});
   if (auto* why = std::get_if<Rejection>(&shown)) return rejected(std::move(*why));
@@ -126,7 +128,8 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   if (!needless.empty()) return rejected({"expert", "mutation-succeeds", join(needless, "; ")});
 
   timer.enter(Stage::Annotator);
-  auto instruction = instruct(specification, backend, root.fork("annotator", item));
+  auto instruction = instruct(specification, backend, {configuration.phrasings, categories_in(start)},
+                              wording_stream(configuration.seed, slot.index, plan.attempt));
   if (auto* why = std::get_if<Rejection>(&instruction)) return rejected(std::move(*why));
   task.instruction = std::move(std::get<Instruction>(instruction));
 

@@ -8,6 +8,7 @@
 #include "akb/csv.h"
 #include "core/digest.h"
 #include "core/files.h"
+#include "pipeline/configuration_json.h"
 
 namespace unietp {
 namespace {

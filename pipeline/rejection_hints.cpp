@@ -8,11 +8,10 @@ namespace unietp {
 namespace {
 
 // By how a person would go about it: what to look at first in the template, else in the scene or the knowledge.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 20> kHints{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kHints{{
     {"no-binding",
      "no home offers categories for all placeholders: loosen `constraints` or the affordances of `parameters`, or try "
      "more homes"},
-    {"unsatisfiable", "`unietp template why-not` with this binding names the gate and what would have to change"},
     {"no-referring-constraint", "choose categories with states or places by which one of them can be told apart"},
     {"no-wording", "the categories have no synonym, function or context; `unietp knowledge show` lists a category's"},
     {"lacks-furniture", "the homes lack that furniture: give others with --scenes, or choose another category"},
@@ -42,6 +41,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 20> kHints{{
 }  // namespace
 
 std::string_view hint_for(std::string_view reason) {
+  if (reason.starts_with("gate-")) return "`unietp template why-not` with this binding says what would have to change";
   const auto found = std::find_if(kHints.begin(), kHints.end(), [&](const auto& hint) { return hint.first == reason; });
   return found == kHints.end() ? std::string_view() : found->second;
 }

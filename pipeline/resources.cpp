@@ -124,6 +124,11 @@ ResourcesReading load_resources(const DataFolders& folders) {
       resources.recipes.push_back(std::move(*recipe));
     }
   }
+  if (auto benchmark = benchmark_layouts(folders.layouts()); !benchmark) {
+    reading.errors.push_back(benchmark.error());
+  } else {
+    resources.benchmark = std::move(*benchmark);
+  }
   const auto digest = knowledge_digest(folders);
   if (!digest) {
     reading.errors.push_back(digest.error());

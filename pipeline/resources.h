@@ -8,6 +8,7 @@
 #include "annotator/noun_table.h"
 #include "core/result.h"
 #include "grounding/layout.h"
+#include "grounding/layout_library.h"
 #include "simulation/profile.h"
 #include "templates/template.h"
 
@@ -23,6 +24,7 @@ struct DataFolders {
 
   std::filesystem::path tables() const { return root / "data" / "akb"; }
   std::filesystem::path profiles() const { return root / "data" / "simulators"; }
+  std::filesystem::path runs() const { return root / "data" / "runs"; }
   std::filesystem::path layouts() const { return root / "data" / "layouts"; }
   std::filesystem::path licences() const { return root / "data" / "licences.csv"; }
   std::filesystem::path library() const { return root / "templates" / "library"; }
@@ -56,12 +58,13 @@ BackendsReading load_backends(const DataFolders& folders);
 
 /// Everything that the stages read. Immutable; shared by all threads.
 struct Resources {
-  std::vector<Backend> backends;      // in the order of kSimulators
-  std::vector<LayoutRecipe> recipes;  // likewise
-  std::vector<Template> templates;    // the library's, the extended ones, the user's; each in order of file name
-  std::vector<std::string> own;       // of the user's: "<name> <sha256 of its file>", as the manifest records them
-  std::vector<Scene> homes;           // that a run is to use (given_scenes.h); empty: it draws its own
-  std::string digest;                 // knowledge_digest of the folders
+  std::vector<Backend> backends;           // in the order of kSimulators
+  std::vector<LayoutRecipe> recipes;       // likewise
+  std::vector<Template> templates;         // the library's, the extended ones, the user's; each in order of file name
+  std::vector<std::string> own;            // of the user's: "<name> <sha256 of its file>", as the manifest records them
+  std::vector<BenchmarkLayout> benchmark;  // what the benchmark's homes are made from
+  std::vector<Scene> homes;                // that a run is to use (given_scenes.h); empty: it draws its own
+  std::string digest;                      // knowledge_digest of the folders
 
   const Backend& backend(Simulator simulator) const { return backends[static_cast<std::size_t>(simulator)]; }
   const LayoutRecipe& recipe(Simulator simulator) const { return recipes[static_cast<std::size_t>(simulator)]; }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/text.h"
+#include "pipeline/share_out.h"
 
 namespace unietp {
 namespace {
@@ -14,9 +14,13 @@ bool fits(const Template& source, Simulator simulator, Split split) {
          std::find(source.simulators.begin(), source.simulators.end(), simulator) != source.simulators.end();
 }
 
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 bool asked_for(const RunConfiguration& configuration, const Template& source) {
-  return configuration.templates.empty() || std::find(configuration.templates.begin(), configuration.templates.end(),
-                                                      source.name) != configuration.templates.end();
+  return (configuration.templates.empty() || has(configuration.templates, source.name)) &&
+         !has(configuration.without, source.name);
 }
 
 std::vector<std::size_t> templates_for(const RunConfiguration& configuration, const Resources& resources,
@@ -58,41 +62,9 @@ Result<std::vector<Group>> groups_of(const RunConfiguration& configuration, cons
   return groups;
 }
 
-}  // namespace
-
-int layouts_per_simulator(const RunConfiguration& configuration) {
-  constexpr int kTasksPerLayout = 5, kFirst = 50;  // of the first tasks of a simulator
-  constexpr int kTasksPerLayoutThen = 25;
-  constexpr int kMostObjects = 90'000;  // in all homes of a run, which then take some 600 MB
-  constexpr int kFurniture = 100;       // about as many pieces stand in a home
-  const int simulators = std::max<int>(1, static_cast<int>(configuration.simulators.size()));
-  const int tasks = (configuration.count + simulators - 1) / simulators;
-  const int first = std::min(tasks, kFirst), then = tasks - first;
-  const int wanted = (first + kTasksPerLayout - 1) / kTasksPerLayout + then / kTasksPerLayoutThen;
-  return std::clamp(wanted, 1, std::max(1, kMostObjects / (configuration.objects + kFurniture) / simulators));
-}
-
-Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources) {
-  std::vector<std::string> known;
-  for (const auto& source : resources.templates) known.push_back(source.name);
-  for (const auto& name : configuration.templates) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      return unknown_name_error("--template", name, known);
-  }
-  std::vector<std::vector<Group>> groups;
-  for (const auto simulator : configuration.simulators) {
-    const auto own = [&](const Scene& home) { return home.simulator == simulator; };
-    if (!resources.homes.empty() && std::none_of(resources.homes.begin(), resources.homes.end(), own))
-      return Error{Error::Kind::Usage,
-                   "--scenes",
-                   {},
-                   "none of the scenes given is one of " + std::string(name_of(simulator)) +
-                       "; leave that simulator out of --simulators or give one"};
-    auto found = groups_of(configuration, resources, simulator);
-    if (!found) return found.error();
-    groups.push_back(std::move(*found));
-  }
-
+/// Simulators take turns, and so do the splits of each.
+std::vector<TaskSlot> equal_shares(const RunConfiguration& configuration,
+                                   const std::vector<std::vector<Group>>& groups) {
   std::vector<TaskSlot> slots;
   for (int i = 0; i < configuration.count; ++i) {
     const auto share = static_cast<std::size_t>(i) % groups.size();
@@ -102,6 +74,83 @@ Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, 
     slots.push_back({i, configuration.simulators[share], group.split, group.templates});
   }
   return slots;
+}
+
+template <class T>
+std::vector<int> counts_of(const std::vector<std::pair<T, int>>& shares) {
+  std::vector<int> counts;
+  for (const auto& share : shares) counts.push_back(share.second);
+  return counts;
+}
+
+Result<std::vector<TaskSlot>> by_quotas(const RunConfiguration& configuration, const Resources& resources) {
+  const auto& [splits, simulators] = configuration.quotas;
+  std::vector<Group> groups;  // simulator by simulator, each with every split
+  std::vector<std::vector<bool>> allowed;
+  for (const auto& simulator : simulators) {
+    allowed.emplace_back();
+    for (const auto& split : splits) {
+      groups.push_back({split.first, templates_for(configuration, resources, simulator.first, split.first)});
+      allowed.back().push_back(!groups.back().templates.empty());
+    }
+  }
+  const auto table = share_out(counts_of(simulators), counts_of(splits), allowed);
+  if (table.empty())
+    return Error{Error::Kind::Usage,
+                 "quotas",
+                 {},
+                 "cannot be met by the templates asked for: some simulator has none for a split that must fill its "
+                 "share; `unietp template list` shows what each can make"};
+  std::vector<int> counts;
+  for (const auto& row : table) counts.insert(counts.end(), row.begin(), row.end());
+  std::vector<TaskSlot> slots;
+  for (const std::size_t cell : spread_out(counts)) {
+    slots.push_back({static_cast<int>(slots.size()), simulators[cell / splits.size()].first, groups[cell].split,
+                     groups[cell].templates});
+  }
+  return slots;
+}
+
+/// Errors: Usage for a name that no template has.
+Result<Done> check_names(const RunConfiguration& configuration, const Resources& resources) {
+  std::vector<std::string> known;
+  for (const auto& source : resources.templates) known.push_back(source.name);
+  for (const auto& name : configuration.templates) {
+    if (!has(known, name)) return unknown_name_error("--template", name, known);
+  }
+  for (const auto& name : configuration.without) {
+    if (!has(known, name)) return unknown_name_error("--without-templates", name, known);
+  }
+  return Done{};
+}
+
+/// Errors: Usage when homes are given and a simulator has none of them.
+Result<Done> check_homes(const RunConfiguration& configuration, const Resources& resources) {
+  for (const auto simulator : configuration.simulators) {
+    const auto own = [&](const Scene& home) { return home.simulator == simulator; };
+    if (!resources.homes.empty() && std::none_of(resources.homes.begin(), resources.homes.end(), own))
+      return Error{Error::Kind::Usage,
+                   "--scenes",
+                   {},
+                   "none of the scenes given is one of " + std::string(name_of(simulator)) +
+                       "; leave that simulator out of --simulators or give one"};
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources) {
+  if (auto known = check_names(configuration, resources); !known) return known.error();
+  if (auto there = check_homes(configuration, resources); !there) return there.error();
+  if (!configuration.quotas.empty()) return by_quotas(configuration, resources);
+  std::vector<std::vector<Group>> groups;
+  for (const auto simulator : configuration.simulators) {
+    auto found = groups_of(configuration, resources, simulator);
+    if (!found) return found.error();
+    groups.push_back(std::move(*found));
+  }
+  return equal_shares(configuration, groups);
 }
 
 }  // namespace unietp

@@ -16,10 +16,6 @@ struct TaskSlot {
   std::vector<std::size_t> templates;  // positions in Resources::templates, ascending; not empty
 };
 
-/// Homes made for each simulator, >= 1: one for each five tasks of the first fifty, then one for each 25 more, so that
-/// drawing homes does not dominate a large run, and never so many that they fill the memory.
-int layouts_per_simulator(const RunConfiguration& configuration);
-
 /// Equal shares for simulators, then for splits. Which template, home and categories fill a slot is settled candidate
 /// by candidate (candidate_planner.h). Deterministic. Errors: Usage when a template is unknown, when no template fits a
 /// simulator and a split asked for, or when scenes are given and none is of a simulator asked for.

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "pipeline/configuration.h"
+#include "pipeline/given_binding.h"
 #include "pipeline/template_library.h"
 
 namespace unietp {
@@ -28,7 +30,9 @@ TemplateChoice choose_template(const DataFolders& folders, const std::string& na
   auto wide = folders;
   if (file && !is_in(library_of(folders).templates, name_or_file)) wide.templates.emplace_back(name_or_file);
   auto reading = load_resources(wide);
-  TemplateChoice choice{std::move(reading.resources), 0, std::move(reading.errors)};
+  TemplateChoice choice;
+  choice.resources = std::move(reading.resources);
+  choice.errors = std::move(reading.errors);
   if (!choice.errors.empty()) return choice;
 
   std::vector<std::string> names;
@@ -45,6 +49,26 @@ TemplateChoice choose_template(const DataFolders& folders, const std::string& na
                            "there is no template or file \"" + name_or_file + "\"" +
                                (near.empty() ? "" : ", did you mean \"" + near + "\"") +
                                "; `unietp template list` shows all names"});
+  return choice;
+}
+
+TemplateChoice choose_template(const DataFolders& folders, const std::string& name_or_file,
+                               const std::vector<std::string>& binding, const std::string& simulators) {
+  auto choice = choose_template(folders, name_or_file);
+  if (!choice.errors.empty()) return choice;
+  auto read = read_binding(binding, choice.source());
+  if (!read) {
+    choice.errors.push_back(read.error());
+    return choice;
+  }
+  choice.binding = std::move(*read);
+  choice.simulators = simulators_for(choice.source(), choice.binding, choice.resources.backends);
+  if (simulators.empty()) return choice;
+  auto asked = parse_simulators("--simulator", simulators);
+  if (asked)
+    choice.simulators = std::move(*asked);
+  else
+    choice.errors.push_back(asked.error());
   return choice;
 }
 

@@ -86,7 +86,7 @@ TEST(CandidatePlanner, EqualRoundsGiveEqualPlansWhoeverDrewTheHomes) {
   const auto configuration = small_homes(24);
   const auto slots = plan_slots(configuration, committed());
   ASSERT_TRUE(slots);
-  LayoutPool forwards(configuration, committed()), backwards(configuration, committed());
+  LayoutPool forwards(configuration, committed(), 2), backwards(configuration, committed(), 2);
   for (const auto simulator : kSimulators) {
     for (int i = backwards.size(simulator); i-- > 0;) (void)backwards.layout(simulator, i);
   }

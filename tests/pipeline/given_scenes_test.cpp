@@ -90,7 +90,7 @@ TEST_F(GivenScenesTest, ARunUsesThemInPlaceOfDrawnHomes) {
   resources.backends = backends_;
   resources.homes = {scene("first", "Mug"), scene("second", "Mug")};
   RunConfiguration configuration;
-  LayoutPool pool(configuration, resources);
+  LayoutPool pool(configuration, resources, 1);
   ASSERT_EQ(pool.size(Simulator::Habitat), 2);
   const auto& layout = pool.layout(Simulator::Habitat, 1);
   ASSERT_TRUE(layout);

@@ -50,7 +50,7 @@ TEST_F(LedgerFile, GivesBackWhatItWasGivenAfterReopening) {
   const auto record = ledger->read(3, 1);
   ASSERT_TRUE(record);
   EXPECT_EQ(*record, full_record());
-  const auto outlines = ledger->outlines();
+  const auto outlines = ledger->outlines(0, 1000);
   ASSERT_TRUE(outlines);
   ASSERT_EQ(outlines->size(), 1U);
   EXPECT_EQ(outlines->front().text_key, "text");

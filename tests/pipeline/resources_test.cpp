@@ -36,7 +36,7 @@ TEST(LayoutPool, GivesEqualHomesWhoeverAsksFirst) {
   RunConfiguration configuration;
   configuration.rooms = 5;
   configuration.objects = 10;
-  LayoutPool forwards(configuration, reading.resources), backwards(configuration, reading.resources);
+  LayoutPool forwards(configuration, reading.resources, 2), backwards(configuration, reading.resources, 2);
   const auto& first = forwards.layout(Simulator::Ai2thor, 0);
   (void)backwards.layout(Simulator::Ai2thor, 1);
   const auto& again = backwards.layout(Simulator::Ai2thor, 0);

@@ -90,20 +90,44 @@ TEST(PlanSlots, RefusesAnUnknownTemplateAndASplitThatNoneMakes) {
   EXPECT_THAT(none.error().message, HasSubstr("compositional"));
 }
 
-TEST(LayoutsPerSimulator, OneForEveryFiveTasksThenForEvery25AndNoMoreThanMemoryHolds) {
+TEST(PlanSlots, MeetsQuotasOfBothKindsAndSpreadsThemEvenly) {
   RunConfiguration configuration;
+  configuration.quotas = {{{Split::Atomic, 30}, {Split::Logical, 10}},
+                          {{Simulator::Ai2thor, 24}, {Simulator::Habitat, 16}}};
   configuration.count = 40;
-  EXPECT_EQ(layouts_per_simulator(configuration), 2);
-  configuration.count = 41;
-  EXPECT_EQ(layouts_per_simulator(configuration), 3);
-  configuration.count = 1;
-  EXPECT_EQ(layouts_per_simulator(configuration), 1);
-  configuration.count = 9000;
-  EXPECT_EQ(layouts_per_simulator(configuration), 98);
-  configuration.count = 1'000'000;
-  EXPECT_EQ(layouts_per_simulator(configuration), 140);
-  configuration.objects = 1000;
-  EXPECT_EQ(layouts_per_simulator(configuration), 20);
+  const auto slots = plan_slots(configuration, three_templates());
+  ASSERT_TRUE(slots) << format(slots.error());
+  ASSERT_EQ(slots->size(), 40U);
+  std::map<std::pair<Simulator, Split>, int> by_kind, in_first_half;
+  for (const auto& slot : *slots) {
+    ++by_kind[{slot.simulator, slot.split}];
+    if (slot.index < 20) ++in_first_half[{slot.simulator, slot.split}];
+  }
+  // Only AI2-THOR has a logical template, so all of that split is its own.
+  EXPECT_EQ((by_kind[{Simulator::Ai2thor, Split::Logical}]), 10);
+  EXPECT_EQ((by_kind[{Simulator::Ai2thor, Split::Atomic}]), 14);
+  EXPECT_EQ((by_kind[{Simulator::Habitat, Split::Atomic}]), 16);
+  for (const auto& [kind, count] : by_kind) EXPECT_NEAR(in_first_half[kind], count / 2.0, 1);
+}
+
+TEST(PlanSlots, RefusesQuotasThatNoTemplatesCanMeet) {
+  RunConfiguration configuration;
+  configuration.quotas = {{{Split::Logical, 10}}, {{Simulator::Habitat, 10}}};
+  configuration.count = 10;
+  const auto slots = plan_slots(configuration, three_templates());
+  ASSERT_FALSE(slots);
+  EXPECT_THAT(slots.error().message, HasSubstr("cannot be met"));
+}
+
+TEST(PlanSlots, LeavesOutTemplates) {
+  RunConfiguration configuration;
+  configuration.count = 12;
+  configuration.without = {"a"};
+  const auto slots = plan_slots(configuration, three_templates());
+  ASSERT_TRUE(slots) << format(slots.error());
+  for (const auto& slot : *slots) EXPECT_THAT(slot.templates, testing::Not(testing::Contains(0U)));
+  configuration.without = {"z"};
+  EXPECT_FALSE(plan_slots(configuration, three_templates()));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/coverage.h"
+#include "pipeline/expert_success.h"
 #include "pipeline/verdict_text.h"
 
 namespace unietp {
@@ -89,6 +90,25 @@ TEST(Coverage, CountsWhatIsClaimedAndWhatIsEmpty) {
   const auto page = coverage_page(rows, 10, 1);
   EXPECT_NE(page.find("| a | atomic | 7/10 |  | 0/10 |  | inside on |"), std::string::npos) << page;
   EXPECT_NE(page.find("- `a` on habitat: expert no-plan (10), such as: no way."), std::string::npos) << page;
+}
+
+TEST(Coverage, SaysHowManyOfTheCandidatesWithAStartTheExpertShowed) {
+  std::vector<CoverageRow> rows(1);
+  rows[0].name = "a";
+  rows[0].cells[0] = {
+      true,
+      10,
+      4,
+      "",
+      {{"grounding", "no-free-place", 2, ""}, {"expert", "no-plan", 3, ""}, {"annotator", "no-words", 1, ""}}};
+  rows[0].cells[1] = {true, 10, 10, "", {}};
+  const auto success = expert_success(rows[0]);
+  EXPECT_EQ(success.grounded, 18);
+  EXPECT_EQ(success.shown, 15);
+  const auto tables = expert_success_tables(rows);
+  EXPECT_NE(tables.find("| ai2thor | 8 | 5 | 62 % | no-plan 3 |"), std::string::npos) << tables;
+  EXPECT_NE(tables.find("| virtualhome | 10 | 10 | 100 % |  |"), std::string::npos) << tables;
+  EXPECT_NE(tables.find("| `a` | 18 | 15 | 83 % | no-plan 3 |"), std::string::npos) << tables;
 }
 
 }  // namespace

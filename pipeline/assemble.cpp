@@ -1,0 +1,44 @@
+#include "pipeline/assemble.h"
+
+#include "pipeline/dataset_writer.h"
+#include "pipeline/selection.h"
+
+namespace unietp {
+namespace {
+
+Result<Done> add_block(DatasetWriter& writer, const FilledBlock& block, int attempts) {
+  const auto outlines = block.ledger->outlines(block.first, block.slots);
+  if (!outlines) return outlines.error();
+  Selection selection(block.first, static_cast<std::size_t>(block.slots));
+  selection.offer_all(*outlines);
+  for (int slot = block.first; slot < block.first + block.slots; ++slot) {
+    const int chosen = selection.chosen(slot);
+    for (int attempt = 0; attempt <= (chosen < 0 ? attempts - 1 : chosen); ++attempt) {
+      const auto record = block.ledger->read(slot, attempt);
+      if (!record) return record.error();
+      const auto verdict = selection.verdict(slot, attempt);
+      const bool repeats = verdict != Selection::Verdict::Taken;
+      const auto added = repeats
+                             ? writer.add_rejection(repetition_line(*record, verdict == Selection::Verdict::SameStart))
+                         : record->accepted ? writer.add_task(*record)
+                                            : writer.add_rejection(record->rejection);
+      if (!added) return added.error();
+    }
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<Done> assemble(const std::filesystem::path& folder, const RunConfiguration& configuration,
+                      const Resources& resources, const std::filesystem::path& licences,
+                      const std::vector<FilledBlock>& blocks) {
+  auto writer = DatasetWriter::begin(folder);
+  if (!writer) return writer.error();
+  for (const FilledBlock& block : blocks) {
+    if (auto added = add_block(*writer, block, configuration.attempts); !added) return added.error();
+  }
+  return writer->finish(configuration, resources, licences);
+}
+
+}  // namespace unietp

@@ -1,0 +1,76 @@
+#include "pipeline/expert_success.h"
+
+#include <cmath>
+
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+std::string percent(const ExpertSuccess& success) {
+  return std::to_string(static_cast<int>(std::floor(100 * success.share()))) + " %";
+}
+
+std::string row_of(const std::string& name, const ExpertSuccess& success) {
+  std::vector<std::string> reasons;
+  for (const auto& [reason, count] : success.reasons) reasons.push_back(reason + " " + std::to_string(count));
+  return "| " + name + " | " + std::to_string(success.grounded) + " | " + std::to_string(success.shown) + " | " +
+         percent(success) + " | " + join(reasons, ", ") + " |\n";
+}
+
+std::string head_of(const std::string& first) {
+  return "| " + first + " | grounded | shown | share | why not |\n|---|---|---|---|---|\n";
+}
+
+}  // namespace
+
+ExpertSuccess& ExpertSuccess::operator+=(const ExpertSuccess& other) {
+  grounded += other.grounded;
+  shown += other.shown;
+  for (const auto& [reason, count] : other.reasons) reasons[reason] += count;
+  return *this;
+}
+
+ExpertSuccess expert_success(const CoverageCell& cell) {
+  ExpertSuccess success;
+  success.grounded = cell.candidates;
+  for (const auto& why : cell.reasons) {
+    if (why.stage == "generator" || why.stage == "grounding") success.grounded -= why.count;
+    if (why.stage == "expert") success.reasons[why.reason] += why.count;
+  }
+  success.shown = success.grounded;
+  for (const auto& [reason, count] : success.reasons) success.shown -= count;
+  return success;
+}
+
+ExpertSuccess expert_success(const CoverageRow& row) {
+  ExpertSuccess all;
+  for (const auto& cell : row.cells) all += expert_success(cell);
+  return all;
+}
+
+ExpertSuccess expert_success(const std::vector<CoverageRow>& rows, std::size_t simulator) {
+  ExpertSuccess all;
+  for (const auto& row : rows) all += expert_success(row.cells[simulator]);
+  return all;
+}
+
+std::string expert_success_tables(const std::vector<CoverageRow>& rows) {
+  auto text = head_of("simulator");
+  ExpertSuccess all;
+  for (std::size_t i = 0; i < kSimulators.size(); ++i) {
+    const auto success = expert_success(rows, i);
+    if (success.grounded > 0) text += row_of(std::string(name_of(kSimulators[i])), success);
+    all += success;
+  }
+  text += row_of("all", all) + "\n";
+  std::string below;
+  for (const auto& row : rows) {
+    const auto success = expert_success(row);
+    if (success.share() < kWantedSuccess) below += row_of("`" + row.name + "`", success);
+  }
+  if (below.empty()) return text + "No template is below 95 %.\n";
+  return text + "Templates below 95 %:\n\n" + head_of("template") + below;
+}
+
+}  // namespace unietp

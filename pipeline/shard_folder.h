@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "pipeline/assemble.h"
+#include "pipeline/run.h"
+
+namespace unietp {
+
+/// What a finished shard is: which part of which run. Read from `shard.json` beside its `ledger.sqlite`.
+struct ShardRecord {
+  Shard shard;
+  std::string identity;                     // of the run (identity_of)
+  RunConfiguration configuration;           // that the identity names
+  std::vector<std::pair<int, int>> blocks;  // first slot and number of slots of each, in order
+};
+
+/// Writes a finished shard to an empty folder: its ledger, at rest, and what it is. Errors: Io.
+Result<Done> write_shard(const std::filesystem::path& folder, const Shard& shard, const std::string& identity,
+                         const std::vector<FilledBlock>& blocks);
+
+/// Errors: Io; Parse and Schema, at the place in shard.json.
+Result<ShardRecord> read_shard(const std::filesystem::path& folder);
+
+/// `<folder>/ledger.sqlite`
+std::filesystem::path ledger_of_shard(const std::filesystem::path& folder);
+
+}  // namespace unietp

@@ -1,0 +1,297 @@
+// `unietp annotate` as a user runs it: by the grammar, by a server on loopback, and by batch files.
+#include <algorithm>
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "../llm/wording_model.h"
+#include "core/files.h"
+#include "core/text.h"
+#include "data_set.h"
+#include "program.h"
+#include "schema_checker.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ChatServer;
+using test::Received;
+using test::WordingModel;
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kKey = "sk-program-secret-0123456789";
+constexpr int kCount = 12;
+
+/// A data set of every simulator, made once.
+const fs::path& made() {
+  static const ScratchFolder folder;
+  static const fs::path path = [] {
+    const auto ended =
+        run_program({"generate", "--count", std::to_string(kCount), "--seed", "5", "--rooms", "5", "--objects", "25",
+                     "--splits", "atomic,compositional,linguistic", "--out", folder.at("made")});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return fs::path(folder.at("made"));
+  }();
+  return path;
+}
+
+class AnnotateCommand : public testing::Test {
+ protected:
+  AnnotateCommand() {
+    ::setenv("UNIETP_LLM_KEY", kKey, 1);
+    fs::copy(made(), data(), fs::copy_options::recursive);
+  }
+  ~AnnotateCommand() override { ::unsetenv("UNIETP_LLM_KEY"); }
+
+  fs::path data() const { return folder_.path() / "data"; }
+  Ended annotate(std::vector<std::string> more) const {
+    std::vector<std::string> arguments{"annotate", data().string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+  }
+  Ended by_model(const std::string& url, std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments{"--writer", "llm",     "--llm-url",           url,          "--llm-model",
+                                       "tiny",     "--cache", folder_.at("answers"), "--llm-wait", "0.001"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return annotate(arguments);
+  }
+  Ended by_batch() const {
+    return annotate({"--writer", "batch", "--batch", folder_.at("batch"), "--llm-model", "tiny"});
+  }
+  std::vector<Json> instructions() const {
+    std::vector<Json> all;
+    for (const auto& task : json_lines(data() / "tasks.jsonl")) all.push_back(task["instruction"]);
+    return all;
+  }
+  /// Sound, proven, and nothing changed but the wording.
+  void expect_sound() const {
+    const auto verdict = validate(data());
+    EXPECT_EQ(verdict.code, 0);
+    EXPECT_EQ(verdict.proven, kCount);
+    SchemaChecker checker;
+    EXPECT_EQ(checker.check(Json::parse(*read_file(data() / "manifest.json")), "manifest.schema.json"), "");
+    auto before = json_lines(made() / "tasks.jsonl"), after = json_lines(data() / "tasks.jsonl");
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      EXPECT_EQ(checker.check(after[i], "task.schema.json"), "");
+      EXPECT_EQ(before[i]["instruction"]["style"], after[i]["instruction"]["style"]);
+      before[i].erase("instruction"), after[i].erase("instruction");
+      EXPECT_EQ(before[i], after[i]);
+    }
+    std::vector<std::string> left;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) left.push_back(entry.path().filename().string());
+    EXPECT_THAT(left, Not(testing::Contains(HasSubstr(".changing"))));
+  }
+  void expect_no_key(const Ended& ended) const {
+    EXPECT_THAT(ended.out + ended.err, Not(HasSubstr(kKey)));
+    for (const auto& [name, bytes] : bytes_below(folder_.path())) EXPECT_THAT(bytes, Not(HasSubstr(kKey))) << name;
+  }
+  /// Answers to all requests in the batch folder that it has not answered, last one first, as the service gives them.
+  void serve_batch(WordingModel& model, const std::string& file, std::size_t leave_out) const {
+    std::vector<std::string> answers;
+    for (const auto& entry : fs::directory_iterator(folder_.at("batch"))) {
+      if (!entry.path().filename().string().starts_with("requests-")) continue;
+      for (const auto& line : split(*read_file(entry.path()), '\n')) {
+        if (line.empty()) continue;
+        const auto request = nlohmann::json::parse(line);
+        EXPECT_THAT(line, Not(HasSubstr(kKey)));
+        const nlohmann::json body{
+            {"choices", nlohmann::json::array({{{"message", {{"content", model.content_for(request["body"])}}}}})}};
+        answers.push_back(nlohmann::json{
+            {"custom_id", request["custom_id"]},
+            {"response", {{"status_code", 200}, {"body", body}}},
+            {"error",
+             nullptr}}.dump());
+      }
+    }
+    std::sort(answers.rbegin(), answers.rend());
+    answers.resize(answers.size() - std::min(leave_out, answers.size()));
+    ASSERT_TRUE(write_file(fs::path(folder_.at("batch")) / file, join(answers, "\n") + "\n"));
+  }
+  ScratchFolder folder_;
+};
+
+TEST_F(AnnotateCommand, TheGrammarWithTheRunsSeedGivesTheSameTexts) {
+  const auto ended = annotate({});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(bytes_below(data())["tasks.jsonl"], bytes_below(made())["tasks.jsonl"]);
+  expect_sound();
+}
+
+TEST_F(AnnotateCommand, AnotherSeedAndTurnsOfPhraseGiveOthers) {
+  const auto ended = annotate({"--seed", "77", "--phrasings", "benchmark"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(bytes_below(data())["tasks.jsonl"], bytes_below(made())["tasks.jsonl"]);
+  expect_sound();
+  const auto once = bytes_below(data());
+  EXPECT_EQ(annotate({"--seed", "77", "--phrasings", "benchmark"}).code, 0);
+  EXPECT_EQ(bytes_below(data()), once);
+}
+
+TEST_F(AnnotateCommand, ACopyLeavesTheDataSetAlone) {
+  const auto before = bytes_below(data());
+  EXPECT_EQ(annotate({"--seed", "9", "--out", folder_.at("copy")}).code, 0);
+  EXPECT_EQ(bytes_below(data()), before);
+  EXPECT_EQ(validate(folder_.at("copy")).proven, kCount);
+  EXPECT_EQ(annotate({"--seed", "9", "--out", folder_.at("copy")}).code, 2);
+}
+
+TEST_F(AnnotateCommand, AModelWordsItAndARerunCostsNothing) {
+  WordingModel model;
+  int asked = 0;
+  {
+    ChatServer server([&](const Received& received) { return model(received); });
+    const auto ended = by_model(server.url, {"--price-in", "1", "--price-out", "2"});
+    EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+    EXPECT_THAT(ended.out, HasSubstr(std::to_string(kCount) + " by llm:tiny"));
+    EXPECT_THAT(ended.out, HasSubstr("cost "));
+    EXPECT_THAT(server.received().at(0).head, HasSubstr(std::string("Bearer ") + kKey));
+    asked = server.count();
+    EXPECT_GE(asked, 2 * kCount);
+    expect_no_key(ended);
+    for (const auto& instruction : instructions()) EXPECT_EQ(instruction["writer"], "llm:tiny");
+    expect_sound();
+    const auto once = bytes_below(data());
+    const auto again = by_model(server.url);
+    EXPECT_EQ(again.code, 0);
+    EXPECT_EQ(server.count(), asked);
+    EXPECT_THAT(again.out, HasSubstr("0 in, 0 out"));
+    EXPECT_EQ(bytes_below(data()), once);
+  }
+}
+
+TEST_F(AnnotateCommand, TheGrammarStandsInWhereTheModelFailsAndTheRecordSaysWhy) {
+  ChatServer server([&](const Received&) { return test::http("500 Internal Server Error", "oh"); });
+  const auto ended = by_model(server.url, {"--llm-attempts", "2"});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.out, HasSubstr("the grammar stands in"));
+  for (const auto& instruction : instructions()) {
+    EXPECT_EQ(instruction["writer"], "grammar");
+    EXPECT_THAT(instruction["why"].get<std::string>(), HasSubstr("status 500"));
+  }
+  expect_sound();
+  expect_no_key(ended);
+}
+
+TEST_F(AnnotateCommand, ADryRunPrintsThePromptsAndSendsNothing) {
+  ChatServer server([&](const Received&) { return std::string(); });
+  const auto before = bytes_below(data());
+  const auto ended = by_model(server.url, {"--dry-run"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("Goal as a formula: "));
+  EXPECT_EQ(server.count(), 0);
+  EXPECT_EQ(bytes_below(data()), before);
+  expect_no_key(ended);
+}
+
+TEST_F(AnnotateCommand, BatchFilesGoOnWhereTheAnswersEnded) {
+  WordingModel model;
+  auto ended = by_batch();
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr(std::to_string(kCount) + " new requests"));
+  EXPECT_TRUE(fs::exists(fs::path(folder_.at("batch")) / "requests-0001.jsonl"));
+  expect_sound();  // worded by the grammar for the time being
+
+  ended = by_batch();  // nothing has come: nothing is asked twice
+  EXPECT_THAT(ended.out, HasSubstr(std::to_string(kCount) + " waiting, 0 failed, 0 new requests"));
+
+  serve_batch(model, "answers-1.jsonl", 2);  // of the wordings, two are missing
+  ended = by_batch();
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.out, HasSubstr("2 waiting, 0 failed, " + std::to_string(kCount - 2) + " new requests"));
+
+  ASSERT_TRUE(write_file(fs::path(folder_.at("batch")) / "errors.jsonl", "{\"custom_id\": \"x\", \"resp"));
+  serve_batch(model, "answers-2.jsonl", 0);  // the rest of them, and the judgements
+  ended = by_batch();
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.err, HasSubstr("errors.jsonl:1"));
+  fs::remove(fs::path(folder_.at("batch")) / "errors.jsonl");
+  serve_batch(model, "answers-3.jsonl", 0);
+  ended = by_batch();
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr(std::to_string(kCount) + " by llm:tiny"));
+  expect_sound();
+  expect_no_key(ended);
+}
+
+TEST_F(AnnotateCommand, PairsHaveOneEpisodeInThreeWordings) {
+  const auto ended = annotate({"--paired"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  expect_sound();
+  SchemaChecker checker;
+  int referring = 0, complex = 0;
+  const auto pairs = json_lines(data() / "wordings.jsonl");
+  const auto tasks = json_lines(data() / "tasks.jsonl");
+  ASSERT_EQ(pairs.size(), tasks.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    EXPECT_EQ(checker.check(pairs[i], "wordings.schema.json"), "");
+    EXPECT_EQ(pairs[i]["pair"], tasks[i]["id"]);
+    EXPECT_EQ(pairs[i]["direct"]["style"], "direct");
+    if (pairs[i].contains("complex")) {
+      ++complex;
+      EXPECT_NE(pairs[i]["complex"]["style"], "direct");
+    }
+    if (!pairs[i].contains("referring")) continue;
+    ++referring;
+    EXPECT_THAT(pairs[i]["referring"]["goal"].get<std::string>(), HasSubstr(":where"));
+    EXPECT_NE(pairs[i]["referring"]["text"], pairs[i]["direct"]["text"]);
+  }
+  EXPECT_GT(complex, kCount / 2);
+  EXPECT_GT(referring, 0);
+  EXPECT_EQ(annotate({}).code, 0);
+  EXPECT_FALSE(fs::exists(data() / "wordings.jsonl"));
+}
+
+TEST_F(AnnotateCommand, WhatIsMissingIsToldBeforeAnythingIsDone) {
+  const auto before = bytes_below(data());
+  for (const auto& [options, message] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--writer", "poet"}, "grammar"},
+           {{"--writer", "llm"}, "--llm-url"},
+           {{"--writer", "llm", "--llm-url", "http://localhost:1"}, "--llm-model"},
+           {{"--writer", "batch", "--llm-model", "tiny"}, "--batch"},
+           {{"--phrasings", "old"}, "training"}}) {
+    const auto ended = annotate(options);
+    EXPECT_EQ(ended.code, 2) << message;
+    EXPECT_THAT(ended.err, HasSubstr(message));
+  }
+  EXPECT_EQ(bytes_below(data()), before);
+}
+
+TEST_F(AnnotateCommand, GenerateTakesTheSameOptions) {
+  WordingModel model;
+  ChatServer server([&](const Received& received) { return model(received); });
+  const auto ended = run_program({"generate",
+                                  "--count",
+                                  "2",
+                                  "--seed",
+                                  "5",
+                                  "--rooms",
+                                  "5",
+                                  "--objects",
+                                  "25",
+                                  "--simulators",
+                                  "ai2thor",
+                                  "--splits",
+                                  "atomic",
+                                  "--writer",
+                                  "llm",
+                                  "--llm-url",
+                                  server.url,
+                                  "--llm-model",
+                                  "tiny",
+                                  "--cache",
+                                  folder_.at("answers"),
+                                  "--out",
+                                  folder_.at("worded")});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  for (const auto& task : json_lines(folder_.path() / "worded" / "tasks.jsonl"))
+    EXPECT_EQ(task["instruction"]["writer"], "llm:tiny");
+  EXPECT_EQ(validate(folder_.at("worded")).proven, 2);
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,86 @@
+// Data sets of given quotas, in parts and whole.
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "data_set.h"
+
+namespace unietp {
+namespace {
+
+using testing::HasSubstr;
+
+/// A configuration of three blocks in the benchmark's homes, some thirty seconds less than the benchmark itself.
+constexpr const char* kSmall = R"({
+  "format": "unietp-run/1", "seed": 4, "homes": "benchmark", "block": 6,
+  "quotas": {"splits": {"atomic": 6, "compositional": 7, "logical": 5},
+             "simulators": {"ai2thor": 8, "virtualhome": 4, "habitat": 3, "behavior": 3}}})";
+
+class QuotaRun : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(write_file(scratch_.at("small.json"), kSmall)); }
+  Ended make(const std::string& out, std::vector<std::string> options = {}) {
+    std::vector<std::string> all{"benchmark", "--config", scratch_.at("small.json"), "--out", scratch_.at(out)};
+    all.insert(all.end(), options.begin(), options.end());
+    return run_program(all);
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_F(QuotaRun, ShardsPutTogetherAreTheBytesOfOneProcess) {
+  ASSERT_EQ(make("whole").code, 0);
+  std::map<std::string, int> simulators, splits;
+  for (const auto& task : json_lines(scratch_.path() / "whole" / "tasks.jsonl")) {
+    ++simulators[task["simulator"]];
+    ++splits[task["split"]];
+    EXPECT_THAT(task["layout"].get<std::string>(), HasSubstr("-benchmark-"));
+  }
+  EXPECT_EQ(simulators,
+            (std::map<std::string, int>{{"ai2thor", 8}, {"virtualhome", 4}, {"habitat", 3}, {"behavior", 3}}));
+  EXPECT_EQ(splits, (std::map<std::string, int>{{"atomic", 6}, {"compositional", 7}, {"logical", 5}}));
+
+  ASSERT_EQ(make("first", {"--shard", "1/2"}).code, 0);
+  ASSERT_EQ(make("second", {"--shard", "2/2", "--threads", "1"}).code, 0);
+  const auto merged =
+      run_program({"merge", scratch_.at("second"), scratch_.at("first"), "--out", scratch_.at("merged")});
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(bytes_below(scratch_.at("merged")), bytes_below(scratch_.at("whole")));
+
+  const auto lacks = run_program({"merge", scratch_.at("second"), "--out", scratch_.at("half")});
+  EXPECT_EQ(lacks.code, 2);
+  EXPECT_THAT(lacks.err, HasSubstr("shard 1 of 2 is missing"));
+  const auto twice = run_program({"merge", scratch_.at("first"), scratch_.at("first"), "--out", scratch_.at("half")});
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_THAT(twice.err, HasSubstr("was given before"));
+  EXPECT_FALSE(std::filesystem::exists(scratch_.at("half")));
+}
+
+TEST_F(QuotaRun, RefusesWhatIsNoPartAndMorePartsThanBlocks) {
+  for (const std::string part : {"0/2", "3/2", "2", "a/b", "1/2x"}) {
+    const auto ended = make("out", {"--shard", part});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_THAT(ended.err, HasSubstr("expected K/N")) << part;
+  }
+  const auto many = make("out", {"--shard", "1/9"});
+  EXPECT_EQ(many.code, 2);
+  EXPECT_THAT(many.err, HasSubstr("has 3 blocks"));
+}
+
+TEST(Training, LeavesOutASimulatorAndTheTemplatesHeldOutAndSharesNoHomeWithTheBenchmark) {
+  ScratchFolder scratch;
+  const auto ended = run_program({"training", "--count", "12", "--without-simulator", "ai2thor,behavior",
+                                  "--hold-out-templates", "--out", scratch.at("out")});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto held_out = read_file(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/runs/held_out_templates.txt");
+  ASSERT_TRUE(held_out);
+  for (const auto& task : json_lines(scratch.path() / "out" / "tasks.jsonl")) {
+    EXPECT_TRUE(task["simulator"] == "virtualhome" || task["simulator"] == "habitat");
+    EXPECT_THAT(*held_out, testing::Not(HasSubstr("\n" + task["template"].get<std::string>() + "\n")));
+    EXPECT_THAT(task["layout"].get<std::string>(), HasSubstr("-training-"));
+  }
+}
+
+}  // namespace
+}  // namespace unietp
