@@ -5,8 +5,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "scene/geometry.h"
 #include "scene/scene.h"
 #include "simulation/digest.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "simulation/plan.h"
+#include "simulation/body_grid.h"
 #include "simulation/settle.h"
 #include "simulation/touch.h"
 
@@ -72,7 +72,7 @@ void append(std::string& bytes, const Body& body) {
 
 struct PhysicsWorld::Impl {
   std::vector<Body> things, walls;
-  mutable std::optional<Plan> plan;  // made at the first question
+  mutable std::optional<BodyGrid> grid;  // made at the first question
   // What settles came to: plans are tried, shortened and mutated, and let the same things fall again and again.
   mutable std::unordered_map<std::string, Rest> settled;
 
@@ -96,14 +96,14 @@ struct PhysicsWorld::Impl {
     }
   }
 
-  const Plan& ask() const {
-    if (!plan) {
+  const BodyGrid& ask() const {
+    if (!grid) {
       std::optional<Bounds> around;
       each([&](BodyId, const Body& body) { around = around ? merged(*around, body.bounds) : body.bounds; });
-      plan.emplace(around.value_or(Bounds{}));
-      each([&](BodyId id, const Body& body) { plan->insert(id, body.bounds); });
+      grid.emplace(around.value_or(Bounds{}));
+      each([&](BodyId id, const Body& body) { grid->insert(id, body.bounds); });
     }
-    return *plan;
+    return *grid;
   }
 
   std::vector<BodyId> near(const Bounds& bounds, double gap) const {
@@ -122,7 +122,7 @@ PhysicsWorld::PhysicsWorld() : impl_(std::make_unique<Impl>()) {}
 PhysicsWorld::PhysicsWorld(const PhysicsWorld& other) : impl_(std::make_unique<Impl>()) {
   impl_->things = other.impl_->things;
   impl_->walls = other.impl_->walls;
-  impl_->plan = other.impl_->plan;
+  impl_->grid = other.impl_->grid;
 }
 PhysicsWorld::PhysicsWorld(PhysicsWorld&&) noexcept = default;
 PhysicsWorld& PhysicsWorld::operator=(const PhysicsWorld& other) {
@@ -139,7 +139,7 @@ void PhysicsWorld::set(BodyId id, std::shared_ptr<const Collider> collider, cons
   if (place >= list.size()) list.resize(place + 1);
   const Bounds bounds = collider->bounds(pose);
   list[place] = {std::move(collider), pose, mass, bounds, {}};
-  if (impl_->plan) impl_->plan->insert(id, bounds);
+  if (impl_->grid) impl_->grid->insert(id, bounds);
 }
 
 void PhysicsWorld::set(BodyId id, const Shape& shape, const Pose& pose, double opening, double mass) {
@@ -148,17 +148,17 @@ void PhysicsWorld::set(BodyId id, const Shape& shape, const Pose& pose, double o
 
 void PhysicsWorld::move(BodyId id, const Pose& pose) {
   Body& body = impl_->list_of(id).at(Impl::place_of(id));
-  if (impl_->plan) impl_->plan->erase(id, body.bounds);
+  if (impl_->grid) impl_->grid->erase(id, body.bounds);
   body.pose = pose;
   body.bounds = body.collider->bounds(pose);
   body.placed.clear();
-  if (impl_->plan) impl_->plan->insert(id, body.bounds);
+  if (impl_->grid) impl_->grid->insert(id, body.bounds);
 }
 
 void PhysicsWorld::remove(BodyId id) {
   const Body* body = impl_->find(id);
   if (body == nullptr) return;
-  if (impl_->plan) impl_->plan->erase(id, body->bounds);
+  if (impl_->grid) impl_->grid->erase(id, body->bounds);
   impl_->list_of(id)[Impl::place_of(id)] = {};
 }
 

@@ -66,6 +66,7 @@ void read_instruction(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   if (const auto f = fields.required("writer")) (void)reader.text(*f);
   if (const auto f = fields.required("style")) (void)reader.text(*f);
   if (const auto f = fields.required("checks")) (void)reader.texts(*f);
+  if (const auto f = fields.optional("why")) (void)reader.text(*f);
   fields.finish();
 }
 

@@ -1,11 +1,11 @@
-#include "simulation/plan.h"
+#include "simulation/body_grid.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace unietp {
 
-Plan::Plan(const Bounds& around) : origin_(around.low.head<2>()) {
+BodyGrid::BodyGrid(const Bounds& around) : origin_(around.low.head<2>()) {
   const Vec2 extent = (around.high - around.low).head<2>().cwiseMax(0.0);
   cell_m_ = std::max(kCell_m, extent.maxCoeff() / kMostCells);
   width_ = 1 + static_cast<int>(extent.x() / cell_m_);
@@ -13,7 +13,7 @@ Plan::Plan(const Bounds& around) : origin_(around.low.head<2>()) {
   cells_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), {});
 }
 
-void Plan::insert(std::uint32_t number, const Bounds& bounds) {
+void BodyGrid::insert(std::uint32_t number, const Bounds& bounds) {
   const Range range = range_of(bounds);
   for (int y = range.from_y; y <= range.to_y; ++y) {
     for (int x = range.from_x; x <= range.to_x; ++x) {
@@ -23,7 +23,7 @@ void Plan::insert(std::uint32_t number, const Bounds& bounds) {
   }
 }
 
-void Plan::erase(std::uint32_t number, const Bounds& bounds) {
+void BodyGrid::erase(std::uint32_t number, const Bounds& bounds) {
   const Range range = range_of(bounds);
   for (int y = range.from_y; y <= range.to_y; ++y) {
     for (int x = range.from_x; x <= range.to_x; ++x) {

@@ -10,11 +10,11 @@ namespace unietp {
 
 /// Which bodies may be where, seen from above: a grid of square cells, each with the numbers of those whose bounds
 /// touch it. Homes are flat, so two dimensions tell nearly all apart. What lies outside the grid counts to its border.
-class Plan {
+class BodyGrid {
  public:
-  Plan() = default;
+  BodyGrid() = default;
   /// Covers the given bounds.
-  explicit Plan(const Bounds& around);
+  explicit BodyGrid(const Bounds& around);
 
   void insert(std::uint32_t number, const Bounds& bounds);
   void erase(std::uint32_t number, const Bounds& bounds);
@@ -59,7 +59,7 @@ class Plan {
 };
 
 template <class Visit>
-void Plan::along(const Vec3& from, const Vec3& way, Visit visit) const {
+void BodyGrid::along(const Vec3& from, const Vec3& way, Visit visit) const {
   // Amanatides and Woo (1987), over unbounded cells; those outside are the border's.
   const Vec2 start = (from.head<2>() - origin_) / cell_m_, step = way.head<2>() / cell_m_;
   int at[2], sign[2], last[2];
