@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "logic/comparison.h"
 #include "logic/membership.h"
 
 namespace unietp {
@@ -33,22 +34,6 @@ std::optional<P> first_of(P second) {
   for (const auto& [one, other] : kExcluding)
     if (other == second) return one;
   return std::nullopt;
-}
-
-bool pass(Comparison comparison, int left, int right) {
-  switch (comparison) {
-    case Comparison::Equal:
-      return left == right;
-    case Comparison::AtLeast:
-      return left >= right;
-    case Comparison::AtMost:
-      return left <= right;
-    case Comparison::Greater:
-      return left > right;
-    case Comparison::Less:
-      return left < right;
-  }
-  return false;
 }
 
 }  // namespace
@@ -260,7 +245,7 @@ void TraceDraft::press_counts(const Formula& formula, std::size_t position, bool
     const int right = compared ? static_cast<int>(rng_.below(static_cast<std::uint64_t>(size(formula.children[1])) + 1))
                                : formula.number;
     // Numbers close to the border tell comparisons apart.
-    if (pass(formula.comparison, left, right) != wanted || std::abs(left - right) > 1 + tries / 4) continue;
+    if (compares(left, formula.comparison, right) != wanted || std::abs(left - right) > 1 + tries / 4) continue;
     press_number(first, left, position, scope);
     if (compared) press_number(formula.children[1], right, position, scope);
     return;

@@ -5,6 +5,7 @@
 
 #include "expert/alternatives.h"
 #include "expert/ways.h"
+#include "logic/comparison.h"
 
 namespace unietp {
 namespace {
@@ -231,22 +232,6 @@ class Reader {
       assignment_.pop_back();
     }
     return holding;
-  }
-
-  static bool compares(int left, Comparison comparison, int right) {
-    switch (comparison) {
-      case Comparison::Equal:
-        return left == right;
-      case Comparison::AtLeast:
-        return left >= right;
-      case Comparison::AtMost:
-        return left <= right;
-      case Comparison::Greater:
-        return left > right;
-      case Comparison::Less:
-        return left < right;
-    }
-    return false;
   }
 
   /// Fixes both numbers, those nearest to the present ones first.

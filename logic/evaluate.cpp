@@ -8,6 +8,7 @@
 #include <memory_resource>
 #include <span>
 
+#include "logic/comparison.h"
 #include "logic/membership.h"
 
 namespace unietp {
@@ -35,22 +36,6 @@ struct Node {
   const Node* where = nullptr;           // still to be read for each member; null when `members` has it done
   std::span<const Node> children;
 };
-
-bool compare(Comparison comparison, int left, int right) {
-  switch (comparison) {
-    case Comparison::Equal:
-      return left == right;
-    case Comparison::AtLeast:
-      return left >= right;
-    case Comparison::AtMost:
-      return left <= right;
-    case Comparison::Greater:
-      return left > right;
-    case Comparison::Less:
-      return left < right;
-  }
-  return false;
-}
 
 class Reading {
  public:
@@ -109,9 +94,9 @@ class Reading {
       case Op::Exists:
         return some_member(node, i, true);
       case Op::Count:
-        return compare(node.comparison, number_of(node, i), node.number);
+        return compares(number_of(node, i), node.comparison, node.number);
       case Op::CountCompare:
-        return compare(node.comparison, number_of(node.children[0], i), number_of(node.children[1], i));
+        return compares(number_of(node.children[0], i), node.comparison, number_of(node.children[1], i));
       case Op::Number:
         break;
       case Op::AtEnd:

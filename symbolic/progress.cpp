@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "logic/comparison.h"
 #include "symbolic/goal.h"
 
 namespace unietp::symbolic {
@@ -10,22 +11,6 @@ int count_true(const Goal& goal, const std::vector<std::size_t>& children, std::
   int number = 0;
   for (std::size_t i = from; i < to; ++i) number += holds(goal, children[i], setting, world, progress) ? 1 : 0;
   return number;
-}
-
-bool compares(int first, Comparison comparison, int second) {
-  switch (comparison) {
-    case Comparison::Equal:
-      return first == second;
-    case Comparison::AtLeast:
-      return first >= second;
-    case Comparison::AtMost:
-      return first <= second;
-    case Comparison::Greater:
-      return first > second;
-    case Comparison::Less:
-      return first < second;
-  }
-  return false;
 }
 
 }  // namespace
