@@ -11,19 +11,22 @@ bool is_meant_for(const Template& source, Simulator simulator) {
   return std::find(source.simulators.begin(), source.simulators.end(), simulator) != source.simulators.end();
 }
 
-bool is_room(const Parameter& parameter) { return parameter.affordances == std::vector<std::string>{"room"}; }
-
 class BindingSearch {
  public:
   BindingSearch(const Template& source, const Knowledge& knowledge) : source_(source), knowledge_(knowledge) {}
 
+  /// Empty: anything. The list, which must outlive the search, is mostly sorted already.
   void restrict_to(const std::vector<std::string>& offered) {
-    offered_ = offered;
-    std::sort(offered_.begin(), offered_.end());
+    offered_ = &offered;
+    if (!std::is_sorted(offered.begin(), offered.end())) {
+      sorted_ = offered;
+      std::sort(sorted_.begin(), sorted_.end());
+      offered_ = &sorted_;
+    }
     const auto& categories = knowledge_.categories();
     offers_rooms_ = std::any_of(categories.begin(), categories.end(), [&](const Category& category) {
       return std::any_of(category.rooms.begin(), category.rooms.end(), [&](const std::string& type) {
-        return std::binary_search(offered_.begin(), offered_.end(), type);
+        return std::binary_search(offered_->begin(), offered_->end(), type);
       });
     });
   }
@@ -34,10 +37,15 @@ class BindingSearch {
   void weigh(const CategoryWeight& weight) { weight_ = &weight; }
 
  private:
-  bool is_offered(const Parameter& parameter, const std::string& category) const {
-    if (const auto* given = fixed_ == nullptr ? nullptr : bound_to(*fixed_, parameter.name)) return category == *given;
-    if (offered_.empty() || is_value(parameter) || (is_room(parameter) && !offers_rooms_)) return true;
-    return std::binary_search(offered_.begin(), offered_.end(), category);
+  const std::string* given_to(const Parameter& parameter) const {
+    return fixed_ == nullptr ? nullptr : bound_to(*fixed_, parameter.name);
+  }
+
+  /// What the home offers a parameter; nullptr: anything.
+  const std::vector<std::string>* offered_to(const Parameter& parameter) const {
+    const bool any = given_to(parameter) != nullptr || offered_ == nullptr || offered_->empty() ||
+                     is_value(parameter) || (is_room(parameter) && !offers_rooms_);
+    return any ? nullptr : offered_;
   }
 
   /// Depth first over the parameters. With an rng each level tries its categories in random order, so the first that
@@ -49,8 +57,9 @@ class BindingSearch {
       return;
     }
     const auto& parameter = source_.parameters[binding_.size()];
-    auto choices = candidates_for(parameter, source_.constraints, binding_, knowledge_);
-    std::erase_if(choices, [&](const std::string& name) { return !is_offered(parameter, name); });
+    auto choices = candidates_for(parameter, source_.constraints, binding_, knowledge_, offered_to(parameter));
+    if (const auto* given = given_to(parameter))
+      std::erase_if(choices, [&](const std::string& name) { return name != *given; });
     std::vector<double> weights;
     if (weight_ != nullptr) {
       for (const auto& choice : choices) weights.push_back((*weight_)(parameter, choice));
@@ -79,7 +88,8 @@ class BindingSearch {
   const Knowledge& knowledge_;
   const Binding* fixed_ = nullptr;
   const CategoryWeight* weight_ = nullptr;
-  std::vector<std::string> offered_;
+  const std::vector<std::string>* offered_ = nullptr;  // sorted
+  std::vector<std::string> sorted_;                    // when it was not
   bool offers_rooms_ = false;
   Binding binding_;
 };

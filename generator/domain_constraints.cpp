@@ -70,9 +70,17 @@ bool all_distinct(const DomainConstraint& constraint, const Binding& binding) {
 std::optional<std::vector<std::string>> narrowed(const DomainConstraint& constraint, const std::string& placeholder,
                                                  const Binding& binding, const Knowledge& knowledge) {
   const auto* kind = constraint_kind(constraint.kind);
-  if (kind == nullptr || (kind->meaning != Meaning::Placement && kind->meaning != Meaning::Effect)) return std::nullopt;
+  if (kind == nullptr || constraint.arguments.size() < 2) return std::nullopt;
   const auto& first = constraint.arguments[0];
   const auto& second = constraint.arguments[1];
+  if (kind->meaning == Meaning::Value || kind->meaning == Meaning::Usual) {
+    const auto* bound = second == placeholder ? bound_to(binding, first) : nullptr;
+    const auto* category = bound == nullptr ? nullptr : knowledge.find(*bound);
+    if (category == nullptr) return std::nullopt;
+    if (kind->meaning == Meaning::Usual) return sorted_unique(category->rooms);
+    return sorted_unique(values_of(*category));
+  }
+  if (kind->meaning != Meaning::Placement && kind->meaning != Meaning::Effect) return std::nullopt;
   const auto first_bound = meant_by(first, binding, knowledge);
   const auto second_bound = meant_by(second, binding, knowledge);
   std::vector<std::string> names;
@@ -113,8 +121,22 @@ std::vector<std::string> words_for(const Parameter& parameter, const Knowledge& 
   return sorted_unique(std::move(words));
 }
 
+/// Whether words_for has it, without listing the others.
+bool is_word_for(const Parameter& parameter, const std::string& word, const Knowledge& knowledge) {
+  const auto& asked = parameter.affordances.front();
+  if (asked == "substance") {
+    return std::any_of(knowledge.effects().begin(), knowledge.effects().end(), [&](const Effect& effect) {
+      return effect.gives == word && (effect.effect == "fills" || effect.effect == "dispenses");
+    });
+  }
+  return std::any_of(knowledge.categories().begin(), knowledge.categories().end(), [&](const Category& category) {
+    const auto& own = asked == "colour" ? category.colours : category.materials;
+    return std::find(own.begin(), own.end(), word) != own.end();
+  });
+}
+
 std::vector<std::string> all_names(const Parameter& parameter, const Knowledge& knowledge) {
-  if (parameter.affordances == std::vector<std::string>{"room"}) return room_types(knowledge);
+  if (is_room(parameter)) return room_types(knowledge);
   if (is_value(parameter)) return words_for(parameter, knowledge);
   for (const auto& affordance : parameter.affordances) {
     const auto& pseudo = pseudo_affordances();
@@ -168,16 +190,13 @@ std::vector<std::string> room_types(const Knowledge& knowledge) {
 }
 
 bool affords(const Parameter& parameter, const std::string& category, const Knowledge& knowledge) {
-  if (parameter.affordances == std::vector<std::string>{"room"}) {
+  if (is_room(parameter)) {
     const auto& all = knowledge.categories();
     return std::any_of(all.begin(), all.end(), [&](const Category& one) {
       return std::find(one.rooms.begin(), one.rooms.end(), category) != one.rooms.end();
     });
   }
-  if (is_value(parameter)) {
-    const auto words = words_for(parameter, knowledge);
-    return std::binary_search(words.begin(), words.end(), category);
-  }
+  if (is_value(parameter)) return is_word_for(parameter, category, knowledge);
   const auto* known = knowledge.find(category);
   if (known == nullptr) return false;
   return std::all_of(parameter.affordances.begin(), parameter.affordances.end(), [&](const std::string& affordance) {
@@ -190,9 +209,13 @@ bool affords(const Parameter& parameter, const std::string& category, const Know
 }
 
 bool is_value(const Parameter& parameter) {
-  return parameter.affordances == std::vector<std::string>{"colour"} ||
-         parameter.affordances == std::vector<std::string>{"material"} ||
-         parameter.affordances == std::vector<std::string>{"substance"};
+  if (parameter.affordances.size() != 1) return false;
+  const auto& word = parameter.affordances.front();
+  return word == "colour" || word == "material" || word == "substance";
+}
+
+bool is_room(const Parameter& parameter) {
+  return parameter.affordances.size() == 1 && parameter.affordances.front() == "room";
 }
 
 std::vector<std::string> slices_of(const std::string& category, const Knowledge& knowledge) {
@@ -239,13 +262,14 @@ std::string to_text(const DomainConstraint& constraint, const Binding& binding) 
 }
 
 std::vector<std::string> candidates_for(const Parameter& parameter, const std::vector<DomainConstraint>& constraints,
-                                        const Binding& binding, const Knowledge& knowledge) {
+                                        const Binding& binding, const Knowledge& knowledge,
+                                        const std::vector<std::string>* among) {
   std::optional<std::vector<std::string>> base;
   for (const auto& constraint : constraints) {
     auto names = narrowed(constraint, parameter.name, binding, knowledge);
     if (names && (!base || names->size() < base->size())) base = std::move(names);
   }
-  if (!base) base = all_names(parameter, knowledge);
+  if (!base && among == nullptr) base = all_names(parameter, knowledge);
   std::vector<const DomainConstraint*> own;
   auto trial = binding;
   trial.emplace_back(parameter.name, "");
@@ -255,7 +279,8 @@ std::vector<std::string> candidates_for(const Parameter& parameter, const std::v
       own.push_back(&constraint);
   }
   std::vector<std::string> fitting;
-  for (const auto& name : *base) {
+  for (const auto& name : base ? *base : *among) {
+    if (base && among != nullptr && !std::binary_search(among->begin(), among->end(), name)) continue;
     if (!affords(parameter, name, knowledge)) continue;
     trial.back().second = name;
     const bool fits =

@@ -18,6 +18,8 @@ bool affords(const Parameter& parameter, const std::string& category, const Know
 
 /// Whether the parameter stands for a colour, material or substance, not for a category.
 bool is_value(const Parameter& parameter);
+/// Whether it stands for a type of room.
+bool is_room(const Parameter& parameter);
 
 /// The categories of the pieces that slicing makes, sorted; the category itself when its slices have none of their own.
 std::vector<std::string> slices_of(const std::string& category, const Knowledge& knowledge);
@@ -32,8 +34,9 @@ bool satisfies(const DomainConstraint& constraint, const Binding& binding, const
 std::string to_text(const DomainConstraint& constraint, const Binding& binding);
 
 /// Categories for a parameter that afford what it asks for and satisfy each constraint whose other placeholders are
-/// bound, sorted.
+/// bound, sorted; only those of `among`, which is sorted, when it is given.
 std::vector<std::string> candidates_for(const Parameter& parameter, const std::vector<DomainConstraint>& constraints,
-                                        const Binding& binding, const Knowledge& knowledge);
+                                        const Binding& binding, const Knowledge& knowledge,
+                                        const std::vector<std::string>* among = nullptr);
 
 }  // namespace unietp

@@ -23,11 +23,11 @@ void StartDraft::make(const StartLiteral& literal, Id thing, bool truth) {
 bool StartDraft::set_attribute(const StartLiteral& literal, Id thing) {
   auto& role = start_.setting.cast.things[static_cast<std::size_t>(thing)];
   const auto& kind = setting().kind_of(thing);
-  const auto set = [&](std::string& own, const std::vector<std::string>& others) {
+  const auto set = [&](std::string& own, std::vector<std::string> others) {
     own = literal.symbol == "any" ? "" : literal.symbol;
     if (is_true(literal, thing) == literal.positive) return;
+    std::erase(others, own);
     own = others.empty() ? "" : rng_.pick(others);
-    if (own == literal.symbol && !literal.positive) own.clear();  // it comes in nothing else
   };
   if (literal.predicate == Predicate::Colour) {
     set(role.colour, kind.colours);
@@ -38,7 +38,7 @@ bool StartDraft::set_attribute(const StartLiteral& literal, Id thing) {
   } else {
     return false;
   }
-  read_constraints();  // attributes are fixed where a constraint is read
+  attributes_changed_ = true;
   return true;
 }
 

@@ -27,6 +27,7 @@ StartDraft::StartDraft(const StartSampler& sampler, Rng& rng) : sampler_(sampler
   world().room = static_cast<Id>(kFirstRoom + static_cast<Id>(sampler.rooms_.size()));
   add_things();
   read_constraints();
+  find_broken();
 }
 
 void StartDraft::add_things() {
@@ -67,9 +68,16 @@ void StartDraft::dress(Id id) {
 }
 
 void StartDraft::read_constraints() {
-  constraints_.clear();
   for (const auto& aim : sampler_.aims_) constraints_.emplace_back(*aim.formula, setting(), start_.world);
-  find_broken();
+}
+
+void StartDraft::read_attributes() {
+  if (!attributes_changed_) return;
+  for (std::size_t i = 0; i < constraints_.size(); ++i) {
+    const auto& aim = sampler_.aims_[i];
+    if (aim.of_attributes) constraints_[i] = symbolic::Goal(*aim.formula, setting(), start_.world);
+  }
+  attributes_changed_ = false;
 }
 
 void StartDraft::find_broken() {
@@ -177,6 +185,7 @@ bool StartDraft::improve() {
   } else {
     change(aim);
   }
+  read_attributes();
   find_broken();
   return true;
 }
@@ -188,7 +197,7 @@ void StartDraft::stir(const StartSampler::Aim& aim) {
   const Id thing = rng_.pick(concerned);
   if (rng_.chance(0.5)) return move_anywhere(thing);
   dress(thing);
-  read_constraints();
+  attributes_changed_ = true;
 }
 
 void StartDraft::change(const StartSampler::Aim& aim) {

@@ -25,6 +25,7 @@ class StartDraft {
   void add_things();
   void dress(Id thing);
   void read_constraints();
+  void read_attributes();  // anew in the constraints, where one has changed
   void find_broken();
   void move_anywhere(Id thing);
   bool can_be_put(Id thing, Predicate relation, Id place) const;
@@ -46,6 +47,7 @@ class StartDraft {
   SymbolicStart start_;
   std::vector<symbolic::Goal> constraints_;  // one for each aim, over the things that are there
   std::vector<std::size_t> broken_;          // positions in aims
+  bool attributes_changed_ = false;          // they are fixed where a constraint is read
 };
 
 }  // namespace unietp

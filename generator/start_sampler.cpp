@@ -22,6 +22,14 @@ bool speaks_of_agent(const Formula& formula) {
          std::any_of(formula.children.begin(), formula.children.end(), speaks_of_agent);
 }
 
+bool speaks_of_attributes(const Formula& formula) {
+  const auto& p = formula.predicate;
+  if (formula.op == Formula::Op::Atom)
+    return p == Predicate::Colour || p == Predicate::Material || p == Predicate::Size;
+  return std::any_of(formula.children.begin(), formula.children.end(), speaks_of_attributes) ||
+         std::any_of(formula.domain.where.begin(), formula.domain.where.end(), speaks_of_attributes);
+}
+
 /// What only an action of the profile `wide` brings about, or takes away.
 bool asks_for_wide(const Formula& formula) {
   using enum Predicate;
@@ -75,7 +83,7 @@ StartSampler::StartSampler(const Specification& specification, const Knowledge& 
     read_words(start, rules_, with_nearest_);
     const bool shaped = !init_shape_problem(start);
     auto literals = shaped ? start_literals(start) : std::vector<StartLiteral>{};
-    aims_.push_back({&start, std::move(literals), shaped, speaks_of_agent(start)});
+    aims_.push_back({&start, std::move(literals), shaped, speaks_of_agent(start), speaks_of_attributes(start)});
   }
   if (rules_.symbols().empty()) rules_.symbol_number("water");  // for what is full of something
   for (const auto& name : names_in(specification)) {

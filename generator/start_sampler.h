@@ -42,6 +42,7 @@ class StartSampler {
     std::vector<StartLiteral> literals;
     bool shaped = true;     // false: of no shape that says how to make it true
     bool of_agent = false;  // (in_room agent ?r)
+    bool of_attributes = false;
   };
 
   symbolic::Rules rules_;

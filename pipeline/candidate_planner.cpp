@@ -97,8 +97,11 @@ std::optional<Binding> CandidatePlanner::draw_binding(const CandidatePlan& plan,
   const auto& layout = *layouts_.layout(slot.simulator, plan.home);
   const auto& rooms = room_types_in(slot.simulator, plan.home, layout);
   const auto& source = resources_.templates[plan.source];
+  std::vector<Dimension> dimensions;
+  for (const auto& parameter : source.parameters) dimensions.push_back(dimension_of(parameter, source));
   const CategoryWeight weight = [&](const Parameter& parameter, const std::string& category) {
-    const auto own = counts.weight(dimension_of(parameter, source), key(slot.simulator, category));
+    const auto dimension = dimensions[static_cast<std::size_t>(&parameter - source.parameters.data())];
+    const auto own = counts.weight(dimension, key(slot.simulator, category));
     const auto stands = rooms.find(category);
     if (stands == rooms.end()) return own;
     double room = 0;

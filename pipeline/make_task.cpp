@@ -97,8 +97,11 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
 
   timer.enter(Stage::Generator);
   const auto simulator = std::string(name_of(slot.simulator)) + "/";
+  std::vector<Dimension> dimensions;
+  for (const auto& parameter : source.parameters) dimensions.push_back(dimension_of(parameter, source));
   const CategoryWeight weight = [&](const Parameter& parameter, const std::string& category) {
-    return counts.weight(dimension_of(parameter, source), simulator + category);
+    return counts.weight(dimensions[static_cast<std::size_t>(&parameter - source.parameters.data())],
+                         simulator + category);
   };
   auto specified = specify(source, *layout, backend.knowledge, plan.binding, configuration.binding, slot.split, weight,
                            root.fork("generator", item));
