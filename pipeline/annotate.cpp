@@ -6,11 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/changed_copy.h"
 #include "core/digest.h"
 #include "core/files.h"
 #include "core/sqlite_file.h"
 #include "pipeline/candidate.h"
-#include "pipeline/changed_copy.h"
 #include "pipeline/home_facts.h"
 #include "pipeline/instruction_json.h"
 #include "pipeline/paired_wordings.h"

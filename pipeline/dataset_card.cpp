@@ -56,7 +56,7 @@ std::string dataset_card(const RunConfiguration& configuration, const DatasetCou
       "and "
       "changed |\n"
       "| `rejections.jsonl` | each candidate that was given up, with stage and reason |\n"
-      "| `dataset.sqlite` | tasks, bindings, steps and rejections as tables |\n"
+      "| `dataset.sqlite` | tasks, bindings, steps, traits and rejections as tables |\n"
       "| `manifest.json` | version, configuration, counts and SHA-256 of each file |\n\n"
       "Lengths are metres, masses kilograms; rotations are unit quaternions [w, x, y, z], the angles of the agent "
       "radians; axes are right-handed, z up.\n\n";

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "pipeline/balance.h"
 
 namespace unietp {
 namespace {
@@ -20,6 +21,7 @@ CREATE TABLE task(id TEXT PRIMARY KEY, template TEXT NOT NULL, split TEXT NOT NU
 CREATE TABLE binding(task TEXT NOT NULL REFERENCES task, placeholder TEXT NOT NULL, category TEXT NOT NULL) STRICT;
 CREATE TABLE step(task TEXT NOT NULL REFERENCES task, mode TEXT NOT NULL, number INTEGER NOT NULL, action TEXT NOT NULL,
   arguments TEXT NOT NULL, success INTEGER NOT NULL, failure TEXT NOT NULL) STRICT;
+CREATE TABLE trait(task TEXT NOT NULL REFERENCES task, dimension TEXT NOT NULL, value TEXT NOT NULL) STRICT;
 CREATE TABLE rejection(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, template TEXT NOT NULL, simulator TEXT NOT NULL,
   split TEXT NOT NULL, stage TEXT NOT NULL, reason TEXT NOT NULL, detail TEXT NOT NULL) STRICT;
 BEGIN;
@@ -57,7 +59,8 @@ Result<DatasetDatabase> DatasetDatabase::begin(const fs::path& path) {
   }
 }
 
-Result<Done> DatasetDatabase::add_task(const Json& task, const std::vector<Json>& demonstrations) {
+Result<Done> DatasetDatabase::add_task(const Json& task, const std::vector<Json>& demonstrations,
+                                       const std::vector<Trait>& traits) {
   try {
     const auto id = text_at(task, "/id");
     auto insert = file_.prepare("INSERT INTO task VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
@@ -75,6 +78,14 @@ Result<Done> DatasetDatabase::add_task(const Json& task, const std::vector<Json>
       bind.bind(3, std::string_view(category.get_ref<const std::string&>()));
       bind.step();
       bind.reset();
+    }
+    auto lies = file_.prepare("INSERT INTO trait VALUES(?,?,?)");
+    for (const auto& trait : traits) {
+      lies.bind(1, std::string_view(id));
+      lies.bind(2, name_of(trait.dimension));
+      lies.bind(3, std::string_view(trait.value));
+      lies.step();
+      lies.reset();
     }
     auto step = file_.prepare("INSERT INTO step VALUES(?,?,?,?,?,?,?)");
     for (const auto& demonstration : demonstrations) {

@@ -49,8 +49,9 @@ Result<Done> DatasetWriter::add_task(const CandidateRecord& record) {
   ++counts_.by_split[task.at("split").get<std::string>()];
   ++counts_.by_simulator[task.at("simulator").get<std::string>()];
   ++counts_.by_template[task.at("template").get<std::string>()];
-  counts_.traits.add(traits_from(record.traits));
-  return database_.add_task(task, demonstrations);
+  const auto traits = traits_from(record.traits);
+  counts_.traits.add(traits);
+  return database_.add_task(task, demonstrations, traits);
 }
 
 Result<Done> DatasetWriter::add_demonstration(const std::string& mode, const std::string& line) {

@@ -63,8 +63,8 @@ void read_start(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
 void read_instruction(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields fields(reader, at);
   if (const auto f = fields.required("text")) task.instruction = reader.text(*f);
-  if (const auto f = fields.required("writer")) (void)reader.text(*f);
-  if (const auto f = fields.required("style")) (void)reader.text(*f);
+  if (const auto f = fields.required("writer")) task.writer = reader.text(*f);
+  if (const auto f = fields.required("style")) task.style = reader.text(*f);
   if (const auto f = fields.required("checks")) (void)reader.texts(*f);
   if (const auto f = fields.optional("why")) (void)reader.text(*f);
   fields.finish();
@@ -85,19 +85,22 @@ void read_expert(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   modes.finish();
 }
 
-void read_seed(JsonReader& reader, const JsonAt& at) {
+void read_seed(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields fields(reader, at);
-  for (const auto* name : {"run", "slot", "attempt"}) {
-    if (const auto f = fields.required(name)) (void)reader.number(*f);
+  if (const auto f = fields.required("run")) {
+    (void)reader.number(*f);
+    if (f->json.is_number_integer()) task.run = f->json.get<std::uint64_t>();  // a double would lose digits
   }
+  if (const auto f = fields.required("slot")) task.slot = whole(reader, *f);
+  if (const auto f = fields.required("attempt")) task.attempt = whole(reader, *f);
   fields.finish();
 }
 
-void read_bindings(JsonReader& reader, const JsonAt& at) {
+void read_bindings(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields fields(reader, at);
   if (reader.error()) return;
   for (const auto& [placeholder, category] : at.json.items()) {
-    if (const auto f = fields.required(placeholder)) (void)reader.text(*f);
+    if (const auto f = fields.required(placeholder)) task.bindings.emplace_back(placeholder, reader.text(*f));
   }
 }
 
@@ -180,14 +183,14 @@ Result<TaskRecord> read_task(std::string_view where, int line, std::string_view 
   if (const auto f = fields.required("split")) task.split = reader.text(*f);
   if (const auto f = fields.required("simulator")) task.simulator = reader.text(*f);
   if (const auto f = fields.required("scene")) task.scene = reader.text(*f);
-  if (const auto f = fields.required("layout")) (void)reader.text(*f);
-  if (const auto f = fields.required("bindings")) read_bindings(reader, *f);
-  if (const auto f = fields.required("refinement")) (void)text_or_empty(reader, *f);
+  if (const auto f = fields.required("layout")) task.layout = reader.text(*f);
+  if (const auto f = fields.required("bindings")) read_bindings(reader, *f, task);
+  if (const auto f = fields.required("refinement")) task.refinement = text_or_empty(reader, *f);
   if (const auto f = fields.required("goal")) read_goal(reader, *f, task);
   if (const auto f = fields.required("start")) read_start(reader, *f, task);
   if (const auto f = fields.required("instruction")) read_instruction(reader, *f, task);
   if (const auto f = fields.required("expert")) read_expert(reader, *f, task);
-  if (const auto f = fields.required("seed")) read_seed(reader, *f);
+  if (const auto f = fields.required("seed")) read_seed(reader, *f, task);
   fields.finish();
   if (reader.error()) return *reader.error();
   return task;

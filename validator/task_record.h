@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,15 +17,19 @@ namespace unietp {
 
 /// A line of tasks.jsonl as far as it can be proven.
 struct TaskRecord {
-  std::string id, template_name, split, simulator, scene;
+  std::string id, template_name, split, simulator, scene, layout;
+  std::vector<std::pair<std::string, std::string>> bindings;  // placeholder, category; in the order of the line
+  std::string refinement;                                     // name of the referring constraint, or ""
   std::string goal_text;
   Formula goal_tree;
   std::vector<std::string> start_constraints;
-  std::string instruction;
+  std::string instruction, writer, style;
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;
   };
+  std::uint64_t run = 0;  // seed of the run
+  int slot = 0, attempt = 0;
   std::vector<Count> expert;  // of its demonstrations, in the order of the modes; M1 is always there
 };
 

@@ -1,4 +1,4 @@
-#include "pipeline/changed_copy.h"
+#include "core/changed_copy.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "scene/scene.h"
+#include "validator/task_record.h"
+
+namespace unietp {
+
+/// A candidate that was given up: a line of rejections.jsonl.
+struct GivenUp {
+  std::string template_name, simulator, split, stage, reason;
+};
+
+/// A finished data set's folder but for what is large: scenes and demonstrations are read when they are asked for.
+struct FinishedSet {
+  std::filesystem::path folder;
+  std::string name;                                         // of the folder, for people
+  std::string digest;                                       // SHA-256 of tasks.jsonl
+  std::vector<TaskRecord> tasks;                            // in the order of the file
+  std::vector<GivenUp> given_up;                            // likewise
+  std::map<std::string, std::map<std::string, int>> level;  // "receptacle" → "ai2thor/Sofa" → tasks that have it
+  std::vector<Mode> modes;                                  // that it has demonstrations of
+};
+
+/// Errors: Io; Parse and Schema with file and line.
+Result<FinishedSet> read_finished_set(const std::filesystem::path& folder);
+
+/// The start scene of a task. Errors: Io, Parse, Schema.
+Result<Scene> read_start_scene(const std::filesystem::path& folder, const TaskRecord& task);
+
+/// The demonstrations of a mode, in the order of the tasks, each read and handed to `use` by one of so many threads:
+/// `use(i, demonstration)` for task i. Errors: as above; Schema when they are not those of the tasks.
+Result<Done> read_demonstrations(const FinishedSet& set, Mode mode, int threads,
+                                 const std::function<void(std::size_t, const DemonstrationRecord&)>& use);
+
+/// Calls `work(i)` for each i < count, from so many threads.
+void in_threads(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
+
+}  // namespace unietp

@@ -1,0 +1,351 @@
+#include "report/figure_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+using Sets = std::span<const DatasetStatistics>;
+using Cell = std::function<std::string(const DatasetStatistics&)>;
+
+FigureTable table(std::string id, std::string title, std::string note, std::string rows, Sets sets,
+                  const std::string& alone) {
+  FigureTable made{std::move(id), std::move(title), std::move(note), {std::move(rows)}, {}};
+  for (const auto& set : sets) made.columns.push_back(sets.size() == 1 ? alone : set.name);
+  return made;
+}
+
+void add_row(FigureTable& table, Sets sets, std::string name, const Cell& cell) {
+  std::vector<std::string> row{std::move(name)};
+  for (const auto& set : sets) row.push_back(cell(set));
+  table.rows.push_back(std::move(row));
+}
+
+int count_in(const Tally& tally, const std::string& name) {
+  const auto found = tally.find(name);
+  return found == tally.end() ? 0 : found->second;
+}
+
+/// Every name of the sets' tallies, the most frequent first.
+std::vector<std::string> names_in(Sets sets, const std::function<Tally(const DatasetStatistics&)>& tally_of) {
+  Tally sum;
+  for (const auto& set : sets) {
+    for (const auto& [name, count] : tally_of(set)) sum[name] += count;
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, count] : sum) names.push_back(name);
+  std::stable_sort(names.begin(), names.end(), [&](const auto& a, const auto& b) { return sum.at(a) > sum.at(b); });
+  return names;
+}
+
+FigureTable tally_table(FigureTable made, Sets sets, const std::function<Tally(const DatasetStatistics&)>& tally_of,
+                        bool with_share) {
+  for (const auto& name : names_in(sets, tally_of)) {
+    add_row(made, sets, name, [&](const DatasetStatistics& set) {
+      const int count = count_in(tally_of(set), name);
+      const bool share = with_share && set.tasks > 0;
+      return count_text(count) + (share ? " (" + percent_text(static_cast<double>(count) / set.tasks) + ")" : "");
+    });
+  }
+  return made;
+}
+
+FigureTable overview(Sets sets) {
+  auto made = table("overview", "Overview", "", "", sets, "");
+  add_row(made, sets, "tasks", [](const auto& set) { return count_text(set.tasks); });
+  add_row(made, sets, "homes", [](const auto& set) { return count_text(set.homes); });
+  add_row(made, sets, "templates", [](const auto& set) { return count_text(static_cast<int>(set.templates.size())); });
+  add_row(made, sets, "demonstrations", [](const auto& set) {
+    int count = 0;
+    for (const auto& [mode, lengths] : set.plan_lengths) count += lengths.total();
+    return count_text(count);
+  });
+  add_row(made, sets, "candidates", [](const auto& set) { return count_text(set.candidates()); });
+  add_row(made, sets, "yield", [](const auto& set) {
+    return set.candidates() == 0 ? "" : percent_text(static_cast<double>(set.tasks) / set.candidates());
+  });
+  return made;
+}
+
+FigureTable by_simulator_and_split(Sets sets) {
+  std::set<std::string> simulators, splits;
+  for (const auto& set : sets) {
+    for (const auto& [key, count] : set.by_simulator_and_split) simulators.insert(key.first), splits.insert(key.second);
+  }
+  const auto count = [](const DatasetStatistics& set, const std::string& simulator, const std::string& split) {
+    int sum = 0;
+    for (const auto& [key, tasks] : set.by_simulator_and_split) {
+      if ((simulator.empty() || key.first == simulator) && (split.empty() || key.second == split)) sum += tasks;
+    }
+    return count_text(sum);
+  };
+  FigureTable made{"tasks", "Tasks by simulator and split", "", {"simulator"}, {}};
+  simulators.insert("");  // all of them, last
+  splits.insert("");
+  const auto ordered = [](const std::set<std::string>& names) {
+    std::vector<std::string> all(std::next(names.begin()), names.end());
+    all.emplace_back();
+    return all;
+  };
+  if (sets.size() == 1) {
+    for (const auto& split : ordered(splits)) made.columns.push_back(split.empty() ? "all" : split);
+    for (const auto& simulator : ordered(simulators)) {
+      std::vector<std::string> row{simulator.empty() ? "all" : simulator};
+      for (const auto& split : ordered(splits)) row.push_back(count(sets.front(), simulator, split));
+      made.rows.push_back(std::move(row));
+    }
+    return made;
+  }
+  made.columns = {"simulator, split"};
+  for (const auto& set : sets) made.columns.push_back(set.name);
+  for (const auto& simulator : ordered(simulators)) {
+    for (const auto& split : ordered(splits))
+      add_row(made, sets, (simulator.empty() ? "all" : simulator) + ", " + (split.empty() ? "all" : split),
+              [&](const auto& set) { return count(set, simulator, split); });
+  }
+  return made;
+}
+
+void add_histogram(FigureTable& made, Sets sets, const std::string& name,
+                   const std::function<Histogram(const DatasetStatistics&)>& of) {
+  const auto row = [&](const std::string& what, const std::function<std::string(const Histogram&)>& value) {
+    add_row(made, sets, name + ", " + what, [&](const auto& set) {
+      const Histogram histogram = of(set);
+      return histogram.counts.empty() ? "" : value(histogram);
+    });
+  };
+  row("mean", [](const auto& all) { return decimal_text(all.mean()); });
+  row("median", [](const auto& all) { return decimal_text(all.median()); });
+  row("least", [](const auto& all) { return count_text(all.least()); });
+  row("most", [](const auto& all) { return count_text(all.most()); });
+}
+
+FigureTable instructions(Sets sets) {
+  auto made = table("instructions", "Instructions", "", "", sets, "");
+  add_histogram(made, sets, "words", [](const auto& set) { return set.instruction_words; });
+  add_row(made, sets, "distinct words", [](const auto& set) { return count_text(set.distinct_words); });
+  return made;
+}
+
+std::set<std::string> modes_of(Sets sets) {
+  std::set<std::string> modes;
+  for (const auto& set : sets) {
+    for (const auto& [mode, lengths] : set.plan_lengths) modes.insert(mode);
+  }
+  return modes;
+}
+
+FigureTable plan_lengths(Sets sets) {
+  auto made =
+      table("plan-lengths", "Plan lengths", "Actions of a demonstration, the final stop too.", "mode", sets, "actions");
+  for (const auto& mode : modes_of(sets)) {
+    add_histogram(made, sets, mode, [&](const auto& set) {
+      const auto found = set.plan_lengths.find(mode);
+      return found == set.plan_lengths.end() ? Histogram() : found->second;
+    });
+    add_row(made, sets, mode + ", steps that fail", [&](const auto& set) {
+      const auto found = set.failed_steps.find(mode);
+      return found == set.failed_steps.end() ? "" : count_text(found->second);
+    });
+  }
+  return made;
+}
+
+FigureTable actions(Sets sets) {
+  auto made =
+      table("actions", "Actions", "Occurrences in all demonstrations of a mode.", "mode, action", sets, "times");
+  for (const auto& mode : modes_of(sets)) {
+    const auto of = [&](const DatasetStatistics& set) {
+      const auto found = set.actions.find(mode);
+      return found == set.actions.end() ? Tally() : found->second;
+    };
+    for (const auto& name : names_in(sets, of))
+      add_row(made, sets, mode + ", " + name, [&](const auto& set) { return count_text(count_in(of(set), name)); });
+  }
+  return made;
+}
+
+Tally causes_of(const DatasetStatistics& set) {
+  Tally causes;
+  for (const FunnelRow& row : set.funnel) {
+    for (const auto& [cause, count] : row.causes) causes[cause] += count;
+  }
+  return causes;
+}
+
+FigureTable causes(Sets sets) {
+  auto made = table("causes", "What became of the candidates", "", "stage: reason", sets, "candidates");
+  add_row(made, sets, "became a task", [](const auto& set) { return count_text(set.tasks); });
+  return tally_table(std::move(made), sets, causes_of, false);
+}
+
+FigureTable funnel(Sets sets) {
+  std::set<std::string> names;
+  for (const auto& set : sets) {
+    for (const FunnelRow& row : set.funnel) names.insert(row.template_name);
+  }
+  auto made =
+      table("funnel", "Candidates by template", "Tasks of candidates.", "template", sets, "tasks of candidates");
+  if (sets.size() == 1) made.columns.emplace_back("given up because");
+  for (const auto& name : names) {
+    const FunnelRow* found = nullptr;
+    add_row(made, sets, name, [&](const DatasetStatistics& set) {
+      const auto row = std::find_if(set.funnel.begin(), set.funnel.end(),
+                                    [&](const FunnelRow& one) { return one.template_name == name; });
+      if (row == set.funnel.end()) return std::string("–");
+      found = &*row;
+      return count_text(row->accepted) + " of " + count_text(row->candidates());
+    });
+    if (sets.size() != 1) continue;
+    std::vector<std::string> reasons;
+    for (const auto& [cause, count] : found->causes) reasons.push_back(cause + " (" + count_text(count) + ")");
+    made.rows.back().push_back(join(reasons, ", "));
+  }
+  return made;
+}
+
+FigureTable coverage(Sets sets) {
+  auto made = table("categories", "Categories covered", "Handled: bound in some task. Known: in the knowledge base.",
+                    "simulator", sets, "handled, in homes, known");
+  std::set<std::string> simulators;
+  for (const auto& set : sets) {
+    for (const auto& one : set.coverage) simulators.insert(one.simulator);
+  }
+  for (const auto& simulator : simulators) {
+    add_row(made, sets, simulator, [&](const DatasetStatistics& set) {
+      for (const auto& one : set.coverage) {
+        if (one.simulator == simulator)
+          return count_text(one.handled) + " handled, " + count_text(one.in_homes) + " in homes, of " +
+                 count_text(one.known);
+      }
+      return std::string("–");
+    });
+  }
+  return made;
+}
+
+FigureTable homes(Sets sets) {
+  auto made = table("homes", "Homes", "As the first task of each home begins.", "", sets, "");
+  add_row(made, sets, "homes", [](const auto& set) { return count_text(set.homes); });
+  add_histogram(made, sets, "rooms", [](const auto& set) { return set.rooms; });
+  add_histogram(made, sets, "objects", [](const auto& set) { return set.objects; });
+  return made;
+}
+
+FigureTable balance(Sets sets) {
+  constexpr const char* kNote =
+      "Values that occur, and how many equally frequent ones would be as even: 1 / sum of squared shares, and exp of "
+      "the entropy.";
+  auto made = table("balance", "Balance", kNote, "dimension", sets, "values");
+  if (sets.size() == 1) made.columns = {"dimension", "values", "effective", "by entropy", "variation", "most frequent"};
+  std::set<std::string> dimensions;
+  for (const auto& set : sets) {
+    for (const Evenness& even : set.evenness) dimensions.insert(even.dimension);
+  }
+  for (const auto& dimension : dimensions) {
+    const auto of = [&](const DatasetStatistics& set) -> const Evenness* {
+      for (const Evenness& even : set.evenness) {
+        if (even.dimension == dimension) return &even;
+      }
+      return nullptr;
+    };
+    if (sets.size() == 1) {
+      const Evenness& even = *of(sets.front());
+      const auto most = std::max_element(even.tasks.begin(), even.tasks.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+      made.rows.push_back({dimension, count_text(static_cast<int>(even.tasks.size())), decimal_text(even.effective),
+                           decimal_text(even.by_entropy), number_text(std::round(even.variation * 100) / 100),
+                           most->first + " (" + count_text(most->second) + ")"});
+      continue;
+    }
+    add_row(made, sets, dimension, [&](const DatasetStatistics& set) {
+      const Evenness* even = of(set);
+      return even == nullptr
+                 ? std::string("–")
+                 : decimal_text(even->effective) + " of " + count_text(static_cast<int>(even->tasks.size()));
+    });
+  }
+  return made;
+}
+
+/// Letters that a terminal shows, for texts of our tables.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+bool is_number(const std::string& text) {
+  return text.empty() || text == "–" || (text.front() >= '0' && text.front() <= '9');
+}
+
+}  // namespace
+
+std::string count_text(int count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
+std::string decimal_text(double value) {
+  std::string text = number_text(std::round(value * 10) / 10);
+  return text.find('.') == std::string::npos ? text + ".0" : text;
+}
+
+std::string percent_text(double share) { return decimal_text(share * 100) + " %"; }
+
+std::vector<FigureTable> tables_of(Sets sets) {
+  std::vector<FigureTable> all{overview(sets), by_simulator_and_split(sets), instructions(sets)};
+  all.push_back(tally_table(
+      table("words", "Most frequent words", "Function words such as \"a\" and \"the\" are left out.", "word", sets,
+            "times"),
+      sets, [](const auto& set) { return set.words; }, false));
+  all.push_back(tally_table(
+      table("styles", "Styles of instructions", "", "style", sets, "tasks"), sets,
+      [](const auto& set) { return set.styles; }, true));
+  all.push_back(tally_table(
+      table("operators", "Operators", "Tasks whose goal has it.", "operator", sets, "tasks"), sets,
+      [](const auto& set) { return set.operators; }, true));
+  all.push_back(tally_table(
+      table("predicates", "Predicates", "Tasks whose goal has it.", "predicate", sets, "tasks"), sets,
+      [](const auto& set) { return set.predicates; }, true));
+  for (auto make : {plan_lengths, actions, causes, funnel, coverage, homes, balance}) all.push_back(make(sets));
+  return all;
+}
+
+std::string table_text(const std::vector<FigureTable>& tables, std::size_t most_rows) {
+  std::string text;
+  for (const FigureTable& one : tables) {
+    text += (text.empty() ? "" : "\n") + one.title + "\n";
+    std::vector<std::vector<std::string>> lines{one.columns};
+    lines.insert(lines.end(), one.rows.begin(),
+                 one.rows.begin() + static_cast<std::ptrdiff_t>(std::min(most_rows, one.rows.size())));
+    const bool headless = std::all_of(one.columns.begin(), one.columns.end(), [](const auto& c) { return c.empty(); });
+    if (headless) lines.erase(lines.begin());
+    std::vector<std::size_t> widths(one.columns.size());
+    std::vector<bool> numbers(one.columns.size(), true);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (std::size_t k = 0; k < widths.size(); ++k) {
+        widths[k] = std::max(widths[k], width_of(lines[i][k]));
+        if (i > 0 || headless) numbers[k] = numbers[k] && is_number(lines[i][k]);
+      }
+    }
+    for (const auto& line : lines) {
+      std::string row = " ";
+      for (std::size_t k = 0; k < line.size(); ++k) {
+        const std::string pad(widths[k] - width_of(line[k]), ' ');
+        row += " " + (numbers[k] && k > 0 ? pad + line[k] : line[k] + pad) + " ";
+      }
+      text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    }
+    if (one.rows.size() > most_rows)
+      text += "  … and " + std::to_string(one.rows.size() - most_rows) + " more; --json has all\n";
+  }
+  return text;
+}
+
+}  // namespace unietp

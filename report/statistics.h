@@ -1,0 +1,80 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "report/data_set.h"
+
+namespace unietp {
+
+using Tally = std::map<std::string, int>;
+
+/// How often each whole number came.
+struct Histogram {
+  std::map<int, int> counts;
+  void add(int value) { ++counts[value]; }
+  int total() const;
+  double mean() const;  // 0 when empty, as those below
+  double median() const;
+  int least() const;
+  int most() const;
+};
+
+/// What became of the candidates of one template.
+struct FunnelRow {
+  std::string template_name;
+  int accepted = 0;
+  Tally causes;  // "expert: action-failed" → candidates
+  int candidates() const;
+};
+
+/// How evenly the tasks lie over the values of a dimension.
+struct Evenness {
+  std::string dimension;
+  Tally tasks;            // by value
+  double effective = 0;   // 1 / sum of squared shares, as in the manifest
+  double by_entropy = 0;  // exp of the entropy: as many equally frequent values would be as surprising
+  double variation = 0;   // standard deviation of the counts over their mean
+};
+
+/// How much of what a simulator's knowledge base has occurs.
+struct CategoryCoverage {
+  std::string simulator;
+  int known = 0;     // categories of the knowledge base
+  int handled = 0;   // that some task's template is bound to
+  int in_homes = 0;  // that stand in some home
+};
+
+/// Figures of a finished data set. Every count is one of tasks, unless it says otherwise.
+struct DatasetStatistics {
+  std::string name;
+  int tasks = 0;
+  std::map<std::pair<std::string, std::string>, int> by_simulator_and_split;
+  Tally templates, styles, writers;
+  Histogram instruction_words;  // words of an instruction
+  Tally words;                  // occurrences, lower case; function words (a, the, of, …) are left out
+  int distinct_words = 0;       // with function words
+  Tally operators, predicates;  // tasks whose goal has it; operators by their name in docs/logic.md
+  std::map<std::string, Histogram> plan_lengths;  // by mode: actions of a demonstration, `stop` too
+  std::map<std::string, Tally> actions;           // by mode: occurrences of each action
+  std::map<std::string, int> failed_steps;        // by mode
+  std::vector<FunnelRow> funnel;                  // templates with candidates, in order of name
+  std::vector<CategoryCoverage> coverage;         // simulators that have tasks, in the order of kSimulators
+  int homes = 0;
+  Histogram rooms, objects;        // of a home, in the start of its first task; objects that can be moved or not
+  std::vector<Evenness> evenness;  // in order of dimension's name
+
+  int candidates() const;
+};
+
+/// Deterministic for any number of threads. `knowledge`: in the order of kSimulators. Errors: those of reading.
+Result<DatasetStatistics> statistics_of_set(const FinishedSet& set, const std::vector<const Knowledge*>& knowledge,
+                                            int threads);
+
+/// `unietp-statistics/1`: data/schemas/statistics.schema.json.
+std::string statistics_json(const std::vector<DatasetStatistics>& sets);
+
+}  // namespace unietp

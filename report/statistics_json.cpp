@@ -1,0 +1,75 @@
+#include <nlohmann/json.hpp>
+
+#include "report/statistics.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A list, since names such as words and categories are no fields.
+Json to_json(const Tally& tally) {
+  Json list = Json::array();
+  for (const auto& [name, count] : tally) list.push_back({{"name", name}, {"count", count}});
+  return list;
+}
+
+Json to_json(const Histogram& histogram) {
+  Json counts = Json::array();
+  for (const auto& [value, count] : histogram.counts) counts.push_back({{"value", value}, {"count", count}});
+  return {{"mean", histogram.mean()}, {"median", histogram.median()}, {"counts", std::move(counts)}};
+}
+
+Json to_json(const DatasetStatistics& set) {
+  Json pairs = Json::array();
+  for (const auto& [key, count] : set.by_simulator_and_split)
+    pairs.push_back({{"simulator", key.first}, {"split", key.second}, {"tasks", count}});
+  Json plans = Json::array();
+  for (const auto& [mode, lengths] : set.plan_lengths)
+    plans.push_back({{"mode", mode},
+                     {"lengths", to_json(lengths)},
+                     {"actions", to_json(set.actions.at(mode))},
+                     {"failed_steps", set.failed_steps.at(mode)}});
+  Json funnel = Json::array();
+  for (const FunnelRow& row : set.funnel)
+    funnel.push_back({{"template", row.template_name}, {"accepted", row.accepted}, {"given_up", to_json(row.causes)}});
+  Json coverage = Json::array();
+  for (const auto& one : set.coverage)
+    coverage.push_back(
+        {{"simulator", one.simulator}, {"known", one.known}, {"handled", one.handled}, {"in_homes", one.in_homes}});
+  Json balance = Json::array();
+  for (const Evenness& even : set.evenness)
+    balance.push_back({{"dimension", even.dimension},
+                       {"effective", even.effective},
+                       {"by_entropy", even.by_entropy},
+                       {"variation", even.variation},
+                       {"tasks", to_json(even.tasks)}});
+  return {{"name", set.name},
+          {"tasks", set.tasks},
+          {"candidates", set.candidates()},
+          {"by_simulator_and_split", std::move(pairs)},
+          {"templates", to_json(set.templates)},
+          {"instructions",
+           {{"styles", to_json(set.styles)},
+            {"writers", to_json(set.writers)},
+            {"lengths", to_json(set.instruction_words)},
+            {"distinct_words", set.distinct_words},
+            {"words", to_json(set.words)}}},
+          {"goals", {{"operators", to_json(set.operators)}, {"predicates", to_json(set.predicates)}}},
+          {"plans", std::move(plans)},
+          {"funnel", std::move(funnel)},
+          {"categories", std::move(coverage)},
+          {"homes", {{"count", set.homes}, {"rooms", to_json(set.rooms)}, {"objects", to_json(set.objects)}}},
+          {"balance", std::move(balance)}};
+}
+
+}  // namespace
+
+std::string statistics_json(const std::vector<DatasetStatistics>& sets) {
+  Json list = Json::array();
+  for (const auto& set : sets) list.push_back(to_json(set));
+  const Json json{{"format", "unietp-statistics/1"}, {"sets", std::move(list)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace unietp
