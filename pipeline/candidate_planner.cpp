@@ -55,6 +55,10 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
 
 std::size_t CandidatePlanner::next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts,
                                             Rng rng) const {
+  if (turn.tried.empty()) {
+    turn.tried.push_back(slot.templates[slot.dealt]);
+    return turn.tried.back();
+  }
   std::vector<std::size_t> fresh;
   const auto find_fresh = [&] {
     for (const auto source : slot.templates) {

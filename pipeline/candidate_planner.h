@@ -22,7 +22,7 @@ struct CandidatePlan {
 
 /// Settles templates, homes and categories so that the data set is level over templates, categories, receptacles, rooms
 /// and homes: each is drawn by inverse frequency among the tasks taken so far and the candidates planned before it in
-/// the same round. A slot keeps its template for a few attempts, then takes one that it has not tried.
+/// the same round. A slot keeps the template dealt to it for a few attempts, then takes one that it has not tried.
 ///
 /// Plans depend on the configuration and on what was asked of this planner before: equal rounds give equal plans,
 /// whatever the threads do between them.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/rng.h"
 #include "pipeline/share_out.h"
 
 namespace unietp {
@@ -111,6 +112,26 @@ Result<std::vector<TaskSlot>> by_quotas(const RunConfiguration& configuration, c
   return slots;
 }
 
+/// Each slot in turn takes the template dealt least often so far; among equals the one that fits fewest slots, since
+/// others have more chances to come, and then any.
+void deal_templates(std::vector<TaskSlot>& slots, std::size_t templates, Rng rng) {
+  std::vector<int> dealt(templates, 0), chances(templates, 0);
+  for (const auto& slot : slots) {
+    for (const auto source : slot.templates) ++chances[source];
+  }
+  for (auto& slot : slots) {
+    std::vector<std::size_t> least;  // positions in slot.templates
+    const auto rank = [&](std::size_t at) { return std::pair(dealt[slot.templates[at]], chances[slot.templates[at]]); };
+    for (std::size_t at = 0; at < slot.templates.size(); ++at) {
+      if (!least.empty() && rank(at) > rank(least.front())) continue;
+      if (!least.empty() && rank(at) < rank(least.front())) least.clear();
+      least.push_back(at);
+    }
+    slot.dealt = least[rng.below(least.size())];
+    ++dealt[slot.templates[slot.dealt]];
+  }
+}
+
 /// Errors: Usage for a name that no template has.
 Result<Done> check_names(const RunConfiguration& configuration, const Resources& resources) {
   std::vector<std::string> known;
@@ -138,11 +159,7 @@ Result<Done> check_homes(const RunConfiguration& configuration, const Resources&
   return Done{};
 }
 
-}  // namespace
-
-Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources) {
-  if (auto known = check_names(configuration, resources); !known) return known.error();
-  if (auto there = check_homes(configuration, resources); !there) return there.error();
+Result<std::vector<TaskSlot>> shared_out(const RunConfiguration& configuration, const Resources& resources) {
   if (!configuration.quotas.empty()) return by_quotas(configuration, resources);
   std::vector<std::vector<Group>> groups;
   for (const auto simulator : configuration.simulators) {
@@ -151,6 +168,16 @@ Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, 
     groups.push_back(std::move(*found));
   }
   return equal_shares(configuration, groups);
+}
+
+}  // namespace
+
+Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources) {
+  if (auto known = check_names(configuration, resources); !known) return known.error();
+  if (auto there = check_homes(configuration, resources); !there) return there.error();
+  auto slots = shared_out(configuration, resources);
+  if (slots) deal_templates(*slots, resources.templates.size(), Rng(configuration.seed).fork("deal", 0));
+  return slots;
 }
 
 }  // namespace unietp

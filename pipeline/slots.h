@@ -14,10 +14,13 @@ struct TaskSlot {
   Simulator simulator = Simulator::Ai2thor;
   Split split = Split::Atomic;
   std::vector<std::size_t> templates;  // positions in Resources::templates, ascending; not empty
+  std::size_t dealt = 0;               // position in `templates` of the one to begin with
 };
 
-/// Equal shares for simulators, then for splits. Which template, home and categories fill a slot is settled candidate
-/// by candidate (candidate_planner.h). Deterministic. Errors: Usage when a template is unknown, when no template fits a
+/// Equal shares for simulators, then for splits, or the quotas asked for. Templates are dealt out over the whole data
+/// set, so that each is begun with as often as the others wherever its slots allow, however the slots are then worked
+/// through; whether it can stay, in which home and with which categories is settled candidate by candidate
+/// (candidate_planner.h). Deterministic by the configuration's seed. Errors: Usage when a template is unknown, when no template fits a
 /// simulator and a split asked for, or when scenes are given and none is of a simulator asked for.
 Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources);
 

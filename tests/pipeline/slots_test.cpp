@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "committed.h"
+#include "pipeline/configuration_json.h"
+
 namespace unietp {
 namespace {
 
@@ -71,6 +74,29 @@ TEST(PlanSlots, EqualSeedsPlanEqually) {
   const auto second = plan_slots(configuration, three_templates());
   ASSERT_TRUE(first && second);
   for (std::size_t i = 0; i < first->size(); ++i) EXPECT_EQ((*first)[i].templates, (*second)[i].templates);
+}
+
+TEST(PlanSlots, DealsTemplatesLevelWhereverTheirSlotsAllow) {
+  RunConfiguration configuration;
+  configuration.count = 48;
+  const auto slots = plan_slots(configuration, three_templates());
+  ASSERT_TRUE(slots) << format(slots.error());
+  std::map<std::size_t, int> dealt;
+  for (const auto& slot : *slots) ++dealt[slot.templates[slot.dealt]];
+  EXPECT_EQ(dealt, (std::map<std::size_t, int>{{0, 19}, {1, 20}, {2, 9}}));  // "c" fits 9 slots only
+}
+
+TEST(PlanSlots, TheBenchmarkBeginsWithEachTemplateOfTheLibraryWhateverItsSeed) {
+  auto configuration =
+      read_configuration(std::filesystem::path(UNIETP_SOURCE_DIR) / "data" / "runs" / "benchmark.json");
+  ASSERT_TRUE(configuration) << format(configuration.error());
+  for (configuration->seed = 1; configuration->seed < 20; ++configuration->seed) {
+    const auto slots = plan_slots(*configuration, committed());
+    ASSERT_TRUE(slots) << format(slots.error());
+    std::vector<int> dealt(committed().templates.size(), 0);
+    for (const auto& slot : *slots) ++dealt[slot.templates[slot.dealt]];
+    EXPECT_THAT(dealt, testing::Each(testing::Ge(2))) << configuration->seed;
+  }
 }
 
 TEST(PlanSlots, RefusesAnUnknownTemplateAndASplitThatNoneMakes) {

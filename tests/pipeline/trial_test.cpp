@@ -4,19 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include "committed.h"
+
 #include "pipeline/coverage.h"
 #include "pipeline/expert_success.h"
 #include "pipeline/verdict_text.h"
 
 namespace unietp {
 namespace {
-
-const Resources& committed() {
-  static const auto kReading =
-      load_resources({UNIETP_SOURCE_DIR, std::filesystem::path(testing::TempDir()) / "unietp-trial-cache"});
-  EXPECT_TRUE(kReading.errors.empty());
-  return kReading.resources;
-}
 
 RunConfiguration small_homes() {
   RunConfiguration configuration;
