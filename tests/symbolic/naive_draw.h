@@ -153,12 +153,20 @@ class NaiveDraw {
     for (std::size_t i = 0; i < scene_.start.things.size(); ++i) {
       const auto place = static_cast<Id>(i);
       if (place == id || rests_on(scene_.start, place, id)) continue;
-      if (has_room(scene_.setting, scene_.start, id, Predicate::On, place)) places.emplace_back(Where::On, place);
-      if (has_room(scene_.setting, scene_.start, id, Predicate::Inside, place))
-        places.emplace_back(Where::Inside, place);
+      if (may_stand(id, Predicate::On, place)) places.emplace_back(Where::On, place);
+      if (may_stand(id, Predicate::Inside, place)) places.emplace_back(Where::Inside, place);
     }
     if (places.empty() || rng_.chance(0.15)) return;
     std::tie(thing.where, thing.at) = rng_.pick(places);
+  }
+
+  /// What cannot be carried stands where that can be put which the goal wants beside it.
+  bool may_stand(Id id, Predicate relation, Id place) const {
+    const int own = scene_.setting.kind_number(id), host = scene_.setting.kind_number(place);
+    return has_room(scene_.setting, scene_.start, id, relation, place) &&
+           std::all_of(scenes_.visited_.begin(), scenes_.visited_.end(), [&](const auto& visit) {
+             return visit.second != own || scenes_.rules_.capacity(visit.first, relation, host) > 0;
+           });
   }
 
   void sit_beside(Id id, bool under) {

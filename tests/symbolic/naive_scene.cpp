@@ -1,6 +1,7 @@
 #include "naive_scene.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "naive_draw.h"
@@ -107,6 +108,28 @@ void read_atoms(const Formula& formula, std::vector<Formula>& atoms) {
   for (const auto& child : formula.children) read_atoms(child, atoms);
 }
 
+/// Categories of the variables around a formula, by name.
+using Ranges = std::map<std::string, std::vector<std::string>>;
+
+void read_visits(const Formula& formula, Ranges ranges, const Rules& rules, std::vector<std::pair<int, int>>& visits) {
+  if (!formula.variable.empty()) {
+    auto& own = ranges[formula.variable];
+    own.clear();
+    for (const auto& member : formula.domain.members) own.push_back(member.category);
+  }
+  for (const auto& child : formula.children) read_visits(child, ranges, rules, visits);
+  if (formula.op != Formula::Op::Atom || formula.predicate != Predicate::NextTo) return;
+  for (const auto& [visitor, visited] : {std::pair(0U, 1U), std::pair(1U, 0U)}) {
+    for (const auto& one : ranges[formula.terms[visitor].name]) {
+      for (const auto& other : ranges[formula.terms[visited].name]) {
+        const int from = rules.kind_named(one), to = rules.kind_named(other);
+        if (from >= 0 && to >= 0 && rules.kind(from).pickupable && !rules.kind(to).pickupable)
+          visits.emplace_back(from, to);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 NaiveScenes::NaiveScenes(const Specification& specification, const Knowledge& knowledge, Rng rng, ActionProfile profile)
@@ -121,6 +144,7 @@ NaiveScenes::NaiveScenes(const Specification& specification, const Knowledge& kn
   for (const auto& start : specification.init) read_substances(start, rules_, with_nearest_);
   if (rules_.symbols().empty()) rules_.symbol_number("water");
   read_coats(specification.goal, rules_, coats_);
+  read_visits(specification.goal, {}, rules_, visited_);
   for (const auto& start : specification.init) read_coats(start, rules_, coats_);
   for (const auto& start : specification.init) {
     Constraint constraint{&start, {}, {}};
