@@ -109,7 +109,9 @@ TEST(CandidatePlanner, ASlotKeepsTheTemplateDealtToItForAWhileAndThenTriesAnothe
     for (int i = 0; i < CandidatePlanner::kAttemptsPerTemplate; ++i)
       now.insert(planner.round({0}, attempt++, {}).front().source);
     EXPECT_EQ(now.size(), 1U);
-    if (turn == 0) EXPECT_EQ(*now.begin(), slots->front().templates[slots->front().dealt]);
+    if (turn == 0) {
+      EXPECT_EQ(*now.begin(), slots->front().templates[slots->front().dealt]);
+    }
     EXPECT_TRUE(seen.insert(*now.begin()).second) << "a template comes again before all had their turn";
   }
 }

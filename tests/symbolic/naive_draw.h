@@ -156,7 +156,7 @@ class NaiveDraw {
       if (may_stand(id, Predicate::On, place)) places.emplace_back(Where::On, place);
       if (may_stand(id, Predicate::Inside, place)) places.emplace_back(Where::Inside, place);
     }
-    if (places.empty() || rng_.chance(0.15)) return;
+    if (places.empty() || (may_stand_on_floor(id) && rng_.chance(0.15))) return;
     std::tie(thing.where, thing.at) = rng_.pick(places);
   }
 
@@ -167,6 +167,13 @@ class NaiveDraw {
            std::all_of(scenes_.visited_.begin(), scenes_.visited_.end(), [&](const auto& visit) {
              return visit.second != own || scenes_.rules_.capacity(visit.first, relation, host) > 0;
            });
+  }
+
+  bool may_stand_on_floor(Id id) const {
+    const int own = scene_.setting.kind_number(id);
+    return scenes_.rules_.offer().has(ActionType::Drop) ||
+           std::none_of(scenes_.visited_.begin(), scenes_.visited_.end(),
+                        [&](const auto& visit) { return visit.second == own; });
   }
 
   void sit_beside(Id id, bool under) {

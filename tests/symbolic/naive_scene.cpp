@@ -1,6 +1,7 @@
 #include "naive_scene.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -26,22 +27,67 @@ std::set<std::string> names_of(const Specification& specification, const Knowled
   return names;
 }
 
+/// Categories of the variables around a formula, by name.
+using Ranges = std::map<std::string, std::vector<std::string>>;
+/// A category that the goal wants beside one that cannot be carried.
+using Visits = std::vector<std::pair<std::string, std::string>>;
+
+void read_visits(const Formula& formula, Ranges ranges, const Knowledge& knowledge, Visits& visits) {
+  if (!formula.variable.empty()) {
+    auto& own = ranges[formula.variable];
+    own.clear();
+    for (const auto& member : formula.domain.members) own.push_back(member.category);
+  }
+  for (const auto& child : formula.children) read_visits(child, ranges, knowledge, visits);
+  if (formula.op != Formula::Op::Atom || formula.predicate != Predicate::NextTo) return;
+  for (const auto& [visitor, visited] : {std::pair(0U, 1U), std::pair(1U, 0U)}) {
+    for (const auto& one : ranges[formula.terms[visitor].name]) {
+      for (const auto& other : ranges[formula.terms[visited].name]) {
+        if (knowledge.has(one, "pickupable") && !knowledge.has(other, "pickupable")) visits.emplace_back(one, other);
+      }
+    }
+  }
+}
+
+Visits visits_of(const Specification& specification, const Knowledge& knowledge) {
+  Visits visits;
+  read_visits(specification.goal, {}, knowledge, visits);
+  return visits;
+}
+
+/// Furniture on which a category can be put aside.
+std::vector<std::string> places_of(const std::string& name, const Knowledge& knowledge) {
+  std::vector<std::string> places;
+  for (const auto* row : knowledge.placements_of(name, "on")) {
+    const auto* place = knowledge.find(row->receptacle);
+    if (place != nullptr && !place->movable && !knowledge.has(row->receptacle, "openable"))
+      places.push_back(row->receptacle);
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
 /// Furniture on which things can be put aside, and a movable category more.
-std::vector<std::string> bystanders(const std::set<std::string>& names, const Knowledge& knowledge, Rng& rng) {
+std::vector<std::string> bystanders(const std::set<std::string>& names, const Visits& visits,
+                                    const Knowledge& knowledge, Rng& rng) {
   std::vector<std::string> more;
   const auto is_new = [&](const std::string& name) {
     return names.count(name) == 0 && std::find(more.begin(), more.end(), name) == more.end();
   };
-  for (const auto& name : names) {
-    std::vector<std::string> places;
-    for (const auto* row : knowledge.placements_of(name, "on")) {
-      const auto* place = knowledge.find(row->receptacle);
-      if (place != nullptr && !place->movable && !knowledge.has(row->receptacle, "openable"))
-        places.push_back(row->receptacle);
-    }
-    std::erase_if(places, [&](const std::string& place) { return names.count(place) > 0; });
+  const auto provide_one_of = [&](std::vector<std::string> places) {
     const bool has_one = std::any_of(places.begin(), places.end(), [&](const auto& place) { return !is_new(place); });
     if (!places.empty() && !has_one) more.push_back(rng.pick(places));
+  };
+  for (const auto& [visitor, visited] : visits) {  // somewhere to meet
+    const auto own = places_of(visitor, knowledge), other = places_of(visited, knowledge);
+    std::vector<std::string> both;
+    std::set_intersection(own.begin(), own.end(), other.begin(), other.end(), std::back_inserter(both));
+    provide_one_of(std::move(both));
+  }
+  for (const auto& name : names) {
+    auto places = places_of(name, knowledge);
+    std::erase_if(places, [&](const std::string& place) { return names.count(place) > 0; });
+    provide_one_of(std::move(places));
   }
   const auto movables = knowledge.with_affordance("pickupable");
   for (int i = 0; i < 2 && !movables.empty(); ++i) {
@@ -98,7 +144,8 @@ std::vector<std::string> sorted_names(const Specification& specification, const 
     if ((knowledge.find(name) == nullptr) == rooms) found.push_back(name);
   }
   if (!rooms) {
-    for (auto& name : bystanders(names, knowledge, rng)) found.push_back(std::move(name));
+    for (auto& name : bystanders(names, visits_of(specification, knowledge), knowledge, rng))
+      found.push_back(std::move(name));
   }
   return found;
 }
@@ -106,28 +153,6 @@ std::vector<std::string> sorted_names(const Specification& specification, const 
 void read_atoms(const Formula& formula, std::vector<Formula>& atoms) {
   if (formula.op == Formula::Op::Atom) atoms.push_back(formula);
   for (const auto& child : formula.children) read_atoms(child, atoms);
-}
-
-/// Categories of the variables around a formula, by name.
-using Ranges = std::map<std::string, std::vector<std::string>>;
-
-void read_visits(const Formula& formula, Ranges ranges, const Rules& rules, std::vector<std::pair<int, int>>& visits) {
-  if (!formula.variable.empty()) {
-    auto& own = ranges[formula.variable];
-    own.clear();
-    for (const auto& member : formula.domain.members) own.push_back(member.category);
-  }
-  for (const auto& child : formula.children) read_visits(child, ranges, rules, visits);
-  if (formula.op != Formula::Op::Atom || formula.predicate != Predicate::NextTo) return;
-  for (const auto& [visitor, visited] : {std::pair(0U, 1U), std::pair(1U, 0U)}) {
-    for (const auto& one : ranges[formula.terms[visitor].name]) {
-      for (const auto& other : ranges[formula.terms[visited].name]) {
-        const int from = rules.kind_named(one), to = rules.kind_named(other);
-        if (from >= 0 && to >= 0 && rules.kind(from).pickupable && !rules.kind(to).pickupable)
-          visits.emplace_back(from, to);
-      }
-    }
-  }
 }
 
 }  // namespace
@@ -144,7 +169,8 @@ NaiveScenes::NaiveScenes(const Specification& specification, const Knowledge& kn
   for (const auto& start : specification.init) read_substances(start, rules_, with_nearest_);
   if (rules_.symbols().empty()) rules_.symbol_number("water");
   read_coats(specification.goal, rules_, coats_);
-  read_visits(specification.goal, {}, rules_, visited_);
+  for (const auto& [visitor, visited] : visits_of(specification, knowledge))
+    visited_.emplace_back(rules_.kind_named(visitor), rules_.kind_named(visited));
   for (const auto& start : specification.init) read_coats(start, rules_, coats_);
   for (const auto& start : specification.init) {
     Constraint constraint{&start, {}, {}};
