@@ -83,7 +83,9 @@ void CandidatePlanner::settle_home(CandidatePlan& plan, const TaskSlot& slot, Fr
     homes.push_back(home);
     // A home that lacks what was asked for is the last to be looked at.
     const double fit = offers_all(*layout, configuration_.binding) ? 1 : 1e-9;
-    weights.push_back(fit * counts.weight(Dimension::Scene, layout->home.scene.id));
+    // Homes are few and any is as good as another for most templates: squared, so that none is left over.
+    const double wanted = counts.weight(Dimension::Scene, layout->home.scene.id);
+    weights.push_back(fit * wanted * wanted);
   }
   Rng draw = rng.fork("home", 0);
   for (int look = 0; look < kHomesLookedAt && !homes.empty(); ++look) {

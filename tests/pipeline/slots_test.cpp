@@ -83,7 +83,8 @@ TEST(PlanSlots, DealsTemplatesLevelWhereverTheirSlotsAllow) {
   ASSERT_TRUE(slots) << format(slots.error());
   std::map<std::size_t, int> dealt;
   for (const auto& slot : *slots) ++dealt[slot.templates[slot.dealt]];
-  EXPECT_EQ(dealt, (std::map<std::size_t, int>{{0, 19}, {1, 20}, {2, 9}}));  // "c" fits 9 slots only
+  EXPECT_EQ(dealt[2], 9);  // of the 48, no more fit "c"
+  EXPECT_NEAR(dealt[0], dealt[1], 1);
 }
 
 TEST(PlanSlots, TheBenchmarkBeginsWithEachTemplateOfTheLibraryWhateverItsSeed) {
