@@ -8,6 +8,7 @@
 #include "annotator/function_phrases.h"
 #include "annotator/judge.h"
 #include "annotator/meaning.h"
+#include "annotator/spelling.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
 #include "annotator/wording_request.h"
@@ -36,10 +37,12 @@ struct Draft {
 
 class Rounds {
  public:
-  Rounds(const std::vector<WordingTask>& tasks, const LlmWriterOptions& options) : options_(options) {
+  Rounds(const std::vector<WordingTask>& tasks, const LlmWriterOptions& options)
+      : options_(options), spelling_(Spelling::open()) {
     for (const WordingTask& task : tasks) {
       Draft draft;
       draft.task = task;
+      if (!spelling_) draft.done = spelling_.error();
       draft.narrowed = narrowed_for(task.specification, *task.knowledge, *task.nouns);
       for (std::uint64_t i = 0; i < kSamples && !draft.done; ++i) {
         const Rng rng = i == 0 ? task.rng : task.rng.fork("sample", i);
@@ -124,11 +127,14 @@ class Rounds {
     }
   }
 
-  static std::vector<std::string> faults(const std::string& text, const Draft& draft) {
+  std::vector<std::string> faults(const std::string& text, const Draft& draft) const {
     const Specification& specification = draft.task.specification;
     auto wrong = form_faults(text, specification);
-    const auto said = saying_faults(std::string(draft.nouns().behind_context(text)), specification, draft.nouns());
+    const std::string demand(draft.nouns().behind_context(text));
+    const auto said = saying_faults(demand, specification, draft.nouns());
     wrong.insert(wrong.end(), said.begin(), said.end());
+    const auto slips = spelling_->faults(demand, draft.nouns());
+    wrong.insert(wrong.end(), slips.begin(), slips.end());
     auto style = style_fault(text, specification.style, specification.goal, draft.task.categories, draft.nouns());
     if (!style.empty()) wrong.push_back(std::move(style));
     return wrong;
@@ -170,6 +176,7 @@ class Rounds {
   }
 
   const LlmWriterOptions& options_;
+  Result<Spelling> spelling_;
   std::vector<Draft> drafts_;
 };
 

@@ -111,8 +111,8 @@ std::vector<std::string> sentences_of(const std::string& text) {
   return sentences;
 }
 
-/// At least two sentences that name nothing, before one that does.
-std::string background_fault(const std::string& text, const NounTable& lexicon) {
+/// Sentences that name nothing, before one that does: two of them make a background, one gives the occasion.
+int idle_sentences(const std::string& text, const NounTable& lexicon) {
   int idle = 0;
   for (const std::string& sentence : sentences_of(text)) {
     const std::vector<Token> words = tokens_of(sentence);
@@ -125,7 +125,7 @@ std::string background_fault(const std::string& text, const NounTable& lexicon) 
     if (names) break;
     ++idle;
   }
-  return idle >= 2 ? "" : "the background style begins with at least two sentences that name no thing";
+  return idle;
 }
 
 std::string bystander_fault(const std::vector<Token>& words, const Formula& goal,
@@ -181,7 +181,11 @@ std::string style_fault(const std::string& text, std::string_view style, const F
     }
     return "";
   }
-  if (style == "background") return background_fault(text, lexicon);
+  if (style == "background" && idle_sentences(text, lexicon) < 2)
+    return "the background style begins with at least two sentences that name no thing";
+  const bool known_context = lexicon.behind_context(text).size() < text.size();
+  if (style == "context" && !known_context && idle_sentences(text, lexicon) < 1)
+    return "the context style begins with a sentence that gives the occasion and names no thing";
   if (style == "bystander") return bystander_fault(tokens, goal, around, lexicon);
   if (style == "nested-syntax") return nesting_fault(text);
   const auto of_style = [&](const Mark& mark) { return mark.style == style; };

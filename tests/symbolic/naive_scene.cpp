@@ -29,7 +29,7 @@ std::set<std::string> names_of(const Specification& specification, const Knowled
 
 /// Categories of the variables around a formula, by name.
 using Ranges = std::map<std::string, std::vector<std::string>>;
-/// A category that the goal wants beside one that cannot be carried.
+/// A category that can be carried, and one beside which the goal wants it.
 using Visits = std::vector<std::pair<std::string, std::string>>;
 
 void read_visits(const Formula& formula, Ranges ranges, const Knowledge& knowledge, Visits& visits) {
@@ -43,7 +43,7 @@ void read_visits(const Formula& formula, Ranges ranges, const Knowledge& knowled
   for (const auto& [visitor, visited] : {std::pair(0U, 1U), std::pair(1U, 0U)}) {
     for (const auto& one : ranges[formula.terms[visitor].name]) {
       for (const auto& other : ranges[formula.terms[visited].name]) {
-        if (knowledge.has(one, "pickupable") && !knowledge.has(other, "pickupable")) visits.emplace_back(one, other);
+        if (knowledge.has(one, "pickupable")) visits.emplace_back(one, other);
       }
     }
   }
@@ -169,8 +169,10 @@ NaiveScenes::NaiveScenes(const Specification& specification, const Knowledge& kn
   for (const auto& start : specification.init) read_substances(start, rules_, with_nearest_);
   if (rules_.symbols().empty()) rules_.symbol_number("water");
   read_coats(specification.goal, rules_, coats_);
-  for (const auto& [visitor, visited] : visits_of(specification, knowledge))
-    visited_.emplace_back(rules_.kind_named(visitor), rules_.kind_named(visited));
+  for (const auto& [visitor, visited] : visits_of(specification, knowledge)) {
+    if (!knowledge.has(visited, "pickupable"))
+      visited_.emplace_back(rules_.kind_named(visitor), rules_.kind_named(visited));
+  }
   for (const auto& start : specification.init) read_coats(start, rules_, coats_);
   for (const auto& start : specification.init) {
     Constraint constraint{&start, {}, {}};
