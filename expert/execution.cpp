@@ -1,50 +1,106 @@
 #include "expert/execution.h"
 
-#include "logic/evaluate.h"
+#include <algorithm>
+
+#include "expert/course.h"
 
 namespace unietp {
+namespace {
 
-bool goal_holds(const Formula& goal, const Scene& start, const std::vector<Delta>& changes) {
-  return holds(goal, to_logic(start, changes, reads_comparisons(goal)));
+bool puts_down(ActionType type) {
+  return type == ActionType::PlaceOn || type == ActionType::PlaceIn || type == ActionType::Drop;
 }
 
-Demonstration record(Rehearsal& rehearsal, const std::vector<Action>& actions) {
+bool only_moves_the_body(ActionType type) {
+  const ActionClass group = info(type).group;
+  return group != ActionClass::Manipulation && group != ActionClass::Composite && type != ActionType::Stop;
+}
+
+/// Leaves out runs of this length wherever the goal holds without them; true when some went.
+bool shorten(const Course& start, std::vector<Action>& actions, std::size_t length) {
+  bool shorter = false;
+  Course so_far = start;
+  for (std::size_t i = 0; i + length < actions.size();) {  // the last is `stop`
+    Course without = so_far;
+    without.go_on(std::span(actions).subspan(i + length));
+    if (without.reaches_goal()) {
+      actions = without.done();
+      shorter = true;
+      continue;
+    }
+    (void)so_far.go_on(actions[i]);
+    ++i;
+  }
+  return shorter;
+}
+
+bool leave_in_hand(const Course& start, std::vector<Action>& actions) {
+  for (const LeftInHand& mutant : left_in_hand(actions)) {
+    Course course = start;
+    course.go_on(mutant.actions);
+    if (!course.reaches_goal()) continue;
+    actions = course.done();
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Demonstration record(Rehearsal& rehearsal, Mode mode, const std::vector<Action>& actions) {
   Demonstration demonstration;
-  World world = rehearsal.world();
+  demonstration.mode = mode;
+  Course course(rehearsal, mode);
   for (const Action& action : actions) {
+    auto command = clearly_said(course.episode(), action);
+    if (!command) continue;
     DemonstrationStep step;
-    step.visible = world.visible();
+    step.visible = course.episode().visible();
     step.action = action;
-    step.command = by_ids(action);
-    step.outcome = rehearsal.step(world, action);
-    step.changes = world.changes();
+    step.command = std::move(*command);
+    step.outcome = course.go_on(action);
+    if (step.outcome.success) step.changes = course.episode().world().changes();
     demonstration.steps.push_back(std::move(step));
   }
   return demonstration;
 }
 
-std::vector<Action> without_needless(Rehearsal& rehearsal, std::vector<Action> actions, std::size_t longest_run) {
-  std::size_t run = 1;
-  while (run <= longest_run) {
-    auto here = rehearsal.course();
-    std::size_t i = 0;
-    bool shortened = false;
-    while (i + run < actions.size()) {
-      auto shorter = here;
-      rehearsal.follow(shorter, std::span(actions).subspan(i + run));
-      if (shorter.all_succeeded && rehearsal.reaches_goal(shorter)) {
-        const auto at = actions.begin() + static_cast<std::ptrdiff_t>(i);
-        actions.erase(at, at + static_cast<std::ptrdiff_t>(run));
-        shortened = true;
-        continue;
-      }
-      rehearsal.follow(here, std::span(actions).subspan(i, 1));
-      ++i;
-    }
+std::optional<std::vector<Action>> without_needless(Rehearsal& rehearsal, Mode mode, std::vector<Action> actions,
+                                                    std::size_t longest_run) {
+  const Course start(rehearsal, mode);
+  Course all = start;
+  all.go_on(actions);
+  if (!all.reaches_goal()) return std::nullopt;
+  actions = all.done();
+  for (std::size_t length = 1;;) {
     // A shorter plan may make a step needless that was needed before.
-    run = shortened ? 1 : run + 1;
+    if (length <= longest_run) {
+      length = shorten(start, actions, length) ? 1 : length + 1;
+    } else if (leave_in_hand(start, actions)) {
+      length = 1;
+    } else {
+      return actions;
+    }
   }
-  return actions;
+}
+
+std::vector<LeftInHand> left_in_hand(const std::vector<Action>& actions) {
+  std::vector<LeftInHand> mutants;
+  for (std::size_t down = 0; down < actions.size(); ++down) {
+    if (!puts_down(actions[down].type)) continue;
+    std::size_t begin = down;
+    while (begin > 0 && actions[begin].type != ActionType::PickUp) --begin;
+    if (actions[begin].type != ActionType::PickUp) continue;
+    const std::string& thing = actions[begin].args.front();
+    while (begin > 0 && only_moves_the_body(actions[begin - 1].type)) --begin;
+    const auto at = [&actions](std::size_t i) { return actions.begin() + static_cast<std::ptrdiff_t>(i); };
+    LeftInHand mutant{thing, {at(0), at(begin)}};
+    mutant.actions.insert(mutant.actions.end(), at(down + 1), actions.end() - 1);
+    mutant.actions.insert(mutant.actions.end(), at(begin), at(down));
+    mutant.actions.push_back(actions.back());
+    mutants.push_back(std::move(mutant));
+  }
+  return mutants;
 }
 
 }  // namespace unietp

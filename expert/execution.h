@@ -1,19 +1,29 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "expert/expert.h"
 
 namespace unietp {
 
-/// Truth of the goal, by the direct evaluator, on the trace that the deltas make.
-bool goal_holds(const Formula& goal, const Scene& start, const std::vector<Delta>& changes);
+/// Does the actions from the start as an agent of the mode would live them; what it cannot say is left out.
+Demonstration record(Rehearsal& rehearsal, Mode mode, const std::vector<Action>& actions);
 
-/// Does the actions from the start as an agent would live them.
-Demonstration record(Rehearsal& rehearsal, const std::vector<Action>& actions);
+/// Leaves out steps until none can be missed: single ones, then runs of up to `longest_run` (a thing picked up and put
+/// back), then putting a thing down that might as well stay in the hand; whatever fails for want of them goes too.
+/// `actions` ends with `stop`, which stays. nullopt when the goal does not hold after all of them.
+std::optional<std::vector<Action>> without_needless(Rehearsal& rehearsal, Mode mode, std::vector<Action> actions,
+                                                    std::size_t longest_run);
 
-/// Leaves out steps, as long as all that remain succeed and the goal still holds: single ones, then runs of up to
-/// `longest_run` (a thing picked up and put back). `actions` ends with `stop`, which stays.
-std::vector<Action> without_needless(Rehearsal& rehearsal, std::vector<Action> actions, std::size_t longest_run);
+/// A plan in which something that was put down is carried to the end: all that was done to it while it was in the hand
+/// comes last.
+struct LeftInHand {
+  std::string thing;
+  std::vector<Action> actions;
+};
+/// One for every action that puts something down. Things whose way to the hand the actions do not show are passed over.
+std::vector<LeftInHand> left_in_hand(const std::vector<Action>& actions);
 
 }  // namespace unietp

@@ -94,17 +94,11 @@ std::string missing_after(Rehearsal& rehearsal, const std::vector<Action>& actio
   return monitor.missing();
 }
 
-bool reaches_goal(Rehearsal& rehearsal, const std::vector<Action>& actions) {
-  auto course = rehearsal.course();
-  rehearsal.follow(course, actions);
-  return rehearsal.reaches_goal(course);
-}
-
 }  // namespace
 
 std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const ExpertOptions& options) {
   const Formula& goal = rehearsal.goal();
-  const Situation situation = look_around(rehearsal);
+  const Situation situation = look_around(rehearsal, options.mode);
   Experience experience;
   std::set<std::string> tried;
   Rejection last{"expert", "no-plan", "no way to meet the goal with what the scene has: " + to_text(goal)};
@@ -126,11 +120,9 @@ std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const E
     }
     std::vector<Action> actions = attempt.actions();
     actions.push_back(Action{ActionType::Stop, {}});
-    if (reaches_goal(rehearsal, actions)) {
-      // Only an attempt that had to change its mind leaves detours longer than a step.
-      actions = without_needless(rehearsal, std::move(actions), attempt.failures() == 0 ? 1 : 6);
-      return record(rehearsal, actions);
-    }
+    // Only an attempt that had to change its mind leaves detours longer than a step.
+    const auto needed = without_needless(rehearsal, Mode::M1, actions, attempt.failures() == 0 ? 1 : 6);
+    if (needed) return record(rehearsal, Mode::M1, *needed);
     last = {"expert", "goal-not-met", missing_after(rehearsal, actions)};
     for (const Literal& literal : choice->alternative.end) experience.literals.emplace_back(literal, 1.0);
   }

@@ -33,6 +33,7 @@ struct Demonstration {
 struct ExpertOptions {
   int max_steps = 50, max_failures = 10;  // stages.md: M1 and M2
   int max_plans = 12;                     // alternative orders and witnesses tried
+  Mode mode = Mode::M1;                   // whose actions are used; its other rules are not kept (mode_expert.h)
 };
 
 /// Stage: from the goal formula alone: chooses witnesses, orders subgoals, expands them to actions, executes them in
@@ -42,10 +43,10 @@ std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const E
 std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                                                    const Profile& profile, const ExpertOptions& options);
 
-/// Must-fail mutations: each needed step dropped in turn, steps of ordered parts swapped; gives the mutations (as text)
-/// that wrongly still satisfy the goal although they leave a needed step out: empty when the goal really tests the
-/// plan. A dropped step whose absence makes no difference to the goal (such as closing a door out of good manners) is
-/// reported.
+/// Must-fail mutations, each under the rules of the demonstration's mode: every step dropped in turn, what was put down
+/// carried to the end instead, the parts of an order swapped, a distractor in place of a referent. Gives those (as
+/// text) after which the goal still holds: none when the goal really tests the plan. A step whose absence makes no
+/// difference to the goal (such as closing a door out of good manners) is among them.
 std::vector<std::string> needless_steps(Rehearsal& rehearsal, const Demonstration& demonstration);
 std::vector<std::string> needless_steps(const Formula& goal, const Scene& start, const Demonstration& demonstration,
                                         const Knowledge& knowledge, const Profile& profile);

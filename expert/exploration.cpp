@@ -37,24 +37,16 @@ std::tuple<long, long, long, long> key_of(const Agent& agent) {
           std::lround(agent.yaw * kAngles), std::lround(agent.pitch * kAngles)};
 }
 
-const Room* room_of(const Scene& scene, const std::string& id) {
-  for (const Edge& edge : scene.edges) {
-    if (edge.relation == Predicate::InRoom && edge.from == id) return find_room(scene, edge.to);
-  }
-  return nullptr;
-}
-
 class Search {
  public:
   Search(const ModeEpisode& episode, const Node& target, const Profile& profile, bool in_reach)
       : episode_(episode), world_(episode.world()), target_(target), profile_(profile), in_reach_(in_reach) {}
 
   std::optional<std::vector<Action>> run() {
-    const Agent& here = world_.scene().agent;
-    add({here, 0, 0, {}});
-    if (const Room* room = room_of(world_.scene(), target_.id)) begin_with(room->id, 1);
+    add({world_.agent(), 0, 0, {}});
+    if (const std::string room = world_.room_of(target_.id); !room.empty()) begin_with(room, 1);
     double extra = 0;
-    for (const std::string& id : lookouts_for(world_.scene(), target_.id)) {
+    for (const std::string& id : lookouts_for(world_, target_.id)) {
       begin_with(id, 1 + extra);
       extra = kElsewhere;
     }
@@ -76,7 +68,7 @@ class Search {
   void begin_with(const std::string& place, double cost) {
     const Action action{ActionType::GoTo, {place}};
     if (!episode_.said(action)) return;
-    if (auto agent = world_.led_to(world_.scene().agent, action)) add({std::move(*agent), cost, 0, action});
+    if (auto agent = world_.led_to(world_.agent(), action)) add({std::move(*agent), cost, 0, action});
   }
   void expand(std::size_t at) {
     for (const ActionType type : kMoves) {
@@ -119,21 +111,16 @@ bool shows_clearly(const PixelBox& box) {
   return wide >= kLeastSide && high >= kLeastSide && wide * high >= kLeastArea;
 }
 
-std::vector<std::string> lookouts_for(const Scene& scene, const std::string& id) {
-  const Node* target = find_node(scene, id);
+std::vector<std::string> lookouts_for(const World& world, const std::string& id) {
+  const Node* target = world.find(id);
   if (target == nullptr) return {};
-  const Room* room = room_of(scene, id);
-  std::vector<std::string> carriers;
-  for (const Edge& edge : scene.edges) {
-    if ((edge.relation == Predicate::On || edge.relation == Predicate::Inside) && edge.from == id)
-      carriers.push_back(edge.to);
-  }
+  const std::string room = world.room_of(id);
   std::vector<std::tuple<bool, double, std::string>> found;
-  for (const Node& node : scene.nodes) {
+  for (const Node& node : world.nodes()) {
     if (node.movable || node.id == id) continue;
-    const bool carries = std::find(carriers.begin(), carriers.end(), node.id) != carriers.end();
+    const bool carries = world.linked(id, Predicate::On, node.id) || world.linked(id, Predicate::Inside, node.id);
     const double away = (node.pose.position - target->pose.position).head<2>().norm();
-    if (!carries && (room == nullptr || !has_edge(scene, Predicate::InRoom, node.id, room->id))) continue;
+    if (!carries && (room.empty() || world.room_of(node.id) != room)) continue;
     found.emplace_back(!carries, away, node.id);
   }
   std::sort(found.begin(), found.end());
@@ -144,7 +131,7 @@ std::vector<std::string> lookouts_for(const Scene& scene, const std::string& id)
 }
 
 std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, bool in_reach) {
-  const Node* target = find_node(episode.world().scene(), id);
+  const Node* target = episode.world().find(id);
   if (target == nullptr) return std::nullopt;
   return Search(episode, *target, episode.world().profile(), in_reach).run();
 }

@@ -20,6 +20,6 @@ bool shows_clearly(const PixelBox& box);
 std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, bool in_reach = false);
 
 /// Furniture to look from when the object itself cannot be found: what it lies on or in first, then what is nearest.
-std::vector<std::string> lookouts_for(const Scene& scene, const std::string& id);
+std::vector<std::string> lookouts_for(const World& world, const std::string& id);
 
 }  // namespace unietp

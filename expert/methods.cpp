@@ -62,7 +62,7 @@ bool Methods::wipe_off(const Literal& literal) {
 
 bool Methods::change_state(const Literal& literal) {
   const std::string id = attempt_.id_of(literal.subject);
-  for (const StateWay& way : ways_to(literal.predicate, *attempt_.situation().profile)) {
+  for (const StateWay& way : ways_to(literal.predicate, attempt_.situation().profile)) {
     bool done = false;
     switch (way.way) {
       case Way::Direct:
@@ -241,7 +241,7 @@ bool Methods::hold(const std::string& id) {
 }
 
 bool Methods::free_hand(const std::string& wanted) {
-  const auto hands = static_cast<std::size_t>(attempt_.situation().profile->hands);
+  const auto hands = static_cast<std::size_t>(attempt_.situation().profile.hands);
   while (attempt_.world().agent().held.size() >= hands) {
     const std::string held = attempt_.world().agent().held.front();
     if (held == wanted) return true;
@@ -272,7 +272,7 @@ bool Methods::put_aside(const std::string& id) {
     if (do_at(ActionType::PlaceOn, std::get<4>(spot))) return true;
     if (attempt_.exhausted()) return false;
   }
-  return attempt_.situation().profile->offers(ActionType::Drop) && attempt_.act(ActionType::Drop);
+  return attempt_.situation().profile.offers(ActionType::Drop) && attempt_.act(ActionType::Drop);
 }
 
 bool Methods::put(const std::string& id, ActionType action, const std::string& target) {
@@ -312,7 +312,7 @@ bool Methods::reach(const std::string& id) {
 /// What is done to a thing itself, with what it needs first: no power while opening, shut and plugged in while running,
 /// put down and a free hand for folding.
 bool Methods::device(ActionType action, const std::string& id) {
-  const Profile& profile = *attempt_.situation().profile;
+  const Profile& profile = attempt_.situation().profile;
   const bool moves = action == ActionType::Open || action == ActionType::Close || action == ActionType::Fold ||
                      action == ActionType::Break || action == ActionType::PlugIn || action == ActionType::Unplug;
   if (moves && attempt_.is_held(id) && !put_aside(id)) return false;

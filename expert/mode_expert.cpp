@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
+#include "expert/course.h"
 #include "expert/execution.h"
 #include "expert/exploration.h"
-#include "expert/mode_run.h"
-#include "simulation/mode_episode.h"
 
 namespace unietp {
 namespace {
@@ -13,10 +12,10 @@ namespace {
 /// Carries out a plan that names things by ids, looking for each thing first.
 class Explorer {
  public:
-  Explorer(const World& start, Mode mode) : episode_(start, mode) {}
+  Explorer(Rehearsal& rehearsal, Mode mode) : course_(rehearsal, mode) {}
 
   bool carry_out(const Action& action) {
-    const bool of_object = !action.args.empty() && find_node(episode_.world().scene(), action.args.front()) != nullptr;
+    const bool of_object = !action.args.empty() && world().find(action.args.front()) != nullptr;
     if (!of_object) return act(action);
     const std::string& id = action.args.front();
     if (!can_say(action) && !see(id)) return unseen(id);
@@ -28,35 +27,32 @@ class Explorer {
     return look(id, true) && act(action);
   }
 
-  const std::vector<Action>& done() const { return done_; }
+  const std::vector<Action>& done() const { return course_.done(); }
   const std::string& trouble() const { return trouble_; }
 
  private:
   static constexpr int kMostDetours = 2;
 
-  bool can_say(const Action& action) const { return clearly_said(episode_, action).has_value(); }
+  const World& world() const { return course_.episode().world(); }
+  bool can_say(const Action& action) const { return clearly_said(course_.episode(), action).has_value(); }
   bool unseen(const std::string& id) {
     trouble_ = id + " cannot be found";
     return false;
   }
   bool act(const Action& action) {
-    const Outcome outcome = do_in(episode_, action);
-    if (outcome.success) {
-      done_.push_back(action);
-    } else {
-      trouble_ = to_text(action) + ": " + outcome.feedback;
-    }
+    const Outcome outcome = course_.go_on(action);
+    if (!outcome.success) trouble_ = to_text(action) + ": " + outcome.feedback;
     return outcome.success;
   }
   bool look(const std::string& id, bool in_reach = false) {
-    const auto way = way_to_see(episode_, id, in_reach);
+    const auto way = way_to_see(course_.episode(), id, in_reach);
     return way && std::all_of(way->begin(), way->end(), [this](const Action& step) { return act(step); });
   }
   /// Looks from here, from the room, and from furniture; furniture that is not in view itself is looked for first.
   bool see(const std::string& id, int detours = 0) {
     if (look(id)) return true;
     if (detours == kMostDetours) return false;
-    for (const std::string& lookout : lookouts_for(episode_.world().scene(), id)) {
+    for (const std::string& lookout : lookouts_for(world(), id)) {
       const Action approach{ActionType::GoTo, {lookout}};
       if (can_say(approach) || !see(lookout, detours + 1) || !act(approach)) continue;
       if (look(id)) return true;
@@ -64,8 +60,7 @@ class Explorer {
     return false;
   }
 
-  ModeEpisode episode_;
-  std::vector<Action> done_;
+  Course course_;
   std::string trouble_;
 };
 
@@ -80,36 +75,36 @@ std::optional<std::vector<Action>> plan_of(const Demonstration& shown, Mode mode
 
 }  // namespace
 
-std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, const Formula& goal, const Scene& start,
-                                                      const Knowledge& knowledge, const Profile& profile,
-                                                      const Demonstration& shown) {
+std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, Rehearsal& rehearsal, const Demonstration& shown) {
+  constexpr std::size_t kLongestRun = 3;
   const auto rejected = [mode](const std::string& why) {
     return Rejection{"expert", mode == Mode::M2 ? "not-in-m2" : "not-in-m3", why};
   };
-  Profile own = profile;
-  for (const ActionInfo& action : all_actions()) {
-    if (!offers(action, mode)) own.actions[static_cast<std::size_t>(action.type)] = false;
-  }
   const StepLimits limits = limits_of(mode);
   auto plan = plan_of(shown, mode);
   if (!plan) {
-    auto atomic = demonstrate(goal, start, knowledge, own, {limits.steps, limits.failures});
+    auto atomic = demonstrate(rehearsal, {.max_steps = limits.steps, .max_failures = limits.failures, .mode = mode});
     if (const auto* why = std::get_if<Rejection>(&atomic)) return rejected(why->reason + ": " + why->detail);
     plan = plan_of(std::get<Demonstration>(atomic), mode);
   }
-  const auto world = World::create(start, knowledge, own);
-  if (!world || !plan) return rejected("the start cannot be rebuilt");
 
-  Explorer explorer(*world, mode);
+  Explorer explorer(rehearsal, mode);
   for (const Action& action : *plan) {
     if (!explorer.carry_out(action)) return rejected("for " + to_text(action) + ": " + explorer.trouble());
   }
-  const ModeEpisode fresh(*world, mode);
-  const auto actions = shortened(goal, start, fresh, explorer.done());
+  const auto actions = without_needless(rehearsal, mode, explorer.done(), kLongestRun);
   if (!actions) return rejected("done so, it does not reach the goal");
   if (static_cast<int>(actions->size()) > limits.steps)
     return rejected("needs " + std::to_string(actions->size()) + " steps");
-  return record_in(fresh, *actions);
+  return record(rehearsal, mode, *actions);
+}
+
+std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, const Formula& goal, const Scene& start,
+                                                      const Knowledge& knowledge, const Profile& profile,
+                                                      const Demonstration& shown) {
+  auto rehearsal = Rehearsal::of(goal, start, knowledge, profile);
+  if (!rehearsal) return Rejection{"expert", mode == Mode::M2 ? "not-in-m2" : "not-in-m3", format(rehearsal.error())};
+  return demonstrate_in(mode, *rehearsal, shown);
 }
 
 }  // namespace unietp

@@ -2,6 +2,8 @@
 #include <iterator>
 #include <span>
 
+#include "expert/course.h"
+#include "expert/execution.h"
 #include "expert/expert.h"
 #include "expert/situation.h"
 #include "logic/evaluate.h"
@@ -38,25 +40,31 @@ std::vector<Block> blocks_of(const std::vector<Action>& actions) {
 
 class Mutator {
  public:
-  explicit Mutator(Rehearsal& rehearsal) : rehearsal_(rehearsal), goal_(rehearsal.goal()) {}
+  Mutator(Rehearsal& rehearsal, Mode mode) : start_(rehearsal, mode), goal_(rehearsal.goal()) {}
 
   bool survives(const std::vector<Action>& actions) const {
-    auto course = rehearsal_.course();
-    rehearsal_.follow(course, actions);
-    return rehearsal_.reaches_goal(course);
+    Course course = start_;
+    course.go_on(actions);
+    return course.reaches_goal();
   }
 
   void drop_each(const std::vector<Action>& actions, std::vector<std::string>& surviving) const {
-    auto here = rehearsal_.course();
+    Course here = start_;
     for (std::size_t i = 0; i < actions.size(); ++i) {
       if (actions[i].type != ActionType::Stop) {
-        auto without = here;
-        rehearsal_.follow(without, std::span(actions).subspan(i + 1));
-        if (rehearsal_.reaches_goal(without)) {
+        Course without = here;
+        without.go_on(std::span(actions).subspan(i + 1));
+        if (without.reaches_goal()) {
           surviving.push_back("without step " + std::to_string(i + 1) + ": " + to_text(actions[i]));
         }
       }
-      rehearsal_.follow(here, std::span(actions).subspan(i, 1));
+      (void)here.go_on(actions[i]);
+    }
+  }
+
+  void leave_in_hand(const std::vector<Action>& actions, std::vector<std::string>& surviving) const {
+    for (const LeftInHand& mutant : left_in_hand(actions)) {
+      if (survives(mutant.actions)) surviving.push_back("with " + mutant.thing + " left in the hand");
     }
   }
 
@@ -110,7 +118,7 @@ class Mutator {
     if (used && survives(mutant)) surviving.push_back("with " + to + " instead of " + from);
   }
 
-  Rehearsal& rehearsal_;
+  Course start_;
   const Formula& goal_;
 };
 
@@ -119,9 +127,10 @@ class Mutator {
 std::vector<std::string> needless_steps(Rehearsal& rehearsal, const Demonstration& demonstration) {
   std::vector<Action> actions;
   for (const DemonstrationStep& step : demonstration.steps) actions.push_back(step.action);
-  const Mutator mutator(rehearsal);
+  const Mutator mutator(rehearsal, demonstration.mode);
   std::vector<std::string> surviving;
   mutator.drop_each(actions, surviving);
+  mutator.leave_in_hand(actions, surviving);
   mutator.swap_neighbours(actions, surviving);
   const Trace start{rehearsal.entities(), {rehearsal.facts(rehearsal.world())}};
   mutator.use_distractors(rehearsal.goal(), start, actions, surviving);

@@ -34,24 +34,19 @@ Rehearsal::Rehearsal(const Formula& goal, const Scene& start, const Knowledge& k
 Outcome Rehearsal::step(World& world, const Action& action) {
   const std::uint32_t before = world.moment();
   Outcome outcome = world.step(action);
-  const std::uint32_t now = world.moment();
-  if (now >= facts_.size()) facts_.resize(now + std::size_t{1});
-  if (!facts_[now]) {
-    facts_[now] = compares_later_ ? reader_.read(world.scene()) : reader_.read(*facts_[before], world.changes());
-  }
+  read(before, world);
   return outcome;
 }
 
-void Rehearsal::follow(Course& course, std::span<const Action> actions) {
-  for (const Action& action : actions) {
-    if (!step(course.world, action).success) course.all_succeeded = false;
-    course.moments.push_back(course.world.moment());
-  }
+void Rehearsal::read(std::uint32_t before, const World& world) {
+  const std::uint32_t now = world.moment();
+  if (now >= facts_.size()) facts_.resize(now + std::size_t{1});
+  if (!facts_[now])
+    facts_[now] = compares_later_ ? reader_.read(world.scene()) : reader_.read(*facts_[before], world.changes());
 }
 
-bool Rehearsal::reaches_goal(const Course& course) {
-  // No operator of the logic tells a state that lasts from one that does not, so failed steps need no state.
-  std::vector<std::uint32_t> moments = course.moments;
+bool Rehearsal::reaches_goal(std::vector<std::uint32_t> moments) {
+  // No operator of the logic tells a state that lasts from one that does not.
   moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
   const auto differ = std::mismatch(judged_.begin(), judged_.end(), moments.begin(), moments.end());
   trace_.states.resize(static_cast<std::size_t>(differ.first - judged_.begin()));

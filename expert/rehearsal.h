@@ -1,8 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "akb/knowledge.h"
@@ -38,20 +38,13 @@ class Rehearsal {
 
   /// Does the action in a world that goes back to this start by steps of this rehearsal.
   Outcome step(World& world, const Action& action);
+  /// Takes in a world that came from the moment `before` by one step, whoever did it.
+  void read(std::uint32_t before, const World& world);
   /// What the logic sees in such a world.
   const Facts& facts(const World& world) const { return *facts_[world.moment()]; }
 
-  /// A way from the start: the moments passed, one after each action.
-  struct Course {
-    World world;
-    std::vector<std::uint32_t> moments;
-    bool all_succeeded = true;
-  };
-  Course course() const { return {world_, {world_.moment()}, true}; }
-  /// Does the actions, going on after failures.
-  void follow(Course& course, std::span<const Action> actions);
-  /// Truth of the goal, by the direct evaluator, on the course's trace.
-  bool reaches_goal(const Course& course);
+  /// Truth of the goal, by the direct evaluator, on the trace of these moments, of which the first is the start.
+  bool reaches_goal(std::vector<std::uint32_t> moments);
 
  private:
   Rehearsal(const Formula& goal, const Scene& start, const Knowledge& knowledge, const Profile& profile, World world);

@@ -60,11 +60,14 @@ double Situation::walk_m(EntityIndex index) const {
   return *known;
 }
 
-Situation look_around(const Rehearsal& rehearsal) {
+Situation look_around(const Rehearsal& rehearsal, Mode mode) {
   Situation situation(rehearsal.world());
   situation.start = &rehearsal.start();
   situation.knowledge = &rehearsal.knowledge();
-  situation.profile = &rehearsal.profile();
+  situation.profile = rehearsal.profile();
+  for (const ActionInfo& action : all_actions()) {
+    if (!offers(action, mode)) situation.profile.actions[static_cast<std::size_t>(action.type)] = false;
+  }
   situation.trace.states.push_back(rehearsal.facts(rehearsal.world()));
   // The agent, the rooms and the nodes of the start; others were there in branches that were tried before.
   const std::size_t before_nodes = 1 + situation.start->rooms.size();

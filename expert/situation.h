@@ -22,8 +22,8 @@ struct ImaginedSlice {
 struct Situation {
   const Scene* start = nullptr;
   const Knowledge* knowledge = nullptr;
-  const Profile* profile = nullptr;
-  Trace trace;  // the start, then an imagined state in which all slices exist too
+  Profile profile;  // with the actions that the mode offers
+  Trace trace;      // the start, then an imagined state in which all slices exist too
   EntityIndex first_imagined = 0;
   std::vector<ImaginedSlice> imagined;
   std::vector<const Node*> nodes;    // by entity; of an imagined slice its whole's; nullptr for rooms and the agent
@@ -38,14 +38,14 @@ struct Situation {
   const ImaginedSlice& slice(EntityIndex index) const { return imagined[index - first_imagined]; }
 
  private:
-  friend Situation look_around(const Rehearsal& rehearsal);
+  friend Situation look_around(const Rehearsal& rehearsal, Mode mode);
   explicit Situation(const World& at_start) : world_(at_start) {}
   World world_;
   mutable std::vector<std::optional<double>> walked_m_;  // by entity, as far as asked for
 };
 
-/// The rehearsal must outlive the situation.
-Situation look_around(const Rehearsal& rehearsal);
+/// The start for one who plans with the actions of a mode. The rehearsal must outlive the situation.
+Situation look_around(const Rehearsal& rehearsal, Mode mode);
 
 /// True when the formula has one of the operators, at any depth.
 bool has_operator(const Formula& formula, std::initializer_list<Formula::Op> operators);

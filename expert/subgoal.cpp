@@ -105,7 +105,7 @@ bool clash(const Literal& a, const Literal& b, const Situation& situation) {
   }
   if (!a.positive) return false;
   if (a.subject != b.subject) {
-    if (a.predicate == Predicate::Held && b.predicate == Predicate::Held) return situation.profile->hands < 2;
+    if (a.predicate == Predicate::Held && b.predicate == Predicate::Held) return situation.profile.hands < 2;
     return a.object == b.subject && b.object == a.subject && a.object != kNobody && at_one_place_only(a.predicate) &&
            at_one_place_only(b.predicate);
   }

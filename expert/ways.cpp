@@ -47,7 +47,7 @@ bool state_achievable(const Literal& literal, const Situation& situation) {
   const Node* node = situation.nodes[literal.subject];
   if (node == nullptr) return false;
   const std::string& category = situation.entity(literal.subject).category;
-  for (const StateWay& way : ways_to(literal.predicate, *situation.profile)) {
+  for (const StateWay& way : ways_to(literal.predicate, situation.profile)) {
     if (way.way == Way::Direct) {
       if (situation.knowledge->has(category, way.needs)) return true;
       continue;
@@ -112,7 +112,7 @@ bool achievable(const Literal& literal, const Situation& situation) {
     return node != nullptr && (node->movable || situation.is_imagined(literal.subject));
   }
   if (literal.positive) return state_achievable(literal, situation);
-  return literal.predicate == Predicate::Covered && node != nullptr && situation.profile->offers(kWipeOff.action) &&
+  return literal.predicate == Predicate::Covered && node != nullptr && situation.profile.offers(kWipeOff.action) &&
          !rules_for(kWipeOff, situation.entity(literal.subject).category, "", situation.start->nodes,
                     *situation.knowledge)
               .empty();

@@ -139,9 +139,11 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   timer.enter(Stage::OtherModes);
   for (const Mode mode : configuration.modes) {
     if (mode == Mode::M1) continue;
-    auto other =
-        demonstrate_in(mode, specification.goal, start, backend.knowledge, backend.profile, task.demonstration);
+    auto other = demonstrate_in(mode, *rehearsal, task.demonstration);
     if (auto* why = std::get_if<Rejection>(&other)) return rejected(std::move(*why));
+    const auto missable = needless_steps(*rehearsal, std::get<Demonstration>(other));
+    if (!missable.empty())
+      return rejected({"expert", "mutation-succeeds", std::string(name_of(mode)) + ": " + join(missable, "; ")});
     task.in_other_modes.push_back(std::move(std::get<Demonstration>(other)));
   }
   task.traits = traits_of(source, task.episode, task.demonstration);

@@ -8,10 +8,6 @@ namespace {
 
 Outcome refusal(Failure failure, std::string feedback) { return {false, failure, std::move(feedback)}; }
 
-bool holds(const Scene& scene, std::string_view id) {
-  return std::find(scene.agent.held.begin(), scene.agent.held.end(), id) != scene.agent.held.end();
-}
-
 /// "coffee_machine_2" as "the coffee machine".
 std::string described(std::string_view id) {
   std::string name(id.substr(0, id.find_last_not_of("0123456789") + 1));
@@ -20,19 +16,27 @@ std::string described(std::string_view id) {
   return "the " + name;
 }
 
-/// The sentence with the ids of the scene's objects described.
-std::string without_ids(const std::string& sentence, const Scene& scene) {
+/// The sentence with the ids of the world's objects described.
+std::string without_ids(const std::string& sentence, const World& world) {
   const auto in_id = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   std::string text;
   for (std::size_t at = 0; at < sentence.size();) {
     std::size_t end = at;
     while (end < sentence.size() && in_id(sentence[end])) ++end;
     const std::string word = sentence.substr(at, std::max<std::size_t>(end - at, 1));
-    text += find_node(scene, word) != nullptr ? described(word) : word;
+    text += world.find(word) != nullptr ? described(word) : word;
     at += word.size();
   }
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
+}
+
+/// Views are sorted by id.
+const VisibleObject* find_in(const std::vector<VisibleObject>& view, std::string_view id) {
+  const auto found =
+      std::lower_bound(view.begin(), view.end(), id,
+                       [](const VisibleObject& object, std::string_view wanted) { return object.id < wanted; });
+  return found == view.end() || found->id != id ? nullptr : &*found;
 }
 
 }  // namespace
@@ -43,14 +47,14 @@ bool ModeEpisode::over() const {
 }
 
 const std::vector<VisibleObject>& ModeEpisode::visible() const {
-  if (!visible_) visible_ = mode_ == Mode::M3 ? world_.pictured() : world_.visible();
-  return *visible_;
+  return mode_ == Mode::M3 ? world_.pictured() : world_.visible();
 }
 
-const VisibleObject* ModeEpisode::in_view(std::string_view id) const {
-  const auto& all = visible();
-  const auto found = std::find_if(all.begin(), all.end(), [id](const VisibleObject& one) { return one.id == id; });
-  return found == all.end() ? nullptr : &*found;
+const VisibleObject* ModeEpisode::in_view(std::string_view id) const { return find_in(visible(), id); }
+
+bool ModeEpisode::was_seen(std::string_view id) const {
+  return std::any_of(looked_at_.rbegin(), looked_at_.rend(),
+                     [&](std::uint32_t moment) { return find_in(world_.at(moment).visible(), id) != nullptr; });
 }
 
 const VisibleObject* ModeEpisode::best_match(const PixelBox& box) const {
@@ -66,13 +70,13 @@ const VisibleObject* ModeEpisode::best_match(const PixelBox& box) const {
 }
 
 std::optional<Outcome> ModeEpisode::refused(const ActionInfo& about, const std::string& id) const {
-  const Node* node = mode_ == Mode::M2 ? find_node(world_.scene(), id) : nullptr;
-  if (node == nullptr || !node->movable || holds(world_.scene(), id)) return std::nullopt;
+  const Node* node = mode_ == Mode::M2 ? world_.find(id) : nullptr;
+  if (node == nullptr || !node->movable || world_.holds(id)) return std::nullopt;
   if (about.type == ActionType::GoTo) {
     if (in_view(id) != nullptr) return std::nullopt;
     return refusal(Failure::NotInView, id + " is not in view; go to a room, to furniture, or to what you see.");
   }
-  if (seen_.find(id) != seen_.end() || in_view(id) != nullptr) return std::nullopt;
+  if (in_view(id) != nullptr || was_seen(id)) return std::nullopt;
   return refusal(Failure::NotSeenYet, "You have not seen " + id + " yet.");
 }
 
@@ -91,7 +95,7 @@ std::variant<Action, Outcome> ModeEpisode::action_of(const Command& command) con
                      "In " + std::string(name_of(mode_)) + " objects are named by id, not by a box.");
     }
     if (mode_ == Mode::M3 && !argument.box) {
-      const bool room = about.argument == ActionArgument::ObjectOrRoom && find_room(world_.scene(), argument.id);
+      const bool room = about.argument == ActionArgument::ObjectOrRoom && world_.find_room(argument.id);
       if (!room) return refusal(Failure::InvalidArgument, "In M3 objects are named by boxes in the picture.");
     }
     if (!argument.box) {
@@ -107,21 +111,19 @@ std::variant<Action, Outcome> ModeEpisode::action_of(const Command& command) con
 }
 
 Outcome ModeEpisode::told(Outcome outcome) const {
-  if (mode_ == Mode::M3) outcome.feedback = without_ids(outcome.feedback, world_.scene());
+  if (mode_ == Mode::M3) outcome.feedback = without_ids(outcome.feedback, world_);
   return outcome;
 }
 
 Outcome ModeEpisode::step(const Command& command) {
   if (over()) return refusal(Failure::InvalidAction, "The episode has ended.");
-  if (mode_ == Mode::M2) {
-    for (const VisibleObject& object : visible()) seen_.insert(object.id);
-  }
+  if (mode_ == Mode::M2 && (looked_at_.empty() || looked_at_.back() != world_.moment()))
+    looked_at_.push_back(world_.moment());
   const auto action = action_of(command);
   const auto* denied = std::get_if<Outcome>(&action);
   const Outcome outcome = denied != nullptr ? *denied : world_.step(std::get<Action>(action));
   ++steps_;
   if (!outcome.success) ++failures_;
-  if (outcome.success) visible_.reset();
   return told(outcome);
 }
 
@@ -129,8 +131,7 @@ std::optional<Command> ModeEpisode::said(const Action& action) const {
   Command command = by_ids(action);
   if (mode_ == Mode::M3) {
     for (Argument& argument : command.args) {
-      if (info(action.type).argument == ActionArgument::ObjectOrRoom && find_room(world_.scene(), argument.id))
-        continue;
+      if (info(action.type).argument == ActionArgument::ObjectOrRoom && world_.find_room(argument.id)) continue;
       const VisibleObject* object = in_view(argument.id);
       if (object == nullptr || best_match(object->box) != object) return std::nullopt;
       argument = {"", object->box};

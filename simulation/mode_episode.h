@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -45,13 +44,14 @@ class ModeEpisode {
   std::variant<Action, Outcome> action_of(const Command& command) const;
   std::optional<Outcome> refused(const ActionInfo& about, const std::string& id) const;
   const VisibleObject* in_view(std::string_view id) const;
+  bool was_seen(std::string_view id) const;  // before some step
   const VisibleObject* best_match(const PixelBox& box) const;
   Outcome told(Outcome outcome) const;
 
   World world_;
   Mode mode_;
-  std::set<std::string, std::less<>> seen_;  // M2: what was in view before some step
-  mutable std::optional<std::vector<VisibleObject>> visible_;
+  std::vector<std::uint32_t>
+      looked_at_;  // M2: the moments before its steps; what they show is looked at when asked for
   int steps_ = 0, failures_ = 0;
 };
 

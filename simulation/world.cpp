@@ -66,6 +66,12 @@ const Scene& World::scene() const {
   return *shown_;
 }
 
+World World::at(std::uint32_t moment) const {
+  World other(tree_);
+  other.moment_ = moment;
+  return other;
+}
+
 const Profile& World::profile() const { return tree_->profile(); }
 bool World::stopped() const { return tree_->stopped(moment_); }
 
@@ -87,7 +93,7 @@ std::optional<Agent> World::led_to(const Agent& from, const Action& action) cons
   if (!state.profile->offers(action.type)) return std::nullopt;
   if (action.type == ActionType::GoTo) {
     Agent agent = from;
-    if (const Room* room = find_room(state.scene(), action.args.front())) {
+    if (const Room* room = unietp::find_room(state.scene(), action.args.front())) {
       const auto place = place_in_room(state, *room);
       if (!place) return std::nullopt;
       agent.position = *place;
@@ -113,6 +119,8 @@ const Node* World::find(std::string_view id) const {
 }
 
 const Agent& World::agent() const { return tree_->at(moment_).agent(); }
+bool World::holds(std::string_view id) const { return tree_->at(moment_).held(id); }
+const Room* World::find_room(std::string_view id) const { return unietp::find_room(tree_->at(moment_).scene(), id); }
 
 bool World::linked(std::string_view from, Predicate relation, std::string_view to) const {
   const WorldState& state = tree_->at(moment_);

@@ -60,6 +60,8 @@ class World {
   bool stopped() const;  // `stop` was done
   /// Worlds of one start at moments that are alike in all that can change have equal numbers.
   std::uint32_t moment() const { return moment_; }
+  /// The same start at another of its moments.
+  World at(std::uint32_t moment) const;
 
   /// What the camera shows now: objects nearer than the profile's sight of which a pixel is met first by its ray, by
   /// id.
@@ -72,6 +74,8 @@ class World {
   const std::vector<Node>& nodes() const;
   const Node* find(std::string_view id) const;
   const Agent& agent() const;
+  bool holds(std::string_view id) const;  // in the agent's hands
+  const Room* find_room(std::string_view id) const;
   /// Whether the scene has the edge between two objects.
   bool linked(std::string_view from, Predicate relation, std::string_view to) const;
   /// Objects to which one has the relation, by place in the scene.

@@ -18,7 +18,7 @@ struct Reading : ::testing::Test {
   std::vector<std::string> ways(const std::string& text, const Experience& experience = {}) const {
     const Formula formula = goal(text);
     const auto rehearsal = Rehearsal::of(formula, start, knowledge, profile);
-    const Situation situation = look_around(*rehearsal);
+    const Situation situation = look_around(*rehearsal, Mode::M1);
     std::vector<std::string> texts;
     for (const Alternative& way : read_goal(formula, situation, experience)) texts.push_back(to_text(way, situation));
     return texts;
@@ -70,7 +70,7 @@ TEST_F(Reading, ImaginesSlicesOfWhatCanBeCut) {
 TEST_F(Reading, WhatFailedComesLast) {
   const Formula formula = goal("(exists (?x - Mug) (at-end (held ?x)))");
   const auto rehearsal = Rehearsal::of(formula, start, knowledge, profile);
-  const Situation situation = look_around(*rehearsal);
+  const Situation situation = look_around(*rehearsal, Mode::M1);
   const Literal first = read_goal(formula, situation, {}).front().end.front();
   Experience experience;
   experience.literals.emplace_back(first, 100);

@@ -3,9 +3,9 @@
 
 #include <set>
 
+#include "expert/course.h"
 #include "expert/exploration.h"
 #include "expert/mode_expert.h"
-#include "expert/mode_run.h"
 #include "logic/evaluate.h"
 #include "simulation/mode_episode.h"
 #include "tests/expert/house.h"
@@ -102,6 +102,7 @@ TEST_P(InAnotherMode, IsShownByStepsThatReplayUnderItsRulesAndCannotBeMissed) {
   EXPECT_TRUE(episode.world().stopped());
   EXPECT_TRUE(holds(goal_, to_logic(start_, changes, reads_comparisons(goal_))));
 
+  EXPECT_EQ(needless_steps(goal_, start_, demonstration, knowledge_, profile_), std::vector<std::string>());
   for (std::size_t i = 0; i + 1 < actions.size(); ++i) {
     auto without = actions;
     without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
@@ -153,6 +154,22 @@ TEST(ModeExpert, SaysWhatStandsInTheWayWhenAModeHasNoDemonstration) {
       << std::get<Rejection>(shown).detail;
 }
 
+TEST(ModeExpert, IsHeldAgainstMutationsUnderTheRulesOfTheMode) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const Scene start = at_rest(house());
+  const Formula placed = goal("(exists (?x - Mug) (exists (?y - SideTable) (at-end (on ?x ?y))))");
+  const auto first = std::get<Demonstration>(demonstrate(placed, start, knowledge, profile, {}));
+  for (const Mode mode : {Mode::M2, Mode::M3}) {
+    auto shown = std::get<Demonstration>(demonstrate_in(mode, placed, start, knowledge, profile, first));
+    DemonstrationStep look;
+    look.action = {ActionType::TurnLeft, {}};
+    shown.steps.insert(shown.steps.end() - 1, look);
+    EXPECT_EQ(needless_steps(placed, start, shown, knowledge, profile),
+              std::vector<std::string>{"without step " + std::to_string(shown.steps.size() - 1) + ": turn_left()"});
+  }
+}
+
 TEST(Exploration, LooksFirstFromWhatCarriesTheObject) {
   const Scene start = at_rest(house());
   const Node* carrier = nullptr;
@@ -160,10 +177,13 @@ TEST(Exploration, LooksFirstFromWhatCarriesTheObject) {
     if (edge.relation == Predicate::On && edge.from == "mug_1") carrier = find_node(start, edge.to);
   }
   ASSERT_NE(carrier, nullptr);
-  const auto lookouts = lookouts_for(start, "mug_1");
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const World world = *World::create(start, knowledge, profile);
+  const auto lookouts = lookouts_for(world, "mug_1");
   ASSERT_FALSE(lookouts.empty());
   EXPECT_EQ(lookouts.front(), carrier->id);
-  EXPECT_TRUE(lookouts_for(start, "nothing_1").empty());
+  EXPECT_TRUE(lookouts_for(world, "nothing_1").empty());
 }
 
 }  // namespace
