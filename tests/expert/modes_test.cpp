@@ -166,7 +166,7 @@ TEST(ModeExpert, IsHeldAgainstMutationsUnderTheRulesOfTheMode) {
     look.action = {ActionType::TurnLeft, {}};
     shown.steps.insert(shown.steps.end() - 1, look);
     EXPECT_EQ(needless_steps(placed, start, shown, knowledge, profile),
-              std::vector<std::string>{"without step " + std::to_string(shown.steps.size() - 1) + ": turn_left()"});
+              std::vector<std::string>{"without step " + std::to_string(shown.steps.size() - 1) + ": turn_left"});
   }
 }
 
