@@ -4,6 +4,7 @@
 
 #include "generator/goal_parts.h"
 #include "grounding/goal_places.h"
+#include "grounding/present.h"
 #include "logic/evaluate.h"
 #include "scene/trace.h"
 #include "simulation/navigation.h"
@@ -27,7 +28,7 @@ bool makes_slices(const Domain& domain) {
 class Reach {
  public:
   Reach(const Home& home, const Scene& scene, const PhysicsWorld& world, const Profile& profile)
-      : home_(home), scene_(scene), world_(world), profile_(profile), walk_(walk_of(home, scene, profile)) {}
+      : home_(home), scene_(scene), world_(world), profile_(profile), walk_(walk_of(home, scene)) {}
 
   bool room(const Room& room) const {
     const NavigationGrid& grid = walk_->grid;
@@ -81,7 +82,7 @@ class Reach {
       opened_->scene.nodes[door].opening = 1;
       opened_->world.set(static_cast<BodyId>(door), shape_of(container), container.pose, 1, container.mass);
     }
-    opened_->walk = walk_of(home_, opened_->scene, profile_);
+    opened_->walk = walk_of(home_, opened_->scene);
     return *opened_;
   }
 
@@ -237,11 +238,12 @@ std::optional<GroundingFailure> check_calm(const Scene& start, const std::set<st
 std::optional<GroundingFailure> check_start(const Specification& specification, const Home& home, const Scene& start,
                                             const std::set<std::string>& touched, const Profile& profile) {
   const PhysicsWorld world = physics_of(home, start);
-  if (relations_of(home, start, world) != start.edges)
+  const GrownScene read = read_grown(home, start, world);
+  if (read.edges != start.edges)
     return failure(GroundingReason::StartNotMet, "the relations of the start are not those that physics shows");
   bool compared = reads_comparisons(specification.goal);
   for (const Formula& constraint : specification.init) compared = compared || reads_comparisons(constraint);
-  const Trace trace = state_of(home, start, compared);
+  const Trace trace = compared ? to_logic(start, {}, true) : read.now;
   if (auto problem = check_formulas(specification, trace)) return problem;
   if (auto problem = check_referring(specification, trace)) return problem;
   if (auto problem = check_calm(start, touched, world)) return problem;

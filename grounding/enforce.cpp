@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "logic/evaluate.h"
 #include "scene/trace.h"
 
 namespace unietp {
@@ -41,49 +40,57 @@ Enforcer::Enforcer(SceneEditor& editor, bool with_comparisons, Rng rng)
     : editor_(editor), with_comparisons_(with_comparisons), rng_(rng) {}
 
 const Trace& Enforcer::now() {
-  const bool changed = editor_.refresh();
-  if (changed || !fresh_) {
-    trace_ = state_of(*editor_.workspace().home(), editor_.workspace().scene(), with_comparisons_);
-    fresh_ = true;
-  }
+  editor_.refresh();
+  const Workspace& workspace = editor_.workspace();
+  if (!with_comparisons_) return workspace.present().now();
+  if (read_ != workspace.reading()) trace_ = to_logic(workspace.scene(), {}, true);
+  read_ = workspace.reading();
   return trace_;
 }
 
 bool Enforcer::holds(const Formula& formula) { return holds(formula, {}); }
 
-bool Enforcer::holds(const Formula& formula, const Names& names) {
-  const Trace& trace = now();
+Assignment Enforcer::assignment(const Trace& trace, const Names& names) const {
   Assignment assignment;
   for (const auto& [variable, id] : names) {
-    for (std::size_t i = 0; i < trace.entities.size(); ++i) {
-      if (trace.entities[i].id == id) assignment.emplace_back(variable, static_cast<EntityIndex>(i));
+    auto entity = with_comparisons_ ? std::nullopt : editor_.workspace().present().find(id);
+    for (std::size_t i = 0; with_comparisons_ && !entity && i < trace.entities.size(); ++i) {
+      if (trace.entities[i].id == id) entity = static_cast<EntityIndex>(i);
     }
+    if (entity && trace.states.front().exists(*entity)) assignment.emplace_back(variable, *entity);
   }
+  return assignment;
+}
+
+bool Enforcer::holds(const Formula& formula, const Names& names) {
+  const Trace& trace = now();
+  const Assignment known = assignment(trace, names);
   // A variable whose object has been taken out since makes whatever is said of it false.
-  return assignment.size() == names.size() && holds_in(formula, trace, 0, assignment);
+  return known.size() == names.size() && holds_in(formula, trace, 0, known);
 }
 
 std::vector<std::string> Enforcer::members(const Formula& quantifier, const Names& names) {
   const Trace& trace = now();
-  Assignment assignment;
-  for (const auto& [variable, id] : names) {
-    for (std::size_t i = 0; i < trace.entities.size(); ++i) {
-      if (trace.entities[i].id == id) assignment.emplace_back(variable, static_cast<EntityIndex>(i));
-    }
-  }
   std::vector<std::string> ids;
-  for (const EntityIndex entity : members_of(quantifier.domain, quantifier.variable, trace, assignment)) {
+  for (const EntityIndex entity : members_of(quantifier.domain, quantifier.variable, trace, assignment(trace, names))) {
     ids.push_back(trace.entities[entity].id);
   }
   return ids;
 }
 
 std::vector<std::string> Enforcer::satisfying(const Formula& quantifier, const Names& names, bool truth) {
+  const Trace& trace = now();
+  const Assignment known = assignment(trace, names);
+  if (known.size() != names.size()) return truth ? std::vector<std::string>() : members(quantifier, names);
+  // One reading for all members: the body is asked as a part of their domain.
+  Domain domain = quantifier.domain;
+  Formula body = quantifier.children.front();
+  if (!truth) body = negation(std::move(body));
+  if (!domain.where.empty()) body = conjunction({std::move(domain.where.front()), std::move(body)});
+  domain.where = {std::move(body)};
   std::vector<std::string> ids;
-  for (const std::string& id : members(quantifier, names)) {
-    Names inner = names;
-    inner.emplace_back(quantifier.variable, id);
-    if (holds(quantifier.children.front(), inner) == truth) ids.push_back(id);
+  for (const EntityIndex entity : members_of(domain, quantifier.variable, trace, known)) {
+    ids.push_back(trace.entities[entity].id);
   }
   return ids;
 }

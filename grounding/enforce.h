@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grounding/scene_editor.h"
+#include "logic/evaluate.h"
 #include "logic/formula.h"
 #include "logic/trace.h"
 
@@ -39,6 +40,8 @@ class Enforcer {
   bool has_member_to_change(const Formula& formula, const Names& names, bool truth, int depth);
 
   bool holds(const Formula& formula, const Names& names);
+  /// The names of things that exist, as the trace numbers them.
+  Assignment assignment(const Trace& trace, const Names& names) const;
   std::vector<std::string> members(const Formula& quantifier, const Names& names);
   std::vector<std::string> satisfying(const Formula& quantifier, const Names& names, bool truth);
   std::string id_of(const Term& term, const Names& names) const;
@@ -46,8 +49,8 @@ class Enforcer {
   SceneEditor& editor_;
   bool with_comparisons_;
   Rng rng_;
-  Trace trace_;
-  bool fresh_ = false;
+  Trace trace_;  // with comparisons
+  int read_ = -1;
   int added_ = 0;
 };
 

@@ -68,8 +68,8 @@ bool within_rounds(Enforcer& enforcer, SceneEditor& editor, const std::vector<Fo
 }
 
 /// A door that was opened may stand where the agent stood.
-void keep_standing(Workspace& workspace, const Home& home, const Profile& profile) {
-  const auto walk = walk_of(home, workspace.scene(), profile);
+void keep_standing(Workspace& workspace, const Home& home) {
+  const auto walk = walk_of(home, workspace.scene());
   const NavigationGrid& grid = walk->grid;
   const Vec2 at = workspace.scene().agent.position;
   if (grid.free(grid.cell_at(at))) return;
@@ -97,7 +97,7 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
     if (!within_rounds(enforcer, editor, constraints, parts, options.rounds)) {
       return rejected(specification, home.scene, editor.failure());
     }
-    keep_standing(workspace, home, profile);
+    keep_standing(workspace, home);
     editor.refresh();
     problem = check_start(specification, home, workspace.scene(), editor.touched(), profile);
     if (!problem) break;
@@ -108,7 +108,7 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
     if (!misplaced || !editor.relocate(problem->subject, [](const Node&) { return true; })) break;
   }
   if (problem) return rejected(specification, home.scene, *problem);
-  const auto walk = walk_of(home, workspace.scene(), profile);
+  const auto walk = walk_of(home, workspace.scene());
   if (const auto room = walk == home.walk ? home.unreached : unreached_room(workspace.scene(), *walk)) {
     return rejected(specification, home.scene,
                     {GroundingReason::NotReachable, *room + " cannot be walked to any more", *room});

@@ -52,7 +52,8 @@ Home prepare_home(Scene scene, const Profile& profile) {
   home.solids = PlacementChecker::shared(std::move(solids));
   home.walk = std::make_shared<const Walk>(walk_in(scene, profile));
   home.unreached = unreached_room(scene, *home.walk);
-  home.now = to_logic(scene, {}, true);
+  home.now.states.push_back(home.reader.read(scene));
+  home.now.entities = home.reader.entities();
   home.scene = std::move(scene);
   return home;
 }
@@ -82,39 +83,27 @@ PhysicsWorld physics_of(const Home& home, const Scene& scene) {
   return physics;
 }
 
-std::vector<Edge> relations_of(const Home& home, const Scene& scene, const PhysicsWorld& physics) {
-  const Differences changed = differences(home, scene);
-  std::vector<Bounds> touched;
-  for (const std::size_t i : changed.gone) touched.push_back(home.bounds[i]);
-  for (const std::size_t i : changed.nodes) touched.push_back(physics.bounds(static_cast<BodyId>(i)));
-  std::vector<std::string> lost;  // ids that the scene no longer has
-  for (const std::size_t i : changed.gone) {
-    const std::string& id = home.scene.nodes[i].id;
-    const bool stays =
-        std::any_of(changed.nodes.begin(), changed.nodes.end(), [&](std::size_t k) { return scene.nodes[k].id == id; });
-    if (!stays) lost.push_back(id);
-  }
-  std::vector<Edge> before = home.scene.edges;
-  if (!lost.empty()) {
-    const auto is_lost = [&](const std::string& id) { return std::find(lost.begin(), lost.end(), id) != lost.end(); };
-    std::erase_if(before, [&](const Edge& edge) { return is_lost(edge.from) || is_lost(edge.to); });
-  }
-  return update_relations(scene, before, physics, {}, touched, changed.nodes);
-}
-
-std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const Profile& profile) {
+std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene) {
   const auto& before = home.scene.nodes;
   const auto& after = scene.nodes;
-  bool same = scene.agent.position == home.scene.agent.position;
-  for (std::size_t i = 0; same && i < std::max(before.size(), after.size()); ++i) {
+  std::vector<std::size_t> changed;
+  for (std::size_t i = 0; i < std::max(before.size(), after.size()); ++i) {
     if (i < before.size() && i < after.size() && same_solids(before[i], after[i])) continue;
-    same = !(i < before.size() && stops_a_body(before[i])) && !(i < after.size() && stops_a_body(after[i]));
+    if ((i < before.size() && stops_a_body(before[i])) || (i < after.size() && stops_a_body(after[i])))
+      changed.push_back(i);
   }
-  return same ? home.walk : std::make_shared<const Walk>(walk_in(scene, profile));
-}
-
-Trace state_of(const Home& home, const Scene& scene, bool with_comparisons) {
-  return difference(home.scene, scene).empty() ? home.now : to_logic(scene, {}, with_comparisons);
+  if (changed.empty() && scene.agent.position == home.scene.agent.position) return home.walk;
+  auto walk = std::make_shared<Walk>(Walk{home.walk->grid, {}});
+  for (const std::size_t i : changed) {
+    if (i < after.size()) {
+      const Shape shape = shape_of(after[i]);
+      walk->grid.update(i, &after[i], &shape);
+    } else {
+      walk->grid.update(i, nullptr, nullptr);
+    }
+  }
+  walk->steps = walk->grid.distances(walk->grid.cell_at(scene.agent.position));
+  return walk;
 }
 
 }  // namespace unietp

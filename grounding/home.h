@@ -26,6 +26,7 @@ struct Home {
   std::shared_ptr<const Walk> walk;
   std::optional<std::string> unreached;  // a room that the agent cannot walk to
   Trace now;                             // the scene in the logic, with comparisons
+  FactReader reader{true};               // that read it
 };
 
 /// Reads the scene's edges anew. Deterministic.
@@ -43,12 +44,8 @@ Differences differences(const Home& home, const Scene& scene);
 
 /// The bodies of such a scene, at the cost of the differences.
 PhysicsWorld physics_of(const Home& home, const Scene& scene);
-/// What read_relations would read of such a scene and its bodies, at the cost of the differences.
-std::vector<Edge> relations_of(const Home& home, const Scene& scene, const PhysicsWorld& physics);
-/// The home's own while nothing that a body bumps into has changed and the agent stands where it stood.
-std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const Profile& profile);
-
-/// Such a scene, its edges read, in the logic. Without comparisons those that it has are the home's.
-Trace state_of(const Home& home, const Scene& scene, bool with_comparisons);
+/// Where a body can walk in it: the home's own while nothing that a body bumps into has changed and the agent stands
+/// where it stood.
+std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene);
 
 }  // namespace unietp

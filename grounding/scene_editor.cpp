@@ -36,11 +36,9 @@ std::vector<Where> usual_places(const Node& node) {
 SceneEditor::SceneEditor(Workspace& workspace, GoalPlaces avoid, const Profile& profile, int draws, Rng rng)
     : workspace_(workspace), avoid_(std::move(avoid)), profile_(profile), draws_(draws), rng_(rng) {}
 
-bool SceneEditor::refresh() {
-  if (!stale_) return false;
-  workspace_.read_edges();
+void SceneEditor::refresh() {
+  if (stale_) workspace_.read_edges();
   stale_ = false;
-  return true;
 }
 
 bool SceneEditor::fail(GroundingReason reason, std::string detail) {
@@ -158,7 +156,7 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
     return place_furniture(workspace_, keep_outs, room, node, where, options, next_rng());
   });
   stale_ = true;
-  if (placed && unreached_room(workspace_.scene(), walk_in(workspace_.scene(), profile_))) {
+  if (placed && unreached_room(workspace_.scene(), *walk_of(*workspace_.home(), workspace_.scene()))) {
     workspace_.remove(*index_of(id));
   } else if (placed) {
     edits_.push_back("added " + category + " " + id + " in " + room_id);
@@ -287,7 +285,8 @@ bool SceneEditor::put_on_floor(const std::string& id, const std::string& room) {
 
 bool SceneEditor::move_agent(const std::string& room, bool into) {
   const Scene& scene = workspace_.scene();
-  const NavigationGrid grid(scene, profile_);
+  const auto walk = walk_of(*workspace_.home(), scene);
+  const NavigationGrid& grid = walk->grid;
   for (const Room& candidate : scene.rooms) {
     if ((candidate.id == room) != into) continue;
     const Bounds bounds = room_bounds(candidate, 0);

@@ -47,8 +47,8 @@ class SceneEditor {
   const std::vector<std::string>& edits() const { return edits_; }
   const GroundingFailure& failure() const { return failure_; }
   Workspace& workspace() { return workspace_; }
-  /// Reads the edges anew when something changed since the last time; true when it did.
-  bool refresh();
+  /// Reads the edges anew when something changed since the last time.
+  void refresh();
 
   /// Notes why something failed and gives false.
   bool fail(GroundingReason reason, std::string detail);

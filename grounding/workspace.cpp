@@ -31,18 +31,14 @@ Workspace::Workspace(const Home& home, const Knowledge& knowledge)
       physics_(home.physics),
       checker_(home.solids),
       sweeps_(home.sweeps),
-      bounds_(home.bounds) {}
+      bounds_(home.bounds),
+      present_(home) {}
 
-std::size_t Workspace::add(Node node) {
-  const std::size_t index = scene_.nodes.size();
-  scene_.nodes.emplace_back();
-  sweeps_.emplace_back();
-  bounds_.emplace_back();
-  replace(index, std::move(node));
-  return index;
+void Workspace::note(std::size_t index) {
+  if (present_) present_->touch(scene_.nodes[index].id, physics_.bounds(static_cast<BodyId>(index)));
 }
 
-void Workspace::replace(std::size_t index, Node node) {
+void Workspace::place(std::size_t index, Node node) {
   const Shape shape = shape_of(node);
   const auto body = static_cast<BodyId>(index);
   physics_.set(body, shape, node.pose, node.opening, node.mass);
@@ -50,11 +46,27 @@ void Workspace::replace(std::size_t index, Node node) {
   bounds_[index] = bounds_of(shape, node.pose, node.opening);
   sweeps_[index] = node.movable ? std::nullopt : sweep_of(node);
   scene_.nodes[index] = std::move(node);
+  note(index);
+}
+
+std::size_t Workspace::add(Node node) {
+  const std::size_t index = scene_.nodes.size();
+  scene_.nodes.emplace_back();
+  sweeps_.emplace_back();
+  bounds_.emplace_back();
+  place(index, std::move(node));
+  return index;
+}
+
+void Workspace::replace(std::size_t index, Node node) {
+  note(index);
+  place(index, std::move(node));
 }
 
 void Workspace::remove(std::size_t index) {
   const std::size_t last = scene_.nodes.size() - 1;
-  if (index != last) replace(index, std::move(scene_.nodes[last]));
+  note(index);
+  if (index != last) place(index, std::move(scene_.nodes[last]));
   physics_.remove(static_cast<BodyId>(last));
   checker_.remove(static_cast<BodyId>(last));
   scene_.nodes.pop_back();
@@ -63,7 +75,12 @@ void Workspace::remove(std::size_t index) {
 }
 
 void Workspace::read_edges() {
-  scene_.edges = home_ == nullptr ? read_relations(scene_, physics_) : relations_of(*home_, scene_, physics_);
+  ++reading_;
+  if (present_) {
+    present_->read(scene_, physics_, scene_.edges);
+  } else {
+    scene_.edges = read_relations(scene_, physics_);
+  }
 }
 
 std::string Workspace::name_of(BodyId body) const {

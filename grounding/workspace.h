@@ -8,6 +8,7 @@
 #include "akb/knowledge.h"
 #include "grounding/collision.h"
 #include "grounding/home.h"
+#include "grounding/present.h"
 #include "scene/scene.h"
 #include "simulation/physics.h"
 
@@ -33,8 +34,12 @@ class Workspace {
   void replace(std::size_t index, Node node);
   /// Takes a node out; the last one gets its place.
   void remove(std::size_t index);
-  /// Reads the edges anew from physics; of a home only those that can have changed.
+  /// Reads the edges anew from physics; of a home only those that can have changed, and the state in the logic.
   void read_edges();
+  /// The state of a workspace that began as a home, as last read, without comparisons of its own.
+  const Present& present() const { return *present_; }
+  /// Another number after each reading.
+  int reading() const { return reading_; }
   Scene take() && { return std::move(scene_); }
   Agent& agent() { return scene_.agent; }
 
@@ -46,6 +51,8 @@ class Workspace {
 
  private:
   friend class StandIn;
+  void place(std::size_t index, Node node);
+  void note(std::size_t index);
 
   Scene scene_;
   const Knowledge* knowledge_;
@@ -54,6 +61,8 @@ class Workspace {
   PlacementChecker checker_;
   std::vector<std::optional<Bounds>> sweeps_;
   std::vector<Bounds> bounds_;
+  std::optional<Present> present_;  // when it began as a home
+  int reading_ = 0;
 };
 
 /// While it lives, a node stands in the graph and in physics, but not in FCL, in place of the one at `index` or as one

@@ -1,8 +1,11 @@
 #include "grounding/home.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "grounding/workspace.h"
 #include "homes.h"
 #include "simulation/relations.h"
 
@@ -41,6 +44,43 @@ Scene grown_out_of(const Scene& home, Rng rng) {
   return scene;
 }
 
+/// One a line, so that a difference can be read.
+std::string texts(const std::vector<Edge>& edges) {
+  std::string all;
+  for (const Edge& edge : edges) all += std::string(info(edge.relation).name) + " " + edge.from + " " + edge.to + "\n";
+  return all;
+}
+
+EntityIndex place_of(const Trace& trace, const std::string& id) {
+  const auto same = [&](const Entity& entity) { return entity.id == id; };
+  const auto found = std::find_if(trace.entities.begin(), trace.entities.end(), same);
+  return static_cast<EntityIndex>(found - trace.entities.begin());
+}
+
+/// The same state but for comparisons: every edge, nothing else between any two that `before` related, and the same
+/// states and symbols.
+void expect_shows(const Trace& now, const Scene& scene, const std::vector<Edge>& before) {
+  const Trace read = to_logic(scene, {});
+  for (EntityIndex e = 0; e < now.entities.size(); ++e) {
+    const EntityIndex there = place_of(read, now.entities[e].id);
+    const bool exists = there < read.entities.size();
+    EXPECT_EQ(now.states.front().exists(e), exists) << now.entities[e].id;
+    if (!exists) continue;
+    for (const PredicateInfo& one : all_predicates()) {
+      EXPECT_EQ(now.states.front().holds(one.predicate, e), read.states.front().holds(one.predicate, there));
+    }
+    EXPECT_EQ(now.states.front().holds(Predicate::Colour, e, "red"),
+              read.states.front().holds(Predicate::Colour, there, "red"));
+  }
+  for (const Edge& edge : scene.edges) {
+    EXPECT_TRUE(now.states.front().holds(edge.relation, place_of(now, edge.from), place_of(now, edge.to)));
+  }
+  for (const Edge& edge : before) {
+    if (find_node(scene, edge.from) == nullptr || has_edge(scene, edge.relation, edge.from, edge.to)) continue;
+    EXPECT_FALSE(now.states.front().holds(edge.relation, place_of(now, edge.from), place_of(now, edge.to)));
+  }
+}
+
 TEST(Home, WhatIsReadAtTheCostOfTheDifferenceIsWhatAWholeReadingGives) {
   for (const Simulator simulator : {Simulator::Ai2thor, Simulator::Behavior}) {
     const auto style = style_of(simulator);
@@ -52,38 +92,42 @@ TEST(Home, WhatIsReadAtTheCostOfTheDifferenceIsWhatAWholeReadingGives) {
       SCOPED_TRACE(seed);
       Scene scene = grown_out_of(home.scene, Rng(seed));
       const PhysicsWorld physics = physics_of(home, scene);
-      scene.edges = relations_of(home, scene, physics);
-      ASSERT_EQ(scene.edges, read_relations(scene));
+      const GrownScene grown = read_grown(home, scene, physics);
+      scene.edges = grown.edges;
+      ASSERT_EQ(texts(scene.edges), texts(read_relations(scene)));
+      expect_shows(grown.now, scene, home.scene.edges);
 
       const Walk whole = walk_in(scene, style->profile);
-      EXPECT_EQ(walk_of(home, scene, style->profile)->steps, whole.steps);
+      EXPECT_EQ(walk_of(home, scene)->steps, whole.steps);
+    }
+  }
+}
 
-      // The same state: every edge, nothing else between any two, and the same states and symbols.
-      const Trace now = state_of(home, scene, seed % 2 == 0), read = to_logic(scene, {}, true);
-      const auto place = [](const Trace& trace, const std::string& id) {
-        for (EntityIndex e = 0; e < trace.entities.size(); ++e) {
-          if (trace.entities[e].id == id) return e;
+TEST(Home, AWorkspaceThatIsEditedAndReadAgainAndAgainShowsWhatAWholeReadingGives) {
+  const auto style = style_of(Simulator::Virtualhome);
+  ASSERT_TRUE(style);
+  auto drawn = home_of(*style, 5);
+  ASSERT_TRUE(drawn) << format(drawn.error());
+  const Home home = prepare_home(std::move(*drawn), style->profile);
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Workspace workspace(home, style->knowledge);
+    Rng rng(seed);
+    for (int edit = 0; edit < 12; ++edit) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", edit " << edit);
+      const std::vector<Edge> before = workspace.scene().edges;
+      const Scene next = grown_out_of(workspace.scene(), rng.fork("edit", static_cast<std::uint64_t>(edit)));
+      while (workspace.scene().nodes.size() > next.nodes.size()) workspace.remove(workspace.scene().nodes.size() - 1);
+      for (std::size_t i = 0; i < next.nodes.size(); ++i) {
+        if (i >= workspace.scene().nodes.size()) {
+          workspace.add(next.nodes[i]);
+        } else if (workspace.scene().nodes[i] != next.nodes[i]) {
+          workspace.replace(i, next.nodes[i]);
         }
-        return static_cast<EntityIndex>(trace.entities.size());
-      };
-      for (EntityIndex e = 0; e < now.entities.size(); ++e) {
-        const EntityIndex there = place(read, now.entities[e].id);
-        const bool exists = there < read.entities.size();
-        EXPECT_EQ(now.states.front().exists(e), exists) << now.entities[e].id;
-        if (!exists) continue;
-        for (const PredicateInfo& one : all_predicates()) {
-          EXPECT_EQ(now.states.front().holds(one.predicate, e), read.states.front().holds(one.predicate, there));
-        }
-        EXPECT_EQ(now.states.front().holds(Predicate::Colour, e, "red"),
-                  read.states.front().holds(Predicate::Colour, there, "red"));
       }
-      for (const Edge& edge : scene.edges) {
-        EXPECT_TRUE(now.states.front().holds(edge.relation, place(now, edge.from), place(now, edge.to)));
-      }
-      for (const Edge& edge : home.scene.edges) {
-        if (find_node(scene, edge.from) == nullptr || has_edge(scene, edge.relation, edge.from, edge.to)) continue;
-        EXPECT_FALSE(now.states.front().holds(edge.relation, place(now, edge.from), place(now, edge.to)));
-      }
+      workspace.agent() = next.agent;
+      workspace.read_edges();
+      ASSERT_EQ(texts(workspace.scene().edges), texts(read_relations(workspace.scene())));
+      expect_shows(workspace.present().now(), workspace.scene(), before);
     }
   }
 }
