@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,7 +29,8 @@ Result<std::vector<SourceScene>> read_behavior(const std::string& where, std::st
 /// A file of a simulator that loads it, and what of the scene that format cannot say.
 struct ExportedScene {
   std::string text;
-  std::vector<std::string> left_out;  // for people: "mug_3: no AI2-THOR asset fits its box"
+  std::vector<std::string> left_out;              // for people: "mug_3: no AI2-THOR asset fits its box"
+  std::map<std::string, std::string> names = {};  // of our objects, by id, where the file names its objects
 };
 Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge);
 Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge);

@@ -49,7 +49,7 @@ class Exporter {
     add_held();
     add_close();
     add_facing();
-    return {text(), std::move(left_out_)};
+    return {text(), std::move(left_out_), std::move(names_)};
   }
 
  private:
@@ -154,6 +154,7 @@ class Exporter {
     }
     add_states(node, json["states"]);
     ids_[node.id] = id;
+    names_[node.id] = node.category + "_" + std::to_string(id);  // as scene graphs of VirtualHome name their nodes
     placed_.push_back({id, bounds, &node, room_at(scene_, node.pose.position.head<2>())});
   }
 
@@ -250,6 +251,7 @@ class Exporter {
   std::vector<Placed> floors_, placed_;
   int agent_ = 0;
   std::vector<std::string> left_out_;
+  std::map<std::string, std::string> names_;
 };
 
 }  // namespace

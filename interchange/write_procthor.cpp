@@ -44,7 +44,7 @@ class HouseWriter {
                      {"walls", walls()},
                      {"proceduralParameters", house_parameters(scene_)},
                      {"metadata", house_metadata(scene_)}};
-    return {house.dump(1, ' ', false, Json::error_handler_t::replace) + "\n", std::move(left_out_)};
+    return {house.dump(1, ' ', false, Json::error_handler_t::replace) + "\n", std::move(left_out_), std::move(names_)};
   }
 
  private:
@@ -241,6 +241,7 @@ class HouseWriter {
               {"objectType", node.category},
               {"kinematic", !node.movable},
               {"layer", house_layer(in)}};
+    names_[node.id] = json["id"];
     if (node.states.has(Predicate::Open)) json["openness"] = node.opening > 0 ? house_number(node.opening, 1000) : 1.0;
     if (node.states.has(Predicate::Dirty)) json["isDirty"] = true;
     if (node.states.has(Predicate::PowerOn)) json["isOn"] = true;
@@ -276,6 +277,7 @@ class HouseWriter {
   std::map<std::size_t, int> numbers_;              // objects of each room so far
   std::map<std::string, int> door_ids_;
   std::vector<std::string> left_out_;
+  std::map<std::string, std::string> names_;
 };
 
 }  // namespace

@@ -78,6 +78,7 @@ int main(int argc, char** argv) {
   unietp::add_validate_command(app, program);
   unietp::add_stats_command(app, program);
   unietp::add_export_command(app, program);
+  unietp::add_schemas_command(app, program);
   unietp::add_render_command(app, program);
   unietp::add_scene_command(app, program);
   unietp::add_template_command(app, program);

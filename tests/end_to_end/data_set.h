@@ -16,6 +16,10 @@ const std::filesystem::path& small_data_set();
 std::vector<std::string> small_options(const std::string& out);
 inline constexpr int kSmallCount = 40;
 
+/// A smaller one of atomic and compositional tasks, each shown in M1, M2 and M3.
+const std::filesystem::path& data_set_in_all_modes();
+inline constexpr int kCountInAllModes = 8;
+
 /// What `unietp validate --json` says.
 struct Verdict {
   int code = -1;

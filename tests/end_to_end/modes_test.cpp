@@ -16,19 +16,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-constexpr int kCount = 8;
+constexpr int kCount = kCountInAllModes;
 
-const fs::path& in_all_modes() {
-  static const ScratchFolder kScratch;
-  static const fs::path kFolder = [] {
-    const auto ended = run_program({"generate", "--count", std::to_string(kCount), "--seed", "11", "--rooms", "5",
-                                    "--objects", "25", "--modes", "M2,M3", "--splits", "atomic,compositional", "--out",
-                                    kScratch.at("modes"), "--threads", "2"});
-    EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
-    return fs::path(kScratch.at("modes"));
-  }();
-  return kFolder;
-}
+const fs::path& in_all_modes() { return data_set_in_all_modes(); }
 
 std::string file_of(const std::string& mode) { return "demonstrations/" + mode + ".jsonl"; }
 

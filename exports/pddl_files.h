@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/result.h"
-#include "pipeline/resources.h"
+#include "validator/validate.h"
 
 namespace unietp {
 
@@ -16,7 +16,7 @@ struct PddlExport {
 /// of it, `<simulator>/<task>.plan`, and `left-out.csv` (task, reason) with what PDDL does not say. The folder `out`
 /// must not exist; it appears as a whole at the end. Errors: those of reading the data set, Io, Usage for a folder that
 /// is there.
-Result<PddlExport> export_pddl(const std::filesystem::path& dataset, const std::vector<Backend>& backends,
+Result<PddlExport> export_pddl(const std::filesystem::path& dataset, const std::vector<ValidationBackend>& backends,
                                const std::filesystem::path& out);
 
 }  // namespace unietp

@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# Makes a data set on a Slurm cluster: an array of jobs, one a shard, and a job that merges them when all have ended well.
+set -euo pipefail
+
+usage() {
+  cat <<'TEXT'
+Usage: submit.sh --shards N --out DIR [OPTIONS] -- benchmark|training|generate [OPTIONS OF unietp]
+
+  submit.sh --shards 100 --out /shared/ten-million -- training --count 10000000
+  submit.sh --shards 2 --out /shared/mine -- generate --count 200 --seed 7 --modes M1,M2
+
+  --shards N         Parts of the run, each a job of its own
+  --out DIR          The data set; DIR.parts/ holds shards and logs. On a disk that all nodes see
+  --at-once N        Shards that run at a time (default: as many as the cluster gives)
+  --cpus N           Processors a shard (default: 1)
+  --memory SIZE      Memory a shard (default: 2G)
+  --time LIMIT       Time limit of a shard (default: the partition's)
+  --partition NAME   Where to run (default: the cluster's)
+  --program FILE     The program (default: unietp on the path)
+  --sbatch OPTION    Anything else for sbatch, such as --sbatch=--account=me; may be given more than once
+  --wait             Return when the merge has ended, with its exit code
+  --help
+
+A shard that is requeued goes on where it stopped. Giving the same command again redoes what is missing: shards that are
+there already end at once. The bytes are those that one process would have made.
+TEXT
+}
+
+fail() { echo "submit.sh: $*" >&2; exit 2; }
+
+shards='' out='' at_once='' cpus=1 memory=2G wait='' program=unietp extra=() limits=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --help) usage; exit 0 ;;
+    --wait) wait=--wait; shift; continue ;;
+    --) shift; break ;;
+    --sbatch=*) extra+=("${1#--sbatch=}"); shift; continue ;;
+    --*) [ $# -ge 2 ] || fail "$1 wants a value" ;;
+    *) fail "unexpected \"$1\"; the command of unietp stands behind --" ;;
+  esac
+  case "$1" in
+    --shards) shards=$2 ;;
+    --out) out=$2 ;;
+    --at-once) at_once=$2 ;;
+    --cpus) cpus=$2 ;;
+    --memory) memory=$2 ;;
+    --time) limits+=("--time=$2") ;;
+    --partition) extra+=("--partition=$2") ;;
+    --program) program=$2 ;;
+    --sbatch) extra+=("$2") ;;
+    *) fail "unknown option $1; see --help" ;;
+  esac
+  shift 2
+done
+[[ "$shards" =~ ^[1-9][0-9]*$ ]] || fail "--shards wants a whole number from 1"
+[ -n "$out" ] || fail "--out is missing"
+case "${1:-}" in
+  benchmark | training | generate) ;;
+  *) fail "expected benchmark, training or generate behind --" ;;
+esac
+for option in "$@"; do
+  case "$option" in
+    --out | --out=* | --shard | --shard=* | --threads | --threads=* | --resume) fail "$option is given by the jobs" ;;
+  esac
+done
+program=$(command -v "$program") || fail "there is no program unietp; name it with --program"
+program=$(realpath "$program")
+[ ! -e "$out" ] || fail "$out exists already; a new folder is expected"
+command -v sbatch > /dev/null || fail "there is no sbatch here; this runs where jobs are submitted"
+
+here=$(dirname "$(realpath "$0")")
+out=$(realpath -m "$out")
+parts="$out.parts"
+mkdir -p "$parts/logs"
+array="1-$shards${at_once:+%$at_once}"
+array_job=$(sbatch --parsable --requeue --job-name=unietp-shard --array="$array" --cpus-per-task="$cpus" \
+  --mem="$memory" --output="$parts/logs/shard-%a.log" --open-mode=append "${limits[@]}" "${extra[@]}" \
+  "$here/shard.sh" "$program" "$parts" "$shards" "$@")
+array_job=${array_job%%;*}
+echo "array $array_job: $shards shards, logs in $parts/logs"
+echo "merge: after $array_job, into $out"
+sbatch $wait --parsable --job-name=unietp-merge --dependency="afterok:$array_job" --kill-on-invalid-dep=yes \
+  --mem="$memory" --output="$parts/logs/merge.log" --open-mode=append "${extra[@]}" \
+  "$here/merge.sh" "$program" "$parts" "$shards" "$out"

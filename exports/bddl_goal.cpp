@@ -1,0 +1,209 @@
+#include "exports/bddl_goal.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/text.h"
+#include "logic/evaluate.h"
+#include "scene/trace.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+class Translator {
+ public:
+  Translator(const Scene& start, const Knowledge& knowledge, const std::map<std::string, std::string>& names)
+      : start_(start), knowledge_(knowledge), names_(names) {}
+
+  Result<BddlGoal> run(const Formula& goal) {
+    const std::string text = node(goal);
+    if (!why_.empty()) return Error{Error::Kind::Unsatisfiable, "", {}, why_};
+    return BddlGoal{text, {categories_.begin(), categories_.end()}};
+  }
+
+ private:
+  std::string refuse(const std::string& why) {
+    if (why_.empty()) why_ = why;
+    return "";
+  }
+
+  std::string node(const Formula& f) {
+    switch (f.op) {
+      case Op::Atom:
+        return atom(f);
+      case Op::And:
+      case Op::Or:
+        return f.children.empty() ? refuse("an empty conjunction or disjunction")
+                                  : list(f.op == Op::And ? "and" : "or", f.children);
+      case Op::Not:
+        return list("not", f.children);
+      case Op::Imply:
+        return list("imply", f.children);
+      case Op::AtEnd:
+        return at_end(f);
+      case Op::Forall:
+      case Op::Exists:
+      case Op::Count:
+        return quantified(f);
+      case Op::Equal:
+        return refuse("it compares no objects");
+      case Op::Number:
+      case Op::CountCompare:
+        return refuse("it compares no numbers of objects");
+      case Op::Sometime:
+      case Op::Always:
+      case Op::Until:
+      case Op::Before:
+        return refuse("it reads the last state alone");
+    }
+    return "";
+  }
+
+  std::string list(const std::string& word, const std::vector<Formula>& parts) {
+    std::string text = "(" + word;
+    for (const Formula& part : parts) text += " " + node(part);
+    return text + ")";
+  }
+
+  std::string at_end(const Formula& f) {
+    if (at_end_) return node(f.children[0]);
+    at_end_ = true;
+    std::string text = node(f.children[0]);
+    at_end_ = false;
+    return text;
+  }
+
+  std::string quantified(const Formula& f) {
+    if (f.domain.kind != Domain::Kind::Categories || f.domain.members.size() != 1)
+      return refuse("it ranges over objects of one synset");
+    const auto& member = f.domain.members[0];
+    const Category* category = knowledge_.find(member.category);
+    if (category == nullptr) return refuse("rooms are no objects in it");
+    if (member.slice) return refuse("pieces that do not exist at the start");
+    if (category->synset.empty()) return refuse(member.category + " has no WordNet synset");
+    for (const Node& other : start_.nodes) {
+      const Category* its = knowledge_.find(other.category);
+      if (other.category != member.category && its != nullptr && its->synset == category->synset)
+        return refuse("its " + category->synset + " is more than our " + member.category);
+    }
+    categories_.insert(member.category);
+    if (!f.domain.where.empty()) return over_referents(f);
+    const std::string body_of = "(?" + f.variable + " - " + category->synset + ") ";
+    values_[f.variable] = "?" + f.variable;
+    const std::string body = node(f.children[0]);
+    values_.erase(f.variable);
+    if (f.op == Op::Count) return counted(f, body_of + body, member.category);
+    return "(" + std::string(f.op == Op::Exists ? "exists " : "forall ") + body_of + body + ")";
+  }
+
+  /// `forn` says exactly so many.
+  std::string counted(const Formula& f, const std::string& rest, const std::string& category) const {
+    const auto there = static_cast<int>(
+        std::count_if(start_.nodes.begin(), start_.nodes.end(), [&](const Node& n) { return n.category == category; }));
+    int low = 0, high = there;
+    if (f.comparison == Comparison::Equal) low = high = f.number;
+    if (f.comparison == Comparison::AtLeast) low = f.number;
+    if (f.comparison == Comparison::Greater) low = f.number + 1;
+    if (f.comparison == Comparison::AtMost) high = std::min(high, f.number);
+    if (f.comparison == Comparison::Less) high = std::min(high, f.number - 1);
+    std::vector<std::string> exactly;
+    for (int n = low; n <= high; ++n) exactly.push_back("(forn (" + std::to_string(n) + ") " + rest + ")");
+    if (exactly.empty()) exactly.push_back("(forn (" + std::to_string(low) + ") " + rest + ")");  // more than there are
+    return exactly.size() == 1 ? exactly[0] : "(or " + join(exactly, " ") + ")";
+  }
+
+  /// What is meant is known at the start, so each is named.
+  std::string over_referents(const Formula& f) {
+    const auto free = free_variables(f.domain.where.front());
+    if (std::any_of(free.begin(), free.end(), [&](const auto& name) { return name != f.variable; }))
+      return refuse("what is meant depends on another object of the goal");
+    if (f.op == Op::Count) return refuse("a count among objects that a constraint picks out");
+    const Trace trace = to_logic(start_, {}, true);
+    std::string text;
+    for (const EntityIndex entity : members_of(f.domain, f.variable, trace)) {
+      const auto named = names_.find(trace.entities[entity].id);
+      if (named == names_.end()) return refuse(trace.entities[entity].id + " has no name in it");
+      values_[f.variable] = "?" + named->second;
+      text += " " + node(f.children[0]);
+    }
+    values_.erase(f.variable);
+    return text.empty() ? refuse("nothing is meant") : (f.op == Op::Exists ? "(or" : "(and") + text + ")";
+  }
+
+  std::string atom(const Formula& f) {
+    if (!at_end_) return refuse("it reads the last state alone");
+    const std::string word(info(f.predicate).name);
+    if (f.terms[0].kind == Term::Kind::Agent) return refuse("it does not say where the agent is");
+    const std::string first = values_[f.terms[0].name];
+    if (const auto state = bddl_state(f.predicate)) {
+      const std::string literal = "(" + std::string(state->name) + " " + first + ")";
+      return state->negated ? "(not " + literal + ")" : literal;
+    }
+    const auto relation = bddl_relation(f.predicate);
+    if (relation.empty()) return refuse("it has no word for `" + word + "`");
+    return "(" + std::string(relation) + " " + first + " " + values_[f.terms[1].name] + ")";
+  }
+
+  const Scene& start_;
+  const Knowledge& knowledge_;
+  const std::map<std::string, std::string>& names_;
+  std::map<std::string, std::string> values_;  // of bound variables
+  std::set<std::string> categories_;
+  bool at_end_ = false;
+  std::string why_;  // the first reason
+};
+
+}  // namespace
+
+std::optional<BddlState> bddl_state(Predicate predicate) {
+  switch (predicate) {
+    case Predicate::Open:
+      return BddlState{"open"};
+    case Predicate::Closed:
+      return BddlState{"open", true};
+    case Predicate::PowerOn:
+      return BddlState{"toggled_on"};
+    case Predicate::PowerOff:
+      return BddlState{"toggled_on", true};
+    case Predicate::Hot:
+      return BddlState{"hot"};
+    case Predicate::Cooked:
+      return BddlState{"cooked"};
+    case Predicate::Raw:
+      return BddlState{"cooked", true};
+    case Predicate::Frozen:
+      return BddlState{"frozen"};
+    case Predicate::Thawed:
+      return BddlState{"frozen", true};
+    case Predicate::Folded:
+      return BddlState{"folded"};
+    case Predicate::Unfolded:
+      return BddlState{"unfolded"};
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string_view bddl_relation(Predicate predicate) {
+  switch (predicate) {
+    case Predicate::On:
+      return "ontop";
+    case Predicate::Inside:
+      return "inside";
+    case Predicate::NextTo:
+      return "nextto";
+    case Predicate::Under:
+      return "under";
+    default:
+      return "";
+  }
+}
+
+Result<BddlGoal> bddl_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                           const std::map<std::string, std::string>& names) {
+  return Translator(start, knowledge, names).run(goal);
+}
+
+}  // namespace unietp

@@ -1,0 +1,350 @@
+#include "exports/release_goal.h"
+
+#include <algorithm>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "exports/release_words.h"
+#include "logic/evaluate.h"
+#include "scene/trace.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Op = Formula::Op;
+
+constexpr const char* kAgent = "robot_agent";
+
+/// What a bound variable may stand for, in both vocabularies.
+struct Bound {
+  std::string name;
+  std::vector<std::string> ours;    // categories; of a slice those of the pieces
+  std::vector<std::string> theirs;  // the same in their words
+  bool room = false, slice = false;
+};
+
+class Translator {
+ public:
+  Translator(const Scene& start, const Knowledge& knowledge) : start_(start), knowledge_(knowledge) {}
+
+  Result<ReleaseGoal> run(const Formula& goal) {
+    const Json logic = node(goal);
+    if (why_.empty() && !referents_.empty()) check_referents();
+    if (!why_.empty()) return Error{Error::Kind::Unsatisfiable, "", {}, why_};
+    return ReleaseGoal{logic.dump(), referents_};
+  }
+
+ private:
+  Json refuse(const std::string& why) {
+    if (why_.empty()) why_ = why;
+    return Json();
+  }
+
+  Json node(const Formula& f) {
+    switch (f.op) {
+      case Op::Atom:
+        return atom(f);
+      case Op::Equal:
+        return refuse("their goals compare no objects");
+      case Op::And:
+      case Op::Or: {
+        if (f.children.empty()) return refuse("their And and Or are never empty");
+        Json children = Json::array();
+        for (const Formula& child : f.children) children.push_back(node(child));
+        return {{"type", f.op == Op::And ? "And" : "Or"}, {"children", std::move(children)}};
+      }
+      case Op::Not:
+        return unary("Not", f.children[0]);
+      case Op::Imply:
+        return {{"type", "Implies"}, {"premise", node(f.children[0])}, {"conclusion", node(f.children[1])}};
+      case Op::Forall:
+      case Op::Exists:
+      case Op::Count:
+        return quantified(f);
+      case Op::CountCompare: {
+        compares_ = true;
+        Json left = counting(f.children[0]), right = counting(f.children[1]);
+        return {{"type", "Compare"}, {"left", std::move(left)}, {"op", symbol(f)}, {"right", std::move(right)}};
+      }
+      case Op::AtEnd:
+        return temporal("AtEnd", f.children[0], true);
+      case Op::Sometime:
+        return temporal("Sometime", f.children[0], false);
+      case Op::Always:
+        return temporal("Always", f.children[0], false);
+      case Op::Until:
+      case Op::Before:
+        return ordered(f);
+      case Op::Number:
+        break;  // only below CountCompare
+    }
+    return refuse("a number alone");
+  }
+
+  Json unary(const char* type, const Formula& child) { return {{"type", type}, {"child", node(child)}}; }
+
+  Json temporal(const char* type, const Formula& child, bool at_end) {
+    const bool outer = at_end_;
+    at_end_ = at_end;
+    Json json = unary(type, child);
+    at_end_ = outer;
+    return json;
+  }
+
+  /// Theirs forgives a late `pre` and a `succ` that never comes; ours is said with Until and Sometime.
+  Json ordered(const Formula& f) {
+    const bool outer = at_end_;
+    at_end_ = false;
+    Json first = node(f.children[0]), second = node(f.children[1]);
+    at_end_ = outer;
+    if (f.op == Op::Until) return {{"type", "Until"}, {"cond_a", std::move(first)}, {"cond_b", std::move(second)}};
+    const Json not_yet{{"type", "Not"}, {"child", second}};
+    const Json now{{"type", "And"}, {"children", Json::array({std::move(first), not_yet})}};
+    const Json in_order{{"type", "Until"}, {"cond_a", not_yet}, {"cond_b", now}};
+    const Json comes{{"type", "Sometime"}, {"child", std::move(second)}};
+    return {{"type", "And"}, {"children", Json::array({in_order, comes})}};
+  }
+
+  static std::string symbol(const Formula& f) {
+    return f.comparison == Comparison::Equal ? "==" : std::string(symbol_of(f.comparison));
+  }
+
+  /// What is born later is counted by them among what exists at the step at hand, so only at the end.
+  Json quantified(const Formula& f) {
+    const bool late = f.domain.kind == Domain::Kind::Categories && !f.domain.members.empty() &&
+                      std::any_of(f.domain.members.begin(), f.domain.members.end(), [](auto& m) { return m.slice; });
+    if (f.op != Op::Exists && late && !at_end_ && f.children[0].op == Op::AtEnd) {
+      Formula inner = f;
+      inner.children[0] = f.children[0].children[0];
+      return temporal("AtEnd", inner, true);
+    }
+    if (f.op == Op::Exists && f.domain.members.size() > 1) {  // theirs takes one category
+      Json children = Json::array();
+      for (const auto& member : f.domain.members) {
+        Formula one = f;
+        one.domain.members = {member};
+        children.push_back(quantified(one));
+      }
+      return {{"type", "Or"}, {"children", std::move(children)}};
+    }
+    if (f.op == Op::Count) {
+      compares_ = true;
+      return {{"type", "Compare"}, {"left", counting(f)}, {"op", symbol(f)}, {"right", f.number}};
+    }
+    for_all_ = for_all_ || f.op == Op::Forall;
+    return within(f, f.op == Op::Exists ? "Exists" : "ForAll", "child");
+  }
+
+  Json counting(const Formula& f) { return within(f, "CountSatisfying", "condition"); }
+
+  Json within(const Formula& f, const char* type, const char* body) {
+    auto bound = bind(f);
+    if (!bound) return Json();
+    if (f.op != Op::Exists) {
+      if (bound->slice && !at_end_) return refuse("theirs ranges over the pieces that exist at the step at hand");
+      if (vanishes(*bound)) return refuse("theirs forgets what was cut, so a `forall` or count over it differs");
+    }
+    Json categories = bound->theirs;
+    bound_.push_back(std::move(*bound));
+    Json json{{"type", type}, {"var_name", f.variable}, {"var_categories", std::move(categories)}};
+    json[body] = node(f.children[0]);
+    bound_.pop_back();
+    return json;
+  }
+
+  std::optional<Bound> bind(const Formula& f) {
+    if (f.domain.kind != Domain::Kind::Categories) {
+      refuse("theirs ranges over all nodes, not over all objects, rooms or agents");
+      return std::nullopt;
+    }
+    Bound bound;
+    bound.name = f.variable;
+    for (const auto& member : f.domain.members) {
+      if (knowledge_.find(member.category) == nullptr) {
+        add_room(member.category, bound);
+      } else if (member.slice) {
+        add_pieces(member.category, bound);
+      } else {
+        add_category(member.category, bound);
+      }
+    }
+    if (!f.domain.where.empty()) add_referents(f, bound);
+    if (f.domain.where.empty()) plain_.insert(bound.theirs.begin(), bound.theirs.end());
+    return why_.empty() ? std::optional<Bound>(std::move(bound)) : std::nullopt;
+  }
+
+  void add_category(const std::string& category, Bound& bound) {
+    bound.ours.push_back(category);
+    bound.theirs.push_back(their_category(category));
+  }
+
+  /// Their name for a category; OmniGibson's half_x is shown as xSliced.
+  std::string their_category(const std::string& category) const {
+    constexpr std::string_view kHalf = "half_";
+    if (knowledge_.simulator() == Simulator::Behavior && category.starts_with(kHalf))
+      return category.substr(kHalf.size()) + "Sliced";
+    return category;
+  }
+
+  void add_room(const std::string& type, Bound& bound) {
+    const auto name = release_room(knowledge_.simulator(), type);
+    if (!name) {
+      refuse("the categories of their rooms are not known for this simulator");
+      return;
+    }
+    for (const Room& room : start_.rooms) {
+      if (room.type != type && release_room(knowledge_.simulator(), room.type) == name)
+        refuse("their category " + *name + " is more than our " + type);
+    }
+    bound.room = true;
+    bound.ours.push_back(type);
+    bound.theirs.push_back(*name);
+  }
+
+  void add_pieces(const std::string& whole, Bound& bound) {
+    std::set<std::string> pieces;
+    for (const Effect* effect : knowledge_.effects_on(whole, "slices")) pieces.insert(effect->gives);
+    if (pieces.size() != 1 || pieces.begin()->empty()) {
+      refuse("the pieces of " + whole + " have no single category");
+      return;
+    }
+    const std::string& piece = *pieces.begin();
+    for (const Node& node : start_.nodes) {
+      const bool other_piece = node.category == piece && node.whole_category != whole;
+      const auto cuts = knowledge_.effects_on(node.category, "slices");
+      const bool other_whole = node.category != whole &&
+                               std::any_of(cuts.begin(), cuts.end(), [&](auto* cut) { return cut->gives == piece; });
+      if (other_piece || other_whole) refuse("pieces of " + whole + " cannot be told from other " + piece);
+    }
+    bound.slice = true;
+    add_category(piece, bound);
+  }
+
+  void add_referents(const Formula& f, const Bound& bound) {
+    const Formula& where = f.domain.where.front();
+    const auto free = free_variables(where);
+    if (std::any_of(free.begin(), free.end(), [&](const auto& name) { return name != f.variable; })) {
+      refuse("what is meant depends on another object of the goal");
+      return;
+    }
+    if (bound.theirs.size() != 1 || bound.slice || bound.room) {
+      refuse("theirs refers to objects of one category");
+      return;
+    }
+    const Trace trace = to_logic(start_, {}, true);
+    std::vector<std::string> ids;
+    for (const EntityIndex entity : members_of(f.domain, f.variable, trace)) ids.push_back(trace.entities[entity].id);
+    const auto [place, is_new] = referents_.emplace(bound.theirs[0], ids);
+    if (!is_new && place->second != ids) refuse("theirs refers to the same objects wherever a category is named");
+  }
+
+  void check_referents() {
+    if (for_all_ || compares_) refuse("theirs has no `forall` and no count beside a reference");
+    for (const auto& [category, ids] : referents_) {
+      if (plain_.contains(category)) refuse("theirs refers to the same objects wherever a category is named");
+      const Category* own = knowledge_.find(category);
+      const auto cuts = own == nullptr ? std::vector<const Effect*>() : knowledge_.effects_on(category, "slices");
+      for (const Effect* cut : cuts) {
+        if (plain_.contains(their_category(cut->gives))) refuse("theirs then refers to the pieces of these alone");
+      }
+    }
+  }
+
+  const Bound* bound(const Term& term) const {
+    const auto found =
+        std::find_if(bound_.rbegin(), bound_.rend(), [&](const Bound& one) { return one.name == term.name; });
+    return found == bound_.rend() ? nullptr : &*found;
+  }
+
+  /// OmniGibson takes the whole away when it is cut.
+  bool vanishes(const Bound& bound) const {
+    if (knowledge_.simulator() != Simulator::Behavior) return false;
+    return std::any_of(bound.ours.begin(), bound.ours.end(), [&](const std::string& category) {
+      return knowledge_.find(category) != nullptr && !knowledge_.effects_on(category, "slices").empty();
+    });
+  }
+
+  Json atom(const Formula& f) {
+    switch (f.predicate) {
+      case Predicate::On:
+      case Predicate::Inside:
+        return on_or_inside(f);
+      case Predicate::Held:
+        return relation("grasping", kAgent, word(f.terms[0]));
+      case Predicate::InRoom:
+        if (f.terms[0].kind == Term::Kind::Agent) return relation("inside_room", kAgent, word(f.terms[1]));
+        if (!says_rooms_of_objects(knowledge_.simulator()))
+          return refuse("their graph does not say for every object in which room it is");
+        return from_object("inside_room", f);
+      case Predicate::OnFloor:
+        if (knowledge_.simulator() != Simulator::Ai2thor)
+          return refuse("their graph does not say of every object that it lies on the floor");
+        return from_object("on_room_floor", f);
+      default:
+        return state(f);
+    }
+  }
+
+  Json on_or_inside(const Formula& f) {
+    const bool on = f.predicate == Predicate::On;
+    const Bound* place = bound(f.terms[1]);
+    if (place == nullptr) return refuse("a relation to something that is no object");
+    for (const std::string& category : place->ours) {
+      const bool has_other = knowledge_.has(category, on ? "container" : "receptacle");
+      if (!says_on_and_inside(knowledge_.simulator()) && has_other)
+        return refuse("things are on and inside " + category + ", of which their graph says only one");
+    }
+    return from_object(on ? "on_receptacle" : "inside_receptacle", f);
+  }
+
+  /// Their evaluator stops with an error when the first object of a relation does not exist.
+  Json from_object(const char* name, const Formula& f) {
+    const Bound* first = bound(f.terms[0]);
+    if (first == nullptr) return refuse("a relation of something that is no object");
+    if (first->slice && !at_end_) return refuse("their relations fail for pieces that do not exist yet");
+    if (vanishes(*first)) return refuse("their relations fail for what was cut and is gone");
+    return relation(name, word(f.terms[0]), word(f.terms[1]));
+  }
+
+  static Json relation(const char* name, const std::string& from, const std::string& to) {
+    return {{"type", "Predicate"},
+            {"predicate_type", "relation"},
+            {"predicate_kwargs", {{"relation", name}, {"relation_details", nullptr}}},
+            {"args", {from, to}}};
+  }
+
+  Json state(const Formula& f) {
+    const auto name = release_state(knowledge_.simulator(), f.predicate);
+    if (!name) return refuse("their graph of this simulator has no `" + std::string(info(f.predicate).name) + "`");
+    Json params;
+    if (f.terms.size() > 1 && f.terms[1].name != "any") {
+      if (f.predicate == Predicate::Covered) return refuse("theirs compares all that covers an object at once");
+      params = {{"liquid_type", f.terms[1].name}};
+    }
+    return {{"type", "Predicate"},
+            {"predicate_type", "state"},
+            {"predicate_kwargs", {{"state", *name}, {"state_params", std::move(params)}}},
+            {"args", word(f.terms[0])}};
+  }
+
+  static std::string word(const Term& term) { return term.kind == Term::Kind::Agent ? kAgent : "?" + term.name; }
+
+  const Scene& start_;
+  const Knowledge& knowledge_;
+  std::vector<Bound> bound_;
+  bool at_end_ = false;  // the innermost temporal operator is AtEnd
+  bool for_all_ = false, compares_ = false;
+  std::set<std::string> plain_;  // their categories of variables without a referring constraint
+  std::map<std::string, std::vector<std::string>> referents_;
+  std::string why_;  // the first reason
+};
+
+}  // namespace
+
+Result<ReleaseGoal> release_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge) {
+  return Translator(start, knowledge).run(goal);
+}
+
+}  // namespace unietp

@@ -1,0 +1,219 @@
+#include "exports/sft.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+#include "core/png.h"
+#include "core/text.h"
+#include "exports/sft_chat.h"
+#include "exports/whole_folder.h"
+#include "simulation/mode_rules.h"
+#include "simulation/picture.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kPicture = "<image>";  // stands for a picture in a text
+
+/// One task in one mode, ready to be written.
+struct Samples {
+  std::string lines, trl_lines;  // the second only with pictures
+  std::vector<std::pair<std::string, std::string>> pictures;
+  std::size_t count = 0;
+};
+
+/// A chat being put together in both forms: one text with marks for pictures, and a list of parts.
+class Sample {
+ public:
+  explicit Sample(std::string id, bool with_pictures) : id_(std::move(id)), with_pictures_(with_pictures) {}
+
+  void say(const char* role, const std::string& text) { add(role, Json::array({words(text)}), text); }
+  void show(const std::string& before, const std::string& picture, const std::string& after) {
+    Json parts = Json::array();
+    if (!before.empty()) parts.push_back(words(before + "\n"));
+    if (!picture.empty()) {
+      parts.push_back({{"type", "image"}});
+      pictures_.push_back(picture);
+    }
+    if (!after.empty()) parts.push_back(words(after));
+    std::vector<std::string> lines;
+    for (const auto& part : {before, picture.empty() ? std::string() : std::string(kPicture), after}) {
+      if (!part.empty()) lines.push_back(part);
+    }
+    add("user", std::move(parts), join(lines, "\n"));
+  }
+  void answer(const std::string& text, bool learn) {
+    say("assistant", text);
+    messages_.back()["loss"] = learn;
+  }
+  std::string line() const { return line_of(messages_); }
+  std::string trl_line() const { return line_of(parts_); }
+
+ private:
+  static Json words(const std::string& text) { return {{"type", "text"}, {"text", text}}; }
+  void add(const char* role, Json parts, const std::string& text) {
+    messages_.push_back({{"role", role}, {"content", text}});
+    parts_.push_back({{"role", role}, {"content", std::move(parts)}});
+  }
+  std::string line_of(const Json& messages) const {
+    Json json{{"id", id_}, {"messages", messages}};
+    if (with_pictures_) json["images"] = pictures_;
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  }
+
+  std::string id_;
+  bool with_pictures_;
+  Json messages_ = Json::array(), parts_ = Json::array(), pictures_ = Json::array();
+};
+
+class Maker {
+ public:
+  Maker(const std::vector<ValidationBackend>& backends, const SftOptions& options)
+      : backends_(backends), options_(options), pictures_(options.observation != SftObservation::Boxes) {}
+
+  Result<Samples> make(const FinishedTask& task, Mode mode) const {
+    const auto& backend = backend_of(backends_, task.start);
+    const bool boxes = options_.observation != SftObservation::Image && tells_boxes(mode);
+    const SftChat chat = chat_of(task, mode, backend, boxes, options_.reasoning);
+    Samples samples;
+    std::vector<std::string> files;
+    Rays rays;
+    for (std::size_t i = 0; i < chat.turns.size() && pictures_; ++i) {
+      const Picture picture = picture_of(chat.turns[i].before, *backend.profile, rays);
+      auto bytes = png(picture.width, picture.height, picture.rgb);
+      if (!bytes) return bytes.error();
+      files.push_back("images/" + task.record.id + "/" + std::string(name_of(mode)) + "-" + std::to_string(i + 1) +
+                      ".png");
+      samples.pictures.emplace_back(files.back(), std::move(*bytes));
+    }
+    files.resize(chat.turns.size());
+    const std::string id = task.record.id + "/" + std::string(name_of(mode));
+    if (options_.unit == SftUnit::Episode) {
+      add(samples, episode(id, chat, files));
+    } else {
+      for (std::size_t i = 0; i < chat.turns.size(); ++i)
+        add(samples, step(id + "/" + std::to_string(i + 1), chat, i, files[i]));
+    }
+    return samples;
+  }
+
+ private:
+  void add(Samples& samples, const Sample& sample) const {
+    samples.lines += sample.line();
+    if (pictures_) samples.trl_lines += sample.trl_line();
+    ++samples.count;
+  }
+
+  Sample episode(const std::string& id, const SftChat& chat, const std::vector<std::string>& files) const {
+    Sample sample(id, pictures_);
+    sample.say("system", chat.system);
+    for (std::size_t i = 0; i < chat.turns.size(); ++i) {
+      const SftTurn& turn = chat.turns[i];
+      sample.show(i == 0 ? chat.task : turn.outcome, files[i], turn.seen);
+      sample.answer(turn.answer, turn.worth_learning);
+    }
+    return sample;
+  }
+
+  Sample step(const std::string& id, const SftChat& chat, std::size_t index, const std::string& file) const {
+    Sample sample(id, pictures_);
+    sample.say("system", chat.system);
+    std::string before = chat.task;
+    if (index > 0) before += "\nSo far:";
+    for (std::size_t i = 0; i < index; ++i) before += "\n" + std::to_string(i + 1) + ". " + chat.turns[i].happened;
+    sample.show(before, file, chat.turns[index].seen);
+    sample.answer(chat.turns[index].answer, chat.turns[index].worth_learning);
+    return sample;
+  }
+
+  const std::vector<ValidationBackend>& backends_;
+  const SftOptions& options_;
+  bool pictures_;
+};
+
+/// As LLaMA-Factory finds its data: each file's columns and the names of its roles.
+Json dataset_info(const std::vector<Mode>& modes, bool pictures) {
+  Json info = Json::object();
+  for (const Mode mode : modes) {
+    Json columns{{"messages", "messages"}};
+    if (pictures) columns["images"] = "images";
+    info["unietp_" + lower(name_of(mode))] = {{"file_name", std::string(name_of(mode)) + ".jsonl"},
+                                              {"formatting", "sharegpt"},
+                                              {"columns", std::move(columns)},
+                                              {"tags",
+                                               {{"role_tag", "role"},
+                                                {"content_tag", "content"},
+                                                {"user_tag", "user"},
+                                                {"assistant_tag", "assistant"},
+                                                {"system_tag", "system"}}}};
+  }
+  return info;
+}
+
+/// Which modes are written and which are not; an error for one that was asked for and cannot be.
+Result<Done> choose_modes(const fs::path& dataset, const SftOptions& options, SftExport& made) {
+  const auto there = shown_modes(dataset);
+  for (const Mode mode : options.modes.empty() ? there : options.modes) {
+    const bool shown = std::find(there.begin(), there.end(), mode) != there.end();
+    const bool blind = options.observation == SftObservation::Boxes && !tells_boxes(mode);
+    if (!options.modes.empty() && !shown)
+      return Error{
+          Error::Kind::Usage, "--modes", {}, "the data set has no demonstrations of " + std::string(name_of(mode))};
+    if (!options.modes.empty() && blind)
+      return Error{Error::Kind::Usage, "--modes", {}, "M3 shows pictures alone; expected --observation image or both"};
+    (blind ? made.left_out : made.modes).push_back(mode);
+  }
+  return Done{};
+}
+
+Result<Done> append(std::ofstream& file, const fs::path& path, const std::string& text) {
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file) return Error{Error::Kind::Io, path.string(), {}, "cannot be written"};
+  return Done{};
+}
+
+}  // namespace
+
+Result<SftExport> export_sft(const fs::path& dataset, const std::vector<ValidationBackend>& backends,
+                             const SftOptions& options, const fs::path& out) {
+  SftExport made;
+  if (auto chosen = choose_modes(dataset, options, made); !chosen) return chosen.error();
+  const bool pictures = options.observation != SftObservation::Boxes;
+  const Maker maker(backends, options);
+  const auto written = write_whole_folder(out, [&](const fs::path& aside) -> Result<Done> {
+    for (const Mode mode : made.modes) {
+      auto tasks = FinishedTasks::open(dataset, {mode});
+      if (!tasks) return tasks.error();
+      const auto path = aside / (std::string(name_of(mode)) + ".jsonl");
+      const auto trl_path = aside / (std::string(name_of(mode)) + ".trl.jsonl");
+      std::ofstream file(path, std::ios::binary), trl_file;
+      if (pictures) trl_file.open(trl_path, std::ios::binary);
+      const auto done = for_each_task<Samples>(
+          std::move(*tasks), options.threads, [&](const FinishedTask& task) { return maker.make(task, mode); },
+          [&](Samples&& samples) -> Result<Done> {
+            made.samples += samples.count;
+            made.pictures += samples.pictures.size();
+            for (const auto& [name, bytes] : samples.pictures) {
+              if (auto drawn = write_file(aside / name, bytes); !drawn) return drawn;
+            }
+            if (auto ok = append(file, path, samples.lines); !ok) return ok;
+            return pictures ? append(trl_file, trl_path, samples.trl_lines) : Result<Done>(Done{});
+          });
+      if (!done) return done;
+      file.close();
+      trl_file.close();
+      if (!file || (pictures && !trl_file)) return Error{Error::Kind::Io, path.string(), {}, "cannot be written"};
+    }
+    return write_file(aside / "dataset_info.json", dataset_info(made.modes, pictures).dump(2) + "\n");
+  });
+  if (!written) return written.error();
+  return made;
+}
+
+}  // namespace unietp

@@ -1,0 +1,222 @@
+// Chats for fine-tuning, held against what their three readers ask for. The rules were read in those readers:
+//  - LLaMA-Factory: data/converter.py (SharegptDatasetConverter), data/parser.py, data/mm_plugin.py;
+//  - TRL: data_utils.py (is_conversational, prepare_multimodal_messages), trainer/sft_trainer.py;
+//  - ms-swift: docs, "Custom dataset" (messages, images, <image>, loss).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "core/files.h"
+#include "data_set.h"
+#include "schema_checker.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::ordered_json;
+
+void export_sft(const fs::path& out, const std::vector<std::string>& options) {
+  std::vector<std::string> all{"export", data_set_in_all_modes().string(), "--format", "sft", "--out", out.string()};
+  all.insert(all.end(), options.begin(), options.end());
+  const auto ended = run_program(all);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+}
+
+std::size_t count_of(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+/// As LLaMA-Factory and ms-swift read a line: texts, one mark a picture, user and assistant by turns.
+void expect_marked_chat(const Json& line, const fs::path& folder) {
+  const Json& messages = line["messages"];
+  ASSERT_EQ(messages[0]["role"], "system");
+  ASSERT_EQ(messages.size() % 2, 1U);
+  std::size_t marks = 0;
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    if (i > 0) {
+      EXPECT_EQ(messages[i]["role"], i % 2 == 1 ? "user" : "assistant");
+    }
+    ASSERT_TRUE(messages[i]["content"].is_string());
+    EXPECT_EQ(messages[i].contains("loss"), messages[i]["role"] == "assistant");
+    const auto here = count_of(messages[i]["content"], "<image>");
+    EXPECT_TRUE(here == 0 || messages[i]["role"] == "user");
+    marks += here;
+  }
+  EXPECT_EQ(line.contains("images") ? line["images"].size() : 0, marks);
+  for (const auto& image : line.value("images", Json::array())) EXPECT_TRUE(fs::exists(folder / image)) << image;
+}
+
+/// As TRL reads a line with pictures: lists of parts, as many image parts as images.
+void expect_parts(const Json& line) {
+  std::size_t pictures = 0;
+  for (const auto& message : line["messages"]) {
+    ASSERT_TRUE(message["content"].is_array());
+    for (const auto& part : message["content"]) {
+      pictures += part["type"] == "image" ? 1 : 0;
+      EXPECT_EQ(part.contains("text"), part["type"] == "text");
+      if (part.contains("text")) {
+        EXPECT_THAT(part["text"].get<std::string>(), Not(HasSubstr("<image>")));
+      }
+    }
+  }
+  EXPECT_EQ(line["images"].size(), pictures);
+}
+
+/// The actions of a task's demonstration.
+std::vector<Json> actions_of(const std::string& mode, const std::string& task) {
+  std::vector<Json> actions;
+  for (const auto& line : json_lines(data_set_in_all_modes() / "demonstrations" / (mode + ".jsonl"))) {
+    if (line["task"] != task) continue;
+    for (const auto& step : line["steps"]) actions.push_back({{"action", step["action"]}, {"args", step["args"]}});
+  }
+  return actions;
+}
+
+TEST(ExportSft, EpisodesAreChatsThatEachReaderTakes) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch.at("sft");
+  export_sft(out, {});
+  SchemaChecker checker;
+  const auto info = Json::parse(*read_file(out / "dataset_info.json"));
+  EXPECT_EQ(checker.check(info, "dataset_info.schema.json"), "");
+  EXPECT_EQ(info.size(), 2U) << "M3 shows pictures alone";
+  for (const auto& [name, entry] : info.items()) {
+    const std::string file = entry["file_name"];
+    const auto lines = json_lines(out / file);
+    EXPECT_EQ(lines.size(), static_cast<std::size_t>(kCountInAllModes));
+    for (const auto& line : lines) {
+      SCOPED_TRACE(line["id"].get<std::string>());
+      EXPECT_EQ(checker.check(line, "sft.schema.json"), "");
+      EXPECT_FALSE(line.contains(entry["columns"].value("images", "images"))) << "TRL takes such a column for pictures";
+      expect_marked_chat(line, out);
+      const std::string id = line["id"];
+      const auto actions = actions_of(file.substr(0, 2), id.substr(0, id.find('/')));
+      ASSERT_EQ(line["messages"].size(), 2 * actions.size() + 1);
+      for (std::size_t i = 0; i < actions.size(); ++i) {
+        const auto answer = Json::parse(line["messages"][2 * i + 2]["content"].get<std::string>());
+        EXPECT_EQ(answer, actions[i]);
+        EXPECT_EQ(checker.check(answer, "action.schema.json"), "");
+      }
+    }
+  }
+}
+
+TEST(ExportSft, APromptTellsWhatTheModeKnowsAndOffers) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch.at("sft");
+  export_sft(out, {"--unit", "step"});
+  for (const auto& task : json_lines(data_set_in_all_modes() / "tasks.jsonl")) {
+    const auto file = data_set_in_all_modes() / "scenes" / (task["scene"].get<std::string>() + ".scene.json.gz");
+    const auto scene = Json::parse(*read_maybe_gzip(file));
+    for (const std::string mode : {"M1", "M2"}) {
+      const auto lines = json_lines(out / (mode + ".jsonl"));
+      const auto wanted = task["id"].get<std::string>() + "/" + mode + "/1";
+      const auto found =
+          std::find_if(lines.begin(), lines.end(), [&](const Json& line) { return line["id"] == wanted; });
+      ASSERT_NE(found, lines.end());
+      const std::string prompt = (*found)["messages"][0]["content"];
+      const std::string known = prompt.substr(prompt.find("What you know"));
+      for (const auto& room : scene["rooms"]) EXPECT_THAT(known, HasSubstr(room["id"].get<std::string>()));
+      for (const auto& node : scene["nodes"]) {
+        const bool told = mode == "M1" || !node["movable"];
+        for (const char* end : {",", "."}) {
+          if (!told) {
+            EXPECT_THAT(known, Not(HasSubstr(" " + node["id"].get<std::string>() + end)));
+          }
+        }
+        if (told) {
+          EXPECT_THAT(known, HasSubstr(node["id"].get<std::string>()));
+        }
+      }
+      const bool heats = task["simulator"] == "ai2thor" && mode == "M1";
+      EXPECT_EQ(prompt.find("- heat_with(tool)") != std::string::npos, heats);
+      EXPECT_THAT((*found)["messages"][1]["content"].get<std::string>(),
+                  HasSubstr(task["instruction"]["text"].get<std::string>()));
+    }
+  }
+}
+
+TEST(ExportSft, StepsOfM3ShowThePictureThatRenderDraws) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch.at("sft");
+  export_sft(out, {"--modes", "M3", "--unit", "step", "--observation", "image", "--threads", "2", "--reasoning"});
+  SchemaChecker checker;
+  const auto lines = json_lines(out / "M3.jsonl");
+  const auto trl = json_lines(out / "M3.trl.jsonl");
+  ASSERT_EQ(trl.size(), lines.size());
+  ASSERT_GT(lines.size(), 20U);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_EQ(checker.check(lines[i], "sft.schema.json"), "");
+    EXPECT_EQ(checker.check(trl[i], "sft.schema.json"), "");
+    ASSERT_EQ(lines[i]["messages"].size(), 3U);
+    ASSERT_EQ(lines[i]["images"].size(), 1U);
+    expect_marked_chat(lines[i], out);
+    expect_parts(trl[i]);
+  }
+  const std::string id = lines[4]["id"];
+  const auto task = id.substr(0, id.find('/'));
+  const auto drawn = scratch.at("drawn.png");
+  const auto ended = run_program({"render", data_set_in_all_modes().string(), task, "--mode", "M3", "--step",
+                                  id.substr(id.rfind('/') + 1), "--out", drawn});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(*read_file(drawn), *read_file(out / lines[4]["images"][0].get<std::string>()));
+  for (const auto& line : lines) {  // nothing has an id there
+    const auto answer = Json::parse(line["messages"][2]["content"].get<std::string>());
+    EXPECT_THAT(answer["reasoning"].get<std::string>(), Not(testing::ContainsRegex("[a-z]_[0-9]+ (is|are)")));
+  }
+}
+
+TEST(ExportSft, ReasonsNameOnlyWhatTheAgentHasBeenToldOrHasSeen) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch.at("sft");
+  export_sft(out, {"--modes", "M2", "--reasoning"});
+  std::size_t reasons = 0;
+  for (const auto& line : json_lines(out / "M2.jsonl")) {
+    const std::string id = line["id"];
+    const auto file = data_set_in_all_modes() / "scenes" / (id.substr(0, id.find('/')) + ".scene.json.gz");
+    const auto scene = Json::parse(*read_maybe_gzip(file));
+    std::string told;
+    for (const auto& message : line["messages"]) {
+      const std::string content = message["content"];
+      if (message["role"] != "assistant") {
+        told += content + " ";
+        continue;
+      }
+      const std::string reason = Json::parse(content)["reasoning"];
+      ++reasons;
+      for (const auto& node : scene["nodes"]) {
+        const auto name = node["id"].get<std::string>();
+        if (count_of(" " + reason, " " + name + " ") > 0) {
+          EXPECT_THAT(told, HasSubstr(name)) << reason;
+        }
+      }
+    }
+  }
+  EXPECT_GT(reasons, 30U);
+}
+
+TEST(ExportSft, EqualOptionsGiveEqualBytesOnAnyNumberOfThreads) {
+  const ScratchFolder scratch;
+  export_sft(scratch.at("one"), {"--reasoning", "--threads", "1"});
+  export_sft(scratch.at("two"), {"--reasoning", "--threads", "3"});
+  EXPECT_EQ(bytes_below(scratch.at("one")), bytes_below(scratch.at("two")));
+}
+
+TEST(ExportSft, WhatCannotBeShownIsRefused) {
+  const ScratchFolder scratch;
+  const auto blind = run_program(
+      {"export", data_set_in_all_modes().string(), "--format", "sft", "--modes", "M3", "--out", scratch.at("sft")});
+  EXPECT_EQ(blind.code, 2);
+  EXPECT_THAT(blind.err, HasSubstr("M3 shows pictures alone"));
+  EXPECT_FALSE(fs::exists(scratch.at("sft")));
+}
+
+}  // namespace
+}  // namespace unietp
