@@ -84,6 +84,9 @@ class Translator {
     if (member.slice) return refuse("pieces that do not exist at the start");
     if (category->synset.empty()) return refuse(member.category + " has no WordNet synset");
     for (const Node& other : start_.nodes) {
+      for (const Effect* cut : knowledge_.effects_on(other.category, "slices")) {
+        if (cut->gives == member.category) return refuse("pieces that do not exist at the start");
+      }
       const Category* its = knowledge_.find(other.category);
       if (other.category != member.category && its != nullptr && its->synset == category->synset)
         return refuse("its " + category->synset + " is more than our " + member.category);

@@ -27,6 +27,13 @@ constexpr std::string_view kHead =
 
 std::string in_a_cell(const std::string& text) { return replace_all(replace_all(text, "|", "\\|"), "\n", " "); }
 
+/// A part of a schema; an empty object when it is not there.
+const Json& part_of(const Json& schema, const char* name) {
+  static const Json kNone = Json::object();
+  const auto found = schema.find(name);
+  return found == schema.end() ? kNone : *found;
+}
+
 std::string code(const std::string& text) { return "`" + text + "`"; }
 
 /// "an action's #argument": where a reference leads.
@@ -72,7 +79,7 @@ void add_row(const std::string& name, const Json& schema, bool required, std::st
 void add_fields(const Json& schema, const std::string& path, std::string& rows) {
   const Json required = schema.value("required", Json::array());
   const std::string before = path.empty() ? "" : path + ".";
-  for (const auto& [name, field] : schema.value("properties", Json::object()).items())
+  for (const auto& [name, field] : part_of(schema, "properties").items())
     add_row(before + name, field, std::find(required.begin(), required.end(), name) != required.end(), rows);
   if (schema.contains("additionalProperties") && schema["additionalProperties"].is_object())
     add_row(before + "*", schema["additionalProperties"], false, rows);
@@ -89,7 +96,7 @@ std::string section(const std::string& name, const Json& schema) {
   std::string text =
       "\n## " + name + "\n\n" + schema.value("title", "") + ". " + schema.value("description", "") + "\n";
   text += table(schema);
-  for (const auto& [definition, part] : schema.value("$defs", Json::object()).items()) {
+  for (const auto& [definition, part] : part_of(schema, "$defs").items()) {
     text += "\n### " + name + ": " + definition + "\n";
     const auto about = part.value("description", "");
     if (!about.empty()) text += "\n" + about + "\n";

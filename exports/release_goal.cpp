@@ -22,7 +22,8 @@ struct Bound {
   std::string name;
   std::vector<std::string> ours;    // categories; of a slice those of the pieces
   std::vector<std::string> theirs;  // the same in their words
-  bool room = false, slice = false;
+  bool room = false;
+  bool late = false;  // some are born only when something is cut
 };
 
 class Translator {
@@ -111,10 +112,20 @@ class Translator {
     return f.comparison == Comparison::Equal ? "==" : std::string(symbol_of(f.comparison));
   }
 
+  /// Whether cutting what the home has makes more of a category.
+  bool born_later(const std::string& category) const {
+    return std::any_of(start_.nodes.begin(), start_.nodes.end(), [&](const Node& node) {
+      const auto cuts = knowledge_.effects_on(node.category, "slices");
+      return std::any_of(cuts.begin(), cuts.end(), [&](const Effect* cut) { return cut->gives == category; });
+    });
+  }
+
   /// What is born later is counted by them among what exists at the step at hand, so only at the end.
   Json quantified(const Formula& f) {
-    const bool late = f.domain.kind == Domain::Kind::Categories && !f.domain.members.empty() &&
-                      std::any_of(f.domain.members.begin(), f.domain.members.end(), [](auto& m) { return m.slice; });
+    const auto& members = f.domain.members;
+    const bool late = std::any_of(members.begin(), members.end(), [&](const Domain::Member& member) {
+      return member.slice || born_later(member.category);
+    });
     if (f.op != Op::Exists && late && !at_end_ && f.children[0].op == Op::AtEnd) {
       Formula inner = f;
       inner.children[0] = f.children[0].children[0];
@@ -143,7 +154,7 @@ class Translator {
     auto bound = bind(f);
     if (!bound) return Json();
     if (f.op != Op::Exists) {
-      if (bound->slice && !at_end_) return refuse("theirs ranges over the pieces that exist at the step at hand");
+      if (bound->late && !at_end_) return refuse("theirs ranges over the pieces that exist at the step at hand");
       if (vanishes(*bound)) return refuse("theirs forgets what was cut, so a `forall` or count over it differs");
     }
     Json categories = bound->theirs;
@@ -176,6 +187,7 @@ class Translator {
   }
 
   void add_category(const std::string& category, Bound& bound) {
+    bound.late = bound.late || born_later(category);
     bound.ours.push_back(category);
     bound.theirs.push_back(their_category(category));
   }
@@ -218,7 +230,7 @@ class Translator {
                                std::any_of(cuts.begin(), cuts.end(), [&](auto* cut) { return cut->gives == piece; });
       if (other_piece || other_whole) refuse("pieces of " + whole + " cannot be told from other " + piece);
     }
-    bound.slice = true;
+    bound.late = true;
     add_category(piece, bound);
   }
 
@@ -229,7 +241,7 @@ class Translator {
       refuse("what is meant depends on another object of the goal");
       return;
     }
-    if (bound.theirs.size() != 1 || bound.slice || bound.room) {
+    if (bound.theirs.size() != 1 || bound.late || bound.room) {
       refuse("theirs refers to objects of one category");
       return;
     }
@@ -303,7 +315,7 @@ class Translator {
   Json from_object(const char* name, const Formula& f) {
     const Bound* first = bound(f.terms[0]);
     if (first == nullptr) return refuse("a relation of something that is no object");
-    if (first->slice && !at_end_) return refuse("their relations fail for pieces that do not exist yet");
+    if (first->late && !at_end_) return refuse("their relations fail for pieces that do not exist yet");
     if (vanishes(*first)) return refuse("their relations fail for what was cut and is gone");
     return relation(name, word(f.terms[0]), word(f.terms[1]));
   }

@@ -1,14 +1,53 @@
 #include "pipeline/dataset_card.h"
 
+#include <array>
 #include <set>
+
+#include "core/text.h"
 
 namespace unietp {
 namespace {
 
 std::string size_category(int tasks) {
-  if (tasks < 1000) return "n<1K";
-  if (tasks < 10000) return "1K<n<10K";
-  return tasks < 100000 ? "10K<n<100K" : "100K<n<1M";
+  constexpr std::array<std::pair<int, const char*>, 6> kSizes{{{1000, "n<1K"},
+                                                               {10000, "1K<n<10K"},
+                                                               {100000, "10K<n<100K"},
+                                                               {1000000, "100K<n<1M"},
+                                                               {10000000, "1M<n<10M"},
+                                                               {100000000, "10M<n<100M"}}};
+  for (const auto& [below, name] : kSizes) {
+    if (tasks < below) return name;
+  }
+  return "100M<n<1B";
+}
+
+/// A table for `datasets`. Types are read from the first part of a file, of which the reader takes 10 MB unless told
+/// otherwise; a field that comes later would then be refused.
+std::string table(const std::string& name, const std::string& file, const std::string& split) {
+  return "- config_name: " + name + "\n  data_files:\n  - split: " + split + "\n    path: " + file +
+         "\n  chunksize: 1073741824\n";
+}
+
+/// What Hugging Face reads. M3's actions name rooms by texts and objects by boxes, which no column holds.
+std::string metadata(const RunConfiguration& configuration, int tasks) {
+  const std::string split = configuration.homes == HomeSource::Benchmark ? "test" : "train";
+  std::string text =
+      "---\nlicense: mit\nlanguage:\n- en\ntask_categories:\n- robotics\ntags:\n- embodied-planning\n"
+      "- task-planning\n- instruction-following\n- formal-goals\n- demonstrations\n- synthetic\n";
+  for (const Simulator simulator : configuration.simulators) text += "- " + std::string(name_of(simulator)) + "\n";
+  text += "pretty_name: Verified embodied-planning tasks\nsize_categories:\n- " + size_category(tasks) + "\nconfigs:\n";
+  text += table("tasks", "tasks.jsonl", split) + "  default: true\n";
+  for (const Mode mode : configuration.modes) {
+    const std::string name(name_of(mode));
+    if (mode != Mode::M3) text += table("demonstrations-" + name, "demonstrations/" + name + ".jsonl", split);
+  }
+  return text + "---\n\n";
+}
+
+std::string modes_text(const RunConfiguration& configuration) {
+  std::vector<std::string> names;
+  for (const Mode mode : configuration.modes) names.emplace_back(name_of(mode));
+  return join(names, ", ");
 }
 
 std::string count_table(const std::string& title, const std::map<std::string, int>& counts) {
@@ -30,21 +69,28 @@ std::string funnel_table(const DatasetCounts& counts) {
 
 std::string dataset_card(const RunConfiguration& configuration, const DatasetCounts& counts,
                          const std::vector<SourceLicence>& sources) {
-  std::string text = "---\nlicense: mit\nlanguage:\n- en\ntask_categories:\n- robotics\ntags:\n- embodied-planning\n";
-  text += "- task-planning\npretty_name: Verified embodied-planning tasks\nsize_categories:\n- " +
-          size_category(counts.tasks) + "\nconfigs:\n";
-  text += "- config_name: tasks\n  data_files: tasks.jsonl\n  default: true\n";
-  text += "- config_name: demonstrations\n  data_files: demonstrations/*.jsonl\n---\n\n";
+  std::string text = metadata(configuration, counts.tasks);
   text += "# " + std::to_string(counts.tasks) + " verified embodied-planning tasks\n\n";
   text +=
       "Each task has a start scene at rest in a physics engine, a formal goal that is false there, an instruction "
-      "that\n"
-      "reads back to that goal, and a demonstration whose replay makes the goal true. Leaving out any step of the\n"
-      "demonstration leaves the goal unmet.\n\n";
+      "that\nreads back to that goal, and a demonstration in each of " +
+      modes_text(configuration) +
+      " whose replay makes the goal true.\n\n"
+      "```python\ndatasets.load_dataset(FOLDER, \"tasks\")   # or \"demonstrations-M1\"; M3 is read line by line, "
+      "since "
+      "its actions name rooms by\n                                        # texts and objects by boxes\n```\n\n";
+  text += "## How it was made\n\nBy `unietp " + std::string(program_version()) + "` with seed " +
+          std::to_string(configuration.seed) +
+          "; the same program, tables and options give the same bytes (`manifest.json` has all of them).\nTemplates, "
+          "knowledge of the simulators' objects, placement in physics, a scripted expert, and words that are checked "
+          "against\nthe goal; what became of each candidate stands below. No language model wrote goals or "
+          "demonstrations.\n\n";
   text +=
-      "Made by `unietp " + std::string(program_version()) + "` with seed " + std::to_string(configuration.seed) +
-      "; the same program, tables and options give the same bytes. `unietp validate FOLDER` proves every task again\n"
-      "from these files alone.\n\n";
+      "## How it is proven\n\nBefore a task is accepted its demonstration is executed in physics, the goal is "
+      "evaluated on the trace by a second\nevaluator, leaving out any step of the demonstration must leave the goal "
+      "unmet, and the instruction is read back into\nthe goal. `unietp validate FOLDER` does it again from these files "
+      "alone: checksums, starts rebuilt at rest, every\nreplay with the same outcomes and views, goals false at the "
+      "start and true at the end.\n\n";
   text += count_table("split", counts.by_split) + count_table("simulator", counts.by_simulator) +
           count_table("template", counts.by_template);
   text +=

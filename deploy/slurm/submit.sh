@@ -9,7 +9,7 @@ Usage: submit.sh --shards N --out DIR [OPTIONS] -- benchmark|training|generate [
   submit.sh --shards 100 --out /shared/ten-million -- training --count 10000000
   submit.sh --shards 2 --out /shared/mine -- generate --count 200 --seed 7 --modes M1,M2
 
-  --shards N         Parts of the run, each a job of its own
+  --shards N         Parts of the run, each a job of its own; 2 or more
   --out DIR          The data set; DIR.parts/ holds shards and logs. On a disk that all nodes see
   --at-once N        Shards that run at a time (default: as many as the cluster gives)
   --cpus N           Processors a shard (default: 1)
@@ -52,7 +52,7 @@ while [ $# -gt 0 ]; do
   esac
   shift 2
 done
-[[ "$shards" =~ ^[1-9][0-9]*$ ]] || fail "--shards wants a whole number from 1"
+[[ "$shards" =~ ^[1-9][0-9]*$ && "$shards" != 1 ]] || fail "--shards wants a whole number from 2"
 [ -n "$out" ] || fail "--out is missing"
 case "${1:-}" in
   benchmark | training | generate) ;;

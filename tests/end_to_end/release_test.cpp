@@ -208,7 +208,8 @@ TEST(ExportRelease, RecordsHoldWhatTheirLoaderAsksFor) {
         EXPECT_NE(std::find(node["properties"].begin(), node["properties"].end(), needed), node["properties"].end());
       }
     }
-    for (const auto& [category, ids] : record.value("object_reference", Json::object()).items()) {
+    const Json references = record.value("object_reference", Json::object());
+    for (const auto& [category, ids] : references.items()) {
       for (const std::string id : ids) {  // "mug_57": node 57, of the class mug
         const auto number = std::stoi(id.substr(id.rfind('_') + 1));
         const auto& nodes = record["vheg"]["nodes"];

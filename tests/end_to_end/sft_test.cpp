@@ -50,7 +50,8 @@ void expect_marked_chat(const Json& line, const fs::path& folder) {
     marks += here;
   }
   EXPECT_EQ(line.contains("images") ? line["images"].size() : 0, marks);
-  for (const auto& image : line.value("images", Json::array())) EXPECT_TRUE(fs::exists(folder / image)) << image;
+  const Json images = line.value("images", Json::array());
+  for (const auto& image : images) EXPECT_TRUE(fs::exists(folder / image)) << image;
 }
 
 /// As TRL reads a line with pictures: lists of parts, as many image parts as images.
