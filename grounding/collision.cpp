@@ -1,11 +1,12 @@
 #include "grounding/collision.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <set>
 #include <unordered_map>
 #include <vector>
 
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
@@ -30,80 +31,96 @@ std::shared_ptr<fcl::CollisionGeometryd> geometry_of(const Part& part, double ga
   return std::make_shared<fcl::Boxd>(size);
 }
 
-/// A part in the world. FCL's own bounds of a turned object are those of the sphere around it; `bounds` are tight.
+/// A part in the world; FCL's form of it.
 struct Solid {
   BodyId id = 0;
   Bounds bounds;
   fcl::CollisionObjectd object;
 
-  Solid(BodyId body, const Part& part, const Pose& in_world, double gap)
+  Solid(BodyId body, const Part& part, const Pose& in_world, const Bounds& tight, double gap)
       : id(body),
-        bounds(bounds_of(in_world, part.size + Vec3::Constant(2 * gap))),
-        object(geometry_of(part, gap), in_world.rotation.normalized().toRotationMatrix(), in_world.position) {
-    object.setUserData(this);
+        bounds(tight),
+        object(geometry_of(part, gap), in_world.rotation.normalized().toRotationMatrix(), in_world.position) {}
+};
+
+/// Which solids may be where, seen from above, by their tight bounds: FCL's own tree holds those of the sphere around
+/// each turned object, and asks about ten times as many pairs.
+class SolidGrid {
+ public:
+  void insert(const Solid& solid) {
+    each_cell(solid.bounds, [&](std::uint64_t cell) { cells_[cell].push_back(&solid); });
   }
-  Solid(const Solid&) = delete;
-  Solid& operator=(const Solid&) = delete;
-};
+  void erase(const Solid& solid) {
+    each_cell(solid.bounds, [&](std::uint64_t cell) { std::erase(cells_[cell], &solid); });
+  }
 
-struct Query {
-  std::span<const BodyId> ignore;
-  const std::set<BodyId>* hidden;  // bodies of this tree that another lies over
-  std::optional<BodyId> lowest;
-};
+  /// Each solid whose bounds overlap the given ones, in any order, once or more often.
+  template <class Visit>
+  void visit(const Bounds& bounds, const Visit& visit) const {
+    each_cell(bounds, [&](std::uint64_t cell) {
+      const auto found = cells_.find(cell);
+      if (found == cells_.end()) return;
+      for (const Solid* solid : found->second) {
+        if (overlap(solid->bounds, bounds)) visit(*solid);
+      }
+    });
+  }
 
-/// Broad-phase callback: the manager calls back with (stored, query object).
-bool test_pair(fcl::CollisionObjectd* stored, fcl::CollisionObjectd* probe, void* data) {
-  auto& query = *static_cast<Query*>(data);
-  const Solid& there = *static_cast<const Solid*>(stored->getUserData());
-  if (query.lowest && *query.lowest <= there.id) return false;
-  if (!overlap(there.bounds, static_cast<const Solid*>(probe->getUserData())->bounds)) return false;
-  if (std::find(query.ignore.begin(), query.ignore.end(), there.id) != query.ignore.end()) return false;
-  if (query.hidden->contains(there.id)) return false;
-  const fcl::CollisionRequestd request(1, false);
-  fcl::CollisionResultd result;
-  if (fcl::collide(stored, probe, request, result) > 0) query.lowest = there.id;
-  return false;  // go on: the lowest id is wanted, not the first found
-}
+ private:
+  static constexpr double kCell_m = 0.75;
+  static constexpr double kFarthestCell = 1e6;  // what is farther away counts as there
+  template <class Each>
+  static void each_cell(const Bounds& bounds, const Each& each) {
+    const auto cell = [](double m) {
+      return static_cast<std::int32_t>(std::clamp(std::floor(m / kCell_m), -kFarthestCell, kFarthestCell));
+    };
+    for (std::int32_t y = cell(bounds.low.y()); y <= cell(bounds.high.y()); ++y) {
+      for (std::int32_t x = cell(bounds.low.x()); x <= cell(bounds.high.x()); ++x)
+        each((static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x));
+    }
+  }
+
+  std::unordered_map<std::uint64_t, std::vector<const Solid*>> cells_;  // never iterated
+};
 
 }  // namespace
 
 struct PlacementChecker::Impl {
   std::unordered_map<BodyId, std::vector<std::unique_ptr<Solid>>> bodies;  // never iterated
-  fcl::DynamicAABBTreeCollisionManagerd tree;
-  bool balanced = true;
+  SolidGrid grid;
   std::shared_ptr<const PlacementChecker> below;
   std::set<BodyId> hidden;  // of `below`
 
   void remove(BodyId id) {
     const auto found = bodies.find(id);
     if (found == bodies.end()) return;
-    for (const auto& solid : found->second) tree.unregisterObject(&solid->object);
+    for (const auto& solid : found->second) grid.erase(*solid);
     bodies.erase(found);
-    balanced = false;
-  }
-
-  /// Balancing looks at the whole tree, so it is done for the next question and not for each body that is added.
-  void balance() {
-    if (!balanced) tree.setup();
-    balanced = true;
   }
 
   std::optional<BodyId> hit(const Shape& shape, const Pose& pose, double opening, double gap,
-                            std::span<const BodyId> ignore, bool joints_only) {
-    balance();
-    static const std::set<BodyId> kNone;
-    Query query{ignore, &kNone, std::nullopt};
+                            std::span<const BodyId> ignore, bool joints_only) const {
+    std::optional<BodyId> lowest;
     for (const Part& part : shape.parts) {
       if (joints_only && part.joint < 0) continue;
-      Solid probe(0, part, pose * joint_motion(shape, part.joint, opening) * part.pose, gap);
-      query.hidden = &kNone;
-      tree.collide(&probe.object, &query, test_pair);
+      const Pose in_world = pose * joint_motion(shape, part.joint, opening) * part.pose;
+      const Bounds bounds = bounds_of(in_world, part.size + Vec3::Constant(2 * gap));
+      std::optional<Solid> probe;  // made for the first that is near
+      const auto test = [&](const Solid& there) {
+        if (lowest && *lowest <= there.id) return;
+        if (std::find(ignore.begin(), ignore.end(), there.id) != ignore.end()) return;
+        if (!probe) probe.emplace(0, part, in_world, bounds, gap);
+        const fcl::CollisionRequestd request(1, false);
+        fcl::CollisionResultd result;
+        if (fcl::collide(&there.object, &probe->object, request, result) > 0) lowest = there.id;
+      };
+      grid.visit(bounds, test);
       if (!below) continue;
-      query.hidden = &hidden;
-      below->impl_->tree.collide(&probe.object, &query, test_pair);
+      below->impl_->grid.visit(bounds, [&](const Solid& there) {
+        if (!hidden.contains(there.id)) test(there);
+      });
     }
-    return query.lowest;
+    return lowest;
   }
 };
 
@@ -116,7 +133,6 @@ PlacementChecker& PlacementChecker::operator=(PlacementChecker&&) noexcept = def
 PlacementChecker::~PlacementChecker() = default;
 
 std::shared_ptr<const PlacementChecker> PlacementChecker::shared(PlacementChecker checker) {
-  checker.impl_->balance();
   return std::make_shared<const PlacementChecker>(std::move(checker));
 }
 
@@ -125,10 +141,10 @@ void PlacementChecker::set(BodyId id, const Shape& shape, const Pose& pose, doub
   auto& solids = impl_->bodies[id];
   solids.reserve(shape.parts.size());
   for (const Part& part : shape.parts) {
-    solids.push_back(std::make_unique<Solid>(id, part, pose * joint_motion(shape, part.joint, opening) * part.pose, 0));
-    impl_->tree.registerObject(&solids.back()->object);
+    const Pose in_world = pose * joint_motion(shape, part.joint, opening) * part.pose;
+    solids.push_back(std::make_unique<Solid>(id, part, in_world, bounds_of(in_world, part.size), 0));
+    impl_->grid.insert(*solids.back());
   }
-  impl_->balanced = false;
 }
 
 void PlacementChecker::remove(BodyId id) {

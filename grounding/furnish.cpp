@@ -213,13 +213,14 @@ bool needs_front(const Node& node) {
   return bottom < 0.9 && node.archetype != Archetype::Panel && node.archetype != Archetype::Fixture;
 }
 
-/// The keep-outs that a placed piece brings with it.
-std::vector<Bounds> own_keep_outs(const Node& node, bool with_front, const FurnishOptions& options) {
+/// The keep-outs that a placed piece brings with it; `sweep`: where its doors and drawers pass.
+std::vector<Bounds> own_keep_outs(const Node& node, const std::optional<Bounds>& sweep, bool with_front,
+                                  const FurnishOptions& options) {
   std::vector<Bounds> spaces;
   if (with_front && needs_front(node)) {
     spaces.push_back(front_of(node, node.openable ? options.clearance_open_m : options.clearance_m));
   }
-  if (const auto sweep = sweep_of(node)) spaces.push_back(*sweep);
+  if (sweep) spaces.push_back(*sweep);
   return spaces;
 }
 
@@ -288,7 +289,8 @@ std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptio
     if (scene.nodes[i].movable) continue;
     // The front of what stands free is not known to be needed: only pieces with their back near a wall keep it.
     const bool front = scene.nodes[i].openable || scene.nodes[i].archetype == Archetype::Block;
-    for (const Bounds& space : own_keep_outs(scene.nodes[i], front, options)) keep_outs.push_back({space, i});
+    for (const Bounds& space : own_keep_outs(scene.nodes[i], workspace.sweeps()[i], front, options))
+      keep_outs.push_back({space, i});
   }
   return keep_outs;
 }
@@ -302,7 +304,7 @@ bool place_furniture(Workspace& workspace, std::vector<KeepOut>& keep_outs, std:
     if (!candidate) continue;
     node.pose = candidate->pose;
     if (!keeps_out(keep_outs, bounds, bounds_of(shape, node.pose, 0), candidate->host)) continue;
-    const auto spaces = own_keep_outs(node, backs_onto_a_wall(where.kind), options);
+    const auto spaces = own_keep_outs(node, sweep_of(node), backs_onto_a_wall(where.kind), options);
     if (!fits(workspace, bounds, node, shape, candidate->host, spaces)) continue;
     const std::size_t index = workspace.add(std::move(node));
     for (const Bounds& space : spaces) keep_outs.push_back({space, index});
