@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "exports/bddl_goal.h"
-
 namespace unietp {
 namespace {
 
@@ -14,13 +12,12 @@ constexpr const char* kFloor = "floor.n.01";
 std::string numbered(const std::string& synset, std::size_t number) { return synset + "_" + std::to_string(number); }
 
 /// Every object that has a synset: its synset and the how manieth of it.
-std::map<std::string, std::string> names_of(const Scene& start, const Knowledge& knowledge) {
+std::map<std::string, std::string> names_of(const Scene& start, const BddlSynsets& synsets) {
   std::map<std::string, std::size_t> counts;
   std::map<std::string, std::string> names;
   for (const Node& node : start.nodes) {
-    const Category* category = knowledge.find(node.category);
-    if (category != nullptr && !category->synset.empty())
-      names[node.id] = numbered(category->synset, ++counts[category->synset]);
+    const auto synset = synsets.find(node.category);
+    if (synset != synsets.end()) names[node.id] = numbered(synset->second, ++counts[synset->second]);
   }
   return names;
 }
@@ -50,7 +47,7 @@ class Problem {
     if (taken_.contains(id)) return Done{};
     const auto name = names_.find(id);
     if (name == names_.end())
-      return Error{Error::Kind::Unsatisfiable, "", {}, id + ", on which things rest, has no WordNet synset"};
+      return Error{Error::Kind::Unsatisfiable, "", {}, id + ", on which things rest, has no synset"};
     taken_.insert(id);
     const Node& node = *find_node(start_, id);
     for (const State& state : node.states.all()) {
@@ -117,11 +114,11 @@ class Problem {
 }  // namespace
 
 Result<std::string> bddl_problem(const std::string& name, const Formula& goal, const Scene& start,
-                                 const Knowledge& knowledge) {
+                                 const Knowledge& knowledge, const BddlSynsets& synsets) {
   if (start.simulator != Simulator::Behavior)
     return Error{Error::Kind::Unsatisfiable, "", {}, "its domain is BEHAVIOR's"};
-  const auto names = names_of(start, knowledge);
-  const auto said = bddl_goal(goal, start, knowledge, names);
+  const auto names = names_of(start, synsets);
+  const auto said = bddl_goal(goal, start, knowledge, synsets, names);
   if (!said) return said.error();
   Problem problem(start, names);
   for (const Node& node : start.nodes) {

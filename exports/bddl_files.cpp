@@ -9,7 +9,9 @@
 namespace unietp {
 
 Result<BddlExport> export_bddl(const std::filesystem::path& dataset, const std::vector<ValidationBackend>& backends,
-                               const std::filesystem::path& out) {
+                               const std::filesystem::path& synsets, const std::filesystem::path& out) {
+  const auto table = read_bddl_synsets(synsets);
+  if (!table) return table.error();
   BddlExport made;
   const auto written = write_whole_folder(out, [&](const std::filesystem::path& aside) -> Result<Done> {
     auto tasks = FinishedTasks::open(dataset, {});
@@ -19,7 +21,7 @@ Result<BddlExport> export_bddl(const std::filesystem::path& dataset, const std::
       const auto task = tasks->read(*lines);
       if (!task) return task.error();
       const auto& knowledge = *backend_of(backends, task->start).knowledge;
-      const auto problem = bddl_problem(task->record.id, task->record.goal_tree, task->start, knowledge);
+      const auto problem = bddl_problem(task->record.id, task->record.goal_tree, task->start, knowledge, *table);
       if (!problem) {
         left_out += left_out_line(task->record, problem.error().message);
         ++made.left_out;

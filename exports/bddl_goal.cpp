@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "akb/csv.h"
+#include "core/files.h"
 #include "core/text.h"
 #include "logic/evaluate.h"
 #include "scene/trace.h"
@@ -14,8 +16,9 @@ using Op = Formula::Op;
 
 class Translator {
  public:
-  Translator(const Scene& start, const Knowledge& knowledge, const std::map<std::string, std::string>& names)
-      : start_(start), knowledge_(knowledge), names_(names) {}
+  Translator(const Scene& start, const Knowledge& knowledge, const BddlSynsets& synsets,
+             const std::map<std::string, std::string>& names)
+      : start_(start), knowledge_(knowledge), synsets_(synsets), names_(names) {}
 
   Result<BddlGoal> run(const Formula& goal) {
     const std::string text = node(goal);
@@ -79,21 +82,21 @@ class Translator {
     if (f.domain.kind != Domain::Kind::Categories || f.domain.members.size() != 1)
       return refuse("it ranges over objects of one synset");
     const auto& member = f.domain.members[0];
-    const Category* category = knowledge_.find(member.category);
-    if (category == nullptr) return refuse("rooms are no objects in it");
+    if (knowledge_.find(member.category) == nullptr) return refuse("rooms are no objects in it");
     if (member.slice) return refuse("pieces that do not exist at the start");
-    if (category->synset.empty()) return refuse(member.category + " has no WordNet synset");
+    const auto synset = synsets_.find(member.category);
+    if (synset == synsets_.end()) return refuse(member.category + " has no synset");
+    bool alone = true;  // the synset is no more than the category here
     for (const Node& other : start_.nodes) {
       for (const Effect* cut : knowledge_.effects_on(other.category, "slices")) {
         if (cut->gives == member.category) return refuse("pieces that do not exist at the start");
       }
-      const Category* its = knowledge_.find(other.category);
-      if (other.category != member.category && its != nullptr && its->synset == category->synset)
-        return refuse("its " + category->synset + " is more than our " + member.category);
+      const auto its = synsets_.find(other.category);
+      alone = alone && (other.category == member.category || its == synsets_.end() || its->second != synset->second);
     }
     categories_.insert(member.category);
-    if (!f.domain.where.empty()) return over_referents(f);
-    const std::string body_of = "(?" + f.variable + " - " + category->synset + ") ";
+    if (!f.domain.where.empty() || !alone) return over_named(f);
+    const std::string body_of = "(?" + f.variable + " - " + synset->second + ") ";
     values_[f.variable] = "?" + f.variable;
     const std::string body = node(f.children[0]);
     values_.erase(f.variable);
@@ -118,17 +121,15 @@ class Translator {
   }
 
   /// What is meant is known at the start, so each is named.
-  std::string over_referents(const Formula& f) {
-    const auto free = free_variables(f.domain.where.front());
+  std::string over_named(const Formula& f) {
+    const auto free = f.domain.where.empty() ? std::vector<std::string>() : free_variables(f.domain.where.front());
     if (std::any_of(free.begin(), free.end(), [&](const auto& name) { return name != f.variable; }))
       return refuse("what is meant depends on another object of the goal");
-    if (f.op == Op::Count) return refuse("a count among objects that a constraint picks out");
+    if (f.op == Op::Count) return refuse("a count of what has no synset of its own");
     const Trace trace = to_logic(start_, {}, true);
     std::string text;
     for (const EntityIndex entity : members_of(f.domain, f.variable, trace)) {
-      const auto named = names_.find(trace.entities[entity].id);
-      if (named == names_.end()) return refuse(trace.entities[entity].id + " has no name in it");
-      values_[f.variable] = "?" + named->second;
+      values_[f.variable] = "?" + names_.at(trace.entities[entity].id);
       text += " " + node(f.children[0]);
     }
     values_.erase(f.variable);
@@ -151,6 +152,7 @@ class Translator {
 
   const Scene& start_;
   const Knowledge& knowledge_;
+  const BddlSynsets& synsets_;
   const std::map<std::string, std::string>& names_;
   std::map<std::string, std::string> values_;  // of bound variables
   std::set<std::string> categories_;
@@ -204,9 +206,21 @@ std::string_view bddl_relation(Predicate predicate) {
   }
 }
 
+Result<BddlSynsets> read_bddl_synsets(const std::filesystem::path& file) {
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  const CsvFile table = read_csv(file.string(), *text);
+  if (!table.errors.empty()) return table.errors.front();
+  if (table.header.size() < 2 || table.header[0].text != "category" || table.header[1].text != "synset")
+    return Error{Error::Kind::Schema, file.string(), {1, 1}, "expected the columns category and synset"};
+  BddlSynsets synsets;
+  for (const CsvRow& row : table.rows) synsets[row[0].text] = row[1].text;
+  return synsets;
+}
+
 Result<BddlGoal> bddl_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge,
-                           const std::map<std::string, std::string>& names) {
-  return Translator(start, knowledge, names).run(goal);
+                           const BddlSynsets& synsets, const std::map<std::string, std::string>& names) {
+  return Translator(start, knowledge, synsets, names).run(goal);
 }
 
 }  // namespace unietp

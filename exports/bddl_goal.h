@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,14 +24,19 @@ std::optional<BddlState> bddl_state(Predicate predicate);
 /// "ontop"; "" for what BDDL has no word for.
 std::string_view bddl_relation(Predicate predicate);
 
+/// OmniGibson's synset of each of its categories: data/bddl/synsets.csv.
+using BddlSynsets = std::map<std::string, std::string, std::less<>>;
+/// Errors: Io; those of a table that is none.
+Result<BddlSynsets> read_bddl_synsets(const std::filesystem::path& file);
+
 struct BddlGoal {
   std::string text;
   std::vector<std::string> categories;  // that it ranges over, sorted
 };
 
-/// `names`: what the objects of the start are called, by id; used where a referring constraint picks some out.
-/// Errors: as bddl_problem.
+/// `names`: what the objects of the start are called, by id; used where a referring constraint picks some out, and
+/// where a synset is more than a category. Errors: as bddl_problem.
 Result<BddlGoal> bddl_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge,
-                           const std::map<std::string, std::string>& names);
+                           const BddlSynsets& synsets, const std::map<std::string, std::string>& names);
 
 }  // namespace unietp

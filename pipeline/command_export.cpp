@@ -39,8 +39,9 @@ Exit write_pddl(const Options& options, const Backends& backends) {
   return Exit::Ok;
 }
 
-Exit write_bddl(const Options& options, const Backends& backends) {
-  const auto made = export_bddl(options.dataset, backends, options.out);
+Exit write_bddl(const Options& options, const Backends& backends, const DataFolders& folders) {
+  const auto synsets = folders.root / "data" / "bddl" / "synsets.csv";
+  const auto made = export_bddl(options.dataset, backends, synsets, options.out);
   if (!made) return refuse(made.error());
   std::printf("%zu problems in %s, %zu tasks left out\n", made->problems, options.out.string().c_str(), made->left_out);
   return Exit::Ok;
@@ -86,7 +87,7 @@ Exit export_dataset(const Options& options, const CommandLine& program) {
   if (!reading.errors.empty()) return refuse(reading.errors);
   Backends backends;
   for (const auto& backend : reading.backends) backends.push_back({&backend.knowledge, &backend.profile});
-  if (options.format == "bddl") return write_bddl(options, backends);
+  if (options.format == "bddl") return write_bddl(options, backends, folders);
   if (options.format == "unietp-release") return write_release(options, backends);
   return options.format == "sft" ? write_sft(options, backends) : write_pddl(options, backends);
 }
