@@ -21,6 +21,19 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
+/// Tasks of BEHAVIOR alone.
+const fs::path& of_behavior() {
+  static const ScratchFolder kScratch;
+  static const fs::path kFolder = [] {
+    const auto ended = run_program({"generate", "--count", "16", "--seed", "5", "--rooms", "5", "--objects", "25",
+                                    "--simulators", "behavior", "--splits", "compositional,instance_grounding", "--out",
+                                    kScratch.at("behavior"), "--threads", "2"});
+    EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+    return fs::path(kScratch.at("behavior"));
+  }();
+  return kFolder;
+}
+
 /// A word, or a list of expressions.
 struct Expression {
   std::string word;
@@ -167,10 +180,10 @@ Facts facts_of(const BddlProblem& problem, const Scene& scene) {
 TEST(ExportBddl, EachGoalHasTheTruthOfOursAfterEveryStep) {
   const ScratchFolder scratch;
   const fs::path out = scratch.at("bddl");
-  const auto ended = run_program({"export", small_data_set().string(), "--format", "bddl", "--out", out.string()});
+  const auto ended = run_program({"export", of_behavior().string(), "--format", "bddl", "--out", out.string()});
   ASSERT_EQ(ended.code, 0) << ended.err;
-  const auto tasks = json_lines(small_data_set() / "tasks.jsonl");
-  const auto demonstrations = json_lines(small_data_set() / "demonstrations" / "M1.jsonl");
+  const auto tasks = json_lines(of_behavior() / "tasks.jsonl");
+  const auto demonstrations = json_lines(of_behavior() / "demonstrations" / "M1.jsonl");
   std::size_t problems = 0;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const fs::path file = out / (tasks[i]["id"].get<std::string>() + ".bddl");
@@ -179,7 +192,7 @@ TEST(ExportBddl, EachGoalHasTheTruthOfOursAfterEveryStep) {
     ++problems;
     const auto problem = read_problem(*read_file(file));
     const auto task = *read_task("tasks.jsonl", 1, tasks[i].dump());
-    const auto scene_file = small_data_set() / "scenes" / (task.scene + ".scene.json.gz");
+    const auto scene_file = of_behavior() / "scenes" / (task.scene + ".scene.json.gz");
     Scene scene = *scene_from_json(scene_file.string(), *read_maybe_gzip(scene_file));
     const Scene start = scene;
     std::vector<Delta> changes;
