@@ -44,7 +44,7 @@ struct Solid {
 };
 
 /// Which solids may be where, seen from above, by their tight bounds: FCL's own tree holds those of the sphere around
-/// each turned object, and asks about ten times as many pairs.
+/// each turned object.
 class SolidGrid {
  public:
   void insert(const Solid& solid) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <string_view>
 
 #include "scene/trace.h"
 
@@ -12,7 +14,8 @@ using Op = Formula::Op;
 
 constexpr int kDeepest = 12;
 constexpr int kMostAdded = 40;
-constexpr double kFar_m = 2.5;  // what is not to be nearest goes at least so far away
+constexpr int kMostRoomsOfAType = 3;  // tried for a new piece of furniture
+constexpr double kFar_m = 2.5;        // what is not to be nearest goes at least so far away
 constexpr int kAny = std::numeric_limits<int>::max();
 
 /// How many may satisfy a count for it to be true (or false).
@@ -277,10 +280,15 @@ bool Enforcer::add_member(const Formula& formula, const Names& names, bool truth
     return std::find(known->rooms.begin(), known->rooms.end(), type) - known->rooms.begin();
   };
   std::stable_sort(rooms.begin(), rooms.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  std::map<std::string_view, int> tried;  // of each type
+  std::erase_if(rooms, [&](std::size_t room) {
+    return ++tried[editor_.workspace().scene().rooms[room].type] > kMostRoomsOfAType;
+  });
   for (const std::size_t room : rooms) {
     const auto id = editor_.add_furniture(category, room);
     if (!id) continue;
-    if (accept(*id)) return true;
+    // The walk through the whole home is looked at last: mostly it is something else that is wrong.
+    if (accept(*id) && editor_.leaves_rooms_open()) return true;
     editor_.remove(*id);
   }
   return editor_.fail(GroundingReason::LacksFurniture, "the home lacks a " + category + " and has no place for one");

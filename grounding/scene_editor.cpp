@@ -156,14 +156,19 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
     return place_furniture(workspace_, keep_outs, room, node, where, options, next_rng());
   });
   stale_ = true;
-  if (placed && unreached_room(workspace_.scene(), *walk_of(*workspace_.home(), workspace_.scene()))) {
-    workspace_.remove(*index_of(id));
-  } else if (placed) {
+  if (placed) {
     edits_.push_back("added " + category + " " + id + " in " + room_id);
     return id;
   }
   fail(GroundingReason::LacksFurniture, "the home lacks " + category + " and " + room_id + " has no place for it");
   return std::nullopt;
+}
+
+bool SceneEditor::leaves_rooms_open() {
+  const auto walk = walk_of(*workspace_.home(), workspace_.scene());
+  const auto room =
+      walk == workspace_.home()->walk ? workspace_.home()->unreached : unreached_room(workspace_.scene(), *walk);
+  return !room || fail(GroundingReason::NotReachable, *room + " cannot be walked to any more");
 }
 
 bool SceneEditor::clear_off(const std::string& id) {

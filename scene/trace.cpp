@@ -1,9 +1,11 @@
 #include "scene/trace.h"
 
 #include <algorithm>
+#include <cmath>
 #include <compare>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -34,12 +36,13 @@ class NodeFinder {
 
 /// In the order in which facts are kept.
 struct Relation {
-  EntityIndex first;
-  Predicate predicate;
-  EntityIndex second;
+  EntityIndex first = 0;
+  Predicate predicate = Predicate::Open;
+  EntityIndex second = 0;
   auto operator<=>(const Relation&) const = default;
 };
 
+/// In order of the winners, then of what they are nearest to, as the nodes stand in the list.
 void add_nearest(const std::vector<Node>& nodes, const std::vector<EntityIndex>& index_of_node,
                  std::vector<Relation>& relations) {
   std::unordered_map<std::string_view, std::size_t> slot_of_category;
@@ -48,16 +51,22 @@ void add_nearest(const std::vector<Node>& nodes, const std::vector<EntityIndex>&
     slot[i] = slot_of_category.emplace(nodes[i].category, slot_of_category.size()).first->second;
   }
   struct Best {
-    double distance = 0, next = 0;
+    double distance = 0, next = 0;  // squared
     std::size_t node = 0;
     int found = 0;
   };
   std::vector<Best> best(slot_of_category.size());
+  struct Pair {
+    std::size_t winner = 0, other = 0;
+  };
+  std::vector<Pair> pairs;
+  // Of each winner's next pair; at first, how many the winner before it has.
+  std::vector<std::size_t> place_of(nodes.size() + 1, 0);
   for (std::size_t y = 0; y < nodes.size(); ++y) {
     std::fill(best.begin(), best.end(), Best{});
     for (std::size_t x = 0; x < nodes.size(); ++x) {
       if (x == y) continue;
-      const double distance = (nodes[x].pose.position - nodes[y].pose.position).norm();
+      const double distance = (nodes[x].pose.position - nodes[y].pose.position).squaredNorm();
       Best& so_far = best[slot[x]];
       if (so_far.found == 0 || distance < so_far.distance) {
         so_far = {distance, so_far.distance, x, so_far.found + 1};
@@ -66,9 +75,19 @@ void add_nearest(const std::vector<Node>& nodes, const std::vector<EntityIndex>&
       }
     }
     for (const Best& winner : best) {
-      if (winner.found == 1 || (winner.found > 1 && clearly_nearer(winner.distance, winner.next)))
-        relations.push_back({index_of_node[winner.node], Predicate::Nearest, index_of_node[y]});
+      const bool wins =
+          winner.found == 1 || (winner.found > 1 && clearly_nearer(std::sqrt(winner.distance), std::sqrt(winner.next)));
+      if (!wins) continue;
+      pairs.push_back({winner.node, y});
+      ++place_of[winner.node + 1];
     }
+  }
+  std::partial_sum(place_of.begin(), place_of.end(), place_of.begin());
+  const std::size_t before = relations.size();
+  relations.resize(before + pairs.size());
+  for (const Pair& pair : pairs) {
+    relations[before + place_of[pair.winner]++] = {index_of_node[pair.winner], Predicate::Nearest,
+                                                   index_of_node[pair.other]};
   }
 }
 
@@ -226,11 +245,15 @@ Facts FactReader::read(const Scene& scene) {
   for (const Node& node : scene.nodes) {
     if (!node.slice_of.empty()) relate(Predicate::SliceOf, node.id, node.slice_of);
   }
+  std::sort(relations.begin(), relations.end());  // facts are kept sorted: in order, each goes to the end at once
   if (with_comparisons_) {
+    const auto edges = static_cast<std::ptrdiff_t>(relations.size());
     add_nearest(scene.nodes, index_of_node, relations);
+    const auto nearest = relations.begin() + edges;
+    if (!std::is_sorted(nearest, relations.end())) std::sort(nearest, relations.end());  // known in another order
+    std::inplace_merge(relations.begin(), nearest, relations.end());
     add_sizes(scene.nodes, index_of_node, facts);
   }
-  std::sort(relations.begin(), relations.end());  // facts are kept sorted: in order, each goes to the end at once
   for (const Relation& relation : relations) facts.set(relation.predicate, relation.first, relation.second);
   return facts;
 }
