@@ -1,24 +1,79 @@
 #include "core/png.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
+#include <map>
+#include <vector>
 
 #include <png.h>
 
 namespace unietp {
+namespace {
 
-Result<std::string> png(int width, int height, std::span<const std::uint8_t> rgb) {
-  assert(rgb.size() == 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+png_image image_of(int width, int height, png_uint_32 format) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(width);
   image.height = static_cast<png_uint_32>(height);
-  image.format = PNG_FORMAT_RGB;
+  image.format = format;
+  return image;
+}
+
+Result<std::string> written(png_image image, std::span<const std::uint8_t> pixels, const std::uint8_t* colours) {
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string bytes(size, '\0');
-  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr) == 0)
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, colours) == 0)
     return Error{Error::Kind::Io, "png", {}, image.message};
   bytes.resize(size);
   return bytes;
+}
+
+using Colour = std::array<std::uint8_t, 3>;
+
+std::uint8_t rounded(std::uint8_t value) { return static_cast<std::uint8_t>((value & 0xF8) | value >> 5); }
+
+int distance(const Colour& a, const Colour& b) {
+  int sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum;
+}
+
+/// At most 256 colours, the most frequent ones, and for each colour which of them stands for it.
+std::map<Colour, std::uint8_t> palette_of(std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& palette) {
+  std::map<Colour, int> counts;
+  for (std::size_t i = 0; i < rgb.size(); i += 3) ++counts[{rounded(rgb[i]), rounded(rgb[i + 1]), rounded(rgb[i + 2])}];
+  std::vector<std::pair<Colour, int>> most(counts.begin(), counts.end());
+  std::stable_sort(most.begin(), most.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  constexpr std::size_t kColours = 256;
+  most.resize(std::min(most.size(), kColours));
+  for (const auto& [colour, count] : most) palette.insert(palette.end(), colour.begin(), colour.end());
+  std::map<Colour, std::uint8_t> index;
+  for (const auto& [colour, count] : counts) {
+    const auto nearest = std::min_element(most.begin(), most.end(), [&](const auto& a, const auto& b) {
+      return distance(a.first, colour) < distance(b.first, colour);
+    });
+    index[colour] = static_cast<std::uint8_t>(nearest - most.begin());
+  }
+  return index;
+}
+
+}  // namespace
+
+Result<std::string> png(int width, int height, std::span<const std::uint8_t> rgb) {
+  assert(rgb.size() == 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  return written(image_of(width, height, PNG_FORMAT_RGB), rgb, nullptr);
+}
+
+Result<std::string> few_colours_png(int width, int height, std::span<const std::uint8_t> rgb) {
+  assert(rgb.size() == 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::vector<std::uint8_t> palette, pixels;
+  const auto index = palette_of(rgb, palette);
+  for (std::size_t i = 0; i < rgb.size(); i += 3)
+    pixels.push_back(index.at({rounded(rgb[i]), rounded(rgb[i + 1]), rounded(rgb[i + 2])}));
+  png_image image = image_of(width, height, PNG_FORMAT_RGB_COLORMAP);
+  image.colormap_entries = static_cast<png_uint_32>(palette.size() / 3);
+  return written(image, pixels, palette.data());
 }
 
 }  // namespace unietp

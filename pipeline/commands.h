@@ -32,6 +32,8 @@ void add_merge_command(CommandParser& app, CommandLine& program);
 void add_validate_command(CommandParser& app, CommandLine& program);
 void add_schemas_command(CommandParser& app, CommandLine& program);
 void add_stats_command(CommandParser& app, CommandLine& program);
+void add_report_command(CommandParser& app, CommandLine& program);
+void add_review_command(CommandParser& app, CommandLine& program);
 void add_export_command(CommandParser& app, CommandLine& program);
 void add_render_command(CommandParser& app, CommandLine& program);
 void add_knowledge_command(CommandParser& app, CommandLine& program);

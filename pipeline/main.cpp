@@ -77,6 +77,8 @@ int main(int argc, char** argv) {
   unietp::add_merge_command(app, program);
   unietp::add_validate_command(app, program);
   unietp::add_stats_command(app, program);
+  unietp::add_report_command(app, program);
+  unietp::add_review_command(app, program);
   unietp::add_export_command(app, program);
   unietp::add_schemas_command(app, program);
   unietp::add_render_command(app, program);

@@ -198,8 +198,9 @@ Result<DatasetStatistics> statistics_of_set(const FinishedSet& set, const std::v
     if (handled[simulator].empty() && in_homes[simulator].empty()) continue;
     CategoryCoverage coverage{simulator, static_cast<int>(base->categories().size())};
     for (const auto& category : base->categories()) {
-      coverage.handled += handled[simulator].contains(category.name) ? 1 : 0;
-      coverage.in_homes += in_homes[simulator].contains(category.name) ? 1 : 0;
+      const bool is_handled = handled[simulator].contains(category.name);
+      coverage.handled += is_handled ? 1 : 0;
+      coverage.in_homes += is_handled || in_homes[simulator].contains(category.name) ? 1 : 0;
     }
     statistics.coverage.push_back(coverage);
   }

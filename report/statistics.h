@@ -45,7 +45,7 @@ struct CategoryCoverage {
   std::string simulator;
   int known = 0;     // categories of the knowledge base
   int handled = 0;   // that some task's template is bound to
-  int in_homes = 0;  // that stand in some home
+  int in_homes = 0;  // that stand in some home; those handled are among them
 };
 
 /// Figures of a finished data set. Every count is one of tasks, unless it says otherwise.

@@ -56,7 +56,7 @@ void read_goal(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
 void read_start(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields fields(reader, at);
   if (const auto f = fields.required("constraints")) task.start_constraints = reader.texts(*f);
-  if (const auto f = fields.required("edits")) (void)reader.texts(*f);
+  if (const auto f = fields.required("edits")) task.edits = reader.texts(*f);
   fields.finish();
 }
 

@@ -22,7 +22,7 @@ struct TaskRecord {
   std::string refinement;                                     // name of the referring constraint, or ""
   std::string goal_text;
   Formula goal_tree;
-  std::vector<std::string> start_constraints;
+  std::vector<std::string> start_constraints, edits;
   std::string instruction, writer, style;
   struct Count {
     Mode mode = Mode::M1;

@@ -32,6 +32,13 @@ function chunkOf(index) {
   return unpacked.get(chunk);
 }
 
+/// A drawing is runs of the chunk's parts: first, length, first, length, …
+function drawnFrom(runs, parts) {
+  let svg = '';
+  for (let i = 0; i < runs.length; i += 2) svg += parts.slice(runs[i], runs[i] + runs[i + 1]).join('');
+  return svg;
+}
+
 const stateOf = id => (reviews[id] && reviews[id].verdict) || 'open';
 
 function applyFilter(keep) {
@@ -93,7 +100,7 @@ async function show() {
   if (mine !== turn) return;
   const rest = chunk.tasks[place];
   showTask(card, { ...rest, id, simulator, split, template, instruction, layout: chunk.layout,
-                   svg: rest.drawing.map(i => chunk.parts[i]).join('') }, card.dataset.mode);
+                   svg: drawnFrom(rest.drawing, chunk.parts) }, card.dataset.mode);
   showVerdict();
   document.documentElement.dataset.shown = id;
   if (at + 1 < shown.length) chunkOf(shown[at + 1]);

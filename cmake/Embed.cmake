@@ -1,0 +1,14 @@
+# Writes a .cpp file that holds files as bytes: cmake -DOUT=asset.cpp -DFILES="a.js;b.css" -P Embed.cmake
+set(entries "")
+set(bytes "")
+foreach(file IN LISTS FILES)
+  get_filename_component(name ${file} NAME)
+  string(MAKE_C_IDENTIFIER ${name} id)
+  file(READ ${file} hex HEX)
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," hex "${hex}")
+  string(APPEND bytes "constexpr unsigned char ${id}[] = {${hex}0};\n")
+  string(APPEND entries "  if (name == \"${name}\") return {reinterpret_cast<const char*>(${id}), sizeof ${id} - 1};\n")
+endforeach()
+file(WRITE ${OUT} "#include \"report/asset.h\"\n\nnamespace unietp {\nnamespace {\n${bytes}}  // namespace\n
+std::string_view asset(std::string_view name) {\n${entries}  return {};\n}\n
+}  // namespace unietp\n")

@@ -1,0 +1,289 @@
+#include "pipeline/apply_review.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "core/changed_copy.h"
+#include "core/files.h"
+#include "core/sqlite_file.h"
+#include "core/text.h"
+#include "pipeline/configuration_json.h"
+#include "pipeline/dataset_writer.h"
+#include "pipeline/home_facts.h"
+#include "pipeline/instruction_json.h"
+#include "pipeline/person_text.h"
+#include "pipeline/task_lines.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+const std::string kReviews = "reviews.jsonl", kWordings = "wordings.jsonl", kManifest = "manifest.json";
+
+/// What will stand in place of a task.
+struct Ruling {
+  const Review* review = nullptr;        // that is taken over
+  std::optional<Instruction> rewritten;  // of an edit
+};
+
+Result<Json> read_json(const fs::path& file) {
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  auto json = Json::parse(*text, nullptr, false);
+  if (!json.is_object()) return Error{Error::Kind::Parse, file.string(), {1, 1}, "expected a JSON object"};
+  return json;
+}
+
+/// The lines of a file, "" for one that is not there; by the task that the field names.
+Result<std::map<std::string, std::string>> lines_by_task(const fs::path& file, const char* field) {
+  std::map<std::string, std::string> lines;
+  if (std::error_code code; !fs::exists(file, code)) return lines;
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  int number = 0;
+  for (const auto& line : split(*text, '\n')) {
+    ++number;
+    if (line.empty()) continue;
+    const auto json = Json::parse(line, nullptr, false);
+    const auto task = json.is_object() ? json.value(field, "") : std::string();
+    if (task.empty())
+      return Error{Error::Kind::Schema,
+                   file.string(),
+                   {number, 1},
+                   "expected an object with the field \"" + std::string(field) + "\""};
+    lines[task] = line;
+  }
+  return lines;
+}
+
+Result<std::map<std::string, std::vector<Trait>>> traits_of_tasks(const fs::path& file) {
+  std::map<std::string, std::vector<Trait>> traits;
+  try {
+    SqliteFile database(file, SqliteFile::Mode::Read);
+    auto rows = database.prepare("SELECT task, dimension || ' ' || value FROM trait ORDER BY rowid");
+    while (rows.step()) {
+      for (auto& trait : traits_from(rows.text(1))) traits[std::string(rows.text(0))].push_back(std::move(trait));
+    }
+    return traits;
+  } catch (const std::exception& reason) {
+    return Error{Error::Kind::Io, file.string(), {}, std::string("cannot read its table trait: ") + reason.what()};
+  }
+}
+
+/// Decides on each review; `seen` are the texts of each home, which stay different.
+class Judge {
+ public:
+  Judge(const fs::path& folder, const std::vector<TaskLine>& tasks, const Resources& resources,
+        const ApplyOptions& options)
+      : folder_(folder), tasks_(tasks), resources_(resources), options_(options) {
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      at_[tasks[i].id] = i;
+      texts_.insert(key(tasks[i].layout, text_of(tasks[i])));
+    }
+  }
+
+  Result<std::vector<Ruling>> rulings(const std::vector<Review>& reviews,
+                                        const std::map<std::string, std::string>& judged_before, ApplyReport& report) {
+    std::vector<Ruling> rulings(tasks_.size());
+    for (const Review& review : reviews) {
+      const auto refuse = [&](std::string why) { report.refused.emplace_back(review.task, std::move(why)); };
+      const auto found = at_.find(review.task);
+      if (found == at_.end()) {
+        const auto before = judged_before.find(review.task);
+        const bool gone = review.judgement == Judgement::Reject && before != judged_before.end();
+        if (gone) continue;  // rejected, and taken out before
+        refuse("there is no such task");
+        continue;
+      }
+      const TaskLine& task = tasks_[found->second];
+      const std::string now = text_of(task);
+      const bool in_force = review.judgement == Judgement::Edit && now == review.text;
+      if (now != review.instruction && !in_force) {
+        refuse("its text is another one now: \"" + now + "\"");
+        continue;
+      }
+      Ruling& ruling = rulings[found->second];
+      if (review.judgement == Judgement::Edit && !in_force) {
+        auto text = rewritten(task, now, review.text, refuse);
+        if (!text) return text.error();
+        if (!*text) continue;
+        ruling.rewritten = std::move(*text);
+      }
+      ruling.review = &review;
+      ++(review.judgement == Judgement::Accept   ? report.accepted
+         : review.judgement == Judgement::Reject ? report.rejected
+                                                 : report.edited);
+    }
+    return rulings;
+  }
+
+ private:
+  static std::string key(const std::string& layout, const std::string& text) {
+    return layout + "\n" + normalised_text(text);
+  }
+  static std::string text_of(const TaskLine& task) {
+    return Json::parse(task.text).at("instruction").at("text").get<std::string>();
+  }
+
+  /// nullopt when it was refused.
+  Result<std::optional<Instruction>> rewritten(const TaskLine& task, const std::string& now, const std::string& text,
+                                               const std::function<void(std::string)>& refuse) {
+    const auto scene = read_start(folder_, task);
+    if (!scene) return scene.error();
+    const auto checked =
+        check_person_text(text, task, resources_.backend(task.specification.simulator), categories_in(*scene));
+    if (!checked.faults.empty() && !options_.accept_unchecked) {
+      refuse("\"" + text + "\": " + join(checked.faults, "; "));
+      return std::optional<Instruction>();
+    }
+    if (normalised_text(text) != normalised_text(now) && !texts_.insert(key(task.layout, text)).second) {
+      refuse("\"" + text + "\": another task of this home has this text");
+      return std::optional<Instruction>();
+    }
+    return std::optional(checked.instruction);
+  }
+
+  const fs::path& folder_;
+  const std::vector<TaskLine>& tasks_;
+  const Resources& resources_;
+  const ApplyOptions& options_;
+  std::map<std::string, std::size_t> at_;
+  std::set<std::string> texts_;
+};
+
+std::string mark_of(const Review& review) {
+  Json mark{{"format", "unietp-review-mark/1"}, {"task", review.task}, {"verdict", name_of(review.judgement)}};
+  if (review.judgement == Judgement::Edit) mark["before"] = review.instruction;
+  mark["comment"] = review.comment;
+  return mark.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string rejection_of(const TaskLine& task, const Review& review) {
+  const Json rejection{{"format", "unietp-rejection/1"},
+                       {"slot", task.slot},
+                       {"attempt", task.attempt},
+                       {"template", task.specification.template_name},
+                       {"simulator", name_of(task.specification.simulator)},
+                       {"split", name_of(task.specification.split)},
+                       {"stage", "review"},
+                       {"reason", "rejected"},
+                       {"detail", review.comment}};
+  return rejection.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// Every file of the folder but paired wordings that are kept as they are, and what nobody here knows.
+std::vector<std::string> files_made_anew(const fs::path& folder) {
+  std::vector<std::string> names{"tasks.jsonl", "rejections.jsonl", "dataset.sqlite", "README.md",
+                                 kManifest,     kReviews,           kWordings};
+  for (const char* part : {"scenes", "demonstrations"}) {
+    std::error_code code;
+    for (const auto& entry : fs::directory_iterator(folder / part, code))
+      names.push_back(std::string(part) + "/" + entry.path().filename().string());
+  }
+  return names;
+}
+
+/// Notes in the new manifest how the instructions were written, as the old one has it, and that people judged.
+Result<Done> complete_manifest(const fs::path& file, const Json& old, const std::map<std::string, std::string>& marks) {
+  auto manifest = read_json(file);
+  if (!manifest) return manifest.error();
+  if (old.contains("instructions")) (*manifest)["instructions"] = old.at("instructions");
+  std::map<std::string, int> counts{{"accept", 0}, {"reject", 0}, {"edit", 0}};
+  for (const auto& [task, line] : marks) ++counts[Json::parse(line).at("verdict").get<std::string>()];
+  (*manifest)["review"] = {{"accepted", counts["accept"]}, {"rejected", counts["reject"]}, {"edited", counts["edit"]}};
+  return write_file(file, manifest->dump(2) + "\n");
+}
+
+}  // namespace
+
+Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, const std::vector<Review>& reviews,
+                                 const Resources& resources, const ApplyOptions& options) {
+  const auto manifest = read_json(folder / kManifest);
+  if (!manifest) return manifest.error();
+  if (manifest->value("knowledge_digest", "") != resources.digest)
+    return Error{Error::Kind::Usage,
+                 (folder / kManifest).string(),
+                 {},
+                 "was made with other tables, profiles, layouts or templates than those in use; give the right ones "
+                 "with --data"};
+  const auto configuration =
+      configuration_from_json((folder / kManifest).string(), manifest->value("configuration", Json()).dump());
+  if (!configuration) return configuration.error();
+  const auto tasks = read_task_lines(folder);
+  if (!tasks) return tasks.error();
+  auto marks = lines_by_task(folder / kReviews, "task");
+  if (!marks) return marks.error();
+  const auto wordings = lines_by_task(folder / kWordings, "pair");
+  if (!wordings) return wordings.error();
+  const auto traits = traits_of_tasks(folder / "dataset.sqlite");
+  if (!traits) return traits.error();
+  std::vector<std::map<std::string, std::string>> demonstrations;  // a mode each
+  for (const Mode mode : kModes) {
+    auto lines = lines_by_task(folder / "demonstrations" / (std::string(name_of(mode)) + ".jsonl"), "task");
+    if (!lines) return lines.error();
+    demonstrations.push_back(std::move(*lines));
+  }
+
+  ApplyReport report;
+  const auto rulings = Judge(folder, *tasks, resources, options).rulings(reviews, *marks, report);
+  if (!rulings) return rulings.error();
+  auto copy = ChangedCopy::begin(folder, out, files_made_anew(folder));
+  if (!copy) return copy.error();
+  auto writer = DatasetWriter::begin(copy->folder());
+  if (!writer) return writer.error();
+  std::string kept_wordings;
+  std::vector<std::string> rejections;
+  for (std::size_t i = 0; i < tasks->size(); ++i) {
+    const TaskLine& task = (*tasks)[i];
+    const Ruling& ruling = (*rulings)[i];
+    if (ruling.review != nullptr) (*marks)[task.id] = mark_of(*ruling.review);
+    const bool rejected = ruling.review != nullptr && ruling.review->judgement == Judgement::Reject;
+    if (rejected && !options.keep_rejected) {
+      rejections.push_back(rejection_of(task, *ruling.review));
+      continue;
+    }
+    CandidateRecord record;
+    record.task = task.text;
+    if (ruling.rewritten) {
+      Json json = Json::parse(task.text);
+      json["instruction"] = instruction_to_json(*ruling.rewritten);
+      record.task = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+    for (const auto& lines : demonstrations) {
+      if (const auto line = lines.find(task.id); line != lines.end())
+        record.demonstration += (record.demonstration.empty() ? "" : "\n") + line->second;
+    }
+    auto scene = read_file(folder / "scenes" / (task.scene + ".scene.json.gz"));
+    if (!scene) return scene.error();
+    record.scene = std::move(*scene);
+    if (const auto own = traits->find(task.id); own != traits->end()) record.traits = to_text(own->second);
+    if (auto done = writer->add_task(record); !done) return done.error();
+    if (const auto line = wordings->find(task.id); line != wordings->end()) kept_wordings += line->second + "\n";
+  }
+  const auto old_rejections = read_file(folder / "rejections.jsonl");
+  if (!old_rejections) return old_rejections.error();
+  auto all_rejections = split(*old_rejections, '\n');
+  all_rejections.insert(all_rejections.end(), rejections.begin(), rejections.end());
+  for (const auto& line : all_rejections) {
+    if (line.empty()) continue;
+    if (auto done = writer->add_rejection(line); !done) return done.error();
+  }
+  std::string kept_marks;
+  for (const auto& [task, line] : *marks) kept_marks += line + "\n";
+  if (auto done = write_file(copy->folder() / kReviews, kept_marks); !done) return done.error();
+  if (!kept_wordings.empty()) {
+    if (auto done = write_file(copy->folder() / kWordings, kept_wordings); !done) return done.error();
+  }
+  if (auto done = writer->finish(*configuration, resources, options.licences); !done) return done.error();
+  if (auto done = complete_manifest(copy->folder() / kManifest, *manifest, *marks); !done) return done.error();
+  if (auto done = copy->finish(); !done) return done.error();
+  return report;
+}
+
+}  // namespace unietp

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace unietp {
+
+enum class Judgement { Accept, Reject, Edit };
+std::string_view name_of(Judgement judgement);  // "accept"
+
+/// What a person says of a task.
+struct Review {
+  std::string task;
+  Judgement judgement = Judgement::Accept;
+  std::string instruction;  // that was judged
+  std::string text;         // the right wording; of an edit only
+  std::string comment;
+  bool operator==(const Review&) const = default;
+};
+
+/// A file that the review page saves (data/schemas/review.schema.json). Errors: Parse with line and column; Schema with
+/// a JSON pointer, also when a task is judged twice.
+Result<std::vector<Review>> read_reviews(std::string_view where, std::string_view text);
+
+}  // namespace unietp
