@@ -47,8 +47,7 @@ Browser::Browser(const fs::path& folder) : folder_(folder) {
   to_ = commands.ends[1];
   from_ = answers.ends[0];
   const auto target = call("Target.createTarget", {{"url", "about:blank"}}, false);
-  session_ =
-      call("Target.attachToTarget", {{"targetId", target["targetId"]}, {"flatten", true}}, false)["sessionId"];
+  session_ = call("Target.attachToTarget", {{"targetId", target["targetId"]}, {"flatten", true}}, false)["sessionId"];
   call("Browser.setDownloadBehavior",
        {{"behavior", "allow"}, {"downloadPath", folder.string()}, {"eventsEnabled", true}}, false);
   for (const char* domain : {"Page.enable", "Runtime.enable", "Network.enable", "Log.enable"})
@@ -144,8 +143,7 @@ void Browser::until(const std::string& expression) {
 }
 
 void Browser::press(const std::string& key, bool control) {
-  static const std::map<std::string, int> kCodes{
-      {"Enter", 13}, {"Escape", 27}, {"ArrowLeft", 37}, {"ArrowRight", 39}};
+  static const std::map<std::string, int> kCodes{{"Enter", 13}, {"Escape", 27}, {"ArrowLeft", 37}, {"ArrowRight", 39}};
   const auto named = kCodes.find(key);
   Json event{{"type", "keyDown"}, {"key", key}, {"modifiers", control ? 2 : 0}};
   if (named != kCodes.end()) event["windowsVirtualKeyCode"] = named->second;
