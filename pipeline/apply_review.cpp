@@ -89,7 +89,7 @@ class Judge {
   }
 
   Result<std::vector<Ruling>> rulings(const std::vector<Review>& reviews,
-                                        const std::map<std::string, std::string>& judged_before, ApplyReport& report) {
+                                      const std::map<std::string, std::string>& judged_before, ApplyReport& report) {
     std::vector<Ruling> rulings(tasks_.size());
     for (const Review& review : reviews) {
       const auto refuse = [&](std::string why) { report.refused.emplace_back(review.task, std::move(why)); };
@@ -189,14 +189,12 @@ std::vector<std::string> files_made_anew(const fs::path& folder) {
   return names;
 }
 
-/// Notes in the new manifest how the instructions were written, as the old one has it, and that people judged.
-Result<Done> complete_manifest(const fs::path& file, const Json& old, const std::map<std::string, std::string>& marks) {
+/// Notes in the new manifest how the instructions were written, as the old one has it.
+Result<Done> note_writer(const fs::path& file, const Json& old) {
+  if (!old.contains("instructions")) return Done{};
   auto manifest = read_json(file);
   if (!manifest) return manifest.error();
-  if (old.contains("instructions")) (*manifest)["instructions"] = old.at("instructions");
-  std::map<std::string, int> counts{{"accept", 0}, {"reject", 0}, {"edit", 0}};
-  for (const auto& [task, line] : marks) ++counts[Json::parse(line).at("verdict").get<std::string>()];
-  (*manifest)["review"] = {{"accepted", counts["accept"]}, {"rejected", counts["reject"]}, {"edited", counts["edit"]}};
+  (*manifest)["instructions"] = old.at("instructions");
   return write_file(file, manifest->dump(2) + "\n");
 }
 
@@ -281,7 +279,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
     if (auto done = write_file(copy->folder() / kWordings, kept_wordings); !done) return done.error();
   }
   if (auto done = writer->finish(*configuration, resources, options.licences); !done) return done.error();
-  if (auto done = complete_manifest(copy->folder() / kManifest, *manifest, *marks); !done) return done.error();
+  if (auto done = note_writer(copy->folder() / kManifest, *manifest); !done) return done.error();
   if (auto done = copy->finish(); !done) return done.error();
   return report;
 }
