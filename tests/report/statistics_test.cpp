@@ -48,9 +48,9 @@ TEST(Tables, OneSetHasACrossTableAndSeveralStandSideBySide) {
   const std::vector<DatasetStatistics> sets{small("a"), small("b")};
   const auto one = table_text(tables_of({sets.data(), 1}), 100);
   EXPECT_THAT(one, HasSubstr("  simulator  atomic  logical  all\n  ai2thor         2        0    2\n"));
-  EXPECT_THAT(one, HasSubstr("close-one                1 of 3  expert: action-failed (2)"));
+  EXPECT_THAT(one, HasSubstr("close-one               1 of 3  expert: action-failed (2)"));
   const auto two = table_text(tables_of(sets), 100);
-  EXPECT_THAT(two, HasSubstr("                 a       b\n  tasks            3       3\n"));
+  EXPECT_THAT(two, HasSubstr("                       a       b\n  tasks                3       3\n"));
   EXPECT_THAT(two, HasSubstr("  ai2thor, atomic"));
 }
 
