@@ -36,10 +36,10 @@ bool BlockRun::is_complete() const {
   return std::all_of(open.begin(), open.end(), was_tried_last);
 }
 
-void BlockRun::keep(CandidateRecord record, Round& found) {
+void BlockRun::keep(CandidateRecord record, const StageCosts& costs, Round& found) {
   const std::scoped_lock lock(mutex_);
   if (failure_) return;
-  if (const auto added = ledger_.add(record); !added) {
+  if (const auto added = ledger_.add(record, costs); !added) {
     failure_ = added.error();
     return;
   }
@@ -95,7 +95,7 @@ Result<Done> BlockRun::try_plans(const std::vector<CandidatePlan>& plans, Round&
     StageTimer timer(&costs, Stage::Writing);
     auto record = record_of(made);
     timer.enter(Stage::Ledger);
-    keep(std::move(record), found);
+    keep(std::move(record), costs, found);
     timer.stop();
     book(costs);
   });

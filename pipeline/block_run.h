@@ -50,7 +50,7 @@ class BlockRun {
   void draw_homes();
   /// Makes the planned candidates, several at a time, and adds what comes of it to `found`.
   Result<Done> try_plans(const std::vector<CandidatePlan>& plans, Round& found);
-  void keep(CandidateRecord record, Round& found);
+  void keep(CandidateRecord record, const StageCosts& costs, Round& found);
   void book(const StageCosts& costs);
 
   const RunConfiguration& configuration_;

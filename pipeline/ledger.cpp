@@ -2,17 +2,39 @@
 
 #include <exception>
 
+#include "core/text.h"
+
 namespace unietp {
 namespace {
 
 // WAL with synchronous=NORMAL: a killed process loses nothing, and a commit costs no disk flush.
-constexpr const char* kSchema = R"(
-PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;
-CREATE TABLE IF NOT EXISTS run(identity TEXT NOT NULL);
-CREATE TABLE IF NOT EXISTS candidate(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, accepted INTEGER NOT NULL,
+constexpr const char* kPragmas = "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;";
+
+/// The tables and, for people, a view of what became of each candidate; `to` is the database that they are made in.
+/// A cost is a JSON object of seconds by stage.
+std::string schema(const std::string& to) {
+  return "CREATE TABLE IF NOT EXISTS " + to + ".run(identity TEXT NOT NULL);" + "CREATE TABLE IF NOT EXISTS " + to +
+         R"(.candidate(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, accepted INTEGER NOT NULL,
   template TEXT NOT NULL, task TEXT NOT NULL, demonstration TEXT NOT NULL, scene TEXT NOT NULL, start_key TEXT NOT NULL,
-  text_key TEXT NOT NULL, traits TEXT NOT NULL, rejection TEXT NOT NULL, PRIMARY KEY(slot, attempt));
+  text_key TEXT NOT NULL, traits TEXT NOT NULL, rejection TEXT NOT NULL, cost TEXT NOT NULL,
+  PRIMARY KEY(slot, attempt));
+CREATE VIEW IF NOT EXISTS )" +
+         to + R"(.outcome AS SELECT slot, attempt, template, accepted,
+  CASE accepted WHEN 0 THEN json_extract(rejection, '$.stage') END AS stage,
+  CASE accepted WHEN 0 THEN json_extract(rejection, '$.reason') END AS reason,
+  (SELECT sum(value) FROM json_each(cost)) AS seconds, cost FROM candidate;
 )";
+}
+
+std::string text_of(const StageCosts& costs) {
+  std::string text;
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    if (costs.seconds[i] <= 0) continue;
+    text += (text.empty() ? "{\"" : ",\"") + std::string(name_of(static_cast<Stage>(i))) +
+            "\":" + number_text(costs.seconds[i]);
+  }
+  return text.empty() ? "{}" : text + "}";
+}
 
 Error failure(std::string_view what, const std::exception& reason) {
   return {Error::Kind::Io, "ledger.sqlite", {}, std::string(what) + ": " + reason.what()};
@@ -23,7 +45,8 @@ Error failure(std::string_view what, const std::exception& reason) {
 Result<Ledger> Ledger::open(const std::filesystem::path& path, const std::string& identity) {
   try {
     SqliteFile file(path, SqliteFile::Mode::Create);
-    file.run(kSchema);
+    file.run(kPragmas);
+    file.run(schema("main").c_str());
     std::string stored;
     {
       auto query = file.prepare("SELECT identity FROM run");
@@ -59,20 +82,31 @@ Result<Ledger> Ledger::read_only(const std::filesystem::path& path, const std::s
   }
 }
 
-Result<Done> Ledger::copy_to(const std::filesystem::path& path) {
+Result<Done> Ledger::copy_to(const std::filesystem::path& path, bool with_costs) {
   try {
-    auto copy = file_.prepare("VACUUM INTO ?");
-    copy.bind(1, std::string_view(path.string()));
-    copy.step();
+    {
+      auto attach = file_.prepare("ATTACH ? AS copy");
+      attach.bind(1, std::string_view(path.native()));
+      attach.step();
+    }
+    file_.run("PRAGMA copy.journal_mode=MEMORY; PRAGMA copy.synchronous=OFF;");
+    file_.run(schema("copy").c_str());
+    const std::string cost = with_costs ? "cost" : "'{}'";
+    const std::string fill =
+        "BEGIN; INSERT INTO copy.run SELECT identity FROM main.run; INSERT INTO copy.candidate SELECT slot, attempt, "
+        "accepted, template, task, demonstration, scene, start_key, text_key, traits, rejection, " +
+        cost + " FROM main.candidate ORDER BY slot, attempt; COMMIT; DETACH copy;";
+    file_.run(fill.c_str());
     return Done{};
   } catch (const std::exception& reason) {
     return failure("cannot write " + path.string(), reason);
   }
 }
 
-Result<Done> Ledger::add(const CandidateRecord& record) {
+Result<Done> Ledger::add(const CandidateRecord& record, const StageCosts& costs) {
   try {
-    auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?,?)");
+    const std::string cost = text_of(costs);
+    auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
     insert.bind(1, std::int64_t{record.slot});
     insert.bind(2, std::int64_t{record.attempt});
     insert.bind(3, std::int64_t{record.accepted});
@@ -80,6 +114,7 @@ Result<Done> Ledger::add(const CandidateRecord& record) {
     for (const auto* text : {&record.template_name, &record.task, &record.demonstration, &record.scene,
                              &record.start_key, &record.text_key, &record.traits, &record.rejection})
       insert.bind(++column, std::string_view(*text));
+    insert.bind(++column, std::string_view(cost));
     insert.step();
     return Done{};
   } catch (const std::exception& reason) {

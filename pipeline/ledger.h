@@ -8,6 +8,7 @@
 #include "core/result.h"
 #include "core/sqlite_file.h"
 #include "pipeline/candidate.h"
+#include "pipeline/stage_costs.h"
 
 namespace unietp {
 
@@ -20,10 +21,12 @@ class Ledger {
   static Result<Ledger> open(const std::filesystem::path& path, const std::string& identity);
   /// One that is only read, as `copy_to` has made it. Errors: also Usage when it is of another run.
   static Result<Ledger> read_only(const std::filesystem::path& path, const std::string& identity);
-  /// Writes all of it to one new file, which is at rest.
-  Result<Done> copy_to(const std::filesystem::path& path);
+  /// Writes all of it to one new file, which is at rest, in order of slot and attempt. What candidates cost is no part
+  /// of a run's bytes, so it is left out unless asked for.
+  Result<Done> copy_to(const std::filesystem::path& path, bool with_costs = false);
 
-  Result<Done> add(const CandidateRecord& record);
+  /// `costs`: what was spent on this candidate.
+  Result<Done> add(const CandidateRecord& record, const StageCosts& costs);
 
   /// The candidates of `slots` slots from `first` on, in order of (attempt, slot), as outlines.
   Result<std::vector<CandidateRecord>> outlines(int first, int slots);

@@ -73,6 +73,17 @@ std::vector<Block> share_of(std::vector<Block> blocks, const Shard& shard) {
   return own;
 }
 
+/// Aside first, then renamed, in place of what was there.
+Result<Done> keep_ledger(Ledger& ledger, const std::filesystem::path& path) {
+  const auto aside = path.string() + ".tmp";
+  std::error_code code;
+  std::filesystem::remove(aside, code);
+  if (auto copied = ledger.copy_to(aside, true); !copied) return copied;
+  std::filesystem::rename(aside, path, code);
+  if (code) return Error{Error::Kind::Io, path.string(), {}, "cannot rename the ledger into place: " + code.message()};
+  return Done{};
+}
+
 Result<Done> publish(RunFolder& work, const RunConfiguration& configuration, const Resources& resources,
                      const RunOptions& options, const std::vector<Block>& blocks, Ledger& ledger) {
   const StageTimer timer(options.costs, Stage::Dataset);
@@ -84,6 +95,9 @@ Result<Done> publish(RunFolder& work, const RunConfiguration& configuration, con
                            ? assemble(*folder, configuration, resources, options.licences, filled)
                            : write_shard(*folder, options.shard, identity_of(configuration, resources), filled);
   if (!written) return written.error();
+  if (!options.ledger.empty()) {
+    if (auto kept = keep_ledger(ledger, options.ledger); !kept) return kept;
+  }
   return work.publish();
 }
 

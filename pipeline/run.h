@@ -34,6 +34,7 @@ struct RunOptions {
   std::filesystem::path licences;  // table of the sources' licences, for the manifest
   int threads = 1;
   bool resume = false;
+  std::filesystem::path ledger;                      // a copy of the ledger, with what candidates cost; "" for none
   Shard shard;                                       // the part of the run that this process makes
   const std::atomic<bool>* stop = nullptr;           // set from outside: finish the candidates under way, then return
   std::function<void(const RunProgress&)> progress;  // called with a lock held; may be empty

@@ -114,6 +114,8 @@ void add_run_options(CommandParser& app, RunCommand& command, const CommandLine&
       ->within(1, 1024);
   app.add_option("--out", command.run.out, "Folder to make")->required();
   app.add_flag("--resume", command.run.resume, "Go on with the unfinished run in OUT.partial");
+  app.add_option("--ledger", command.run.ledger,
+                 "Keep the run's ledger in this file (SQLite): each candidate with stage, reason and cost");
   app.add_option("--shard", command.shard,
                  "Make only part K of N, on this machine; `unietp merge` puts the parts together (docs/scale.md)")
       ->type_name("K/N");
@@ -142,7 +144,15 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
   if (program.terminal) command.run.progress = [&line](const RunProgress& now) { line.draw(progress_text(now)); };
   const auto report = run_generation(command.configuration, resources, command.run);
   line.wipe();
-  if (!report) return refuse(report.error());
+  if (!report) {
+    const Exit refused = refuse(report.error());
+    if (std::error_code code;
+        report.error().kind == Error::Kind::Io && std::filesystem::exists(command.run.out.string() + ".partial", code))
+      log.warn(
+          "what was made so far is kept; once this can be written (is the disk full?), the same command with "
+          "--resume goes on from there");
+    return refused;
+  }
   const Exit told = tell(*report, command, log);
   if (report->interrupted || by_grammar) return told;
   const auto& out = command.run.out;

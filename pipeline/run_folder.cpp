@@ -23,6 +23,17 @@ Error usage(const fs::path& path, std::string message) {
 }
 Error io(const fs::path& path, std::string message) { return {Error::Kind::Io, path.string(), {}, std::move(message)}; }
 
+/// The marker goes last, so that whoever comes after a kill midway knows what is left to do.
+void remove_marker_last(const fs::path& folder) {
+  std::error_code code;
+  for (auto it = fs::directory_iterator(folder, code); !code && it != fs::directory_iterator(); it.increment(code)) {
+    if (it->path().filename() == kPublishing) continue;
+    std::error_code ignored;
+    fs::remove_all(it->path(), ignored);
+  }
+  fs::remove_all(folder, code);
+}
+
 fs::path without_slash(const fs::path& path) { return path.has_filename() ? path : path.parent_path(); }
 
 }  // namespace
@@ -32,7 +43,8 @@ Result<RunFolder> RunFolder::enter(const fs::path& asked, bool resume) {
   const fs::path folder = out.string() + ".partial";
   std::error_code code;
   const bool unfinished = fs::exists(folder, code);
-  const bool tidy_up = resume && fs::exists(folder / kPublishing, code) && !fs::exists(folder / "data", code);
+  const bool published = fs::exists(folder / kPublishing, code) && !fs::exists(folder / "data", code);
+  const bool tidy_up = resume && unfinished && (published || fs::is_empty(folder, code));
   if (fs::exists(out, code) && !tidy_up)
     return usage(out, "already exists; choose another folder, or remove this one first");
 
@@ -50,7 +62,7 @@ Result<RunFolder> RunFolder::enter(const fs::path& asked, bool resume) {
   if (unfinished && !resume)
     return usage(folder, "holds an unfinished run; add --resume to continue it, or remove that folder to start anew");
   if (tidy_up && fs::exists(out, code)) {
-    fs::remove_all(folder, code);
+    remove_marker_last(folder);
     run.already_published_ = true;
   }
   return run;
@@ -80,7 +92,7 @@ Result<Done> RunFolder::publish() {
   std::error_code code;
   fs::rename(folder_ / "data", out_, code);
   if (code) return io(out_, "cannot rename the finished data set into place: " + code.message());
-  fs::remove_all(folder_, code);
+  remove_marker_last(folder_);
   return Done{};
 }
 

@@ -1,199 +1,229 @@
 #include "validator/prove.h"
 
 #include <algorithm>
+#include <set>
 
+#include "core/files.h"
 #include "core/text.h"
 #include "logic/evaluate.h"
-#include "scene/trace.h"
-#include "simulation/mode_episode.h"
+#include "scene/scene_json.h"
+#include "simulation/relations.h"
+#include "validator/must_fail.h"
 #include "validator/prove_start.h"
+#include "validator/replay.h"
+#include "validator/trace_maker.h"
 
 namespace unietp {
 namespace {
 
-/// Collects what is wrong with one task.
-class Findings {
+bool speaks_of_comparisons(const std::string& text) {
+  return text.find("(nearest ") != std::string::npos || text.find("(size ") != std::string::npos;
+}
+
+/// One task's proof under way.
+class TaskProver {
  public:
-  explicit Findings(const TaskFiles& files) : files_(files) {}
-  void task(std::string message) { add(files_.task, std::move(message)); }
-  void scene(std::string message) { add(files_.scene, std::move(message)); }
-  void demonstration(std::string message) { add(files_.demonstration, std::move(message)); }
-  void all(std::vector<Error> errors) {
-    for (auto& error : errors) errors_.push_back(std::move(error));
+  TaskProver(const TaskReading& reading, const ProofTools& tools)
+      : reading_(reading), task_(*reading.record), tools_(tools), scene_file_(scene_file(task_.scene)) {}
+
+  TaskProof prove() {
+    read_goal();
+    if (read_scene()) prove_scene();
+    for (Problem& problem : proof_.problems) problem.task = reading_.name;
+    return std::move(proof_);
   }
-  std::vector<Error> take() { return std::move(errors_); }
 
  private:
-  void add(const std::string& where, std::string message) {
-    errors_.push_back({Error::Kind::Schema, where, {}, std::move(message)});
+  void found(ProblemKind kind, const std::string& where, std::string message) {
+    proof_.problems.push_back(problem_in(kind, where, std::move(message)));
   }
-  const TaskFiles& files_;
-  std::vector<Error> errors_;
+  void found(ProblemKind kind, const Error& error) { proof_.problems.push_back({kind, "", error}); }
+  void found(std::vector<Problem> problems) { append(proof_.problems, std::move(problems)); }
+
+  void read_goal() {
+    auto goal = parse_formula(reading_.where, task_.goal_text, FormulaUse::Goal);
+    if (!goal) {
+      found(ProblemKind::GoalText, reading_.where,
+            "its goal does not read, at column " + std::to_string(goal.error().pos.column) +
+                " of the text: " + goal.error().message);
+    } else {
+      if (*goal != task_.goal_tree)
+        found(ProblemKind::GoalTree, reading_.where,
+              "its goal's text and tree are different formulas: " + task_.goal_text + " against " +
+                  to_text(task_.goal_tree));
+      goal_ = std::move(*goal);
+    }
+    for (const auto& text : task_.start_constraints) {
+      auto formula = parse_formula(reading_.where, text, FormulaUse::State);
+      if (formula) constraints_.push_back(std::move(*formula));
+      if (!formula)
+        found(ProblemKind::StartConstraint, reading_.where,
+              "start constraint " + text + ": " + formula.error().message);
+    }
+  }
+
+  bool read_scene() {
+    const auto simulator = simulator_named(task_.simulator);
+    if (!simulator)
+      found(ProblemKind::SceneName, reading_.where,
+            "unknown simulator \"" + task_.simulator + "\"; accepted are ai2thor, virtualhome, habitat, behavior");
+    if (task_.scene.find('/') != std::string::npos) {  // would lead out of the data set
+      found(ProblemKind::SceneName, reading_.where, "a scene's name has no '/'");
+      return false;
+    }
+    const auto packed = read_file(tools_.folder.folder / scene_file_);
+    if (!packed) {
+      found(ProblemKind::Unreadable, Error{Error::Kind::Io, scene_file_, {}, packed.error().message});
+      return false;
+    }
+    if (tools_.files != nullptr) found(tools_.files->of(scene_file_, *packed));
+    const auto text = gunzip(scene_file_, *packed);
+    auto scene = text ? scene_from_json(scene_file_, *text) : Result<Scene>(text.error());
+    if (!scene) {
+      found(ProblemKind::Unreadable, scene.error());
+      return false;
+    }
+    start_ = std::move(*scene);
+    if (start_.id != task_.scene)
+      found(ProblemKind::SceneName, scene_file_, "is called \"" + start_.id + "\", not \"" + task_.scene + "\"");
+    if (simulator && start_.simulator != *simulator)
+      found(ProblemKind::SceneName, scene_file_,
+            "is of " + std::string(name_of(start_.simulator)) + ", the task of " + task_.simulator);
+    if (!simulator) return false;
+    backend_ = &tools_.backends[static_cast<std::size_t>(*simulator)];
+    return true;
+  }
+
+  void prove_scene() {
+    std::map<Mode, DemonstrationRecord> shown;
+    for (const Mode mode : kModes) read_demonstration(mode, shown);
+    const auto in_m1 = shown.find(Mode::M1);
+    proof_.facts = facts_of(task_, start_, in_m1 == shown.end() ? nullptr : &in_m1->second);
+    auto physics = physics_of(start_);
+    found(prove_start(start_, physics, tools_.rest, scene_file_));
+    prove_instruction();
+    const auto world = World::create(start_, *backend_->knowledge, *backend_->profile, std::move(physics));
+    if (!world) return found(ProblemKind::Unbuildable, scene_file_, "cannot be rebuilt: " + world.error().message);
+    const bool compares =
+        (goal_ && reads_comparisons(*goal_)) ||
+        std::any_of(task_.start_constraints.begin(), task_.start_constraints.end(), speaks_of_comparisons);
+    const TraceMaker traces(start_, compares, goal_ && reads_later_comparisons(*goal_));
+    if (goal_)
+      found(prove_goal_at_start(task_, *goal_, constraints_, start_, traces.at_start(), *backend_->knowledge,
+                                reading_.where));
+    for (const auto& [mode, demonstration] : shown) prove_demonstration(*world, mode, demonstration, traces);
+    if (goal_ && in_m1 != shown.end()) {
+      auto spoilt = must_fail(*goal_, *world, traces, in_m1->second, where_shown(Mode::M1));
+      proof_.counts.spoilt_plans += spoilt.tried;
+      found(std::move(spoilt.problems));
+    }
+    if (const auto wordings = tools_.wordings.find(task_.id); wordings != tools_.wordings.end())
+      prove_wordings(wordings->second, traces, in_m1 == shown.end() ? nullptr : &in_m1->second);
+  }
+
+  std::string where_shown(Mode mode) const {
+    const auto index = static_cast<std::size_t>(mode);
+    return tools_.folder.demonstrations[index].at(*reading_.shown[index]);
+  }
+
+  void read_demonstration(Mode mode, std::map<Mode, DemonstrationRecord>& shown) {
+    const auto line = reading_.shown[static_cast<std::size_t>(mode)];
+    if (!line) return;
+    auto read = tools_.folder.demonstration(mode, *line);
+    if (!read) return found(ProblemKind::Unreadable, read.error());
+    if (read->mode != name_of(mode))
+      found(ProblemKind::StrayDemonstration, where_shown(mode),
+            "expected the mode \"" + std::string(name_of(mode)) + "\", not \"" + read->mode + "\"");
+    if (read->task != task_.id) found(ProblemKind::StrayDemonstration, where_shown(mode), "is of " + read->task);
+    shown.emplace(mode, std::move(*read));
+  }
+
+  void prove_demonstration(const World& world, Mode mode, const DemonstrationRecord& demonstration,
+                           const TraceMaker& traces) {
+    found(check_step_count(task_, mode, demonstration, reading_.where));
+    auto done = replay(world, mode, demonstration, where_shown(mode));
+    ++proof_.counts.demonstrations;
+    proof_.counts.steps += static_cast<int>(done.changes.size());
+    found(std::move(done.problems));
+    if (!goal_) return;
+    const auto trace = traces.of(done.changes);
+    if (mode == Mode::M1) {
+      for (const auto& domain : empty_domains(*goal_, trace))
+        found(ProblemKind::EmptyDomain, reading_.where,
+              "its goal speaks of all or a number of " + domain + ", of which the scene has none");
+    }
+    if (!holds(*goal_, trace))
+      found(ProblemKind::GoalNotReached, where_shown(mode), "its replay does not reach the goal " + task_.goal_text);
+  }
+
+  void prove_instruction() {
+    if (trim(task_.instruction).empty()) return found(ProblemKind::NoText, reading_.where, "has no instruction");
+    if (goal_) prove_text(task_.instruction, task_.writer, task_.style, *goal_, reading_.where);
+  }
+
+  void prove_text(const std::string& text, const std::string& writer, const std::string& style, const Formula& goal,
+                  const std::string& where) {
+    for (const Node& node : start_.nodes) {
+      if (text.find(node.id) != std::string::npos)
+        found(ProblemKind::TextForm, where, "its instruction gives away the object id " + node.id);
+    }
+    if (!tools_.options.check_text) return;
+    ++proof_.counts.texts;
+    std::set<std::string> around;
+    for (const Node& node : start_.nodes) around.insert(node.category);
+    for (const Room& room : start_.rooms) around.insert(room.type);
+    auto problems = tools_.options.check_text({text,
+                                               writer,
+                                               style,
+                                               task_.template_name,
+                                               start_.simulator,
+                                               goal,
+                                               constraints_,
+                                               {around.begin(), around.end()},
+                                               tools_.phrasings});
+    for (Problem& problem : problems) problem.error.where = where;
+    found(std::move(problems));
+  }
+
+  /// Direct and complex words are of the task's goal; those that refer have a goal that the demonstration reaches too.
+  void prove_wordings(const WordingsRecord& record, const TraceMaker& traces, const DemonstrationRecord* shown) {
+    const std::string where = "wordings.jsonl";
+    if (record.pair != record.task) found(ProblemKind::Wordings, where, "is of the pair " + record.pair);
+    for (const auto& [name, wording] : record.wordings) {
+      if (wording.goal.empty()) {
+        if (goal_) prove_text(wording.text, wording.writer, wording.style, *goal_, where);
+        continue;
+      }
+      const auto goal = parse_formula(where, wording.goal, FormulaUse::Goal);
+      if (!goal) {
+        found(ProblemKind::Wordings, where,
+              "the goal of its " + name + " wording does not read: " + goal.error().message);
+        continue;
+      }
+      prove_text(wording.text, wording.writer, wording.style, *goal, where);
+      if (holds(*goal, traces.at_start()))
+        found(ProblemKind::Wordings, where, "the goal of its " + name + " wording holds before anything is done");
+      if (shown == nullptr) continue;
+      std::vector<Delta> changes;
+      for (const StepRecord& step : shown->steps) changes.push_back(step.changes);
+      if (!holds(*goal, traces.of(changes)))
+        found(ProblemKind::Wordings, where, "its demonstration does not reach the goal of its " + name + " wording");
+    }
+  }
+
+  const TaskReading& reading_;
+  const TaskRecord& task_;
+  const ProofTools& tools_;
+  std::string scene_file_;
+  Scene start_;
+  std::optional<Formula> goal_;
+  std::vector<Formula> constraints_;
+  const ValidationBackend* backend_ = nullptr;
+  TaskProof proof_;
 };
-
-std::string text_of(const Edge& edge) {
-  return std::string(info(edge.relation).name) + "(" + edge.from + ", " + edge.to + ")";
-}
-
-template <class T, class TextOf>
-std::string first_difference(const std::vector<T>& recorded, const std::vector<T>& replayed, std::string_view what,
-                             TextOf text) {
-  for (const auto& one : recorded) {
-    if (std::find(replayed.begin(), replayed.end(), one) == replayed.end())
-      return "the record has " + std::string(what) + " " + text(one) + ", the replay has not";
-  }
-  for (const auto& one : replayed) {
-    if (std::find(recorded.begin(), recorded.end(), one) == recorded.end())
-      return "the replay has " + std::string(what) + " " + text(one) + ", the record has not";
-  }
-  return recorded == replayed ? "" : "the record has " + std::string(what) + "s in another order";
-}
-
-std::string difference_of(const Delta& recorded, const Delta& replayed) {
-  std::vector<std::string> parts{
-      first_difference(recorded.nodes, replayed.nodes, "the changed object", [](const Node& node) { return node.id; }),
-      first_difference(recorded.removed, replayed.removed, "the removed object", [](const auto& id) { return id; }),
-      first_difference(recorded.edges_added, replayed.edges_added, "the new relation", text_of),
-      first_difference(recorded.edges_removed, replayed.edges_removed, "the ended relation", text_of)};
-  if (recorded.agent != replayed.agent) parts.emplace_back("the agent stands, looks or holds otherwise");
-  parts.erase(std::remove(parts.begin(), parts.end(), ""), parts.end());
-  return join(parts, "; ");
-}
-
-std::string limits_text(Mode mode) {
-  const StepLimits limits = limits_of(mode);
-  return "it ends with stop(), after " + std::to_string(limits.steps) + " steps or " + std::to_string(limits.failures) +
-         " failures";
-}
-
-std::string told(bool success, std::string_view failure, const std::string& feedback) {
-  return success && feedback.empty() ? std::string("success") : std::string(failure) + " \"" + feedback + "\"";
-}
-
-/// Replays the steps under the rules of the mode; the changes of the replay, one delta a step. Only the first
-/// difference of each kind is told: what follows from it would differ too.
-std::vector<Delta> replay(ModeEpisode episode, const DemonstrationRecord& demonstration, Findings& findings) {
-  std::vector<Delta> changes;
-  bool same_view = true, same_outcome = true, same_changes = true;
-  for (std::size_t i = 0; i < demonstration.steps.size(); ++i) {
-    const auto& step = demonstration.steps[i];
-    const auto at = "step " + std::to_string(i + 1) + " " + to_text(step.command) + ": ";
-    if (episode.over()) {
-      findings.demonstration(at + "comes after the end of the episode; " + limits_text(episode.mode()));
-      break;
-    }
-    if (same_view && episode.visible() != step.visible) {
-      same_view = false;
-      findings.demonstration(at + "another view than recorded; " +
-                             first_difference(step.visible, episode.visible(), "the visible object",
-                                              [](const VisibleObject& object) { return object.id; }));
-    }
-    const Scene before = episode.world().scene();
-    const auto outcome = episode.step(step.command);
-    if (same_outcome && (outcome.success != step.success || name_of(outcome.failure) != step.failure ||
-                         outcome.feedback != step.feedback)) {
-      same_outcome = false;
-      findings.demonstration(at + "recorded as " + told(step.success, step.failure, step.feedback) +
-                             ", the replay gives " + told(outcome.success, name_of(outcome.failure), outcome.feedback));
-    }
-    auto delta = difference(before, episode.world().scene());
-    if (same_changes && delta != step.changes) {
-      same_changes = false;
-      findings.demonstration(at + "other changes than recorded; " + difference_of(step.changes, delta));
-    }
-    changes.push_back(std::move(delta));
-  }
-  if (!episode.world().stopped()) findings.demonstration("does not end with stop()");
-  return changes;
-}
-
-void check_form(const TaskRecord& task, const Scene& start, Findings& findings) {
-  if (start.id != task.scene) findings.scene("is called \"" + start.id + "\", not \"" + task.scene + "\"");
-  if (name_of(start.simulator) != task.simulator)
-    findings.scene("is of " + std::string(name_of(start.simulator)) + ", the task of " + task.simulator);
-  if (trim(task.instruction).empty()) findings.task("has no instruction");
-  for (const auto& node : start.nodes) {
-    if (task.instruction.find(node.id) != std::string::npos)
-      findings.task("its instruction gives away the object id " + node.id);
-  }
-}
-
-void check_counts(const TaskRecord& task, Mode mode, const DemonstrationRecord& demonstration, Findings& findings) {
-  if (demonstration.mode != name_of(mode))
-    findings.demonstration("expected the mode \"" + std::string(name_of(mode)) + "\", not \"" + demonstration.mode +
-                           "\"");
-  const auto steps = static_cast<int>(demonstration.steps.size());
-  const auto failures = static_cast<int>(std::count_if(demonstration.steps.begin(), demonstration.steps.end(),
-                                                       [](const StepRecord& step) { return !step.success; }));
-  for (const TaskRecord::Count& count : task.expert) {
-    if (count.mode != mode || (count.steps == steps && count.failures == failures)) continue;
-    findings.task("says " + std::to_string(count.steps) + " steps and " + std::to_string(count.failures) +
-                  " failures in " + std::string(name_of(mode)) + ", the demonstration has " + std::to_string(steps) +
-                  " and " + std::to_string(failures));
-  }
-}
-
-/// What task and demonstration both speak of.
-bool compares(const TaskRecord& task, const Formula& goal) {
-  return reads_comparisons(goal) ||
-         std::any_of(task.start_constraints.begin(), task.start_constraints.end(), [](const auto& text) {
-           return text.find("(nearest ") != std::string::npos || text.find("(size ") != std::string::npos;
-         });
-}
-
-void check_start_constraints(const TaskRecord& task, const Trace& trace, const TaskFiles& files, Findings& findings) {
-  for (const auto& text : task.start_constraints) {
-    const auto formula = parse_formula(files.task, text, FormulaUse::State);
-    if (!formula) {
-      findings.task("start constraint " + text + ": " + formula.error().message);
-    } else if (!holds_in(*formula, trace, 0)) {
-      findings.scene("does not meet the start constraint " + text);
-    }
-  }
-}
 
 }  // namespace
 
-std::vector<Error> prove_task(const TaskRecord& task, const Scene& start, const ValidationBackend& backend,
-                              const ValidationOptions& options, const TaskFiles& files) {
-  Findings findings(files);
-  check_form(task, start, findings);
-  findings.all(prove_start(start, options.rest_m, files.scene));
-
-  const auto goal = parse_formula(files.task, task.goal_text, FormulaUse::Goal);
-  if (!goal) {
-    findings.task("its goal does not read, at column " + std::to_string(goal.error().pos.column) +
-                  " of the text: " + goal.error().message);
-  } else if (*goal != task.goal_tree) {
-    findings.task("its goal's text and tree are different formulas: " + task.goal_text + " against " +
-                  to_text(task.goal_tree));
-  }
-  if (const auto world = World::create(start, *backend.knowledge, *backend.profile); !world) {
-    findings.scene("cannot be rebuilt: " + world.error().message);
-    return findings.take();
-  }
-  if (!goal) return findings.take();
-  const auto at_start = to_logic(start, {}, compares(task, *goal));
-  check_start_constraints(task, at_start, files, findings);
-  if (holds(*goal, at_start)) findings.scene("its goal holds before anything is done");
-  return findings.take();
-}
-
-std::vector<Error> prove_demonstration(const TaskRecord& task, const Scene& start, Mode mode,
-                                       const DemonstrationRecord& demonstration, const ValidationBackend& backend,
-                                       const TaskFiles& files) {
-  Findings findings(files);
-  check_counts(task, mode, demonstration, findings);
-  auto world = World::create(start, *backend.knowledge, *backend.profile);
-  if (!world) return findings.take();
-  const auto changes = replay({std::move(*world), mode}, demonstration, findings);
-  const auto goal = parse_formula(files.task, task.goal_text, FormulaUse::Goal);
-  if (!goal) return findings.take();
-  const auto trace = to_logic(start, changes, compares(task, *goal));
-  for (const auto& domain : empty_domains(*goal, trace))
-    findings.task("its goal speaks of all or a number of " + domain + ", of which the scene has none");
-  if (!holds(*goal, trace)) findings.demonstration("its replay does not reach the goal " + task.goal_text);
-  return findings.take();
-}
+TaskProof prove_task(const TaskReading& task, const ProofTools& tools) { return TaskProver(task, tools).prove(); }
 
 }  // namespace unietp

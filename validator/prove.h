@@ -1,25 +1,37 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/error.h"
-#include "scene/scene.h"
-#include "validator/task_record.h"
+#include "validator/file_check.h"
+#include "validator/folder_reading.h"
+#include "validator/rest.h"
+#include "validator/task_facts.h"
 #include "validator/validate.h"
+#include "validator/wordings_record.h"
 
 namespace unietp {
 
-/// Where a task, its scene and one of its demonstrations came from, for messages ("tasks.jsonl:3").
-struct TaskFiles {
-  std::string task, scene, demonstration;
+/// What all proofs of a data set share. Read by several threads.
+struct ProofTools {
+  const FolderReading& folder;
+  const FileCheck* files = nullptr;  // none when the manifest does not read
+  const std::vector<ValidationBackend>& backends;
+  const ValidationOptions& options;
+  RestCheck& rest;
+  std::string phrasings = "all";                   // of the instructions
+  std::map<std::string, WordingsRecord> wordings;  // by task
 };
-/// Proves one task in fresh physics, but for its demonstrations; empty when it stands.
-std::vector<Error> prove_task(const TaskRecord& task, const Scene& start, const ValidationBackend& backend,
-                              const ValidationOptions& options, const TaskFiles& files);
-/// Proves one demonstration of it in fresh physics, under the rules of its mode.
-std::vector<Error> prove_demonstration(const TaskRecord& task, const Scene& start, Mode mode,
-                                       const DemonstrationRecord& demonstration, const ValidationBackend& backend,
-                                       const TaskFiles& files);
+
+struct TaskProof {
+  TaskFacts facts;  // keys are "" when the scene does not read
+  ProofCounts counts;
+  std::vector<Problem> problems;  // of this task
+};
+
+/// Proves one task that reads, in fresh physics, with all that belongs to it.
+TaskProof prove_task(const TaskReading& task, const ProofTools& tools);
 
 }  // namespace unietp

@@ -5,8 +5,9 @@
 #include <iterator>
 
 #include "core/text.h"
-#include "simulation/physics.h"
+#include "logic/evaluate.h"
 #include "simulation/relations.h"
+#include "validator/conjuncts.h"
 
 namespace unietp {
 namespace {
@@ -23,39 +24,75 @@ std::string list_of(const std::vector<Edge>& edges) {
   return join(texts, ", ");
 }
 
-bool is_held(const Scene& scene, const std::string& id) {
-  return std::find(scene.agent.held.begin(), scene.agent.held.end(), id) != scene.agent.held.end();
+bool is_known(const std::string& category, const Scene& start, const Knowledge& knowledge) {
+  return knowledge.find(category) != nullptr ||
+         std::any_of(start.rooms.begin(), start.rooms.end(), [&](const Room& room) { return room.type == category; });
 }
 
 }  // namespace
 
-std::vector<Error> prove_start(const Scene& start, double rest_m, const std::string& file) {
-  std::vector<Error> errors;
-  const auto wrong = [&](std::string message) {
-    errors.push_back({Error::Kind::Schema, file, {}, std::move(message)});
-  };
-  const auto physics = physics_of(start);
+std::vector<Problem> prove_start(const Scene& start, const PhysicsWorld& physics, RestCheck& rest,
+                                 const std::string& file) {
+  std::vector<Problem> problems;
   const auto shown = read_relations(start, physics);
   std::vector<Edge> missing, extra;
   std::set_difference(start.edges.begin(), start.edges.end(), shown.begin(), shown.end(), std::back_inserter(missing));
   std::set_difference(shown.begin(), shown.end(), start.edges.begin(), start.edges.end(), std::back_inserter(extra));
-  if (!missing.empty()) wrong("the scene says " + list_of(missing) + ", which physics does not show");
-  if (!extra.empty()) wrong("physics shows " + list_of(extra) + ", which the scene does not say");
+  if (!missing.empty())
+    problems.push_back(problem_in(ProblemKind::Relations, file,
+                                  "the scene says " + list_of(missing) + ", which physics does not show"));
+  if (!extra.empty())
+    problems.push_back(
+        problem_in(ProblemKind::Relations, file, "physics shows " + list_of(extra) + ", which the scene does not say"));
+  for (const auto& moved : rest.of(start, physics))
+    problems.push_back(problem_in(ProblemKind::Unrest, file,
+                                  start.nodes[moved.node].id + " is not at rest: it moves " +
+                                      number_text(std::floor(moved.distance_m * 1000)) + " mm when physics runs on"));
+  return problems;
+}
 
-  std::vector<BodyId> loose;
-  for (std::size_t i = 0; i < start.nodes.size(); ++i) {
-    if (start.nodes[i].movable && !is_held(start, start.nodes[i].id)) loose.push_back(static_cast<BodyId>(i));
+std::vector<Problem> prove_goal_at_start(const TaskRecord& task, const Formula& goal,
+                                         const std::vector<Formula>& constraints, const Scene& start,
+                                         const Trace& at_start, const Knowledge& knowledge, const std::string& where) {
+  std::vector<Problem> problems;
+  const auto found = [&](ProblemKind kind, std::string message) {
+    problems.push_back(problem_in(kind, where, std::move(message)));
+  };
+  for (const auto& category : categories_of(goal)) {
+    if (!is_known(category, start, knowledge))
+      found(ProblemKind::Binding, "its goal speaks of " + category + ", which " + task.simulator + " does not have");
   }
-  SettleOptions two_seconds;
-  two_seconds.max_steps = two_seconds.calm_steps = static_cast<int>(std::lround(2.0 / two_seconds.step_s));
-  for (const auto& settled : physics.settle(loose, two_seconds).bodies) {
-    const auto& node = start.nodes[settled.body];
-    const double moved = (settled.pose.position - node.pose.position).norm();
-    if (!(moved <= rest_m))  // also when it is no number
-      wrong(node.id + " is not at rest: it moves " + number_text(std::floor(moved * 1000)) +
-            " mm in two seconds of physics");
+  std::string said = task.goal_text;
+  for (const auto& text : task.start_constraints) said += text;
+  for (const auto& [placeholder, value] : task.bindings) {
+    if (said.find(value) == std::string::npos)
+      found(ProblemKind::Binding, "binds " + placeholder + " to " + value + ", of which neither goal nor start speaks");
   }
-  return errors;
+  for (const Formula& constraint : constraints) {
+    if (!holds_in(constraint, at_start, 0))
+      found(ProblemKind::StartConstraint, "does not meet the start constraint " + to_text(constraint));
+  }
+  if (holds(goal, at_start)) {
+    found(ProblemKind::GoalAtStart, "its goal holds before anything is done");
+  } else {
+    for (const Formula& part : conjuncts_of(goal)) {
+      if (holds(part, at_start))
+        found(ProblemKind::PartAtStart, "the part " + to_text(part) + " of its goal holds before anything is done");
+    }
+  }
+  const bool tells_apart = task.split == "instance_grounding" || !task.refinement.empty();
+  for (const ReferringDomain& one : referring_domains(goal)) {
+    if (!one.certain) continue;
+    Domain whole = one.domain;
+    whole.where.clear();
+    const auto referents = members_of(one.domain, one.variable, at_start).size();
+    if (referents == 0) {
+      found(ProblemKind::NoReferent, "nothing at the start is what " + to_text(one.domain) + " describes");
+    } else if (tells_apart && members_of(whole, one.variable, at_start).size() == referents) {
+      found(ProblemKind::NoDistractor, to_text(one.domain) + " excludes nothing at the start");
+    }
+  }
+  return problems;
 }
 
 }  // namespace unietp

@@ -15,7 +15,7 @@
 
 namespace unietp {
 
-/// A line of tasks.jsonl as far as it can be proven.
+/// A line of tasks.jsonl.
 struct TaskRecord {
   std::string id, template_name, split, simulator, scene, layout;
   std::vector<std::pair<std::string, std::string>> bindings;  // placeholder, category; in the order of the line
@@ -24,6 +24,8 @@ struct TaskRecord {
   Formula goal_tree;
   std::vector<std::string> start_constraints, edits;
   std::string instruction, writer, style;
+  std::vector<std::string> checks;  // names of those that the text passed
+  std::string fallback;             // why the grammar wrote where a model was asked; "" when it was not
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;
@@ -50,5 +52,12 @@ struct DemonstrationRecord {
   std::vector<StepRecord> steps;
 };
 Result<DemonstrationRecord> read_demonstration(std::string_view where, int line, std::string_view text);
+
+/// A line of rejections.jsonl.
+struct RejectionRecord {
+  int slot = 0, attempt = 0;
+  std::string template_name, simulator, split, stage, reason, detail;
+};
+Result<RejectionRecord> read_rejection(std::string_view where, int line, std::string_view text);
 
 }  // namespace unietp

@@ -1,174 +1,136 @@
 #include "validator/validate.h"
 
 #include <algorithm>
-#include <atomic>
-#include <map>
-#include <thread>
 
 #include "core/files.h"
-#include "core/text.h"
-#include "scene/scene_json.h"
-#include "validator/manifest_check.h"
 #include "validator/prove.h"
+#include "validator/recount.h"
+#include "validator/repeats.h"
+#include "validator/share_work.h"
 
 namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr const char* kTasks = "tasks.jsonl";
+constexpr const char* kManifest = "manifest.json";
 
-std::string demonstrations_file(Mode mode) { return "demonstrations/" + std::string(name_of(mode)) + ".jsonl"; }
-std::string at_line(std::string_view file, std::size_t index) {
-  return std::string(file) + ":" + std::to_string(index + 1);
-}
-std::string scene_file(const std::string& scene) { return "scenes/" + scene + ".scene.json.gz"; }
-
-/// A line of tasks.jsonl with what belongs to it, each part as it read.
-struct Entry {
-  std::string name;  // the task's id, or the best guess at it
-  Result<TaskRecord> task = Error{};
-  struct Shown {
-    Mode mode = Mode::M1;
-    std::size_t line = 0;
-  };
-  std::vector<Shown> demonstrations;
-  std::vector<Error> errors;
-};
-
-Result<std::vector<std::string>> lines_of(const fs::path& folder, const std::string& file) {
-  const auto text = read_file(folder / file);
-  if (!text) return text.error();
-  auto lines = split(*text, '\n');
-  if (!lines.empty() && lines.back().empty()) lines.pop_back();
-  return lines;
-}
-
-/// The file of one mode.
-struct Demonstrations {
-  Mode mode = Mode::M1;
-  std::vector<Result<DemonstrationRecord>> lines;
-  std::map<std::string, std::size_t> line_of_task;
-};
-
-Demonstrations read_demonstrations(Mode mode, const std::vector<std::string>& lines, std::vector<Problem>& problems) {
-  Demonstrations all;
-  all.mode = mode;
-  const std::string file = demonstrations_file(mode);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    all.lines.push_back(read_demonstration(file, static_cast<int>(i + 1), lines[i]));
-    if (!all.lines.back()) continue;
-    const auto& task = all.lines.back()->task;
-    if (!all.line_of_task.emplace(task, i).second)
-      problems.push_back({task, {Error::Kind::Schema, at_line(file, i), {}, "repeats a demonstration"}});
+std::optional<ManifestRecord> manifest_in(const fs::path& folder, std::string_view knowledge_digest,
+                                          std::vector<Problem>& problems) {
+  const auto text = read_file(folder / kManifest);
+  auto manifest = text ? read_manifest(kManifest, *text) : Result<ManifestRecord>(text.error());
+  if (!manifest) {
+    problems.push_back({ProblemKind::Manifest, "", manifest.error()});
+    return std::nullopt;
   }
-  return all;
+  if (manifest->knowledge_digest != knowledge_digest)
+    problems.push_back(problem_in(ProblemKind::OtherKnowledge, kManifest,
+                                  "was made with other tables, profiles, layouts or templates (digest " +
+                                      manifest->knowledge_digest.substr(0, 12) + ") than those in use (digest " +
+                                      std::string(knowledge_digest.substr(0, 12)) +
+                                      "); give the right ones with --data"));
+  return std::move(*manifest);
 }
 
-/// A task's demonstrations in the modes that it counts steps for: by name, or, where one does not read, by line.
-void find_demonstrations(Entry& entry, std::size_t index, const std::vector<Demonstrations>& all) {
-  for (const Demonstrations& shown : all) {
-    const auto counted = [&shown](const TaskRecord::Count& count) { return count.mode == shown.mode; };
-    if (std::none_of(entry.task->expert.begin(), entry.task->expert.end(), counted)) continue;
-    const auto named = shown.line_of_task.find(entry.name);
-    if (named != shown.line_of_task.end()) {
-      entry.demonstrations.push_back({shown.mode, named->second});
-    } else if (index < shown.lines.size() && !shown.lines[index]) {
-      entry.errors.push_back(shown.lines[index].error());
+/// The files that are not start scenes of tasks, which are checked when they are read.
+std::vector<Problem> check_other_files(const FileCheck& files, const FolderReading& folder, int threads) {
+  std::set<std::string> of_tasks;
+  for (const TaskReading& task : folder.tasks) {
+    if (task.record) of_tasks.insert(scene_file(task.record->scene));
+  }
+  std::vector<std::string> others;
+  for (const auto& file : files.files()) {
+    if (!of_tasks.contains(file)) others.push_back(file);
+  }
+  std::vector<std::vector<Problem>> found(others.size());
+  share_work(threads, others.size(), [&](std::size_t i) { found[i] = files.of(others[i]); });
+  std::vector<Problem> problems;
+  for (auto& own : found) append(problems, std::move(own));
+  return problems;
+}
+
+/// Wordings by task; those that do not read or are of nobody are problems.
+std::map<std::string, WordingsRecord> wordings_in(const FolderReading& folder, std::vector<Problem>& problems) {
+  std::map<std::string, WordingsRecord> wordings;
+  const auto lines = LineFile::read(folder.folder, "wordings.jsonl");
+  if (!lines) {
+    problems.push_back({ProblemKind::Unreadable, "", lines.error()});
+    return wordings;
+  }
+  std::set<std::string_view> names;
+  for (const TaskReading& task : folder.tasks) names.insert(task.name);
+  for (std::size_t i = 0; i < lines->size(); ++i) {
+    auto record = read_wordings(lines->name(), static_cast<int>(i) + 1, lines->line(i));
+    if (!record) {
+      problems.push_back({ProblemKind::Unreadable, "", record.error()});
+      continue;
+    }
+    const std::string task = record->task;
+    if (!names.contains(task)) {
+      problems.push_back(problem_in(ProblemKind::Wordings, lines->at(i), "are of no task in tasks.jsonl"));
+    } else if (!wordings.emplace(task, std::move(*record)).second) {
+      problems.push_back(problem_in(ProblemKind::Wordings, lines->at(i), "repeat those of " + task));
+    }
+  }
+  if (lines->size() > 0 && wordings.size() < names.size())
+    problems.push_back(problem_in(ProblemKind::Wordings, lines->name(), "has no wordings of some tasks"));
+  return wordings;
+}
+
+/// What is wrong with the tasks taken together.
+std::vector<Problem> check_as_a_whole(const FolderReading& folder, const ManifestRecord& manifest,
+                                      const std::vector<TaskFacts>& facts, const ValidationOptions& options) {
+  auto problems = recount_tasks(manifest, folder);
+  append(problems, recount_rejections(manifest, folder));
+  append(problems, check_quotas(manifest.run, folder));
+  const bool all_read = std::all_of(folder.tasks.begin(), folder.tasks.end(),
+                                    [](const TaskReading& task) { return static_cast<bool>(task.record); });
+  if (all_read) {
+    auto database = check_database(folder, facts);
+    append(problems, std::move(database.problems));
+    append(problems, check_balance(manifest, std::move(database.traits)));
+  }
+  append(problems, find_repeats(folder, facts));
+  for (const auto& other : options.against) {
+    const auto print = print_of(other, options.threads);
+    if (print) {
+      append(problems, find_leaks(folder, manifest.run.seed, facts, *print));
     } else {
-      entry.errors.push_back(
-          {Error::Kind::Schema, demonstrations_file(shown.mode), {}, "has no demonstration of this task"});
+      problems.push_back({ProblemKind::Unreadable, "", print.error()});
     }
   }
+  return problems;
 }
 
-/// Demonstrations of no task, or of one that counts no steps for the mode.
-void find_strays(const Demonstrations& shown, const std::vector<Entry>& entries, std::vector<Problem>& problems) {
-  const std::string file = demonstrations_file(shown.mode);
-  for (const auto& [task, line] : shown.line_of_task) {
-    const auto entry =
-        std::find_if(entries.begin(), entries.end(), [&id = task](const auto& e) { return e.name == id; });
-    if (entry == entries.end()) {
-      problems.push_back({task, {Error::Kind::Schema, at_line(file, line), {}, "is of no task in tasks.jsonl"}});
-      continue;
-    }
-    const auto used = [&shown](const Entry::Shown& one) { return one.mode == shown.mode; };
-    if (entry->task && std::none_of(entry->demonstrations.begin(), entry->demonstrations.end(), used))
-      problems.push_back(
-          {task, {Error::Kind::Schema, at_line(file, line), {}, "is in a mode for which its task counts no steps"}});
+/// A file that is missing or surplus is its task's own problem when it belongs to one task alone.
+void blame(std::vector<Problem>& problems, const FolderReading& folder) {
+  std::map<std::string, const TaskReading*> owner;
+  for (const TaskReading& task : folder.tasks) {
+    if (task.record) owner.emplace(scene_file(task.record->scene), &task);
   }
-  for (std::size_t i = entries.size(); i < shown.lines.size(); ++i) {
-    if (!shown.lines[i]) problems.push_back({"", shown.lines[i].error()});
+  for (Problem& problem : problems) {
+    const auto found = owner.find(problem.error.where);
+    if (problem.task.empty() && found != owner.end()) problem.task = found->second->name;
   }
 }
 
-/// Reads all tasks and finds each one's demonstrations.
-std::vector<Entry> read_entries(const std::vector<std::string>& lines, const std::vector<Demonstrations>& shown,
-                                std::vector<Problem>& problems) {
-  std::vector<Entry> entries(lines.size());
-  std::map<std::string, std::size_t> first_line;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    Entry& entry = entries[i];
-    entry.task = read_task(kTasks, static_cast<int>(i + 1), lines[i]);
-    if (!entry.task) {
-      const auto& beside = shown.front().lines;  // M1
-      entry.name = i < beside.size() && beside[i] ? beside[i]->task : at_line(kTasks, i);
-      entry.errors.push_back(entry.task.error());
-      continue;
-    }
-    entry.name = entry.task->id;
-    if (!first_line.emplace(entry.name, i).second)
-      entry.errors.push_back({Error::Kind::Schema, at_line(kTasks, i), {}, "the id is taken by an earlier task"});
-    find_demonstrations(entry, i, shown);
-  }
-  for (const Demonstrations& one : shown) find_strays(one, entries, problems);
-  return entries;
-}
-
-Result<Scene> read_scene(const fs::path& folder, const std::string& file) {
-  const auto packed = read_file(folder / file);
-  if (!packed) return Error{Error::Kind::Io, file, {}, packed.error().message};
-  const auto text = gunzip(file, *packed);
-  if (!text) return text.error();
-  return scene_from_json(file, *text);
-}
-
-void prove_entry(Entry& entry, std::size_t index, const fs::path& folder, const std::vector<Demonstrations>& shown,
-                 const std::vector<ValidationBackend>& backends, const ValidationOptions& options) {
-  if (!entry.task) return;
-  const auto& task = *entry.task;
-  const auto simulator = simulator_named(task.simulator);
-  if (!simulator)
-    entry.errors.push_back(
-        {Error::Kind::Schema,
-         at_line(kTasks, index),
-         {},
-         "unknown simulator \"" + task.simulator + "\"; accepted are ai2thor, virtualhome, habitat, behavior"});
-  if (task.scene.find('/') != std::string::npos) {  // would lead out of the data set
-    entry.errors.push_back({Error::Kind::Schema, at_line(kTasks, index), {}, "a scene's name has no '/'"});
-    return;
-  }
-  const auto scene = read_scene(folder, scene_file(task.scene));
-  if (!scene) entry.errors.push_back(scene.error());
-  if (!simulator || !scene) return;
-  const auto& backend = backends[static_cast<std::size_t>(*simulator)];
-  const auto found_in = [&entry](std::vector<Error> found) {
-    entry.errors.insert(entry.errors.end(), found.begin(), found.end());
+/// Folder-wide problems first, then task by task; within each as they were found.
+void sort_by_task(std::vector<Problem>& problems, const FolderReading& folder) {
+  std::map<std::string_view, std::size_t> place{{"", 0}};
+  for (const TaskReading& task : folder.tasks) place.emplace(task.name, place.size());
+  const auto of = [&](const Problem& problem) {
+    const auto found = place.find(problem.task);
+    return found == place.end() ? 0 : found->second;
   };
-  TaskFiles files{at_line(kTasks, index), scene_file(task.scene), ""};
-  found_in(prove_task(task, *scene, backend, options, files));
-  for (const auto& [mode, line] : entry.demonstrations) {
-    files.demonstration = at_line(demonstrations_file(mode), line);
-    found_in(
-        prove_demonstration(task, *scene, mode, *shown[static_cast<std::size_t>(mode)].lines[line], backend, files));
-  }
+  std::stable_sort(problems.begin(), problems.end(), [&](const Problem& a, const Problem& b) { return of(a) < of(b); });
 }
 
-/// A checksum that fails is the task's own problem when the file belongs to one task alone.
-std::string owner_of(const std::string& file, const std::vector<Entry>& entries) {
-  for (const auto& entry : entries) {
-    if (entry.task && scene_file(entry.task->scene) == file) return entry.name;
-  }
-  return "";
+void add(ProofCounts& to, const ProofCounts& other) {
+  to.tasks += other.tasks;
+  to.proven += other.proven;
+  to.demonstrations += other.demonstrations;
+  to.steps += other.steps;
+  to.spoilt_plans += other.spoilt_plans;
+  to.texts += other.texts;
 }
 
 }  // namespace
@@ -176,50 +138,54 @@ std::string owner_of(const std::string& file, const std::vector<Entry>& entries)
 ValidationReport validate_dataset(const fs::path& folder, const std::vector<ValidationBackend>& backends,
                                   std::string_view knowledge_digest, const ValidationOptions& options) {
   ValidationReport report;
-  if (std::error_code code; !fs::is_directory(folder, code)) {
-    report.problems.push_back(
-        {"", {Error::Kind::Io, folder.string(), {}, "is no folder; a finished data set is expected"}});
+  auto& problems = report.problems;
+  const auto stop_with = [&](Error error) {
+    problems.push_back({ProblemKind::Unreadable, "", std::move(error)});
     return report;
-  }
-  const auto manifest = check_manifest(folder, knowledge_digest);
-  const auto task_lines = lines_of(folder, kTasks);
-  if (!task_lines) report.problems.push_back({"", task_lines.error()});
-  std::vector<Problem> strays;
-  std::vector<Demonstrations> shown;  // by mode
-  for (const Mode mode : kModes) {
-    const auto file = demonstrations_file(mode);
-    std::error_code code;
-    const bool wanted = mode == Mode::M1 || fs::exists(folder / file, code);
-    const auto lines = wanted ? lines_of(folder, file) : std::vector<std::string>{};
-    if (!lines) report.problems.push_back({"", lines.error()});
-    shown.push_back(read_demonstrations(mode, lines ? *lines : std::vector<std::string>{}, strays));
-  }
-  auto entries = read_entries(task_lines ? *task_lines : std::vector<std::string>{}, shown, strays);
-  for (const auto& error : manifest.errors) report.problems.push_back({owner_of(error.where, entries), error});
-  report.problems.insert(report.problems.end(), strays.begin(), strays.end());
-  if (manifest.tasks >= 0 && manifest.tasks != static_cast<int>(entries.size()))
-    report.problems.push_back(
-        {"",
-         {Error::Kind::Schema,
-          kTasks,
-          {},
-          "has " + std::to_string(entries.size()) + " tasks, the manifest counts " + std::to_string(manifest.tasks)}});
-
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < entries.size(); i = next++)
-      prove_entry(entries[i], i, folder, shown, backends, options);
   };
-  std::vector<std::thread> threads;
-  for (int i = 1; i < options.threads; ++i) threads.emplace_back(work);
-  work();
-  for (auto& thread : threads) thread.join();
-
-  report.tasks = std::max(static_cast<int>(entries.size()), manifest.tasks);
-  for (const auto& entry : entries) {
-    if (entry.errors.empty()) ++report.proven;
-    for (const auto& error : entry.errors) report.problems.push_back({entry.name, error});
+  if (std::error_code code; !fs::is_directory(folder, code))
+    return stop_with({Error::Kind::Io, folder.string(), {}, "is no folder; a finished data set is expected"});
+  const auto manifest = manifest_in(folder, knowledge_digest, problems);
+  const auto reading = read_folder(folder, problems);
+  if (!reading) return stop_with(reading.error());
+  std::optional<FileCheck> files;
+  if (manifest) {
+    files.emplace(folder, *manifest);
+    append(problems, files->listing());
+    append(problems, check_other_files(*files, *reading, options.threads));
   }
+
+  RestCheck rest(options.rest_m);
+  ProofTools tools{*reading, files ? &*files : nullptr, backends, options, rest, "all", {}};
+  if (manifest) tools.phrasings = manifest->phrasings;
+  tools.wordings = wordings_in(*reading, problems);
+  const auto count = reading->tasks.size();
+  std::vector<TaskProof> proofs(count);
+  share_work(options.threads, count, [&](std::size_t i) {
+    if (reading->tasks[i].record) proofs[i] = prove_task(reading->tasks[i], tools);
+  });
+
+  std::vector<TaskFacts> facts;
+  for (TaskProof& proof : proofs) {
+    facts.push_back(std::move(proof.facts));
+    append(problems, std::move(proof.problems));
+  }
+  if (manifest) append(problems, check_as_a_whole(*reading, *manifest, facts, options));
+  blame(problems, *reading);
+  sort_by_task(problems, *reading);
+
+  std::set<std::string_view> wrong;
+  for (const Problem& problem : problems) wrong.insert(problem.task);
+  for (std::size_t i = 0; i < count; ++i) {
+    ProofCounts& own = proofs[i].counts;
+    own.tasks = 1;
+    own.proven = wrong.contains(reading->tasks[i].name) ? 0 : 1;
+    add(report.counts, own);
+    const auto& record = reading->tasks[i].record;
+    const auto simulator = record ? simulator_named(record->simulator) : std::nullopt;
+    if (simulator) add(report.by_simulator[static_cast<std::size_t>(*simulator)], own);
+  }
+  if (manifest) report.counts.tasks = std::max(report.counts.tasks, manifest->tasks);
   return report;
 }
 

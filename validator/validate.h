@@ -1,27 +1,32 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "akb/knowledge.h"
-#include "core/error.h"
+#include "scene/simulator.h"
 #include "simulation/profile.h"
+#include "validator/problem.h"
+#include "validator/stated_goal.h"
 
 namespace unietp {
 
-/// Something wrong with a data set: with one task, or (task "") with the folder as a whole.
-struct Problem {
-  std::string task;
-  Error error;  // file, line where there is one, and why
-  bool operator==(const Problem&) const = default;
+/// What was proven how often.
+struct ProofCounts {
+  int tasks = 0, proven = 0;
+  int demonstrations = 0, steps = 0;  // replayed
+  int spoilt_plans = 0;               // that must fail
+  int texts = 0;                      // read
 };
 
 struct ValidationReport {
-  int tasks = 0, proven = 0;
-  std::vector<Problem> problems;  // folder-wide ones first, then in the order of tasks.jsonl
-  bool sound() const { return problems.empty() && proven == tasks; }
+  ProofCounts counts;
+  std::array<ProofCounts, kSimulators.size()> by_simulator;  // in the order of kSimulators
+  std::vector<Problem> problems;                             // folder-wide ones first, then in the order of tasks.jsonl
+  bool sound() const { return problems.empty() && counts.proven == counts.tasks; }
 };
 
 /// Facts and limits of one simulator, as physics needs them to rebuild its scenes.
@@ -33,14 +38,13 @@ struct ValidationBackend {
 struct ValidationOptions {
   int threads = 1;
   double rest_m = 0.005;  // a body that moves farther than this when physics runs on was not at rest
+  TextCheck check_text;   // none: instructions are not read
+  std::vector<std::filesystem::path> against;  // finished data sets with which no home, seed or text may be shared
 };
 
-/// Proves a finished data set from its files: checksums; each task, scene and demonstration read strictly; the start
-/// scene rebuilt in fresh physics, its relations as recorded and at rest; the goal's text and tree the same formula,
-/// false at the start, no quantifier over nothing; each demonstration replayed step by step with the same outcomes,
-/// views and changes; the goal true on the replayed trace by the direct evaluator; and an instruction. Reports all
-/// problems. Shares no code with the stages that made the data set. Deterministic for any number of threads.
-/// `backends` are in the order of kSimulators; `knowledge_digest` is compared with the manifest's.
+/// Proves a finished data set from its files: docs/validate.md says what and how. Reports all problems. Shares no code
+/// with the stages that made the data set. Deterministic for any number of threads. `backends` are in the order of
+/// kSimulators; `knowledge_digest` is compared with the manifest's.
 ValidationReport validate_dataset(const std::filesystem::path& folder, const std::vector<ValidationBackend>& backends,
                                   std::string_view knowledge_digest, const ValidationOptions& options);
 

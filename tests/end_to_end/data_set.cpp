@@ -48,8 +48,10 @@ const std::filesystem::path& data_set_in_all_modes() {
   return kFolder;
 }
 
-Verdict validate(const std::filesystem::path& folder) {
-  const auto ended = run_program({"validate", folder.string(), "--json"});
+Verdict validate(const std::filesystem::path& folder, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"validate", folder.string(), "--json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const auto ended = run_program(arguments);
   Verdict verdict;
   verdict.code = ended.code;
   const auto json = Json::parse(ended.out, nullptr, false);
@@ -58,7 +60,7 @@ Verdict validate(const std::filesystem::path& folder) {
   verdict.tasks = json["tasks"];
   verdict.proven = json["proven"];
   for (const auto& problem : json["problems"])
-    verdict.problems.push_back({problem["task"], problem["where"], problem["message"]});
+    verdict.problems.push_back({problem["kind"], problem["task"], problem["where"], problem["message"]});
   return verdict;
 }
 

@@ -25,11 +25,11 @@ struct Verdict {
   int code = -1;
   int tasks = 0, proven = 0;
   struct Problem {
-    std::string task, where, message;
+    std::string kind, task, where, message;
   };
   std::vector<Problem> problems;
 };
-Verdict validate(const std::filesystem::path& folder);
+Verdict validate(const std::filesystem::path& folder, const std::vector<std::string>& more = {});
 
 std::vector<nlohmann::ordered_json> json_lines(const std::filesystem::path& file);
 

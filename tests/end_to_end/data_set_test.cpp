@@ -1,9 +1,5 @@
 // The whole path: what the real program makes, and what it says of a data set that was tampered with.
-#include <signal.h>
-
-#include <chrono>
 #include <set>
-#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -80,72 +76,6 @@ TEST(DataSet, AnotherSeedGivesOtherTasks) {
   for (const auto& task : json_lines(folder.path() / "other" / "tasks.jsonl"))
     EXPECT_THAT(bytes_below(small_data_set())["tasks.jsonl"],
                 testing::Not(HasSubstr(task["instruction"]["text"].get<std::string>() + "\",\"writer")));
-}
-
-/// Waits until the run has kept something, then a little longer.
-void wait_for_work(RunningProgram& program, const fs::path& partial, int milliseconds) {
-  for (int i = 0; i < 2000 && program.running() && !fs::exists(partial / "ledger.sqlite"); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  for (int waited = 0; waited < milliseconds && program.running(); waited += 5)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-}
-
-TEST(DataSet, KilledAgainAndAgainAndResumedGivesTheSameBytes) {
-  ScratchFolder folder;
-  auto options = small_options(folder.at("killed"));
-  options.insert(options.end(), {"--threads", "2", "--resume"});
-  int kills = 0;
-  for (const int milliseconds : {0, 60, 150, 300, 600}) {
-    RunningProgram program(options);
-    wait_for_work(program, folder.at("killed.partial"), milliseconds);
-    if (!program.running()) break;
-    program.send(SIGKILL);
-    EXPECT_EQ(program.wait().signal, SIGKILL);
-    EXPECT_FALSE(fs::exists(folder.at("killed")));
-    ++kills;
-  }
-  EXPECT_GE(kills, 2) << "the run is too quick for this test to kill it midway";
-  if (!fs::exists(folder.at("killed"))) {
-    const auto ended = run_program(options);
-    EXPECT_EQ(ended.code, 0) << ended.err;
-  }
-  ASSERT_TRUE(fs::exists(folder.at("killed")));
-  EXPECT_EQ(bytes_below(folder.at("killed")), bytes_below(small_data_set()));
-  EXPECT_FALSE(fs::exists(folder.at("killed.partial")));
-}
-
-TEST(DataSet, AnInterruptEndsCleanlyWithTheWayToGoOn) {
-  ScratchFolder folder;
-  const auto options = small_options(folder.at("out"));
-  RunningProgram program(options);
-  wait_for_work(program, folder.at("out.partial"), 100);
-  program.send(SIGINT);
-  const auto ended = program.wait();
-  EXPECT_EQ(ended.code, 130) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("--resume"));
-  EXPECT_FALSE(fs::exists(folder.at("out")));
-
-  const auto refused = run_program(options);
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("add --resume"));
-  auto other = options;
-  other[4] = "8";  // the seed
-  other.emplace_back("--resume");
-  const auto mismatch = run_program(other);
-  EXPECT_EQ(mismatch.code, 2);
-  EXPECT_THAT(mismatch.err, HasSubstr("other settings"));
-}
-
-TEST(DataSet, ASecondRunOnTheSameFolderIsRefused) {
-  ScratchFolder folder;
-  auto options = small_options(folder.at("out"));
-  options.emplace_back("--resume");
-  RunningProgram first(options);
-  wait_for_work(first, folder.at("out.partial"), 0);
-  const auto second = run_program(options);
-  EXPECT_EQ(second.code, 2);
-  EXPECT_THAT(second.err, HasSubstr("another run"));
-  first.send(SIGKILL);
 }
 
 TEST(DataSet, ATaskIsDrawnFromAbove) {

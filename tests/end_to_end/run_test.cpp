@@ -6,6 +6,7 @@
 
 #include "core/files.h"
 #include "data_set.h"
+#include "file_watch.h"
 
 namespace unietp {
 namespace {
@@ -41,12 +42,26 @@ TEST_F(QuotaRun, ShardsPutTogetherAreTheBytesOfOneProcess) {
             (std::map<std::string, int>{{"ai2thor", 8}, {"virtualhome", 4}, {"habitat", 3}, {"behavior", 3}}));
   EXPECT_EQ(splits, (std::map<std::string, int>{{"atomic", 6}, {"compositional", 7}, {"logical", 5}}));
 
-  ASSERT_EQ(make("first", {"--shard", "1/2"}).code, 0);
+  // The first part is killed on its way; the threads are as many as they like.
+  {
+    const std::vector<std::string> part{"benchmark", "--config",           scratch_.at("small.json"),
+                                        "--out",     scratch_.at("first"), "--shard",
+                                        "1/2",       "--threads",          "8"};
+    FileWatch watch(scratch_.path());
+    RunningProgram program(part);
+    EXPECT_TRUE(killed_after(program, watch, 40));
+    EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "first"));
+  }
+  ASSERT_EQ(make("first", {"--shard", "1/2", "--resume"}).code, 0);
   ASSERT_EQ(make("second", {"--shard", "2/2", "--threads", "1"}).code, 0);
   const auto merged =
       run_program({"merge", scratch_.at("second"), scratch_.at("first"), "--out", scratch_.at("merged")});
   EXPECT_EQ(merged.code, 0) << merged.err;
   EXPECT_EQ(bytes_below(scratch_.at("merged")), bytes_below(scratch_.at("whole")));
+
+  // A part has the same bytes too, whoever makes it.
+  ASSERT_EQ(make("again", {"--shard", "1/2", "--threads", "1"}).code, 0);
+  EXPECT_EQ(bytes_below(scratch_.at("again")), bytes_below(scratch_.at("first")));
 
   const auto lacks = run_program({"merge", scratch_.at("second"), "--out", scratch_.at("half")});
   EXPECT_EQ(lacks.code, 2);
@@ -66,6 +81,27 @@ TEST_F(QuotaRun, RefusesWhatIsNoPartAndMorePartsThanBlocks) {
   const auto many = make("out", {"--shard", "1/9"});
   EXPECT_EQ(many.code, 2);
   EXPECT_THAT(many.err, HasSubstr("has 3 blocks"));
+}
+
+TEST(Training, ThreadsAndShardsGiveTheSameBytes) {
+  ScratchFolder scratch;
+  ASSERT_TRUE(write_file(scratch.at("small.json"), R"({"format": "unietp-run/1", "seed": 6, "count": 8, "block": 4,
+    "simulators": ["habitat"], "splits": ["atomic"], "modes": ["M1", "M2"], "phrasings": "training",
+    "homes": "training"})"));
+  const auto make = [&](const std::string& out, std::vector<std::string> more) {
+    std::vector<std::string> all{"training", "--config", scratch.at("small.json"), "--out", scratch.at(out)};
+    all.insert(all.end(), more.begin(), more.end());
+    const auto ended = run_program(all);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return bytes_below(scratch.at(out));
+  };
+  const auto whole = make("one", {"--threads", "1"});
+  EXPECT_EQ(make("eight", {"--threads", "8"}), whole);
+  (void)make("first", {"--shard", "1/2"});
+  (void)make("second", {"--shard", "2/2"});
+  const auto merged = run_program({"merge", scratch.at("first"), scratch.at("second"), "--out", scratch.at("merged")});
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(bytes_below(scratch.at("merged")), whole);
 }
 
 TEST(Training, LeavesOutASimulatorAndTheTemplatesHeldOutAndSharesNoHomeWithTheBenchmark) {

@@ -4,7 +4,7 @@
 #include "fuzz_bodies.h"
 #include "scene/scene_json.h"
 #include "support.h"
-#include "validator/manifest_check.h"
+#include "validator/manifest_record.h"
 #include "validator/task_record.h"
 
 namespace unietp::fuzz {
@@ -37,14 +37,13 @@ bool demonstration_body(std::string_view text) {
 }
 
 bool manifest_body(std::string_view text) {
-  static const Folder folder("manifest");
-  folder.write("a.txt", "alpha");
-  folder.write("manifest.json", text);
-  const ManifestCheck check = check_manifest(folder.path(), "digest");
-  for (const Error& error : check.errors) check_error(error);
-  require(check.tasks >= -1);
-  require(check.tasks >= 0 || !check.errors.empty());
-  return check.errors.empty();
+  const auto manifest = read_manifest("fuzz", text);
+  if (!manifest) {
+    check_error(manifest.error());
+    return false;
+  }
+  require(manifest->tasks >= 0 && manifest->run.count >= 0);
+  return true;
 }
 
 }  // namespace unietp::fuzz

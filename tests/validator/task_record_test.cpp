@@ -33,6 +33,9 @@ TEST(ReadTask, TakesASoundLine) {
   const auto task = read_task("tasks.jsonl", 1, sound_task().dump());
   ASSERT_TRUE(task) << format(task.error());
   EXPECT_EQ(task->id, "ai2thor-00001");
+  EXPECT_EQ(task->layout, "ai2thor-home-0001");
+  EXPECT_EQ(task->bindings, (std::vector<std::pair<std::string, std::string>>{{"A", "Fridge"}}));
+  EXPECT_EQ(task->writer, "grammar");
   ASSERT_EQ(task->expert.size(), 2U);
   EXPECT_EQ(task->expert[0].steps, 3);
   EXPECT_EQ(task->expert[1].mode, Mode::M3);

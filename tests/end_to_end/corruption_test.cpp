@@ -1,0 +1,271 @@
+// Data sets in which something was changed: `validate` names what is wrong and with which task. Checksums are made true
+// again first, except where they are what is tested, so that the proof must come from what the files mean.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "core/sqlite_file.h"
+#include "core/text.h"
+#include "data_set.h"
+#include "spoilt_task.h"
+
+namespace unietp {
+namespace {
+
+using testing::Contains;
+using testing::Each;
+using testing::IsEmpty;
+using Json = nlohmann::ordered_json;
+
+std::vector<SpoiltTask> tasks_of(const SpoiltCopy& copy) {
+  std::vector<SpoiltTask> tasks;
+  std::map<std::string, Json> demonstrations;
+  for (const auto& line : json_lines(copy.folder() / "demonstrations/M1.jsonl")) demonstrations[line["task"]] = line;
+  for (const auto& task : json_lines(copy.folder() / "tasks.jsonl"))
+    tasks.push_back({task, demonstrations[task["id"]], Json::parse(copy.read_scene(task["scene"])), "", false});
+  return tasks;
+}
+
+void write(const SpoiltCopy& copy, const std::string& scene, const SpoiltTask& spoilt, std::string& tasks,
+           std::string& demonstrations) {
+  tasks += (spoilt.task_line.empty() ? spoilt.task.dump() : spoilt.task_line) + "\n";
+  if (!spoilt.without_demonstration) demonstrations += spoilt.demonstration.dump() + "\n";
+  copy.write_scene(scene, spoilt.scene.dump());
+}
+
+/// Each task of a data set spoilt in a way of its own, as far as there are ways that fit, and what is said of all that.
+/// Made in as many copies as it takes.
+struct Outcome {
+  std::map<std::string, std::set<std::string>> kinds_by_corruption;
+  std::set<std::string> blamed_falsely;  // tasks that nobody spoilt
+};
+
+std::vector<Corruption> pickiest_first(const std::vector<SpoiltTask>& tasks) {
+  const auto fitting = [&tasks](const Corruption& corruption) {
+    return std::count_if(tasks.begin(), tasks.end(), [&corruption](SpoiltTask task) { return corruption.spoil(task); });
+  };
+  std::vector<std::pair<std::ptrdiff_t, Corruption>> counted;
+  for (const auto& corruption : kCorruptions) counted.emplace_back(fitting(corruption), corruption);
+  std::stable_sort(counted.begin(), counted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Corruption> all;
+  for (const auto& [count, corruption] : counted) all.push_back(corruption);
+  return all;
+}
+
+const Outcome& outcome() {
+  static const Outcome kOutcome = [] {
+    Outcome all;
+    std::set<std::string> left;
+    for (const auto& corruption : kCorruptions) left.insert(corruption.name);
+    for (int round = 0; round < 4 && !left.empty(); ++round) {
+      SpoiltCopy copy;
+      auto tasks = tasks_of(copy);
+      std::map<std::string, std::string> corruption_of;       // by task
+      for (const auto& corruption : pickiest_first(tasks)) {  // each takes the first task that fits and is still sound
+        if (!left.contains(corruption.name)) continue;
+        for (auto& task : tasks) {
+          const std::string id = task.task["id"];
+          if (corruption_of.contains(id)) continue;
+          SpoiltTask spoilt = task;
+          if (!corruption.spoil(spoilt)) continue;
+          task = std::move(spoilt);
+          corruption_of[id] = corruption.name;
+          break;
+        }
+      }
+      std::string lines, shown;
+      for (const auto& task : tasks) write(copy, task.task["scene"], task, lines, shown);
+      copy.write("tasks.jsonl", lines);
+      copy.write("demonstrations/M1.jsonl", shown);
+      copy.vouch();
+      for (const auto& problem : validate(copy.folder()).problems) {
+        if (problem.task.empty()) continue;
+        const auto found = corruption_of.find(problem.task);
+        if (found == corruption_of.end()) {
+          all.blamed_falsely.insert(problem.task + ": " + problem.kind + " " + problem.message);
+        } else {
+          all.kinds_by_corruption[found->second].insert(problem.kind);
+        }
+      }
+      for (const auto& [task, name] : corruption_of) left.erase(name);
+    }
+    return all;
+  }();
+  return kOutcome;
+}
+
+class TaskCorruption : public testing::TestWithParam<Corruption> {};
+
+TEST_P(TaskCorruption, IsNamed) {
+  const auto found = outcome().kinds_by_corruption.find(GetParam().name);
+  ASSERT_NE(found, outcome().kinds_by_corruption.end()) << "no task could be spoilt this way, or nothing was told";
+  EXPECT_THAT(found->second, Contains(GetParam().kind));
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, TaskCorruption, testing::ValuesIn(kCorruptions),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+TEST(Corruption, NoOtherTaskIsBlamed) { EXPECT_THAT(outcome().blamed_falsely, IsEmpty()); }
+
+TEST(Corruption, AnUnchangedCopyIsProven) {
+  SpoiltCopy copy;
+  copy.vouch();
+  const auto verdict = validate(copy.folder());
+  EXPECT_EQ(verdict.code, 0);
+  EXPECT_TRUE(verdict.problems.empty());
+}
+
+std::set<std::pair<std::string, std::string>> told(const Verdict& verdict) {
+  std::set<std::pair<std::string, std::string>> kinds;
+  for (const auto& problem : verdict.problems) kinds.emplace(problem.kind, problem.task);
+  return kinds;
+}
+
+/// What is wrong with the folder as a whole, all at once.
+TEST(Corruption, WhatConcernsTheFolderIsNamed) {
+  SpoiltCopy copy;
+  const auto first = Json::parse(split(copy.read("tasks.jsonl"), '\n').at(0));
+  const std::string task = first["id"], scene = "scenes/" + first["scene"].get<std::string>() + ".scene.json.gz";
+  const Json given_up{{"format", "unietp-rejection/1"},
+                      {"slot", first["seed"]["slot"]},
+                      {"attempt", first["seed"]["attempt"]},
+                      {"template", first["template"]},
+                      {"simulator", first["simulator"]},
+                      {"split", first["split"]},
+                      {"stage", "expert"},
+                      {"reason", "no-plan"},
+                      {"detail", ""}};
+  copy.write("rejections.jsonl", copy.read("rejections.jsonl") + given_up.dump() + "\n");
+  {
+    SqliteFile database(copy.folder() / "dataset.sqlite", SqliteFile::Mode::Create);
+    database.run("UPDATE task SET goal = 'other' WHERE rowid = 2; UPDATE trait SET value = 'nowhere' WHERE rowid = 1");
+  }
+  copy.vouch();
+  auto manifest = Json::parse(copy.read("manifest.json"));
+  manifest["knowledge_digest"] = "another";
+  manifest["counts"]["by_split"]["atomic"] = manifest["counts"]["by_split"]["atomic"].get<int>() + 1;
+  manifest["counts"]["balance"][0]["effective"] = 3.5;
+  manifest["configuration"]["count"] = kSmallCount + 1;
+  copy.write("manifest.json", manifest.dump());
+  auto bytes = copy.read(scene);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  copy.write(scene, bytes);
+  copy.write("notes.txt", "mine");
+  std::filesystem::remove(copy.folder() / "README.md");
+  const auto verdict = validate(copy.folder());
+  EXPECT_EQ(verdict.code, 1);
+  const auto kinds = told(verdict);
+  for (const char* kind :
+       {"other-knowledge", "counts", "balance", "quota", "rejections", "unlisted-file", "missing-file"})
+    EXPECT_THAT(kinds, Contains(std::pair(std::string(kind), std::string()))) << kind;
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("changed-file"), task)));
+  const std::string second = Json::parse(split(copy.read("tasks.jsonl"), '\n').at(1))["id"];
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("database"), second)));
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("database"), task)));
+}
+
+TEST(Corruption, RepeatedTasksAreNamed) {
+  SpoiltCopy copy;
+  auto lines = split(copy.read("tasks.jsonl"), '\n');
+  auto shown = split(copy.read("demonstrations/M1.jsonl"), '\n');
+  auto twin = Json::parse(lines.at(0));
+  const std::string of = twin["id"];
+  // The first task once more under another name, in place of the second; and the fourth has the name of the third.
+  const std::string other = Json::parse(lines.at(1))["id"];
+  auto scene = Json::parse(copy.read_scene(of));
+  scene["id"] = other;
+  copy.write_scene(other, scene.dump());
+  twin["id"] = twin["scene"] = other;
+  lines.at(1) = twin.dump();
+  auto demonstration = Json::parse(shown.at(0));
+  demonstration["task"] = other;
+  shown.at(1) = demonstration.dump();
+  auto fourth = Json::parse(lines.at(3));
+  const std::string third = Json::parse(lines.at(2))["id"];
+  fourth["id"] = third;
+  lines.at(3) = fourth.dump();
+  shown.push_back(shown.at(4));  // a demonstration twice
+  const std::string fifth = Json::parse(shown.at(4))["task"];
+  copy.write("tasks.jsonl", join(lines, "\n"));
+  copy.write("demonstrations/M1.jsonl", join(shown, "\n"));
+  copy.vouch();
+  const auto kinds = told(validate(copy.folder()));
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("repeated-start"), other)));
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("repeated-text"), other)));
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("repeated-task"), third)));
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("stray-demonstration"), fifth)));
+}
+
+/// A data set shares all with itself, and a turn of phrase is not of the set that the manifest claims.
+TEST(Corruption, LeaksAndPhrasingsOfTheOtherSetAreNamed) {
+  SpoiltCopy copy;
+  auto manifest = Json::parse(copy.read("manifest.json"));
+  manifest["configuration"]["phrasings"] = "training";
+  copy.write("manifest.json", manifest.dump());
+  const auto verdict = validate(copy.folder(), {"--against", small_data_set().string()});
+  std::map<std::string, int> counts;
+  for (const auto& problem : verdict.problems) ++counts[problem.kind];
+  EXPECT_EQ(counts["shared-layout"], kSmallCount);
+  EXPECT_EQ(counts["shared-text"], kSmallCount);
+  EXPECT_EQ(counts["shared-seed"], 1);
+  EXPECT_GT(counts["text-phrasing"], 0);
+  EXPECT_EQ(verdict.proven, 0);
+}
+
+TEST(Corruption, WordingsOfAnotherTaskAreNamed) {
+  SpoiltCopy copy;
+  const auto annotated = run_program({"annotate", copy.folder().string(), "--paired"});
+  ASSERT_EQ(annotated.code, 0) << annotated.err;
+  auto lines = split(copy.read("wordings.jsonl"), '\n');
+  auto first = Json::parse(lines.at(0)), second = Json::parse(lines.at(1)), third = Json::parse(lines.at(2));
+  std::swap(first["direct"], second["direct"]);
+  third["task"] = "nobody";
+  lines.at(0) = first.dump();
+  lines.at(1) = second.dump();
+  lines.at(2) = third.dump();
+  copy.write("wordings.jsonl", join(lines, "\n"));
+  copy.vouch();
+  const auto kinds = told(validate(copy.folder()));
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("text-meaning"), first["task"].get<std::string>())));
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("text-meaning"), second["task"].get<std::string>())));
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("wordings"), std::string())));
+}
+
+TEST(Corruption, AFolderWithoutTasksOrManifestIsNamed) {
+  SpoiltCopy copy;
+  copy.write("manifest.json", "{");
+  std::filesystem::remove(copy.folder() / "tasks.jsonl");
+  const auto verdict = validate(copy.folder());
+  EXPECT_EQ(verdict.code, 1);
+  const auto kinds = told(verdict);
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("manifest"), std::string())));
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("unreadable"), std::string())));
+}
+
+/// No kind of problem is without a corruption that shows it.
+TEST(Corruption, EveryKindIsTested) {
+  std::set<std::string> tested{"manifest",      "other-knowledge", "missing-file",  "unlisted-file", "changed-file",
+                               "counts",        "quota",           "balance",       "rejections",    "database",
+                               "repeated-task", "repeated-start",  "repeated-text", "shared-layout", "shared-seed",
+                               "shared-text",   "text-phrasing",   "wordings"};
+  for (const auto& corruption : kCorruptions) tested.insert(corruption.kind);
+  const auto kinds = run_program({"validate", "--kinds"});
+  ASSERT_EQ(kinds.code, 0);
+  int found = 0;
+  for (const auto& line : split(kinds.out, '\n')) {
+    if (!line.starts_with("| `")) continue;
+    ++found;
+    EXPECT_TRUE(tested.contains(line.substr(3, line.find('`', 3) - 3))) << line;
+  }
+  EXPECT_GT(found, 40);
+  const auto page = read_file(std::filesystem::path(UNIETP_SOURCE_DIR) / "docs/validate.md");
+  ASSERT_TRUE(page);
+  EXPECT_NE(page->find(kinds.out), std::string::npos) << "docs/validate.md has another table than validate --kinds";
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,326 @@
+#include "spoilt_task.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/text.h"
+
+namespace unietp {
+
+using Json = nlohmann::ordered_json;
+
+Json* SpoiltTask::last_step(std::initializer_list<const char*> actions) {
+  auto& steps = demonstration["steps"];
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    if (std::any_of(actions.begin(), actions.end(), [&](const char* name) { return (*step)["action"] == name; }))
+      return &*step;
+  }
+  return nullptr;
+}
+
+std::string SpoiltTask::category_of(const std::string& id) const {
+  for (const auto& node : scene["nodes"]) {
+    if (node["id"] == id) return node["category"];
+  }
+  return "";
+}
+
+namespace {
+
+/// The goal's first referring constraint: where `:where f` has its f, from and to.
+struct Where {
+  std::size_t from = 0, to = 0;
+};
+std::optional<Where> where_in(const std::string& goal) {
+  const auto mark = goal.find(":where ");
+  if (mark == std::string::npos) return std::nullopt;
+  const auto from = goal.find('(', mark);
+  int depth = 0;
+  for (auto at = from; at < goal.size(); ++at) {
+    if (goal[at] == '(') ++depth;
+    if (goal[at] == ')' && --depth == 0) return Where{from, at + 1};
+  }
+  return std::nullopt;
+}
+
+/// The goal with its first `:where f` as `with(f)` says.
+template <class With>
+bool change_where(SpoiltTask& spoilt, With with) {
+  if (spoilt.task["split"] != "instance_grounding") return false;
+  const auto goal = spoilt.goal();
+  const auto where = where_in(goal);
+  if (!where) return false;
+  const auto f = goal.substr(where->from, where->to - where->from);
+  spoilt.set_goal(goal.substr(0, where->from) + with(f) + goal.substr(where->to));
+  return true;
+}
+
+/// `(and … extra)` at the end, with an object as ?z.
+bool extend_goal(SpoiltTask& spoilt, const std::string& extra) {
+  spoilt.set_goal("(and " + spoilt.goal() + " " + extra + ")");
+  return true;
+}
+
+Json& steps_of(SpoiltTask& spoilt) { return spoilt.demonstration["steps"]; }
+
+/// The goal becomes that the first thing picked up is in the hand at some time: whatever comes then is in vain.
+bool ask_for_less(SpoiltTask& spoilt, const char* then) {
+  for (auto step = steps_of(spoilt).begin(); step != steps_of(spoilt).end(); ++step) {
+    if ((*step)["action"] != "pick_up") continue;
+    const bool there =
+        std::any_of(step, steps_of(spoilt).end(), [&](const Json& one) { return one["action"] == then; });
+    if (!there) return false;
+    spoilt.set_goal("(exists (?z - " + spoilt.category_of((*step)["args"][0]) + ") (sometime (held ?z)))");
+    return true;
+  }
+  return false;
+}
+
+bool has_size(const std::string& text, std::size_t words) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')) + 1 >= words;
+}
+
+}  // namespace
+
+const std::vector<Corruption> kCorruptions{
+    {"AnOutcomeTurnedRound", "outcome",
+     [](SpoiltTask& s) {
+       steps_of(s)[0]["success"] = false;
+       return true;
+     }},
+    {"AnotherFeedback", "outcome",
+     [](SpoiltTask& s) {
+       steps_of(s)[0]["feedback"] = "You are there.";
+       return true;
+     }},
+    {"AnActionWithALetterChanged", "unreadable",
+     [](SpoiltTask& s) {
+       steps_of(s)[0]["action"] = "go_ta";
+       return true;
+     }},
+    {"AnUnknownField", "unreadable",
+     [](SpoiltTask& s) {
+       s.task["surprise"] = 1;
+       return true;
+     }},
+    {"ABrokenLine", "unreadable",
+     [](SpoiltTask& s) {
+       s.task_line = "[" + s.task.dump().substr(1);
+       return true;
+     }},
+    {"ADemonstrationThatIsMissing", "missing-demonstration",
+     [](SpoiltTask& s) {
+       s.without_demonstration = true;
+       return true;
+     }},
+    {"ADemonstrationOfAnotherMode", "stray-demonstration",
+     [](SpoiltTask& s) {
+       s.demonstration["mode"] = "M2";
+       return true;
+     }},
+    {"APoseChangedByADigit", "changes",
+     [](SpoiltTask& s) {
+       for (auto& step : steps_of(s)) {
+         if (!step["changes"].contains("agent")) continue;
+         auto& x = step["changes"]["agent"]["position"][0];
+         x = x.get<double>() + 1e-9;
+         return true;
+       }
+       return false;
+     }},
+    {"ARelationThatDidNotEnd", "changes",
+     [](SpoiltTask& s) {
+       for (auto& step : steps_of(s)) {
+         if (step["changes"].contains("edges_removed") && step["changes"]["edges_removed"].size() > 1) {
+           step["changes"]["edges_removed"].erase(0);
+           return true;
+         }
+       }
+       return false;
+     }},
+    {"ABoxThatIsAPixelWider", "view",
+     [](SpoiltTask& s) {
+       for (auto& step : steps_of(s)) {
+         if (step["visible"].empty()) continue;
+         auto& right = step["visible"][0]["box"][2];
+         right = right.get<int>() == 511 ? 510 : right.get<int>() + 1;
+         return true;
+       }
+       return false;
+     }},
+    {"AStepLeftOut", "goal-not-reached",
+     [](SpoiltTask& s) {
+       steps_of(s).erase(steps_of(s).size() - 2);  // the last before stop
+       return true;
+     }},
+    {"AStepAfterTheEnd", "after-end",
+     [](SpoiltTask& s) {
+       steps_of(s).push_back(steps_of(s).back());
+       return true;
+     }},
+    {"NoStop", "no-stop",
+     [](SpoiltTask& s) {
+       steps_of(s).erase(steps_of(s).size() - 1);
+       return true;
+     }},
+    {"AnotherCountOfSteps", "step-count",
+     [](SpoiltTask& s) {
+       s.task["expert"]["M1"]["steps"] = s.task["expert"]["M1"]["steps"].get<int>() + 1;
+       return true;
+     }},
+    {"AGoalThatDoesNotRead", "goal-text",
+     [](SpoiltTask& s) {
+       s.set_goal("[" + s.goal().substr(1));
+       return true;
+     }},
+    {"AGoalsTreeOfAnotherCategory", "goal-tree",
+     [](SpoiltTask& s) {
+       auto text = s.task["goal"]["tree"].dump();
+       const std::string mark = "\"category\":\"";
+       const auto at = text.find(mark);
+       if (at == std::string::npos) return false;
+       text.insert(at + mark.size(), "x");
+       s.task["goal"]["tree"] = Json::parse(text);
+       return true;
+     }},
+    {"AGoalTurnedIntoItsOpposite", "goal-at-start",
+     [](SpoiltTask& s) {
+       s.set_goal("(not " + s.goal() + ")");
+       return true;
+     }},
+    {"AGoalThatIsNotReached", "goal-not-reached",
+     [](SpoiltTask& s) { return extend_goal(s, "(at-end (forall (?z - object) (held ?z)))"); }},
+    {"APartThatHoldsAtTheStart", "part-at-start",
+     [](SpoiltTask& s) {
+       return extend_goal(s, "(at-end (exists (?z - object) (exists (?zr - room) (in_room ?z ?zr))))");
+     }},
+    {"AGoalAboutWhatIsNotThere", "empty-domain",
+     [](SpoiltTask& s) { return extend_goal(s, "(at-end (forall (?z - unicorn) (held ?z)))"); }},
+    {"AGoalAboutAnUnknownCategory", "binding",
+     [](SpoiltTask& s) { return extend_goal(s, "(at-end (not (exists (?z - unicorn) (dirty ?z))))"); }},
+    {"ABindingOfWhatNobodySpeaksOf", "binding",
+     [](SpoiltTask& s) {
+       s.task["bindings"]["A"] = "unicorn";
+       return true;
+     }},
+    {"AStartConstraintThatDoesNotHold", "start-constraint",
+     [](SpoiltTask& s) {
+       s.task["start"]["constraints"].push_back("(forall (?z - object) (held ?z))");
+       return true;
+     }},
+    {"AStartConstraintThatDoesNotRead", "start-constraint",
+     [](SpoiltTask& s) {
+       s.task["start"]["constraints"].push_back("(forall ?z)");
+       return true;
+     }},
+    {"AReferringPhraseOfNothing", "no-referent",
+     [](SpoiltTask& s) {
+       return change_where(s, [](const std::string& f) { return "(and " + f + " (not " + f + "))"; });
+     }},
+    {"AReferringPhraseOfEverything", "no-distractor",
+     [](SpoiltTask& s) {
+       return change_where(s, [](const std::string& f) { return "(or " + f + " (not " + f + "))"; });
+     }},
+    {"ADistractorThatServes", "distractor-serves",
+     [](SpoiltTask& s) {
+       const auto goal = s.goal();
+       const auto where = where_in(goal);
+       if (!where || s.last_step({"pick_up"}) == nullptr) return false;
+       const auto f = goal.substr(where->from, where->to - where->from);
+       s.set_goal("(or " + goal + " " + goal.substr(0, where->from) + "(not " + f + ")" + goal.substr(where->to) + ")");
+       return true;
+     }},
+    {"AStepThatIsNotNeeded", "needless-step", [](SpoiltTask& s) { return ask_for_less(s, "go_to"); }},
+    {"SomethingThatMayStayInTheHand", "left-in-hand", [](SpoiltTask& s) { return ask_for_less(s, "place_on"); }},
+    {"AnOrderThatDoesNotMatter", "any-order",
+     [](SpoiltTask& s) {
+       // Two things are put to one place, whichever comes first.
+       std::vector<Json> places;
+       int picked = 0;
+       for (const auto& step : steps_of(s)) {
+         if (step["action"] == "place_on") places.push_back(step["args"]);
+         picked += step["action"] == "pick_up" ? 1 : 0;
+       }
+       if (places.size() != 2 || places[0] != places[1] || picked != 2 || steps_of(s)[0]["action"] != "go_to")
+         return false;
+       s.set_goal("(or " + s.goal() + " (before (exists (?z - object) (held ?z)) (exists (?z - object) (held ?z))))");
+       return true;
+     }},
+    {"ASceneOfAnotherName", "scene-name",
+     [](SpoiltTask& s) {
+       s.scene["id"] = "elsewhere";
+       return true;
+     }},
+    {"ATaskOnAnotherSimulator", "scene-name",
+     [](SpoiltTask& s) {
+       s.task["simulator"] = s.task["simulator"] == "habitat" ? "behavior" : "habitat";
+       return true;
+     }},
+    {"SomethingInTheAir", "unrest",
+     [](SpoiltTask& s) {
+       for (auto& node : s.scene["nodes"]) {
+         if (!node["movable"].get<bool>()) continue;
+         auto& height = node["position"][2];
+         height = height.get<double>() + 0.4;
+         return true;
+       }
+       return false;
+     }},
+    {"ARelationThatIsNotSaid", "relations",
+     [](SpoiltTask& s) {
+       s.scene["edges"].erase(0);
+       return true;
+     }},
+    {"ARelationThatIsNotThere", "relations",
+     [](SpoiltTask& s) {
+       for (auto& edge : s.scene["edges"]) {
+         if (edge["relation"] != "in_room") continue;
+         for (const auto& room : s.scene["rooms"]) {
+           if (room["id"] == edge["to"]) continue;
+           edge["to"] = room["id"];
+           return true;
+         }
+       }
+       return false;
+     }},
+    {"ASceneWithAnUnknownCategory", "unbuildable",
+     [](SpoiltTask& s) {
+       s.scene["nodes"].back()["category"] = "unicorn";
+       return true;
+     }},
+    {"NoWords", "no-text",
+     [](SpoiltTask& s) {
+       s.task["instruction"]["text"] = " ";
+       return true;
+     }},
+    {"AnIdInTheText", "text-form",
+     [](SpoiltTask& s) {
+       const std::string text = s.task["instruction"]["text"], id = s.scene["nodes"][0]["id"];
+       s.task["instruction"]["text"] = text + " Look at " + id + ".";
+       return true;
+     }},
+    {"MarkupInTheText", "text-form",
+     [](SpoiltTask& s) {
+       s.task["instruction"]["text"] = "**" + s.task["instruction"]["text"].get<std::string>() + "**";
+       return true;
+     }},
+    {"ATextThatAsksForMore", "text-meaning",
+     [](SpoiltTask& s) {
+       s.task["instruction"]["text"] = s.task["instruction"]["text"].get<std::string>() + " Also open every window.";
+       return true;
+     }},
+    {"ATextOfAnotherGoal", "text-meaning",
+     [](SpoiltTask& s) {
+       s.task["instruction"]["text"] = "Please keep every door closed the whole time.";
+       return true;
+     }},
+    {"AStyleThatTheTextLacks", "text-style",
+     [](SpoiltTask& s) {
+       const std::string text = s.task["instruction"]["text"];
+       if (s.task["instruction"]["style"] != "direct" || has_size(text, 15)) return false;
+       s.task["instruction"]["style"] = "nested-syntax";
+       return true;
+     }},
+};
+
+}  // namespace unietp

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace unietp {
+
+/// One task of a data set with all that belongs to it, to be spoilt.
+struct SpoiltTask {
+  nlohmann::ordered_json task, demonstration, scene;  // its line, its line in M1, its start
+  std::string task_line;                              // written in place of `task` when not empty
+  bool without_demonstration = false;
+
+  std::string goal() const { return task["goal"]["text"]; }
+  void set_goal(const std::string& text) { task["goal"]["text"] = text; }
+  /// The steps, last first, whose action is one of these; nullptr when there is none.
+  nlohmann::ordered_json* last_step(std::initializer_list<const char*> actions);
+  /// Category of an object of the start; "" when there is none.
+  std::string category_of(const std::string& id) const;
+};
+
+/// A way to spoil a task and what must be said of it.
+struct Corruption {
+  const char* name;
+  const char* kind;            // of a problem that must be told
+  bool (*spoil)(SpoiltTask&);  // false when the task has nothing that could be spoilt this way
+};
+extern const std::vector<Corruption> kCorruptions;
+
+}  // namespace unietp

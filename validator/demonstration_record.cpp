@@ -1,0 +1,98 @@
+#include <nlohmann/json.hpp>
+
+#include "scene/scene_json.h"
+#include "validator/record_fields.h"
+#include "validator/task_record.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<VisibleObject> read_visible(JsonReader& reader, const JsonAt& at) {
+  std::vector<VisibleObject> visible;
+  const std::size_t count = reader.items(at);
+  for (std::size_t i = 0; i < count && !reader.error(); ++i) {
+    const JsonAt item = reader.item(at, i);
+    JsonFields fields(reader, item);
+    VisibleObject object;
+    if (const auto f = fields.required("id")) object.id = reader.text(*f);
+    if (const auto f = fields.required("box")) {
+      if (reader.items(*f) != object.box.size()) reader.fail(*f, "expected [x0, y0, x1, y1]");
+      for (std::size_t k = 0; k < object.box.size() && !reader.error(); ++k)
+        object.box[k] = read_whole(reader, reader.item(*f, k));
+    }
+    fields.finish();
+    visible.push_back(std::move(object));
+  }
+  return visible;
+}
+
+/// A value of scene/ with a reader of its own; its error gets the way to it.
+template <class T>
+T read_part(JsonReader& reader, const JsonAt& at, Result<T> (*read)(std::string_view, const Json&), const Json& json) {
+  auto value = read("", json);
+  if (value) return std::move(*value);
+  const auto& inner = value.error().where;
+  reader.fail(at.pointer() + (inner.empty() || inner[0] != '#' ? "" : inner.substr(1)), value.error().message);
+  return {};
+}
+
+void check_command(JsonReader& reader, const JsonAt& action, const JsonAt& args, const Command& command) {
+  if (reader.error()) return;
+  const auto type = action_named(command.action);
+  if (!type) {
+    std::vector<std::string> names;
+    for (const auto list : {all_actions(), extension_actions()}) {
+      for (const ActionInfo& known : list) names.emplace_back(known.name);
+    }
+    reader.unknown_name(action, "action", names);
+    return;
+  }
+  const std::size_t wanted = info(*type).argument == ActionArgument::None ? 0 : 1;
+  if (command.args.size() != wanted)
+    reader.fail(args, command.action + " takes " + (wanted == 0 ? "no argument" : "one argument"));
+}
+
+StepRecord read_step(JsonReader& reader, const JsonAt& at) {
+  JsonFields fields(reader, at);
+  StepRecord step;
+  const auto action = fields.required("action");
+  const auto args = fields.required("args");
+  if (action && args) {
+    step.command = read_part(reader, at, command_from_json, Json{{"action", action->json}, {"args", args->json}});
+    check_command(reader, *action, *args, step.command);
+  }
+  if (const auto f = fields.required("success")) step.success = reader.boolean(*f);
+  if (const auto f = fields.required("failure")) step.failure = reader.text(*f);
+  if (const auto f = fields.required("feedback")) step.feedback = text_or_empty(reader, *f);
+  if (const auto f = fields.required("visible")) step.visible = read_visible(reader, *f);
+  if (const auto f = fields.required("changes")) step.changes = read_part(reader, *f, delta_from_json, f->json);
+  fields.finish();
+  return step;
+}
+
+}  // namespace
+
+Result<DemonstrationRecord> read_demonstration(std::string_view where, int line, std::string_view text) {
+  const auto json = parse_json_line(where, line, text);
+  if (!json) return json.error();
+  const auto name = line_name(where, line);
+  JsonReader reader(name);
+  const JsonAt root{*json};
+  JsonFields fields(reader, root);
+  DemonstrationRecord demonstration;
+  read_format(reader, fields, "unietp-demonstration/1");
+  if (const auto f = fields.required("task")) demonstration.task = reader.text(*f);
+  if (const auto f = fields.required("mode")) demonstration.mode = reader.text(*f);
+  if (const auto f = fields.required("steps")) {
+    const std::size_t count = reader.items(*f);
+    for (std::size_t i = 0; i < count && !reader.error(); ++i)
+      demonstration.steps.push_back(read_step(reader, reader.item(*f, i)));
+  }
+  fields.finish();
+  if (reader.error()) return *reader.error();
+  return demonstration;
+}
+
+}  // namespace unietp

@@ -1,0 +1,65 @@
+#include "validator/file_check.h"
+
+#include <algorithm>
+
+#include "core/digest.h"
+#include "core/files.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr const char* kManifest = "manifest.json";
+
+std::vector<std::string> files_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code code;
+  for (auto it = fs::recursive_directory_iterator(folder, code); !code && it != fs::recursive_directory_iterator();
+       it.increment(code)) {
+    if (it->is_regular_file(code)) names.push_back(it->path().lexically_relative(folder).generic_string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+FileCheck::FileCheck(fs::path folder, const ManifestRecord& manifest)
+    : folder_(std::move(folder)), manifest_(manifest) {
+  const auto present = files_in(folder_);
+  for (const auto& [path, file] : manifest_.files) {
+    if (std::binary_search(present.begin(), present.end(), path)) {
+      files_.push_back(path);
+    } else {
+      listing_.push_back(problem_in(ProblemKind::MissingFile, path, "is listed in the manifest but missing"));
+    }
+  }
+  for (const auto& path : present) {
+    if (path != kManifest && manifest_.files.count(path) == 0)
+      listing_.push_back(problem_in(ProblemKind::UnlistedFile, path, "is not listed in the manifest"));
+  }
+}
+
+std::vector<Problem> FileCheck::of(const std::string& path, std::string_view bytes) const {
+  const auto file = manifest_.files.find(path);
+  if (file == manifest_.files.end()) return {};
+  const auto length = static_cast<double>(bytes.size());
+  if (length != file->second.bytes)
+    return {problem_in(
+        ProblemKind::ChangedFile, path,
+        "has " + number_text(length) + " bytes, the manifest vouches for " + number_text(file->second.bytes))};
+  if (sha256(bytes) != file->second.sha256)
+    return {
+        problem_in(ProblemKind::ChangedFile, path, "its bytes differ from those the manifest vouches for (SHA-256)")};
+  return {};
+}
+
+std::vector<Problem> FileCheck::of(const std::string& path) const {
+  const auto bytes = read_file(folder_ / path);
+  if (bytes) return of(path, *bytes);
+  Problem problem{ProblemKind::Unreadable, "", bytes.error()};
+  return {std::move(problem)};
+}
+
+}  // namespace unietp

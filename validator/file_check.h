@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "validator/manifest_record.h"
+#include "validator/problem.h"
+
+namespace unietp {
+
+/// Holds the files of a folder against their manifest: each is there, listed, and of the recorded length and SHA-256.
+class FileCheck {
+ public:
+  FileCheck(std::filesystem::path folder, const ManifestRecord& manifest);
+
+  /// Files that are missing, or there without being listed.
+  const std::vector<Problem>& listing() const { return listing_; }
+  /// What is wrong with the bytes of a file, when it is listed; empty when nothing is.
+  std::vector<Problem> of(const std::string& path, std::string_view bytes) const;
+  /// The listed files that are there, in order of path.
+  const std::vector<std::string>& files() const { return files_; }
+  /// Reads a file and checks it. Problems that keep it from being read are its own.
+  std::vector<Problem> of(const std::string& path) const;
+
+ private:
+  std::filesystem::path folder_;
+  const ManifestRecord& manifest_;
+  std::vector<Problem> listing_;
+  std::vector<std::string> files_;
+};
+
+}  // namespace unietp

@@ -1,0 +1,177 @@
+#include "validator/must_fail.h"
+
+#include <algorithm>
+#include <span>
+
+#include "core/text.h"
+#include "logic/evaluate.h"
+#include "validator/conjuncts.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+bool asks_for_order(const Formula& goal) {
+  return goal.op == Op::Before || goal.op == Op::Until ||
+         std::any_of(goal.children.begin(), goal.children.end(), asks_for_order);
+}
+
+bool puts_down(ActionType type) {
+  return type == ActionType::PlaceOn || type == ActionType::PlaceIn || type == ActionType::Drop;
+}
+
+bool handles(ActionType type) {
+  const ActionClass group = info(type).group;
+  return group == ActionClass::Manipulation || group == ActionClass::Composite;
+}
+
+/// A world on its way, and what changed on it.
+struct Course {
+  World world;
+  std::vector<Delta> changes;
+
+  void act(const Action& action) {
+    const auto before = world.moment();
+    (void)world.step(action);
+    if (world.moment() != before) changes.push_back(world.changes());
+  }
+};
+
+class Spoiler {
+ public:
+  Spoiler(const Formula& goal, const World& start, const TraceMaker& traces, std::string where)
+      : goal_(goal), start_(start), traces_(traces), where_(std::move(where)) {}
+
+  void leave_out_each(const std::vector<Action>& plan) {
+    Course here{start_, {}};
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+      Course without = here;
+      if (reaches_goal(without, std::span(plan).subspan(i + 1))) {
+        const auto step = "step " + std::to_string(i + 1) + " " + to_text(plan[i]);
+        if (puts_down(plan[i].type)) {
+          found(ProblemKind::LeftInHand,
+                "what " + step + " puts down may stay in the hand: the goal is reached as well");
+        } else {
+          found(ProblemKind::NeedlessStep, "without " + step + " the goal is reached as well");
+        }
+      }
+      here.act(plan[i]);
+    }
+  }
+
+  void change_order(const std::vector<Action>& plan) {
+    if (!asks_for_order(goal_)) return;
+    const auto parts = parts_of(plan);
+    if (parts.size() < 2) return;
+    for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+      auto swapped = parts;
+      std::swap(swapped[i], swapped[i + 1]);
+      if (!survives(swapped)) return;
+    }
+    if (!survives({parts.rbegin(), parts.rend()})) return;
+    found(ProblemKind::AnyOrder,
+          "the goal asks for an order, but is reached with any two neighbouring parts of the plan "
+          "in the other order, and with all of them reversed");
+  }
+
+  void use_distractors(const std::vector<Action>& plan) {
+    const Trace start = traces_.at_start();
+    for (const ReferringDomain& one : referring_domains(goal_)) {
+      Domain whole = one.domain;
+      whole.where.clear();
+      const auto meant = members_of(one.domain, one.variable, start);
+      for (const EntityIndex other : members_of(whole, one.variable, start)) {
+        if (std::find(meant.begin(), meant.end(), other) != meant.end()) continue;
+        for (const EntityIndex referent : meant)
+          use_instead(start.entities[referent].id, start.entities[other].id, plan);
+      }
+    }
+  }
+
+  MustFail take() { return std::move(done_); }
+
+ private:
+  void found(ProblemKind kind, std::string message) {
+    done_.problems.push_back(problem_in(kind, where_, std::move(message)));
+  }
+
+  bool reaches_goal(Course& course, std::span<const Action> rest) {
+    ++done_.tried;
+    for (const Action& action : rest) course.act(action);
+    return holds(goal_, traces_.of(course.changes));
+  }
+
+  bool survives(const std::vector<std::vector<Action>>& parts) {
+    std::vector<Action> plan;
+    for (const auto& part : parts) plan.insert(plan.end(), part.begin(), part.end());
+    Course course{start_, {}};
+    return reaches_goal(course, plan);
+  }
+
+  /// The plan cut wherever something was done and the hands are empty.
+  std::vector<std::vector<Action>> parts_of(const std::vector<Action>& plan) const {
+    std::vector<std::vector<Action>> parts;
+    std::vector<Action> part;
+    Course course{start_, {}};
+    for (const Action& action : plan) {
+      const auto before = course.changes.size();
+      course.act(action);
+      part.push_back(action);
+      const bool something = course.changes.size() > before && !course.changes.back().nodes.empty();
+      if (!something || !course.world.agent().held.empty()) continue;
+      parts.push_back(std::move(part));
+      part.clear();
+    }
+    return parts;
+  }
+
+  void use_instead(const std::string& referent, const std::string& other, const std::vector<Action>& plan) {
+    std::vector<Action> spoilt = plan;
+    bool used = false;
+    for (Action& action : spoilt) {
+      for (std::string& argument : action.args) {
+        if (argument != referent) continue;
+        argument = other;
+        used = used || handles(action.type);
+      }
+    }
+    Course course{start_, {}};
+    if (used && reaches_goal(course, spoilt))
+      found(ProblemKind::DistractorServes,
+            "with " + other + " instead of " + referent + " the goal is reached as well");
+  }
+
+  const Formula& goal_;
+  const World& start_;
+  const TraceMaker& traces_;
+  std::string where_;
+  MustFail done_;
+};
+
+/// The steps as actions on ids; without those that name no action, and without the end.
+std::vector<Action> plan_of(const DemonstrationRecord& demonstration) {
+  std::vector<Action> plan;
+  for (const StepRecord& step : demonstration.steps) {
+    const auto type = action_named(step.command.action);
+    if (!type || *type == ActionType::Stop) continue;
+    Action action{*type, {}};
+    for (const Argument& argument : step.command.args) action.args.push_back(argument.id);
+    plan.push_back(std::move(action));
+  }
+  return plan;
+}
+
+}  // namespace
+
+MustFail must_fail(const Formula& goal, const World& start, const TraceMaker& traces,
+                   const DemonstrationRecord& demonstration, const std::string& where) {
+  const auto plan = plan_of(demonstration);
+  Spoiler spoiler(goal, start, traces, where);
+  spoiler.leave_out_each(plan);
+  spoiler.change_order(plan);
+  spoiler.use_distractors(plan);
+  return spoiler.take();
+}
+
+}  // namespace unietp

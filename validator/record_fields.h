@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "core/result.h"
+#include "scene/json_reader.h"
+
+namespace unietp {
+
+/// "tasks.jsonl:3"
+std::string line_name(std::string_view where, int line);
+/// One line of a JSON-lines file; the position of a syntax error is that in the file. Errors: Parse.
+Result<nlohmann::ordered_json> parse_json_line(std::string_view where, int line, std::string_view text);
+
+/// Fields of records; problems go to the reader.
+void read_format(JsonReader& reader, JsonFields& fields, std::string_view expected);
+int read_whole(JsonReader& reader, const JsonAt& at);  // 0 to 1e9
+std::string text_or_empty(JsonReader& reader, const JsonAt& at);
+
+}  // namespace unietp

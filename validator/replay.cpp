@@ -1,0 +1,113 @@
+#include "validator/replay.h"
+
+#include <algorithm>
+
+#include "core/text.h"
+#include "simulation/mode_episode.h"
+
+namespace unietp {
+namespace {
+
+std::string text_of(const Edge& edge) {
+  return std::string(info(edge.relation).name) + "(" + edge.from + ", " + edge.to + ")";
+}
+
+template <class T, class TextOf>
+std::string first_difference(const std::vector<T>& recorded, const std::vector<T>& replayed, std::string_view what,
+                             TextOf text) {
+  for (const auto& one : recorded) {
+    if (std::find(replayed.begin(), replayed.end(), one) == replayed.end())
+      return "the record has " + std::string(what) + " " + text(one) + ", the replay has not";
+  }
+  for (const auto& one : replayed) {
+    if (std::find(recorded.begin(), recorded.end(), one) == recorded.end())
+      return "the replay has " + std::string(what) + " " + text(one) + ", the record has not";
+  }
+  return recorded == replayed ? "" : "the record has " + std::string(what) + "s in another order";
+}
+
+std::string difference_of(const Delta& recorded, const Delta& replayed) {
+  std::vector<std::string> parts{
+      first_difference(recorded.nodes, replayed.nodes, "the changed object", [](const Node& node) { return node.id; }),
+      first_difference(recorded.removed, replayed.removed, "the removed object", [](const auto& id) { return id; }),
+      first_difference(recorded.edges_added, replayed.edges_added, "the new relation", text_of),
+      first_difference(recorded.edges_removed, replayed.edges_removed, "the ended relation", text_of)};
+  if (recorded.agent != replayed.agent) parts.emplace_back("the agent stands, looks or holds otherwise");
+  parts.erase(std::remove(parts.begin(), parts.end(), ""), parts.end());
+  return join(parts, "; ");
+}
+
+std::string limits_text(Mode mode) {
+  const StepLimits limits = limits_of(mode);
+  return "it ends with stop(), after " + std::to_string(limits.steps) + " steps or " + std::to_string(limits.failures) +
+         " failures";
+}
+
+std::string told(bool success, std::string_view failure, const std::string& feedback) {
+  return success && feedback.empty() ? std::string("success") : std::string(failure) + " \"" + feedback + "\"";
+}
+
+bool same_outcome(const StepRecord& step, const Outcome& outcome) {
+  return outcome.success == step.success && name_of(outcome.failure) == step.failure &&
+         outcome.feedback == step.feedback;
+}
+
+}  // namespace
+
+Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstration, const std::string& where) {
+  Replay done;
+  bool view_told = false, outcome_told = false, changes_told = false;
+  const auto found = [&](ProblemKind kind, std::string message) {
+    done.problems.push_back(problem_in(kind, where, std::move(message)));
+  };
+  ModeEpisode episode(start, mode);
+  for (std::size_t i = 0; i < demonstration.steps.size(); ++i) {
+    const auto& step = demonstration.steps[i];
+    const auto at = "step " + std::to_string(i + 1) + " " + to_text(step.command) + ": ";
+    if (episode.over()) {
+      found(ProblemKind::AfterEnd, at + "comes after the end of the episode; " + limits_text(mode));
+      break;
+    }
+    if (!view_told && episode.visible() != step.visible) {
+      view_told = true;
+      found(ProblemKind::View, at + "another view than recorded; " +
+                                   first_difference(step.visible, episode.visible(), "the visible object",
+                                                    [](const VisibleObject& object) { return object.id; }));
+    }
+    const auto before = episode.world().moment();
+    const auto outcome = episode.step(step.command);
+    if (!outcome_told && !same_outcome(step, outcome)) {
+      outcome_told = true;
+      found(ProblemKind::Outcome, at + "recorded as " + told(step.success, step.failure, step.feedback) +
+                                      ", the replay gives " +
+                                      told(outcome.success, name_of(outcome.failure), outcome.feedback));
+    }
+    auto delta = episode.world().moment() == before ? Delta{} : episode.world().changes();
+    if (!changes_told && delta != step.changes) {
+      changes_told = true;
+      found(ProblemKind::Changes, at + "other changes than recorded; " + difference_of(step.changes, delta));
+    }
+    done.changes.push_back(std::move(delta));
+  }
+  if (!episode.world().stopped()) found(ProblemKind::NoStop, "does not end with stop()");
+  return done;
+}
+
+std::vector<Problem> check_step_count(const TaskRecord& task, Mode mode, const DemonstrationRecord& demonstration,
+                                      const std::string& where) {
+  const auto steps = static_cast<int>(demonstration.steps.size());
+  const auto failures = static_cast<int>(std::count_if(demonstration.steps.begin(), demonstration.steps.end(),
+                                                       [](const StepRecord& step) { return !step.success; }));
+  std::vector<Problem> problems;
+  for (const TaskRecord::Count& count : task.expert) {
+    if (count.mode != mode || (count.steps == steps && count.failures == failures)) continue;
+    problems.push_back(problem_in(ProblemKind::StepCount, where,
+                                  "says " + std::to_string(count.steps) + " steps and " +
+                                      std::to_string(count.failures) + " failures in " + std::string(name_of(mode)) +
+                                      ", the demonstration has " + std::to_string(steps) + " and " +
+                                      std::to_string(failures)));
+  }
+  return problems;
+}
+
+}  // namespace unietp

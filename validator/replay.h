@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulation/world.h"
+#include "validator/problem.h"
+#include "validator/task_record.h"
+
+namespace unietp {
+
+struct Replay {
+  std::vector<Delta> changes;  // one a step
+  std::vector<Problem> problems;
+};
+
+/// Does the steps of a demonstration again under the rules of its mode, and compares every outcome, view and change
+/// with the record. Only the first difference of each kind is told: what follows from it would differ too.
+Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstration, const std::string& where);
+
+/// Steps and failures of a demonstration against those that its task counts. About the task, at `where`.
+std::vector<Problem> check_step_count(const TaskRecord& task, Mode mode, const DemonstrationRecord& demonstration,
+                                      const std::string& where);
+
+}  // namespace unietp

@@ -1,0 +1,91 @@
+#include "validator/task_facts.h"
+
+#include <map>
+
+#include "core/text.h"
+#include "simulation/digest.h"
+
+namespace unietp {
+namespace {
+
+std::string text_of(const Digest& digest) { return std::to_string(digest.a) + "." + std::to_string(digest.b); }
+
+void add(Digester& digest, const Vec3& v) { digest.add(v.x()).add(v.y()).add(v.z()); }
+
+/// Everything of a start that a task can begin with, but what it is called.
+std::string content_of(const Scene& start) {
+  Digester digest;
+  for (const Node& node : start.nodes) {
+    digest.add(node.id).add(node.category).add(node.opening).add(node.mass);
+    add(digest, node.size);
+    add(digest, node.pose.position);
+    const Quat& turn = node.pose.rotation;
+    digest.add(turn.w()).add(turn.x()).add(turn.y()).add(turn.z());
+    for (const State& state : node.states.all())
+      digest.add(static_cast<std::uint64_t>(state.predicate)).add(state.symbol);
+    digest.add(node.colour).add(node.material).add(node.slice_of);
+  }
+  digest.add(start.agent.position.x()).add(start.agent.position.y()).add(start.agent.yaw).add(start.agent.pitch);
+  for (const std::string& held : start.agent.held) digest.add(held);
+  return text_of(digest.digest());
+}
+
+std::string start_key_of(const TaskRecord& task, const Scene& start) {
+  std::string key = task.template_name + "\n" + task.goal_text + "\n" + task.layout + "\n";
+  for (const auto& [placeholder, value] : task.bindings) key += placeholder + "=" + value + "\n";
+  return key + home_key_of(start) + "\n" + content_of(start);
+}
+
+}  // namespace
+
+std::string plain_words(std::string_view text) {
+  std::string words;
+  for (const char c : lower(text)) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+    if (letter) {
+      words += c;
+    } else if (!words.empty() && words.back() != ' ') {
+      words += ' ';
+    }
+  }
+  while (!words.empty() && words.back() == ' ') words.pop_back();
+  return words;
+}
+
+std::string home_key_of(const Scene& start) {
+  Digester digest;
+  for (const Room& room : start.rooms) {
+    digest.add(room.type);
+    for (const Vec2& corner : room.polygon) digest.add(corner.x()).add(corner.y());
+  }
+  for (const Opening& opening : start.openings)
+    digest.add(opening.from.x()).add(opening.from.y()).add(opening.to.x()).add(opening.to.y());
+  for (const Node& node : start.nodes) {
+    if (node.movable) continue;
+    digest.add(node.category).add(node.pose.position.x()).add(node.pose.position.y()).add(node.pose.position.z());
+  }
+  return text_of(digest.digest());
+}
+
+TaskFacts facts_of(const TaskRecord& task, const Scene& start, const DemonstrationRecord* shown) {
+  TaskFacts facts;
+  facts.start_key = start_key_of(task, start);
+  facts.text_key = task.layout + "\n" + plain_words(task.instruction);
+  facts.home_key = home_key_of(start);
+  std::set<std::string> handled;
+  if (shown != nullptr) {
+    for (const auto& step : shown->steps) {
+      for (const Argument& argument : step.command.args) handled.insert(argument.id);
+    }
+  }
+  std::map<std::string, std::string> type_of;
+  for (const Room& room : start.rooms) type_of[room.id] = room.type;
+  for (const Edge& edge : start.edges) {
+    if (edge.relation != Predicate::InRoom || handled.count(edge.from) == 0) continue;
+    if (const auto type = type_of.find(edge.to); type != type_of.end())
+      facts.rooms.insert(task.simulator + "/" + type->second);
+  }
+  return facts;
+}
+
+}  // namespace unietp
