@@ -142,7 +142,9 @@ TEST(Corruption, WhatConcernsTheFolderIsNamed) {
   copy.write("rejections.jsonl", copy.read("rejections.jsonl") + given_up.dump() + "\n");
   {
     SqliteFile database(copy.folder() / "dataset.sqlite", SqliteFile::Mode::Create);
-    database.run("UPDATE task SET goal = 'other' WHERE rowid = 2; UPDATE trait SET value = 'nowhere' WHERE rowid = 1");
+    database.run(
+        "UPDATE task SET goal = 'other' WHERE rowid = 2;"
+        "UPDATE trait SET value = 'nowhere' WHERE task = (SELECT id FROM task WHERE rowid = 3)");
   }
   copy.vouch();
   auto manifest = Json::parse(copy.read("manifest.json"));
@@ -165,7 +167,8 @@ TEST(Corruption, WhatConcernsTheFolderIsNamed) {
   EXPECT_THAT(kinds, Contains(std::pair(std::string("changed-file"), task)));
   const std::string second = Json::parse(split(copy.read("tasks.jsonl"), '\n').at(1))["id"];
   EXPECT_THAT(kinds, Contains(std::pair(std::string("database"), second)));
-  EXPECT_THAT(kinds, Contains(std::pair(std::string("database"), task)));
+  const std::string third = Json::parse(split(copy.read("tasks.jsonl"), '\n').at(2))["id"];
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("database"), third)));
 }
 
 TEST(Corruption, RepeatedTasksAreNamed) {
