@@ -38,15 +38,16 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
   const auto form = form_faults(stated.text, specification);
   found(ProblemKind::TextForm, form);
   const bool by_grammar = stated.writer == "grammar";
+  const std::string demand(nouns.behind_context(stated.text));
   auto meaning = by_grammar ? check_instruction(stated.text, specification, backend.knowledge, backend.nouns)
-                            : saying_faults(stated.text, specification, nouns);
+                            : saying_faults(demand, specification, nouns);
   std::erase_if(meaning,
                 [&](const std::string& fault) { return std::find(form.begin(), form.end(), fault) != form.end(); });
   found(ProblemKind::TextMeaning, meaning);
   if (const auto fault = style_fault(stated.text, stated.style, stated.goal, stated.around, nouns); !fault.empty())
     found(ProblemKind::TextStyle, {fault});
   if (by_grammar && stated.phrasings != "all") {
-    const auto own = name_of(phrasings_of(without_aside(nouns.behind_context(stated.text), stated.style), nouns));
+    const auto own = name_of(phrasings_of(without_aside(demand, stated.style), nouns));
     if (own != stated.phrasings)
       found(ProblemKind::TextPhrasing, {"its turn of phrase is one of " + std::string(own) + ", not of " +
                                         stated.phrasings + " as the manifest says"});
