@@ -92,7 +92,7 @@ KnownStart known_start(const Home& home, const Scene& scene) {
   auto& links = known.links.emplace(home.links);
   links.resize(scene.nodes.size());
   std::vector<Bounds> touched;
-  for (const std::size_t i : changed.gone) touched.push_back(home.bounds[i]);
+  for (const std::size_t i : changed.gone) touched.push_back(home.physics.bounds(static_cast<BodyId>(i)));
   for (const std::size_t i : changed.nodes) touched.push_back(physics.bounds(static_cast<BodyId>(i)));
   for (const std::size_t i : affected_by(physics, touched, changed.nodes)) links[i] = links_of(scene, physics, i);
   NavigationGrid& grid = known.grid.emplace(home.walk->grid);
