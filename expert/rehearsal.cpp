@@ -9,12 +9,12 @@ namespace unietp {
 
 Result<Rehearsal> Rehearsal::of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                                 const Profile& profile) {
-  return of(goal, start, knowledge, profile, physics_of(start));
+  return of(goal, start, knowledge, profile, {physics_of(start), std::nullopt, std::nullopt});
 }
 
 Result<Rehearsal> Rehearsal::of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
-                                const Profile& profile, PhysicsWorld physics) {
-  auto world = World::create(start, knowledge, profile, std::move(physics));
+                                const Profile& profile, KnownStart known) {
+  auto world = World::create(start, knowledge, profile, std::move(known));
   if (!world) return world.error();
   return Rehearsal(goal, start, knowledge, profile, std::move(*world));
 }

@@ -9,7 +9,7 @@
 #include "logic/formula.h"
 #include "scene/action.h"
 #include "scene/trace.h"
-#include "simulation/physics.h"
+#include "simulation/known_start.h"
 #include "simulation/profile.h"
 #include "simulation/world.h"
 
@@ -22,9 +22,9 @@ class Rehearsal {
   /// The goal, the start, the knowledge and the profile must outlive it. Errors: as World::create.
   static Result<Rehearsal> of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                               const Profile& profile);
-  /// The same for a start of which `physics_of` is known already.
+  /// The same for a start of which something is known already.
   static Result<Rehearsal> of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
-                              const Profile& profile, PhysicsWorld physics);
+                              const Profile& profile, KnownStart known);
 
   const Formula& goal() const { return *goal_; }
   const Scene& start() const { return *start_; }

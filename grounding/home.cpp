@@ -40,6 +40,7 @@ Home prepare_home(Scene scene, const Profile& profile) {
   Home home;
   home.physics = physics_of(scene);
   scene.edges = read_relations(scene, home.physics);
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) home.links.push_back(links_of(scene, home.physics, i));
   PlacementChecker solids;
   set_walls(solids, scene);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -81,6 +82,26 @@ PhysicsWorld physics_of(const Home& home, const Scene& scene) {
     physics.set(static_cast<BodyId>(i), shape_of(node), node.pose, node.opening, node.movable ? node.mass : 0);
   }
   return physics;
+}
+
+KnownStart known_start(const Home& home, const Scene& scene) {
+  KnownStart known{physics_of(home, scene), std::nullopt, std::nullopt};
+  if (!scene.agent.held.empty() || !home.scene.agent.held.empty()) return known;
+  const PhysicsWorld& physics = known.physics;
+  const Differences changed = differences(home, scene);
+  auto& links = known.links.emplace(home.links);
+  links.resize(scene.nodes.size());
+  std::vector<Bounds> touched;
+  for (const std::size_t i : changed.gone) touched.push_back(home.physics.bounds(static_cast<BodyId>(i)));
+  for (const std::size_t i : changed.nodes) touched.push_back(physics.bounds(static_cast<BodyId>(i)));
+  for (const std::size_t i : affected_by(physics, touched, changed.nodes)) links[i] = links_of(scene, physics, i);
+  NavigationGrid& grid = known.grid.emplace(home.walk->grid);
+  for (const std::size_t i : changed.gone) {
+    if (i >= scene.nodes.size()) grid.update(i, nullptr, nullptr);
+  }
+  for (const std::size_t i : changed.nodes)
+    grid.update(i, &scene.nodes[i], &physics.collider(static_cast<BodyId>(i)).shape);
+  return known;
 }
 
 std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene) {

@@ -10,6 +10,7 @@
 #include "grounding/reachability.h"
 #include "scene/scene.h"
 #include "scene/trace.h"
+#include "simulation/known_start.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
 
@@ -20,6 +21,7 @@ namespace unietp {
 struct Home {
   Scene scene;                                     // its edges as physics shows them
   PhysicsWorld physics;                            // of the scene; to be copied, since what it is asked it remembers
+  std::vector<std::vector<Link>> links;            // of each node
   std::shared_ptr<const PlacementChecker> solids;  // of the scene
   std::vector<Bounds> bounds;                      // of each node where it stands
   std::vector<std::optional<Bounds>> sweeps;       // space that doors and drawers of furniture pass through, by node
@@ -44,6 +46,8 @@ Differences differences(const Home& home, const Scene& scene);
 
 /// The bodies of such a scene, at the cost of the differences.
 PhysicsWorld physics_of(const Home& home, const Scene& scene);
+/// What a world of such a scene need not work out again.
+KnownStart known_start(const Home& home, const Scene& scene);
 /// Where a body can walk in it: the home's own while nothing that a body bumps into has changed and the agent stands
 /// where it stood.
 std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene);

@@ -9,7 +9,7 @@
 namespace unietp {
 
 /// Of candidates that passed the geometric gates (a start was built, rests and meets its constraints), those that the
-/// expert showed: its plan was executed, makes the goal true, and no step of it can be left out.
+/// expert showed in all modes asked for: its plan was executed, makes the goal true, and withstands all mutations.
 struct ExpertSuccess {
   int grounded = 0, shown = 0;
   std::map<std::string, int> reasons;  // why the others were not
@@ -19,8 +19,7 @@ struct ExpertSuccess {
 inline constexpr double kWantedSuccess = 0.95;
 
 ExpertSuccess expert_success(const CoverageCell& cell);
-/// Over all simulators; over all templates.
-ExpertSuccess expert_success(const CoverageRow& row);
+/// Over all templates.
 ExpertSuccess expert_success(const std::vector<CoverageRow>& rows, std::size_t simulator);
 
 /// In Markdown: the share by simulator, then each template and simulator below kWantedSuccess with the reasons.

@@ -120,7 +120,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   timer.enter(Stage::Expert);
   const Scene& start = task.episode.start;
   auto rehearsal =
-      Rehearsal::of(specification.goal, start, backend.knowledge, backend.profile, physics_of(layout->home, start));
+      Rehearsal::of(specification.goal, start, backend.knowledge, backend.profile, known_start(layout->home, start));
   if (!rehearsal) return rejected({"expert", "no-plan", format(rehearsal.error())});
   auto shown = demonstrate(*rehearsal, {});
   if (auto* why = std::get_if<Rejection>(&shown)) return rejected(std::move(*why));

@@ -54,7 +54,7 @@ const VisibleObject* ModeEpisode::in_view(std::string_view id) const { return fi
 
 bool ModeEpisode::was_seen(std::string_view id) const {
   return std::any_of(looked_at_.rbegin(), looked_at_.rend(),
-                     [&](std::uint32_t moment) { return find_in(world_.at(moment).visible(), id) != nullptr; });
+                     [&](std::uint32_t moment) { return world_.at(moment).shows(id); });
 }
 
 const VisibleObject* ModeEpisode::best_match(const PixelBox& box) const {
@@ -73,10 +73,10 @@ std::optional<Outcome> ModeEpisode::refused(const ActionInfo& about, const std::
   const Node* node = mode_ == Mode::M2 ? world_.find(id) : nullptr;
   if (node == nullptr || !node->movable || world_.holds(id)) return std::nullopt;
   if (about.type == ActionType::GoTo) {
-    if (in_view(id) != nullptr) return std::nullopt;
+    if (world_.shows(id)) return std::nullopt;
     return refusal(Failure::NotInView, id + " is not in view; go to a room, to furniture, or to what you see.");
   }
-  if (in_view(id) != nullptr || was_seen(id)) return std::nullopt;
+  if (world_.shows(id) || was_seen(id)) return std::nullopt;
   return refusal(Failure::NotSeenYet, "You have not seen " + id + " yet.");
 }
 

@@ -1,5 +1,7 @@
 #include "simulation/moment_tree.h"
 
+#include "simulation/camera.h"
+
 namespace unietp {
 namespace {
 
@@ -15,9 +17,8 @@ std::string key_of(const Action& action) {
 }  // namespace
 
 MomentTree::MomentTree(WorldState start) : state_(std::move(start)) {
-  Moment& first = moments_.emplace_back();
-  first.digest = state_.digest();
-  known_.emplace(first.digest, 0);
+  moments_.emplace_back();  // moments are told apart by what they gained since the start, which gained nothing
+  known_.emplace(Digest{}, 0);
 }
 
 void MomentTree::go(MomentId to) {
@@ -80,6 +81,18 @@ const std::vector<VisibleObject>& MomentTree::visible(MomentId moment, double si
     const WorldState& state = at(moment);
     known->second = viewer_.view(state.scene(), state.hidden(), state.agent(), *state.profile, sight_m);
   }
+  return known->second;
+}
+
+bool MomentTree::shows(MomentId moment, std::string_view id) {
+  const auto [known, fresh] = moments_[moment].shown.try_emplace(std::string(id), false);
+  if (!fresh) return known->second;
+  const WorldState& state = at(moment);
+  const auto node = state.index_of(id);
+  if (!node) return false;
+  const double away = (state.node(*node).pose.position - camera_of(state.agent(), *state.profile).at).norm();
+  if (away > state.profile->sight_m) return false;
+  known->second = viewer_.box_of(state.scene(), state.hidden(), *node, state.agent(), *state.profile).has_value();
   return known->second;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -34,6 +35,8 @@ class MomentTree {
   bool stopped(MomentId moment) const { return moments_[moment].stopped; }
   const Profile& profile() const { return *state_.profile; }
   const std::vector<VisibleObject>& visible(MomentId moment, double sight_m);
+  /// Whether the view within the profile's sight has the object.
+  bool shows(MomentId moment, std::string_view id);
   /// A workplace for looking at the state that is laid out.
   Viewer& viewer() { return viewer_; }
 
@@ -46,6 +49,7 @@ class MomentTree {
     bool stopped = false;
     std::unordered_map<std::string, Step> steps;                     // by the action's text
     std::unordered_map<double, std::vector<VisibleObject>> visible;  // by how far the agent sees
+    std::unordered_map<std::string, bool> shown;                     // by id, as far as asked for
   };
   void go(MomentId to);
 

@@ -138,14 +138,14 @@ Edge edge_of(const Scene& scene, std::size_t from, const Link& link) {
 std::vector<Link> links_of(const Scene& scene, const PhysicsWorld& world, std::size_t i) {
   const Node& node = scene.nodes[i];
   std::vector<Link> links;
-  std::optional<std::uint32_t> room;
-  if (const Room* here = room_at(scene, node.pose.position.head<2>())) {
-    room = static_cast<std::uint32_t>(here - scene.rooms.data());
-    links.push_back({Predicate::InRoom, *room});
-  }
   if (!node.slice_of.empty()) links.push_back({Predicate::SliceOf, 0});
   const auto id = static_cast<BodyId>(i);
-  if (world.has(id)) {
+  if (world.has(id)) {  // what is in the hand is at no place
+    std::optional<std::uint32_t> room;
+    if (const Room* here = room_at(scene, node.pose.position.head<2>())) {
+      room = static_cast<std::uint32_t>(here - scene.rooms.data());
+      links.push_back({Predicate::InRoom, *room});
+    }
     const Bounds bounds = world.bounds(id);
     std::vector<BodyId> around = world.near(bounds, kNextTo_m);
     std::erase_if(around, [&](BodyId other) { return other == id || other >= scene.nodes.size(); });

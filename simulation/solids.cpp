@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include "simulation/relations.h"
 #include "simulation/shape.h"
@@ -45,24 +48,28 @@ std::vector<Part> round_parts(const Node& node) {
 
 }  // namespace
 
-std::vector<std::string> hidden_from_sight(const Scene& scene) {
+std::vector<std::size_t> hidden_from_sight(const Scene& scene) {
   std::vector<std::string_view> closed;
   for (const Node& node : scene.nodes) {
     if (node.openable && !node.states.has(Predicate::Open)) closed.push_back(node.id);
   }
   std::sort(closed.begin(), closed.end());
-  std::vector<std::string> hidden;
+  std::set<std::string_view> hidden;
   for (const Edge& edge : scene.edges) {
     if (edge.relation == Predicate::Inside && std::binary_search(closed.begin(), closed.end(), edge.to))
-      hidden.push_back(edge.from);
+      hidden.insert(edge.from);
   }
+  std::vector<std::string> in_hand = scene.agent.held;
   for (const std::string& id : scene.agent.held) {
-    hidden.push_back(id);
     const auto carried = carried_by(scene, id);
-    hidden.insert(hidden.end(), carried.begin(), carried.end());
+    in_hand.insert(in_hand.end(), carried.begin(), carried.end());
   }
-  std::sort(hidden.begin(), hidden.end());
-  return hidden;
+  hidden.insert(in_hand.begin(), in_hand.end());
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (hidden.contains(scene.nodes[i].id)) places.push_back(i);
+  }
+  return places;
 }
 
 double sight_radius(const Node& node) {
@@ -78,7 +85,7 @@ void add_solids(const Node& node, std::int32_t owner, std::vector<Solid>& solids
 }
 
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
-                             const std::vector<std::string>& hidden, bool rounded) {
+                             const std::vector<std::size_t>& hidden, bool rounded) {
   std::vector<Solid> solids;
   const auto matters = [&](const Vec3& centre, double radius) {
     return (centre - camera.at).norm() - radius <= farthest && camera.may_show(centre, radius);
@@ -86,7 +93,7 @@ std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double fa
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
     if (!matters(node.pose.position, sight_radius(node))) continue;
-    if (std::binary_search(hidden.begin(), hidden.end(), node.id)) continue;
+    if (std::binary_search(hidden.begin(), hidden.end(), i)) continue;
     const auto owner = static_cast<std::int32_t>(i);
     if (rounded && is_round(node)) {
       for (const Part& part : round_parts(node)) solids.push_back({part.kind, node.pose * part.pose, part.size, owner});

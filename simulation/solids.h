@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-#include <string_view>
+#include <cstddef>
 #include <vector>
 
 #include "scene/scene.h"
@@ -10,9 +9,9 @@
 
 namespace unietp {
 
-/// Ids of what no eye sees, sorted: what the agent holds, with what lies on or in it (it carries them below the
-/// picture), and what is inside something closed.
-std::vector<std::string> hidden_from_sight(const Scene& scene);
+/// What no eye sees, as sorted places in the scene: what the agent holds, with what lies on or in it (it carries them
+/// below the picture), and what is inside something closed.
+std::vector<std::size_t> hidden_from_sight(const Scene& scene);
 
 /// How far the parts of an object may reach from the centre of its box, doors included.
 double sight_radius(const Node& node);
@@ -23,6 +22,6 @@ void add_solids(const Node& node, std::int32_t owner, std::vector<Solid>& solids
 /// The solids at most `farthest` metres away that an image of this camera may show: objects but the hidden ones, in
 /// order of the nodes, then walls. As physics has them; or `rounded`, for the eye: plates, mugs and bowls are round.
 std::vector<Solid> solids_of(const Scene& scene, const Camera& camera, double farthest,
-                             const std::vector<std::string>& hidden, bool rounded = false);
+                             const std::vector<std::size_t>& hidden, bool rounded = false);
 
 }  // namespace unietp

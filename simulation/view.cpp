@@ -91,7 +91,7 @@ const std::vector<Solid>& Viewer::walls(const Scene& scene) {
   return house_->walls;
 }
 
-std::vector<VisibleObject> Viewer::view(const Scene& scene, const std::vector<std::string>& hidden, const Agent& eye,
+std::vector<VisibleObject> Viewer::view(const Scene& scene, const std::vector<std::size_t>& hidden, const Agent& eye,
                                         const Profile& profile, double sight_m) {
   const Camera camera = camera_of(eye, profile);
   // What lies behind all that is asked for hides nothing of it.
@@ -101,7 +101,7 @@ std::vector<VisibleObject> Viewer::view(const Scene& scene, const std::vector<st
     const Node& node = scene.nodes[i];
     const double radius = sight_radius(node);
     if (!camera.may_show(node.pose.position, radius)) continue;
-    if (std::binary_search(hidden.begin(), hidden.end(), node.id)) continue;
+    if (std::binary_search(hidden.begin(), hidden.end(), i)) continue;
     const double distance = (node.pose.position - camera.at).norm();
     (distance <= sight_m ? asked : others).push_back(i);
     if (distance <= sight_m) farthest = std::max(farthest, distance + radius);
@@ -124,11 +124,11 @@ std::vector<VisibleObject> Viewer::view(const Scene& scene, const std::vector<st
   return visible;
 }
 
-std::optional<PixelBox> Viewer::box_of(const Scene& scene, const std::vector<std::string>& hidden, std::size_t target,
+std::optional<PixelBox> Viewer::box_of(const Scene& scene, const std::vector<std::size_t>& hidden, std::size_t target,
                                        const Agent& eye, const Profile& profile) {
   const Camera camera = camera_of(eye, profile);
   if (!camera.may_show(scene.nodes[target].pose.position, sight_radius(scene.nodes[target]))) return std::nullopt;
-  if (std::binary_search(hidden.begin(), hidden.end(), scene.nodes[target].id)) return std::nullopt;
+  if (std::binary_search(hidden.begin(), hidden.end(), target)) return std::nullopt;
   std::vector<Outline> outlines;
   add_outlines(solids_of_node(scene, target), camera, outlines);
   if (outlines.empty()) return std::nullopt;
@@ -143,7 +143,7 @@ std::optional<PixelBox> Viewer::box_of(const Scene& scene, const std::vector<std
     if (i == target || !camera.may_show(node.pose.position, sight_radius(node))) continue;
     const Ball ball(node.pose.position, sight_radius(node), camera);
     if (ball.nearest > farthest || !meet(ball.cover, cover)) continue;
-    if (std::binary_search(hidden.begin(), hidden.end(), node.id)) continue;
+    if (std::binary_search(hidden.begin(), hidden.end(), i)) continue;
     add_outlines(solids_of_node(scene, i), camera, outlines);
   }
   add_outlines(walls(scene), camera, outlines);

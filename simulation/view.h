@@ -21,10 +21,10 @@ class Viewer {
   /// box around those pixels: exactly what a ray through the middle of every pixel finds (segmentation_of), at the cost
   /// of a few hundred. Sorted by id. `eye`: place, yaw and pitch;
   /// `hidden`: as hidden_from_sight gives them.
-  std::vector<VisibleObject> view(const Scene& scene, const std::vector<std::string>& hidden, const Agent& eye,
+  std::vector<VisibleObject> view(const Scene& scene, const std::vector<std::size_t>& hidden, const Agent& eye,
                                   const Profile& profile, double sight_m);
   /// The box of one object alone, without a limit of sight; nullopt when the image shows nothing of it.
-  std::optional<PixelBox> box_of(const Scene& scene, const std::vector<std::string>& hidden, std::size_t node,
+  std::optional<PixelBox> box_of(const Scene& scene, const std::vector<std::size_t>& hidden, std::size_t node,
                                  const Agent& eye, const Profile& profile);
 
  private:

@@ -5,6 +5,7 @@
 
 #include "simulation/agent_moves.h"
 #include "simulation/camera.h"
+#include "simulation/known_start.h"
 #include "simulation/moment_tree.h"
 #include "simulation/solids.h"
 
@@ -21,11 +22,11 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 Result<World> World::create(Scene start, const Knowledge& knowledge, const Profile& profile) {
-  PhysicsWorld physics = physics_of(start);
-  return create(std::move(start), knowledge, profile, std::move(physics));
+  KnownStart known{physics_of(start), std::nullopt, std::nullopt};
+  return create(std::move(start), knowledge, profile, std::move(known));
 }
 
-Result<World> World::create(Scene start, const Knowledge& knowledge, const Profile& profile, PhysicsWorld physics) {
+Result<World> World::create(Scene start, const Knowledge& knowledge, const Profile& profile, KnownStart known) {
   for (const Node& node : start.nodes) {
     if (knowledge.find(node.category) == nullptr) {
       return Error{Error::Kind::Schema,
@@ -41,7 +42,7 @@ Result<World> World::create(Scene start, const Knowledge& knowledge, const Profi
   if (room_at(start, start.agent.position) == nullptr) {
     return Error{Error::Kind::Schema, start.id, {}, "the agent stands in no room"};
   }
-  auto state = WorldState::of(std::move(start), knowledge, profile, std::move(physics));
+  auto state = WorldState::of(std::move(start), knowledge, profile, std::move(known));
   if (!state) return state.error();
   return World(std::make_shared<MomentTree>(std::move(*state)));
 }
@@ -77,6 +78,8 @@ bool World::stopped() const { return tree_->stopped(moment_); }
 
 const std::vector<VisibleObject>& World::visible() const { return tree_->visible(moment_, profile().sight_m); }
 const std::vector<VisibleObject>& World::pictured() const { return tree_->visible(moment_, kEndless_m); }
+
+bool World::shows(std::string_view id) const { return tree_->shows(moment_, id); }
 
 std::optional<PixelBox> World::pictured_from(const Agent& eye, std::string_view id) const {
   const WorldState& state = tree_->at(moment_);

@@ -16,7 +16,7 @@
 
 namespace unietp {
 
-class PhysicsWorld;
+struct KnownStart;
 
 /// An object in the camera's image: the box [x0, y0, x1, y1] around its pixels, x right, y down, both ends included.
 struct VisibleObject {
@@ -43,8 +43,8 @@ class World {
  public:
   /// Errors: Schema when the scene has a category that the knowledge lacks, or its agent stands nowhere.
   static Result<World> create(Scene start, const Knowledge& knowledge, const Profile& profile);
-  /// The same for a start of which `physics_of` is known already.
-  static Result<World> create(Scene start, const Knowledge& knowledge, const Profile& profile, PhysicsWorld physics);
+  /// The same for a start of which something is known already.
+  static Result<World> create(Scene start, const Knowledge& knowledge, const Profile& profile, KnownStart known);
   World(const World&);
   World(World&&) noexcept;
   World& operator=(const World&);
@@ -68,6 +68,8 @@ class World {
   const std::vector<VisibleObject>& visible() const;
   /// The same without a limit of sight: every object of which the picture shows a pixel.
   const std::vector<VisibleObject>& pictured() const;
+  /// Whether `visible` has the object, without the cost of the whole view.
+  bool shows(std::string_view id) const;
 
   // Parts of the scene without the cost of the whole; what is returned is valid until a copy of this world is asked
   // anything or steps.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,6 +16,7 @@
 #include "scene/scene.h"
 #include "scene/trace.h"
 #include "simulation/digest.h"
+#include "simulation/known_start.h"
 #include "simulation/navigation.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
@@ -64,9 +66,9 @@ struct Edit {
 /// between places; the edges of `scene()` are not kept up to date.
 class WorldState {
  public:
-  /// Reads all relations from physics; of the start's own edges only those that the agent carries, and what is
-  /// attached.
-  static Result<WorldState> of(Scene start, const Knowledge& knowledge, const Profile& profile, PhysicsWorld physics);
+  /// Reads all relations from physics, unless they are known; of the start's own edges only those that the agent
+  /// carries, and what is attached.
+  static Result<WorldState> of(Scene start, const Knowledge& knowledge, const Profile& profile, KnownStart known);
 
   const Knowledge* knowledge = nullptr;
   const Profile* profile = nullptr;
@@ -75,8 +77,6 @@ class WorldState {
   const Agent& agent() const { return scene_.agent; }
   const HandPose& hand() const { return hand_; }
   bool stopped() const { return stopped_; }
-  /// Of all that can change.
-  Digest digest() const;
   const PhysicsWorld& physics() const { return physics_; }
   const Node& node(std::size_t i) const { return scene_.nodes[i]; }
   std::size_t count() const { return scene_.nodes.size(); }
@@ -95,8 +95,8 @@ class WorldState {
   std::vector<std::size_t> group_of(std::size_t i) const;
   /// What the hands hold, with all that rests on or in it. Sorted.
   std::vector<std::size_t> in_hand() const;
-  /// Ids of what no eye sees, sorted: what the agent holds and what is inside something closed.
-  std::vector<std::string> hidden() const;
+  /// What no eye sees: what the agent holds and what is inside something closed. Sorted.
+  std::vector<std::size_t> hidden() const;
   /// All edges, sorted: the scene as others see it.
   Scene whole_scene() const;
 
@@ -179,6 +179,12 @@ class WorldState {
   };
   mutable Steps walk_, steps_;
 };
+
+template <class T>
+void sort_unique(std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
 
 inline Outcome succeeded() { return {true, Failure::None, ""}; }
 inline Outcome failed(Failure failure, std::string feedback) { return {false, failure, std::move(feedback)}; }

@@ -8,6 +8,7 @@
 #include "grounding/workspace.h"
 #include "homes.h"
 #include "simulation/relations.h"
+#include "simulation/world.h"
 
 namespace unietp {
 namespace {
@@ -99,6 +100,13 @@ TEST(Home, WhatIsReadAtTheCostOfTheDifferenceIsWhatAWholeReadingGives) {
 
       const Walk whole = walk_in(scene, style->profile);
       EXPECT_EQ(walk_of(home, scene)->steps, whole.steps);
+
+      const auto afresh = World::create(scene, style->knowledge, style->profile);
+      const auto from_home = World::create(scene, style->knowledge, style->profile, known_start(home, scene));
+      ASSERT_TRUE(afresh && from_home);
+      EXPECT_TRUE(from_home->scene() == afresh->scene());
+      for (const Node& node : scene.nodes)
+        EXPECT_EQ(from_home->walking_distance(node.id), afresh->walking_distance(node.id)) << node.id;
     }
   }
 }

@@ -1,4 +1,6 @@
 // Branches of one episode share what was computed; none may notice.
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "core/rng.h"
@@ -41,6 +43,19 @@ class Branching : public ::testing::TestWithParam<int> {
     return world;
   }
 };
+
+TEST_P(Branching, OneThingIsAskedForAsTheWholeViewTells) {
+  Rng rng = Rng(5).fork("one thing", static_cast<std::uint64_t>(GetParam()));
+  World world = start();
+  const auto at_the_start = World(world).visible();
+  for (int i = 0; i < 20; ++i) {
+    (void)world.step(random_action(profile_, world.scene(), rng));
+    std::set<std::string> seen;
+    for (const VisibleObject& object : world.visible()) seen.insert(object.id);
+    for (const Node& node : world.scene().nodes) EXPECT_EQ(world.shows(node.id), seen.contains(node.id)) << node.id;
+    EXPECT_EQ(world.at(0).visible(), at_the_start);
+  }
+}
 
 TEST_P(Branching, EveryBranchIsAsIfItHadBeenTakenAlone) {
   Rng rng = Rng(3).fork("branches", static_cast<std::uint64_t>(GetParam()));

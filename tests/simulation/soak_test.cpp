@@ -68,7 +68,8 @@ std::string broken_invariant(const World& world) {
   }
   const auto hidden = hidden_from_sight(scene);
   for (const VisibleObject& object : world.visible()) {
-    if (std::binary_search(hidden.begin(), hidden.end(), object.id)) return object.id + " is seen though hidden";
+    const auto place = static_cast<std::size_t>(find_node(scene, object.id) - scene.nodes.data());
+    if (std::binary_search(hidden.begin(), hidden.end(), place)) return object.id + " is seen though hidden";
   }
   if (const std::string pair = deep_overlap(scene); !pair.empty()) return pair;
   if (!scene.agent.held.empty()) return "";

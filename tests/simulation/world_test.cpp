@@ -65,6 +65,17 @@ TEST_F(InTheKitchen, AMugIsCarriedIntoTheFridge) {
   expect_failure(world, ActionType::PickUp, "mug_1", Failure::InsideClosed);
 }
 
+TEST_F(InTheKitchen, WhatIsInTheHandIsAtNoPlaceNotEvenInARoom) {
+  World world = start();
+  ASSERT_TRUE(has_edge(world.scene(), Predicate::InRoom, "mug_1", "kitchen_1"));
+  expect(world, ActionType::GoTo, "mug_1");
+  expect(world, ActionType::PickUp, "mug_1");
+  for (const Edge& edge : world.scene().edges) EXPECT_TRUE(edge.from != "mug_1" && edge.to != "mug_1");
+  expect(world, ActionType::GoTo, "countertop_1");
+  expect(world, ActionType::PlaceOn, "countertop_1");
+  EXPECT_TRUE(has_edge(world.scene(), Predicate::InRoom, "mug_1", "kitchen_1"));
+}
+
 TEST_F(InTheKitchen, WhatIsFarOrHiddenIsOutOfReach) {
   World world = start();
   expect_failure(world, ActionType::PickUp, "potato_1", Failure::TooFar);

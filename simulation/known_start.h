@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "simulation/navigation.h"
+#include "simulation/physics.h"
+#include "simulation/relations.h"
+
+namespace unietp {
+
+/// What is known of a start scene already, so that a world of it need not work it out again.
+struct KnownStart {
+  PhysicsWorld physics;                                 // as physics_of gives it
+  std::optional<std::vector<std::vector<Link>>> links;  // by node, as links_of gives them
+  std::optional<NavigationGrid> grid;                   // of the scene
+};
+
+}  // namespace unietp

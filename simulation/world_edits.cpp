@@ -1,0 +1,223 @@
+#include "simulation/world_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace unietp {
+namespace {
+
+constexpr double kHandHeight_m = 1.0;
+
+bool looks_alike(const Node& a, const Node& b) {
+  return a.archetype == b.archetype && a.openable == b.openable && a.size == b.size && a.opening == b.opening &&
+         a.boards == b.boards;
+}
+
+}  // namespace
+
+void WorldState::log_node(std::size_t i) { log(NodeWas{i, node(i)}); }
+void WorldState::log_agent() { log(AgentState{agent(), hand_, stopped_}); }
+
+Agent& WorldState::edit_agent() {
+  log_agent();
+  return scene_.agent;
+}
+
+void WorldState::set_hand(const HandPose& hand) {
+  log_agent();
+  hand_ = hand;
+}
+
+void WorldState::stop() {
+  log_agent();
+  stopped_ = true;
+}
+
+StateSet& WorldState::edit_states(std::size_t i) {
+  log_node(i);
+  return scene_.nodes[i].states;
+}
+
+void WorldState::put_body(std::size_t i) {
+  const Node& here = node(i);
+  physics_.set(static_cast<BodyId>(i), colliders_[i], here.pose, here.movable ? here.mass : 0);
+}
+
+/// Brings the node's collider, its body and the grid in line with what it is now.
+void WorldState::follow(std::size_t i, const Node& before) {
+  const Node& now = node(i);
+  const bool moved = !(now.pose == before.pose), other = !looks_alike(now, before);
+  if (!moved && !other) return;
+  moved_.push_back(i);
+  if (other) colliders_[i] = book_.of(now);
+  if (!physics_.has(static_cast<BodyId>(i))) return;
+  if (other) {
+    put_body(i);
+  } else {
+    physics_.move(static_cast<BodyId>(i), now.pose);
+  }
+}
+
+void WorldState::move(std::size_t i, const Pose& pose) {
+  if (node(i).pose == pose) return;
+  log_node(i);
+  scene_.nodes[i].pose = pose;
+  moved_.push_back(i);
+  if (physics_.has(static_cast<BodyId>(i))) physics_.move(static_cast<BodyId>(i), pose);
+}
+
+void WorldState::set_opening(std::size_t i, double opening) {
+  Node changed = node(i);
+  changed.opening = opening;
+  replace(i, std::move(changed));
+}
+
+void WorldState::replace(std::size_t i, Node changed) {
+  std::swap(scene_.nodes[i], changed);
+  follow(i, changed);
+  log(NodeWas{i, std::move(changed)});
+}
+
+std::size_t WorldState::add(Node node) {
+  const std::size_t i = count();
+  auto collider = book_.of(node);
+  take_in(std::move(node), std::move(collider));
+  log(Added{});
+  lay(i);
+  return i;
+}
+
+void WorldState::lift(std::size_t i) {
+  physics_.remove(static_cast<BodyId>(i));
+  moved_.push_back(i);
+  log(Lifted{i});
+}
+
+void WorldState::lay(std::size_t i) {
+  put_body(i);
+  moved_.push_back(i);
+  log(Lifted{i});
+}
+
+void WorldState::attach(std::size_t i, std::size_t to) {
+  std::vector<Link> links = links_[i];
+  links.push_back({Predicate::Attached, static_cast<std::uint32_t>(to)});
+  sort_unique(links);
+  exchange_links(i, links);
+  log(LinksWere{i, std::move(links)});
+}
+
+/// Gives the node other links, and takes the present ones away in `links`.
+void WorldState::exchange_links(std::size_t i, std::vector<Link>& links) {
+  const auto rider = static_cast<std::uint32_t>(i);
+  const auto carriers_of = [](const std::vector<Link>& of) {
+    std::vector<std::uint32_t> carriers;
+    for (const Link& link : of) {
+      if (carries(link)) carriers.push_back(link.to);
+    }
+    sort_unique(carriers);
+    return carriers;
+  };
+  const auto before = carriers_of(links_[i]), after = carriers_of(links);
+  for (const std::uint32_t carrier : before) {
+    if (!std::binary_search(after.begin(), after.end(), carrier)) std::erase(carried_[carrier], rider);
+  }
+  for (const std::uint32_t carrier : after) {
+    if (std::binary_search(before.begin(), before.end(), carrier)) continue;
+    auto& riders = carried_[carrier];
+    riders.insert(std::lower_bound(riders.begin(), riders.end(), rider), rider);
+  }
+  std::swap(links_[i], links);
+}
+
+void WorldState::refresh(std::span<const Bounds> touched, std::span<const std::size_t> changed) {
+  const std::vector<std::size_t> hand = in_hand();
+  const auto is_in_hand = [&](std::size_t i) { return std::binary_search(hand.begin(), hand.end(), i); };
+  for (const std::size_t i : affected_by(physics_, touched, changed)) {
+    std::vector<Link> links = links_of(scene_, physics_, i);
+    for (const Link& link : links_[i]) {
+      if (carries(link) && is_in_hand(i) && is_in_hand(link.to)) links.push_back(link);
+      // Attached stays what still lies on what it was attached to.
+      const Link on{Predicate::On, link.to};
+      if (link.relation == Predicate::Attached && std::find(links.begin(), links.end(), on) != links.end()) {
+        links.push_back(link);
+      }
+    }
+    sort_unique(links);
+    if (links == links_[i]) continue;
+    exchange_links(i, links);
+    log(LinksWere{i, std::move(links)});
+  }
+}
+
+void WorldState::carry_along() {
+  if (agent().held.empty()) return;
+  const Vec2 ahead(std::cos(agent().yaw), std::sin(agent().yaw));
+  const Vec2 left(-ahead.y(), ahead.x());
+  const Vec2 at = agent().position + hand_.ahead_m * ahead + hand_.left_m * left;
+  std::vector<std::size_t> moved;
+  for (const std::string& id : agent().held) {
+    const auto i = index_of(id);
+    if (!i) continue;
+    const Pose grip = upright(Vec3(at.x(), at.y(), kHandHeight_m), agent().yaw + hand_.turn);
+    const Pose motion = grip * inverse(node(*i).pose);
+    for (const std::size_t member : group_of(*i)) {
+      move(member, member == *i ? grip : motion * node(member).pose);
+      moved.push_back(member);
+    }
+  }
+  refresh({}, moved);
+}
+
+void WorldState::exchange(Edit& edit) {
+  if (auto* of_node = std::get_if<NodeWas>(&edit.what)) {
+    std::swap(scene_.nodes[of_node->node], of_node->value);
+    follow(of_node->node, of_node->value);
+  } else if (auto* of_links = std::get_if<LinksWere>(&edit.what)) {
+    exchange_links(of_links->node, of_links->value);
+  } else if (const auto* lifted = std::get_if<Lifted>(&edit.what)) {
+    moved_.push_back(lifted->node);
+    if (physics_.has(static_cast<BodyId>(lifted->node))) {
+      physics_.remove(static_cast<BodyId>(lifted->node));
+    } else {
+      put_body(lifted->node);
+    }
+  } else if (auto* added = std::get_if<Added>(&edit.what)) {
+    if (added->value) {
+      auto collider = book_.of(*added->value);
+      take_in(std::move(*added->value), std::move(collider));
+      added->value.reset();
+    } else {
+      index_.erase(scene_.nodes.back().id);
+      added->value = std::move(scene_.nodes.back());
+      scene_.nodes.pop_back();
+      colliders_.pop_back();
+      links_.pop_back();
+      carried_.pop_back();
+    }
+  } else if (auto* agent_state = std::get_if<AgentState>(&edit.what)) {
+    std::swap(scene_.agent, agent_state->agent);
+    std::swap(hand_, agent_state->hand);
+    std::swap(stopped_, agent_state->stopped);
+  }
+}
+
+void WorldState::back_to(std::size_t mark) {
+  while (log_.size() > mark) {
+    exchange(log_.back());
+    log_.pop_back();
+  }
+}
+
+std::vector<Edit> WorldState::take_log() { return std::exchange(log_, {}); }
+
+void WorldState::redo(std::vector<Edit>& log) {
+  for (Edit& edit : log) exchange(edit);
+}
+
+void WorldState::undo(std::vector<Edit>& log) {
+  for (auto edit = log.rbegin(); edit != log.rend(); ++edit) exchange(*edit);
+}
+
+}  // namespace unietp
