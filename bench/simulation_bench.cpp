@@ -4,6 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "simulation/known_start.h"
 #include "simulation/navigation.h"
 #include "simulation/relations.h"
 #include "simulation/world.h"
@@ -38,6 +39,7 @@ struct Fixture {
   Profile profile = testing::kitchen_profile();
   Scene scene;
   PhysicsWorld physics = physics_of(scene);
+  KnownStart known() const { return {physics, std::nullopt, std::nullopt}; }
 };
 
 void BuildAllBodies(benchmark::State& state) {
@@ -80,7 +82,7 @@ void CopyWorld(benchmark::State& state) {
 /// Of a start whose bodies are known.
 void CreateWorld(benchmark::State& state) {
   const Fixture f(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(World::create(f.scene, f.knowledge, f.profile, f.physics)->stopped());
+  for (auto _ : state) benchmark::DoNotOptimize(World::create(f.scene, f.knowledge, f.profile, f.known())->stopped());
 }
 
 bool fetch_and_place(World& world) {
@@ -97,7 +99,7 @@ void FetchAndPlace(benchmark::State& state) {
   const Fixture f(state.range(0));
   for (auto _ : state) {
     state.PauseTiming();
-    World world = *World::create(f.scene, f.knowledge, f.profile, f.physics);
+    World world = *World::create(f.scene, f.knowledge, f.profile, f.known());
     (void)world.standing_place_for("mug_1");  // the walk grid is the home's
     state.ResumeTiming();
     if (!fetch_and_place(world)) state.SkipWithError("the plan failed");

@@ -7,6 +7,7 @@
 #include "core/text.h"
 #include "logic/evaluate.h"
 #include "scene/scene_json.h"
+#include "simulation/known_start.h"
 #include "simulation/relations.h"
 #include "validator/must_fail.h"
 #include "validator/prove_start.h"
@@ -102,7 +103,8 @@ class TaskProver {
     auto physics = physics_of(start_);
     found(prove_start(start_, physics, tools_.rest, scene_file_));
     prove_instruction();
-    const auto world = World::create(start_, *backend_->knowledge, *backend_->profile, std::move(physics));
+    const auto world = World::create(start_, *backend_->knowledge, *backend_->profile,
+                                     KnownStart{std::move(physics), std::nullopt, std::nullopt});
     if (!world) return found(ProblemKind::Unbuildable, scene_file_, "cannot be rebuilt: " + world.error().message);
     const bool compares =
         (goal_ && reads_comparisons(*goal_)) ||

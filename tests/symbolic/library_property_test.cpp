@@ -39,9 +39,10 @@ struct Tally {
 };
 
 /// Mistakes that nobody can make: a dry cloth takes no dirt off, so what is soaked too late was not what cleaned, and
-/// another one that was soaked in time is as good.
+/// another one that was soaked in time is as good. No tap fills a house plant, so it cannot be watered before any
+/// vessel is filled.
 bool cannot_be_made(const std::string& name, Mistake mistake) {
-  return name == "soak-then-clean" && mistake == Mistake::WrongOrder;
+  return (name == "soak-then-clean" || name == "fill-then-pour") && mistake == Mistake::WrongOrder;
 }
 
 /// Everything that is asked of one template on one simulator.
