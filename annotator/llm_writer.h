@@ -21,10 +21,11 @@ struct LlmWriterOptions {
 };
 
 /// Has a language model word all tasks, many requests at once. Each text must pass the checks of word_check.h, be
-/// spelt right (spelling.h), keep the promise of its style, and be read by a second, separate call (judge.h) as a formula that is equivalent to the goal.
-/// A text that fails goes back with what is wrong; after the last try, or when no answer comes, the grammar's text
-/// stands in, and `Instruction::why` says why. In the order of the tasks; deterministic in the answers, whatever their
-/// order of arrival. Errors, of single tasks: those of write_instruction and of Spelling::open.
+/// spelt right (spelling.h), keep the promise of its style, and be read by a second, separate call (judge.h) as a
+/// formula that is equivalent to the goal. A text that fails goes back with what is wrong; after the last try, or when
+/// no answer comes, the grammar's text stands in, and `Instruction::why` says why. In the order of the tasks;
+/// deterministic in the answers, whatever their order of arrival. Errors, of single tasks: those of write_instruction
+/// and of Spelling::open.
 std::vector<Result<Instruction>> write_instructions_with_llm(const std::vector<WordingTask>& tasks,
                                                              const LlmWriterOptions& options);
 

@@ -43,7 +43,7 @@ TEST_F(LedgerFile, GivesBackWhatItWasGivenAfterReopening) {
   {
     auto ledger = Ledger::open(path_, "run 1");
     ASSERT_TRUE(ledger) << format(ledger.error());
-    ASSERT_TRUE(ledger->add(full_record()));
+    ASSERT_TRUE(ledger->add(full_record(), {}));
   }
   auto ledger = Ledger::open(path_, "run 1");
   ASSERT_TRUE(ledger) << format(ledger.error());
@@ -68,8 +68,8 @@ TEST_F(LedgerFile, RefusesAnotherRunAndNamesBoth) {
 TEST_F(LedgerFile, RefusesACandidateTwiceAndOneThatIsNotThere) {
   auto ledger = Ledger::open(path_, "run");
   ASSERT_TRUE(ledger);
-  ASSERT_TRUE(ledger->add(full_record()));
-  EXPECT_FALSE(ledger->add(full_record()));
+  ASSERT_TRUE(ledger->add(full_record(), {}));
+  EXPECT_FALSE(ledger->add(full_record(), {}));
   EXPECT_FALSE(ledger->read(0, 0));
 }
 
