@@ -20,8 +20,8 @@ struct TaskSlot {
 /// Equal shares for simulators, then for splits, or the quotas asked for. Templates are dealt out over the whole data
 /// set, so that each is begun with as often as the others wherever its slots allow, however the slots are then worked
 /// through; whether it can stay, in which home and with which categories is settled candidate by candidate
-/// (candidate_planner.h). Deterministic by the configuration's seed. Errors: Usage when a template is unknown, when no template fits a
-/// simulator and a split asked for, or when scenes are given and none is of a simulator asked for.
+/// (candidate_planner.h). Deterministic by the configuration's seed. Errors: Usage when a template is unknown, when no
+/// template fits a simulator and a split asked for, or when scenes are given and none is of a simulator asked for.
 Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources);
 
 }  // namespace unietp
