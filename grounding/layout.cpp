@@ -187,7 +187,12 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
     scatter.settle = options.settle;
     scatter_objects(workspace, recipe, scatter, draw.fork("objects", 0));
     workspace.read_edges();
-    return std::move(workspace).take();
+    Scene home = std::move(workspace).take();
+    if (const auto room = unreached_room(home, walk_in(home, profile))) {
+      obstacle = *room + " cannot be walked to between the things on the floor";
+      continue;
+    }
+    return home;
   }
   return Error{
       Error::Kind::Unsatisfiable,

@@ -50,6 +50,7 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
     count(plan, slot, counts);
     plans.push_back(std::move(plan));
   }
+  for (const auto& plan : plans) ++tried_[{slots_[position(plan.slot)].simulator, plan.home}];
   return plans;
 }
 
@@ -83,9 +84,11 @@ void CandidatePlanner::settle_home(CandidatePlan& plan, const TaskSlot& slot, Fr
     homes.push_back(home);
     // A home that lacks what was asked for is the last to be looked at.
     const double fit = offers_all(*layout, configuration_.binding) ? 1 : 1e-9;
-    // Homes are few and any is as good as another for most templates: squared, so that none is left over.
+    // One without a task comes first, so that none is left over; one that has been tried in vain waits.
+    const auto tried = tried_.find({slot.simulator, home});
+    const double patience = 1.0 / (1 + (tried == tried_.end() ? 0 : tried->second));
     const double wanted = counts.weight(Dimension::Scene, layout->home.scene.id);
-    weights.push_back(fit * wanted * wanted);
+    weights.push_back(fit * wanted * wanted * patience * patience);
   }
   Rng draw = rng.fork("home", 0);
   for (int look = 0; look < kHomesLookedAt && !homes.empty(); ++look) {

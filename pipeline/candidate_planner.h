@@ -63,6 +63,7 @@ class CandidatePlanner {
   const std::vector<TaskSlot>& slots_;
   std::vector<Turn> turns_;
   Frequencies counts_;
+  std::map<std::pair<Simulator, int>, int> tried_;  // candidates planned in a home in earlier rounds
   std::map<std::pair<Simulator, int>, RoomTypes> rooms_;
 };
 
