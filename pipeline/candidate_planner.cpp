@@ -88,7 +88,7 @@ void CandidatePlanner::settle_home(CandidatePlan& plan, const TaskSlot& slot, Fr
     const auto tried = tried_.find({slot.simulator, home});
     const double patience = 1.0 / (1 + (tried == tried_.end() ? 0 : tried->second));
     const double wanted = counts.weight(Dimension::Scene, layout->home.scene.id);
-    weights.push_back(fit * wanted * wanted * patience * patience);
+    weights.push_back(fit * wanted * wanted * wanted * patience * patience);
   }
   Rng draw = rng.fork("home", 0);
   for (int look = 0; look < kHomesLookedAt && !homes.empty(); ++look) {
