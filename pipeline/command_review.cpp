@@ -1,9 +1,8 @@
 #include <cstdio>
 #include <memory>
 
-#include <nlohmann/json.hpp>
-
 #include "core/files.h"
+#include "exports/finished_tasks.h"
 #include "pipeline/apply_review.h"
 #include "pipeline/command_parser.h"
 #include "pipeline/commands.h"
@@ -51,22 +50,13 @@ Exit write_page(const Options& options, const CommandLine& program) {
   return Exit::Ok;
 }
 
-/// Whether a data set was made with the extended library. A manifest that does not read is told when it is applied.
-bool is_extended(const std::filesystem::path& folder) {
-  const auto text = read_file(folder / "manifest.json");
-  if (!text) return false;
-  const auto manifest = nlohmann::json::parse(*text, nullptr, false);
-  const nlohmann::json::json_pointer extended("/configuration/extended");
-  return manifest.is_object() && manifest.contains(extended) && manifest[extended] == true;
-}
-
 Exit apply(const Options& options, const CommandLine& program) {
   const auto text = read_file(options.reviews);
   if (!text) return refuse(text.error());
   const auto reviews = read_reviews(options.reviews.string(), *text);
   if (!reviews) return refuse(reviews.error());
   auto folders = program.folders;
-  folders.extended_library = is_extended(options.folder);
+  folders.extended_library = acted_wide(options.folder);
   const auto reading = load_resources(folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   ApplyOptions settings = options.apply;

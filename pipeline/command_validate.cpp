@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/files.h"
+#include "exports/finished_tasks.h"
 #include "pipeline/check_text.h"
 #include "pipeline/command_parser.h"
 #include "pipeline/commands.h"
@@ -33,16 +33,6 @@ struct Options {
   ValidationOptions validation;
   bool json = false, kinds = false;
 };
-
-/// Whether a data set was made with the extended library, and so by agents of the profile `wide`. A manifest that does
-/// not read is told by the validator.
-bool is_extended(const std::filesystem::path& folder) {
-  const auto text = read_file(folder / "manifest.json");
-  if (!text) return false;
-  const auto manifest = nlohmann::json::parse(*text, nullptr, false);
-  const nlohmann::json::json_pointer extended("/configuration/extended");
-  return manifest.is_object() && manifest.contains(extended) && manifest[extended] == true;
-}
 
 /// A count by kind of problem, in the order of the kinds.
 std::vector<std::pair<ProblemKind, int>> counted(const std::vector<Problem>& problems) {
@@ -131,7 +121,7 @@ Exit validate(Options& options, const CommandLine& program) {
                                     : "is no folder; a finished data set is expected"});
   }
   auto folders = program.folders;
-  folders.extended_library = is_extended(options.folder);
+  folders.extended_library = acted_wide(options.folder);
   const auto reading = load_backends(folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   const auto digest = knowledge_digest(folders);

@@ -75,23 +75,17 @@ StepRecord read_step(JsonReader& reader, const JsonAt& at) {
 }  // namespace
 
 Result<DemonstrationRecord> read_demonstration(std::string_view where, int line, std::string_view text) {
-  const auto json = parse_json_line(where, line, text);
-  if (!json) return json.error();
-  const auto name = line_name(where, line);
-  JsonReader reader(name);
-  const JsonAt root{*json};
-  JsonFields fields(reader, root);
   DemonstrationRecord demonstration;
-  read_format(reader, fields, "unietp-demonstration/1");
-  if (const auto f = fields.required("task")) demonstration.task = reader.text(*f);
-  if (const auto f = fields.required("mode")) demonstration.mode = reader.text(*f);
-  if (const auto f = fields.required("steps")) {
-    const std::size_t count = reader.items(*f);
-    for (std::size_t i = 0; i < count && !reader.error(); ++i)
-      demonstration.steps.push_back(read_step(reader, reader.item(*f, i)));
-  }
-  fields.finish();
-  if (reader.error()) return *reader.error();
+  const auto read = read_line(where, line, text, "unietp-demonstration/1", [&](JsonReader& reader, JsonFields& fields) {
+    if (const auto f = fields.required("task")) demonstration.task = reader.text(*f);
+    if (const auto f = fields.required("mode")) demonstration.mode = reader.text(*f);
+    if (const auto f = fields.required("steps")) {
+      const std::size_t count = reader.items(*f);
+      for (std::size_t i = 0; i < count && !reader.error(); ++i)
+        demonstration.steps.push_back(read_step(reader, reader.item(*f, i)));
+    }
+  });
+  if (!read) return read.error();
   return demonstration;
 }
 

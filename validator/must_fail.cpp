@@ -38,6 +38,14 @@ struct Course {
   }
 };
 
+std::vector<StateSet> states_held(const World& world) {
+  std::vector<StateSet> states;
+  for (const auto& id : world.agent().held) {
+    if (const Node* node = world.find(id)) states.push_back(node->states);
+  }
+  return states;
+}
+
 class Spoiler {
  public:
   Spoiler(const Formula& goal, const World& start, const TraceMaker& traces, std::string where)
@@ -109,17 +117,21 @@ class Spoiler {
     return reaches_goal(course, plan);
   }
 
-  /// The plan cut wherever something was done and the hands are empty.
+  /// The plan cut wherever something was done and the hands are empty, and where what they hold became another: what
+  /// was filled and is then heated is two parts, whatever was switched on between.
   std::vector<std::vector<Action>> parts_of(const std::vector<Action>& plan) const {
     std::vector<std::vector<Action>> parts;
     std::vector<Action> part;
     Course course{start_, {}};
     for (const Action& action : plan) {
       const auto before = course.changes.size();
+      const auto held = states_held(course.world);
       course.act(action);
       part.push_back(action);
       const bool something = course.changes.size() > before && !course.changes.back().nodes.empty();
-      if (!something || !course.world.agent().held.empty()) continue;
+      const auto holds_now = states_held(course.world);
+      const bool became = !held.empty() && holds_now.size() == held.size() && holds_now != held;
+      if (!something || (!holds_now.empty() && !became)) continue;
       parts.push_back(std::move(part));
       part.clear();
     }

@@ -10,7 +10,13 @@ namespace unietp {
 
 using Json = nlohmann::ordered_json;
 
-std::string line_name(std::string_view where, int line) { return std::string(where) + ":" + std::to_string(line); }
+void read_format(JsonReader& reader, JsonFields& fields, std::string_view expected) {
+  if (const auto f = fields.required("format")) {
+    const auto format = reader.text(*f);
+    if (format != expected)
+      reader.fail(*f, "expected the format " + in_quotes(expected) + ", not " + in_quotes(format));
+  }
+}
 
 Result<Json> parse_json_line(std::string_view where, int line, std::string_view text) {
   auto json = parse_json(where, text);
@@ -33,12 +39,18 @@ int read_whole(JsonReader& reader, const JsonAt& at) {
   return fits ? static_cast<int>(value) : 0;
 }
 
-void read_format(JsonReader& reader, JsonFields& fields, std::string_view expected) {
-  if (const auto f = fields.required("format")) {
-    const auto format = reader.text(*f);
-    if (format != expected)
-      reader.fail(*f, "expected the format " + in_quotes(expected) + ", not " + in_quotes(format));
-  }
+Result<Done> read_line(std::string_view where, int line, std::string_view text, std::string_view format,
+                       const std::function<void(JsonReader&, JsonFields&)>& read) {
+  const auto json = parse_json_line(where, line, text);
+  if (!json) return json.error();
+  const auto name = std::string(where) + ":" + std::to_string(line);  // "tasks.jsonl:3"
+  JsonReader reader(name);
+  JsonFields fields(reader, JsonAt{*json});
+  read_format(reader, fields, format);
+  read(reader, fields);
+  fields.finish();
+  if (reader.error()) return *reader.error();
+  return Done{};
 }
 
 }  // namespace unietp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -10,10 +11,13 @@
 
 namespace unietp {
 
-/// "tasks.jsonl:3"
-std::string line_name(std::string_view where, int line);
 /// One line of a JSON-lines file; the position of a syntax error is that in the file. Errors: Parse.
 Result<nlohmann::ordered_json> parse_json_line(std::string_view where, int line, std::string_view text);
+
+/// Reads a line that is an object of this format: `read` takes its other fields, and none may be left over. Errors:
+/// Parse, Schema.
+Result<Done> read_line(std::string_view where, int line, std::string_view text, std::string_view format,
+                       const std::function<void(JsonReader&, JsonFields&)>& read);
 
 /// Fields of records; problems go to the reader.
 void read_format(JsonReader& reader, JsonFields& fields, std::string_view expected);

@@ -70,29 +70,23 @@ void read_bindings(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
 }  // namespace
 
 Result<TaskRecord> read_task(std::string_view where, int line, std::string_view text) {
-  const auto json = parse_json_line(where, line, text);
-  if (!json) return json.error();
-  const auto name = line_name(where, line);
-  JsonReader reader(name);
-  const JsonAt root{*json};
-  JsonFields fields(reader, root);
   TaskRecord task;
-  read_format(reader, fields, "unietp-task/1");
-  if (const auto f = fields.required("id")) task.id = reader.text(*f);
-  if (const auto f = fields.required("template")) task.template_name = reader.text(*f);
-  if (const auto f = fields.required("split")) task.split = reader.text(*f);
-  if (const auto f = fields.required("simulator")) task.simulator = reader.text(*f);
-  if (const auto f = fields.required("scene")) task.scene = reader.text(*f);
-  if (const auto f = fields.required("layout")) task.layout = reader.text(*f);
-  if (const auto f = fields.required("bindings")) read_bindings(reader, *f, task);
-  if (const auto f = fields.required("refinement")) task.refinement = text_or_empty(reader, *f);
-  if (const auto f = fields.required("goal")) read_goal(reader, *f, task);
-  if (const auto f = fields.required("start")) read_start(reader, *f, task);
-  if (const auto f = fields.required("instruction")) read_instruction(reader, *f, task);
-  if (const auto f = fields.required("expert")) read_expert(reader, *f, task);
-  if (const auto f = fields.required("seed")) read_seed(reader, *f, task);
-  fields.finish();
-  if (reader.error()) return *reader.error();
+  const auto read = read_line(where, line, text, "unietp-task/1", [&](JsonReader& reader, JsonFields& fields) {
+    if (const auto f = fields.required("id")) task.id = reader.text(*f);
+    if (const auto f = fields.required("template")) task.template_name = reader.text(*f);
+    if (const auto f = fields.required("split")) task.split = reader.text(*f);
+    if (const auto f = fields.required("simulator")) task.simulator = reader.text(*f);
+    if (const auto f = fields.required("scene")) task.scene = reader.text(*f);
+    if (const auto f = fields.required("layout")) task.layout = reader.text(*f);
+    if (const auto f = fields.required("bindings")) read_bindings(reader, *f, task);
+    if (const auto f = fields.required("refinement")) task.refinement = text_or_empty(reader, *f);
+    if (const auto f = fields.required("goal")) read_goal(reader, *f, task);
+    if (const auto f = fields.required("start")) read_start(reader, *f, task);
+    if (const auto f = fields.required("instruction")) read_instruction(reader, *f, task);
+    if (const auto f = fields.required("expert")) read_expert(reader, *f, task);
+    if (const auto f = fields.required("seed")) read_seed(reader, *f, task);
+  });
+  if (!read) return read.error();
   return task;
 }
 

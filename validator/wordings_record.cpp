@@ -25,21 +25,15 @@ WordingRecord read_wording(JsonReader& reader, const JsonAt& at, bool refers) {
 }  // namespace
 
 Result<WordingsRecord> read_wordings(std::string_view where, int line, std::string_view text) {
-  const auto json = parse_json_line(where, line, text);
-  if (!json) return json.error();
-  const auto name = line_name(where, line);
-  JsonReader reader(name);
-  const JsonAt root{*json};
-  JsonFields fields(reader, root);
   WordingsRecord record;
-  read_format(reader, fields, "unietp-wordings/1");
-  if (const auto f = fields.required("task")) record.task = reader.text(*f);
-  if (const auto f = fields.required("pair")) record.pair = reader.text(*f);
-  if (const auto f = fields.required("direct")) record.wordings["direct"] = read_wording(reader, *f, false);
-  if (const auto f = fields.optional("referring")) record.wordings["referring"] = read_wording(reader, *f, true);
-  if (const auto f = fields.optional("complex")) record.wordings["complex"] = read_wording(reader, *f, false);
-  fields.finish();
-  if (reader.error()) return *reader.error();
+  const auto read = read_line(where, line, text, "unietp-wordings/1", [&](JsonReader& reader, JsonFields& fields) {
+    if (const auto f = fields.required("task")) record.task = reader.text(*f);
+    if (const auto f = fields.required("pair")) record.pair = reader.text(*f);
+    if (const auto f = fields.required("direct")) record.wordings["direct"] = read_wording(reader, *f, false);
+    if (const auto f = fields.optional("referring")) record.wordings["referring"] = read_wording(reader, *f, true);
+    if (const auto f = fields.optional("complex")) record.wordings["complex"] = read_wording(reader, *f, false);
+  });
+  if (!read) return read.error();
   return record;
 }
 

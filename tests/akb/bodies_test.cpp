@@ -93,6 +93,7 @@ TEST(PlacementsInBodies, EveryPlacementHasRoomInTheBodies) {
     const auto tables = test::committed(simulator);
     const Bodies bodies(tables);
     std::size_t bad = 0;
+    EXPECT_FALSE(tables.placements.empty());
     for (const auto& p : tables.placements) {
       if (bodies.agree(p)) continue;
       ++bad;

@@ -39,10 +39,15 @@ struct Tally {
 };
 
 /// Mistakes that nobody can make: a dry cloth takes no dirt off, so what is soaked too late was not what cleaned, and
-/// another one that was soaked in time is as good. No tap fills a house plant, so it cannot be watered before any
-/// vessel is filled.
-bool cannot_be_made(const std::string& name, Mistake mistake) {
-  return (name == "soak-then-clean" || name == "fill-then-pour") && mistake == Mistake::WrongOrder;
+/// another one that was soaked in time is as good. What cannot be carried to a tap cannot be watered before any vessel
+/// is filled.
+bool cannot_be_made(const Specification& made, const Knowledge& knowledge, Mistake mistake) {
+  if (mistake != Mistake::WrongOrder) return false;
+  const auto stays = [&](const auto& bound) {
+    return bound.first == "B" && !knowledge.has(bound.second, "pickupable");
+  };
+  return made.template_name == "soak-then-clean" ||
+         (made.template_name == "fill-then-pour" && std::any_of(made.binding.begin(), made.binding.end(), stays));
 }
 
 /// Everything that is asked of one template on one simulator.
@@ -142,7 +147,7 @@ class Trial {
       }
       plan = find_witness(conjunction({mutation.goal, negation(made.goal)}), scene.setting, scene.start);
       ++(plan ? tally_.by_the_way : tally_.none)[kind];
-      if (!plan && !cannot_be_made(source_.name, mutation.mistake))
+      if (!plan && !cannot_be_made(made, knowledge_, mutation.mistake))
         return fail(made, scene, std::string(name_of(mutation.mistake)) + " cannot be told from the goal");
       if (!plan) return;
       if (holds(made.goal, trace_of_plan(scene, *plan)))
