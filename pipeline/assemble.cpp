@@ -1,10 +1,8 @@
 #include "pipeline/assemble.h"
 
-#include "pipeline/dataset_writer.h"
 #include "pipeline/selection.h"
 
 namespace unietp {
-namespace {
 
 Result<Done> add_block(DatasetWriter& writer, const FilledBlock& block, int attempts) {
   const auto outlines = block.ledger->outlines(block.first, block.slots);
@@ -27,8 +25,6 @@ Result<Done> add_block(DatasetWriter& writer, const FilledBlock& block, int atte
   }
   return Done{};
 }
-
-}  // namespace
 
 Result<Done> assemble(const std::filesystem::path& folder, const RunConfiguration& configuration,
                       const Resources& resources, const std::filesystem::path& licences,

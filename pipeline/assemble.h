@@ -5,6 +5,7 @@
 
 #include "core/result.h"
 #include "pipeline/configuration.h"
+#include "pipeline/dataset_writer.h"
 #include "pipeline/ledger.h"
 #include "pipeline/resources.h"
 
@@ -15,6 +16,10 @@ struct FilledBlock {
   int first = 0, slots = 0;
   Ledger* ledger = nullptr;
 };
+
+/// Adds the tasks of one block, and why its other candidates were given up. Blocks come in the order of the run.
+/// Errors: Io.
+Result<Done> add_block(DatasetWriter& writer, const FilledBlock& block, int attempts);
 
 /// Writes the data set that the ledgers hold to an empty folder. `blocks` are all blocks of the run, in order; of
 /// `resources` only the knowledge and its digest are read. Equal ledgers give equal bytes, whoever filled them. Errors:

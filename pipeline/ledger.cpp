@@ -7,8 +7,9 @@
 namespace unietp {
 namespace {
 
-// WAL with synchronous=NORMAL: a killed process loses nothing, and a commit costs no disk flush.
-constexpr const char* kPragmas = "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;";
+// WAL with synchronous=NORMAL: a killed process loses nothing, and a commit costs no disk flush. The flushes when the
+// log is taken into the file, each 32 MB, make all threads wait.
+constexpr const char* kPragmas = "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA wal_autocheckpoint=8192;";
 
 /// The tables and, for people, a view of what became of each candidate; `to` is the database that they are made in.
 /// A cost is a JSON object of seconds by stage.
@@ -83,6 +84,7 @@ Result<Ledger> Ledger::read_only(const std::filesystem::path& path, const std::s
 }
 
 Result<Done> Ledger::copy_to(const std::filesystem::path& path, bool with_costs) {
+  const std::scoped_lock lock(*mutex_);
   try {
     {
       auto attach = file_.prepare("ATTACH ? AS copy");
@@ -104,6 +106,7 @@ Result<Done> Ledger::copy_to(const std::filesystem::path& path, bool with_costs)
 }
 
 Result<Done> Ledger::add(const CandidateRecord& record, const StageCosts& costs) {
+  const std::scoped_lock lock(*mutex_);
   try {
     const std::string cost = text_of(costs);
     auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
@@ -123,6 +126,7 @@ Result<Done> Ledger::add(const CandidateRecord& record, const StageCosts& costs)
 }
 
 Result<std::vector<CandidateRecord>> Ledger::outlines(int first, int slots) {
+  const std::scoped_lock lock(*mutex_);
   try {
     std::vector<CandidateRecord> records;
     auto query = file_.prepare(
@@ -148,6 +152,7 @@ Result<std::vector<CandidateRecord>> Ledger::outlines(int first, int slots) {
 }
 
 Result<CandidateRecord> Ledger::read(int slot, int attempt) {
+  const std::scoped_lock lock(*mutex_);
   try {
     auto query = file_.prepare(
         "SELECT accepted, template, task, demonstration, scene, start_key, text_key, traits, rejection FROM candidate "

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@
 
 namespace unietp {
 
-/// What a run has found so far, in one SQLite file that survives a kill: each candidate is one transaction. Not
-/// thread-safe. Every function may fail with Io, saying what SQLite said.
+/// What a run has found so far, in one SQLite file that survives a kill: each candidate is one transaction. Safe to
+/// use from several threads, except to move. Every function may fail with Io, saying what SQLite said.
 class Ledger {
  public:
   /// Opens or makes the file. `identity` names the run (version, knowledge, configuration, seed): a file of another run
@@ -34,8 +35,9 @@ class Ledger {
   Result<CandidateRecord> read(int slot, int attempt);
 
  private:
-  explicit Ledger(SqliteFile file) : file_(std::move(file)) {}
+  explicit Ledger(SqliteFile file) : file_(std::move(file)), mutex_(std::make_unique<std::mutex>()) {}
   SqliteFile file_;
+  std::unique_ptr<std::mutex> mutex_;
 };
 
 }  // namespace unietp

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <mutex>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
 #include "pipeline/assemble.h"
-#include "pipeline/block_run.h"
+#include "pipeline/block_crew.h"
 #include "pipeline/configuration_json.h"
 #include "pipeline/manifest.h"
 #include "pipeline/run_folder.h"
@@ -19,12 +21,18 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// What a run has come to so far: counts for the progress line, then the report.
+/// What a run has come to so far: counts for the progress line, then the report. Safe to use from several threads.
 class Account {
  public:
   Account(const RunOptions& options, int asked) : options_(options) { now_.asked = asked; }
 
+  void spend(const StageCosts& costs) {
+    const std::scoped_lock lock(mutex_);
+    if (options_.costs != nullptr) options_.costs->add(costs);
+  }
+
   void candidate(bool accepted) {
+    const std::scoped_lock lock(mutex_);
     ++now_.candidates;
     if (accepted) ++now_.tasks, ++now_.tasks_now;
     if (!options_.progress) return;
@@ -35,10 +43,12 @@ class Account {
   /// A block has ended: what its ledger says replaces what was counted while it was filled.
   void block(const Block& block, const BlockRun& run, int attempts, Ledger& ledger) {
     const auto outlines = run.outlines();
-    candidates_ += static_cast<int>(outlines.size());
-    tasks_ += run.selection().taken();
-    now_.candidates = candidates_;
-    now_.tasks = tasks_;
+    const int candidates = static_cast<int>(outlines.size()), tasks = run.selection().taken();
+    const std::scoped_lock lock(mutex_);
+    candidates_ += candidates;
+    tasks_ += tasks;
+    now_.candidates += candidates - run.tried();
+    now_.tasks += tasks - run.accepted();
     for (const auto& record : outlines) {
       if (run.selection().chosen(record.slot) == record.attempt) taken_.add(traits_from(record.traits));
     }
@@ -56,6 +66,7 @@ class Account {
   }
 
  private:
+  std::mutex mutex_;
   const RunOptions& options_;
   RunProgress now_;
   int tasks_ = 0, candidates_ = 0;
@@ -84,17 +95,21 @@ Result<Done> keep_ledger(Ledger& ledger, const std::filesystem::path& path) {
   return Done{};
 }
 
+/// What is left to do when all blocks are done, of which `writer`, if there is one, has the tasks.
 Result<Done> publish(RunFolder& work, const RunConfiguration& configuration, const Resources& resources,
-                     const RunOptions& options, const std::vector<Block>& blocks, Ledger& ledger) {
+                     const RunOptions& options, const std::vector<Block>& blocks, Ledger& ledger,
+                     std::optional<DatasetWriter>& writer) {
   const StageTimer timer(options.costs, Stage::Dataset);
-  const auto folder = work.fresh_data_folder();
-  if (!folder) return folder.error();
-  std::vector<FilledBlock> filled;
-  for (const Block& block : blocks) filled.push_back({block.first(), static_cast<int>(block.slots.size()), &ledger});
-  const auto written = options.shard.is_whole()
-                           ? assemble(*folder, configuration, resources, options.licences, filled)
-                           : write_shard(*folder, options.shard, identity_of(configuration, resources), filled);
-  if (!written) return written.error();
+  if (writer) {
+    if (auto written = writer->finish(configuration, resources, options.licences); !written) return written.error();
+  } else {
+    const auto folder = work.fresh_data_folder();
+    if (!folder) return folder.error();
+    std::vector<FilledBlock> filled;
+    for (const Block& block : blocks) filled.push_back({block.first(), static_cast<int>(block.slots.size()), &ledger});
+    const auto written = write_shard(*folder, options.shard, identity_of(configuration, resources), filled);
+    if (!written) return written.error();
+  }
   if (!options.ledger.empty()) {
     if (auto kept = keep_ledger(ledger, options.ledger); !kept) return kept;
   }
@@ -130,21 +145,36 @@ Result<RunReport> run_generation(const RunConfiguration& configuration, const Re
   auto ledger = Ledger::open(work->ledger(), identity_of(configuration, resources));
   if (!ledger) return ledger.error();
 
+  std::optional<DatasetWriter> writer;  // takes each block as it is done; a shard is written at the end
+  if (options.shard.is_whole()) {
+    const auto folder = work->fresh_data_folder();
+    if (!folder) return folder.error();
+    auto begun = DatasetWriter::begin(*folder);
+    if (!begun) return begun.error();
+    writer.emplace(std::move(*begun));
+  }
   Account account(options, asked);
-  const BlockWork how{options.threads, options.costs, options.stop,
-                      [&account](bool accepted) { account.candidate(accepted); }};
-  for (const Block& block : blocks) {
-    BlockRun run(configuration, resources, block, *ledger, how);
-    const auto filled = run.fill();
-    if (!filled) return filled.error();
+  CrewOrders orders{options.threads, options.stop, {}, {}};
+  orders.news = {[&](const StageCosts& costs) { account.spend(costs); },
+                 [&](bool accepted) { account.candidate(accepted); }};
+  orders.done = [&](const Block& block, const BlockRun& run) -> Result<Done> {
+    StageCosts costs;
+    StageTimer timer(&costs, Stage::Dataset);
     account.block(block, run, configuration.attempts, *ledger);
-    if (*filled) continue;
-    auto report = account.report();
+    const FilledBlock filled{block.first(), static_cast<int>(block.slots.size()), &*ledger};
+    auto added = writer ? add_block(*writer, filled, configuration.attempts) : Result<Done>(Done{});
+    timer.stop();
+    account.spend(costs);
+    return added;
+  };
+  const auto filled = fill_blocks(configuration, resources, blocks, *ledger, orders);
+  if (!filled) return filled.error();
+  auto report = account.report();
+  if (!*filled) {
     report.interrupted = true;
     return report;
   }
-  auto report = account.report();
-  if (auto published = publish(*work, configuration, resources, options, blocks, *ledger); !published)
+  if (auto published = publish(*work, configuration, resources, options, blocks, *ledger, writer); !published)
     return published.error();
   return report;
 }

@@ -18,7 +18,7 @@ bool Camera::may_show(const Vec3& centre, double radius) const {
   const double deep = way.dot(ahead);
   if (deep < -radius) return false;
   const auto within = [&](double aside, double half) {  // of the two side planes: distance to the nearer one
-    return std::abs(aside) * focal - deep * half <= radius * std::hypot(focal, half);
+    return std::abs(aside) * focal - deep * half <= radius * std::sqrt(focal * focal + half * half);
   };
   return within(way.dot(right), width / 2.0) && within(way.dot(down), height / 2.0);
 }

@@ -185,19 +185,32 @@ Vec2 NavigationGrid::centre(Cell cell) const {
 std::vector<std::int32_t> NavigationGrid::distances(Cell from) const {
   std::vector<std::int32_t> steps(blockers_.size(), -1);
   if (!free(from)) return steps;
-  std::vector<Cell> front{from};
-  steps[index(from)] = 0;
-  for (std::size_t at = 0; at < front.size(); ++at) {
-    const Cell cell = front[at];
-    const std::int32_t next_steps = steps[index(cell)] + 1;
-    for (const auto& d : kNeighbours) {
-      const Cell next{cell.x + d[0], cell.y + d[1]};
-      if (!free(next)) continue;
-      std::int32_t& known = steps[index(next)];
-      if (known >= 0) continue;
-      known = next_steps;
-      front.push_back(next);
+  // Cells that are free and not reached yet, with a border around them that is neither: no step asks where it is.
+  const std::int32_t wide = width_ + 2;
+  std::vector<std::uint8_t> open(static_cast<std::size_t>(wide) * static_cast<std::size_t>(height_ + 2), 0);
+  for (std::int32_t y = 0; y < height_; ++y) {
+    const std::uint16_t* row = blockers_.data() + index({0, y});
+    std::uint8_t* padded = open.data() + static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(wide) + 1;
+    for (std::int32_t x = 0; x < width_; ++x) padded[x] = row[x] == 0;
+  }
+  struct Place {
+    std::int32_t padded, own;  // in `open` and in `steps`
+  };
+  const std::array<Place, 4> ways{{{1, 1}, {-1, -1}, {wide, width_}, {-wide, -width_}}};
+  std::vector<Place> front{{(from.y + 1) * wide + from.x + 1, static_cast<std::int32_t>(index(from))}}, next;
+  open[static_cast<std::size_t>(front.front().padded)] = 0;
+  for (std::int32_t far = 0; !front.empty(); ++far) {
+    next.clear();
+    for (const Place& place : front) {
+      steps[static_cast<std::size_t>(place.own)] = far;
+      for (const Place& way : ways) {
+        std::uint8_t& is_open = open[static_cast<std::size_t>(place.padded + way.padded)];
+        if (is_open == 0) continue;
+        is_open = 0;
+        next.push_back({place.padded + way.padded, place.own + way.own});
+      }
     }
+    front.swap(next);
   }
   return steps;
 }
@@ -282,6 +295,17 @@ class Reach {
     } else {
       to_node_ = inverse(node.pose);
     }
+  }
+
+  /// Whether it is certainly more than `limit`, at a fraction of the cost; false says nothing.
+  bool beyond(const Vec2& at, double limit) const {
+    constexpr double kSlack = 1e-9;
+    if (!upright_) return false;
+    const Vec2 d = at - rectangle_.centre;
+    const double out_u = std::max(0.0, std::abs(d.dot(rectangle_.along)) - rectangle_.half.x());
+    const double out_v =
+        std::max(0.0, std::abs(d.y() * rectangle_.along.x() - d.x() * rectangle_.along.y()) - rectangle_.half.y());
+    return out_u * out_u + out_v * out_v + above_ * above_ > limit * limit + kSlack;
   }
 
   double operator()(const Vec2& at) const {
@@ -371,6 +395,7 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
       const NavigationGrid::Cell cell{x, y};
       if (!grid.free(cell) || walk_from_agent[grid.index({x, y})] < 0) continue;
       const Vec2 at = grid.centre(cell);
+      if (reach.beyond(at, profile.reach_m - kReachReserve_m)) continue;
       const double distance = reach(at);
       if (distance > profile.reach_m - kReachReserve_m) continue;
       double cost = distance;

@@ -72,7 +72,7 @@ Vec3 farthest_along(const RayTarget& target, const Vec3& direction) {
 /// Narrows the place in the image of a ball or a cylinder, given that of the box around it, along one axis: to where
 /// the plane through the eye and the line at this place just touches it. `side` is 1 for the right or lower end.
 double touched_at(Outline& outline, const OwnCamera& own, bool down, int side, double inner, double outer) {
-  constexpr int kHalvings = 36;
+  constexpr int kHalvings = 12;  // to a fraction of a pixel; what is left is on the outer side
   const Vec3& axis = down ? own.down : own.right;
   Vec3 touching = Vec3::Zero();
   for (int i = 0; i < kHalvings; ++i) {

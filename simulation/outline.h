@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -34,18 +35,18 @@ struct OverImage {
 /// of its `sides` is negative, and there 1 / depth is the least of its `faces`.
 struct Outline {
   Outline(const Solid& solid, const Camera& camera)
-      : target(solid), from(target.to_own * (camera.at - target.centre)), owner(solid.owner) {}
+      : owner(solid.owner), target(solid), from(target.to_own * (camera.at - target.centre)) {}
 
-  std::array<OverImage, 6> sides;
-  std::array<OverImage, 3> faces;
-  std::size_t side_count = 0, face_count = 0;
   PixelBox cover{};                  // all pixels whose middles it may show in
-  std::array<Vec2, 4> extremes{};    // where its corners farthest left, up, right and down are seen
   double nearest = 0, farthest = 0;  // depth, metres
+  std::int32_t owner;
   bool round = false;
+  std::uint8_t side_count = 0, face_count = 0;
+  std::array<OverImage, 3> faces;
+  std::array<OverImage, 6> sides;
+  std::array<Vec2, 4> extremes{};  // where its corners farthest left, up, right and down are seen
   RayTarget target;
   Vec3 from;  // the eye in the solid's frame
-  std::int32_t owner;
 
   /// Depth at which the ray through a pixel's middle enters it, bit for bit as Rays finds it; kNever when it misses.
   double depth_at(const Camera& camera, int x, int y) const;

@@ -66,6 +66,16 @@ void add_outlines(const std::vector<Solid>& solids, const Camera& camera, std::v
   }
 }
 
+/// Of walls only those that may show no deeper than `farthest`; most are in other rooms, behind the eye or aside.
+void add_wall_outlines(const std::vector<Solid>& walls, const Camera& camera, double farthest,
+                       std::vector<Outline>& outlines) {
+  for (const Solid& wall : walls) {
+    const double radius = wall.size.norm() / 2;
+    if (camera.depth(wall.pose.position) - radius > farthest || !camera.may_show(wall.pose.position, radius)) continue;
+    if (auto outline = outline_of(wall, camera)) outlines.push_back(*outline);
+  }
+}
+
 }  // namespace
 
 const std::vector<Solid>& Viewer::solids_of_node(const Scene& scene, std::size_t i) {
@@ -113,7 +123,7 @@ std::vector<VisibleObject> Viewer::view(const Scene& scene, const std::vector<st
     if ((node.pose.position - camera.at).norm() - sight_radius(node) <= farthest)
       add_outlines(solids_of_node(scene, i), camera, outlines);
   }
-  add_outlines(walls(scene), camera, outlines);
+  add_wall_outlines(walls(scene), camera, farthest, outlines);
 
   std::vector<VisibleObject> visible;
   VisibleBoxes boxes(camera, outlines);
@@ -146,7 +156,7 @@ std::optional<PixelBox> Viewer::box_of(const Scene& scene, const std::vector<std
     if (std::binary_search(hidden.begin(), hidden.end(), i)) continue;
     add_outlines(solids_of_node(scene, i), camera, outlines);
   }
-  add_outlines(walls(scene), camera, outlines);
+  add_wall_outlines(walls(scene), camera, farthest, outlines);
   return VisibleBoxes(camera, outlines).of(static_cast<std::int32_t>(target));
 }
 

@@ -1,5 +1,8 @@
 #include "simulation/visible_box.h"
 
+#include <numeric>
+#include <utility>
+
 namespace unietp {
 namespace {
 
@@ -20,15 +23,18 @@ struct Share {
   double nearest = 0, farthest = kNever;  // depth of what shows, between these
 };
 
-Share share_of(const Outline& outline, const PixelBox& part, const Camera& camera) {
+/// `fills`: a box that is known to have every pixel.
+Share share_of(const Outline& outline, const PixelBox& part, const PartOfImage& middles, bool fills,
+               const Camera& camera) {
   Share share;
-  if (!meet(outline.cover, part)) return {false, false, 0, 0};
-  share.whole = !outline.round && outline.side_count > 0;
-  const PartOfImage middles(part);
-  for (std::size_t i = 0; i < outline.side_count; ++i) {
-    const auto [least, most] = outline.sides[i].range(middles);
-    if (most < -kSlack) return {false, false, 0, 0};
-    share.whole = share.whole && least > kSlack;
+  if (!fills) {
+    if (!meet(outline.cover, part)) return {false, false, 0, 0};
+    share.whole = !outline.round && outline.side_count > 0;
+    for (std::size_t i = 0; i < outline.side_count; ++i) {
+      const auto [least, most] = outline.sides[i].range(middles);
+      if (most < -kSlack) return {false, false, 0, 0};
+      share.whole = share.whole && least > kSlack;
+    }
   }
   double most = kNever, least = kNever;  // of 1 / depth
   for (std::size_t i = 0; i < outline.face_count; ++i) {
@@ -51,11 +57,34 @@ Share share_of(const Outline& outline, const PixelBox& part, const Camera& camer
   return share;
 }
 
+/// Without the rows or columns of a part at one end that the box holds whole already.
+PixelBox beyond(PixelBox part, const PixelBox& box) {
+  for (const std::size_t along : {std::size_t{0}, std::size_t{1}}) {
+    const std::size_t across = 1 - along;
+    if (part[across] < box[across] || part[across + 2] > box[across + 2]) continue;
+    if (part[along] >= box[along]) {
+      part[along] = std::max(part[along], box[along + 2] + 1);
+    } else if (part[along + 2] <= box[along + 2]) {
+      part[along + 2] = std::min(part[along + 2], box[along] - 1);
+    }
+  }
+  return part;
+}
+
 }  // namespace
+
+VisibleBoxes::VisibleBoxes(const Camera& camera, const std::vector<Outline>& outlines)
+    : camera_(camera), outlines_(outlines), by_depth_(outlines.size()) {
+  std::iota(by_depth_.begin(), by_depth_.end(), 0U);
+  std::sort(by_depth_.begin(), by_depth_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(outlines_[a].nearest, a) < std::pair(outlines_[b].nearest, b);
+  });
+}
 
 std::optional<PixelBox> VisibleBoxes::of(std::int32_t owner) {
   owner_ = owner;
   box_.reset();
+  probed_ = false;
   std::optional<PixelBox> cover;
   double farthest = 0;
   for (const Outline& outline : outlines_) {
@@ -64,17 +93,18 @@ std::optional<PixelBox> VisibleBoxes::of(std::int32_t owner) {
     farthest = std::max(farthest, outline.farthest);
   }
   if (!cover) return std::nullopt;
-  stack_.clear();
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    if (outlines_[i].nearest <= farthest && meet(outlines_[i].cover, *cover)) stack_.push_back(i);
+  own_.clear();
+  others_.clear();
+  for (const std::uint32_t i : by_depth_) {
+    const Outline& outline = outlines_[i];
+    if (outline.nearest > farthest) break;
+    if (meet(outline.cover, *cover)) (outline.owner == owner ? own_ : others_).push_back({i, false, outline.nearest});
   }
-  asked_ = stack_.size();
-  explore(*cover, 0, asked_);
+  explore(*cover, {0, own_.size(), 0, others_.size()});
   return box_;
 }
 
-void VisibleBoxes::probe_corners(std::size_t begin, std::size_t end) {
-  const std::span<const std::size_t> among = std::span(stack_).subspan(begin, end - begin);
+void VisibleBoxes::probe_corners(const Among& among) {
   // Left, up, right, down: of all its solids the one that reaches farthest.
   for (std::size_t side = 0; side < 4; ++side) {
     const Outline* farthest = nullptr;
@@ -82,15 +112,15 @@ void VisibleBoxes::probe_corners(std::size_t begin, std::size_t end) {
       const double at = outline.extremes[side][side % 2 == 0 ? 0 : 1];
       return side < 2 ? -at : at;
     };
-    for (const std::size_t i : among) {
-      if (outlines_[i].owner != owner_) continue;
-      if (farthest == nullptr || reach(outlines_[i]) > reach(*farthest)) farthest = &outlines_[i];
+    for (std::size_t k = among.own; k < among.own_end; ++k) {
+      const Outline& outline = outlines_[own_[k].outline];
+      if (farthest == nullptr || reach(outline) > reach(*farthest)) farthest = &outline;
     }
     probe(*farthest, farthest->extremes[side], among);
   }
 }
 
-void VisibleBoxes::probe(const Outline& outline, const Vec2& corner, std::span<const std::size_t> among) {
+void VisibleBoxes::probe(const Outline& outline, const Vec2& corner, const Among& among) {
   const PixelBox& cover = outline.cover;
   const Vec2 middle = Vec2(cover[0] + cover[2] + 1, cover[1] + cover[3] + 1) / 2;
   for (const double inwards : {0.7, 2.0}) {  // pixels: a corner may be sharper than one
@@ -105,59 +135,65 @@ void VisibleBoxes::probe(const Outline& outline, const Vec2& corner, std::span<c
   }
 }
 
-void VisibleBoxes::explore(const PixelBox& whole, std::size_t begin, std::size_t end) {
-  const auto part = worth_exploring(whole, begin, end);
-  if (part) explore_part(*part, begin, end);
+void VisibleBoxes::explore(const PixelBox& whole, const Among& among) {
+  const auto part = worth_exploring(whole, among);
+  if (part) explore_part(*part, among);
 }
 
-std::optional<PixelBox> VisibleBoxes::worth_exploring(const PixelBox& part, std::size_t begin, std::size_t end) const {
+std::optional<PixelBox> VisibleBoxes::worth_exploring(const PixelBox& part, const Among& among) const {
   std::optional<PixelBox> own;
-  for (std::size_t k = begin; k < end; ++k) {
-    const Outline& outline = outlines_[stack_[k]];
-    if (outline.owner != owner_ || !meet(outline.cover, part)) continue;
+  for (std::size_t k = among.own; k < among.own_end; ++k) {
+    const Outline& outline = outlines_[own_[k].outline];
+    if (!meet(outline.cover, part)) continue;
     const PixelBox common = common_part(outline.cover, part);
     own = own ? around(*own, common) : common;
   }
   if (!own || (box_ && within(*own, *box_))) return std::nullopt;
-  return own;
+  return box_ ? beyond(*own, *box_) : own;
 }
 
-void VisibleBoxes::explore_part(const PixelBox& part, std::size_t begin, std::size_t end) {
-  // Those that have a share of the part, and how deep the first that fills it lies.
-  const std::size_t mine = stack_.size();
-  double filled = kNever;
-  nearest_.clear();
+void VisibleBoxes::gather(Stack& stack, std::size_t begin, std::size_t end, const PixelBox& part,
+                          double& filled) const {
+  const PartOfImage middles(part);
   for (std::size_t k = begin; k < end; ++k) {
-    const std::size_t i = stack_[k];
-    const Share share = share_of(outlines_[i], part, camera_);
+    const Shown above = stack[k];
+    if (above.nearest > filled) continue;
+    const Outline& outline = outlines_[above.outline];
+    const Share share = share_of(outline, part, middles, above.whole, camera_);
     if (!share.any || share.nearest > filled) continue;
     if (share.whole) filled = std::min(filled, share.farthest);
-    stack_.push_back(i);
-    nearest_.push_back(share.nearest);
+    stack.push_back({above.outline, share.whole && !outline.round, share.nearest});
   }
-  std::size_t kept = mine;
-  bool any_own = false, any_other = false;
-  for (std::size_t k = mine; k < stack_.size(); ++k) {
-    if (nearest_[k - mine] > filled) continue;
-    const bool own = outlines_[stack_[k]].owner == owner_;
-    any_own = any_own || own;
-    any_other = any_other || !own;
-    stack_[kept++] = stack_[k];
-  }
-  stack_.resize(kept);
+}
+
+void VisibleBoxes::explore_part(const PixelBox& part, const Among& among) {
+  // Those that have a share of the part, down to the depth of the first that fills it.
+  Among here{own_.size(), 0, others_.size(), 0};
+  double filled = kNever;
+  gather(own_, among.own, among.own_end, part, filled);
+  gather(others_, among.others, among.others_end, part, filled);
+  const auto drop_hidden = [filled](Stack& stack, std::size_t from) {
+    const auto hidden = [filled](const Shown& shown) { return shown.nearest > filled; };
+    stack.erase(std::remove_if(stack.begin() + static_cast<std::ptrdiff_t>(from), stack.end(), hidden), stack.end());
+    return stack.size();
+  };
+  here.own_end = drop_hidden(own_, here.own);
+  here.others_end = drop_hidden(others_, here.others);
+  const bool any_own = here.own_end > here.own, any_other = here.others_end > here.others;
   if (any_own && !any_other && filled < kNever) {
     box_ = box_ ? around(*box_, part) : part;
   } else if (any_own) {
-    if (mine == asked_) probe_corners(mine, kept);  // of the whole that may show it
-    halve(part, mine, kept);
+    if (!std::exchange(probed_, true)) probe_corners(here);  // of the whole that may show it
+    halve(part, here);
   }
-  stack_.resize(mine);
+  own_.resize(here.own);
+  others_.resize(here.others);
 }
 
-void VisibleBoxes::halve(const PixelBox& part, std::size_t begin, std::size_t end) {
+void VisibleBoxes::halve(const PixelBox& part, const Among& among) {
   const int wide = part[2] - part[0], high = part[3] - part[1];
   if (wide == 0 && high == 0) {
-    if (!shows_owner(part[0], part[1], std::span(stack_).subspan(begin, end - begin))) return;
+    if (!shows_owner(part[0], part[1], among)) return;
     box_ = box_ ? around(*box_, part) : part;
     return;
   }
@@ -168,22 +204,25 @@ void VisibleBoxes::halve(const PixelBox& part, std::size_t begin, std::size_t en
   far[axis] = middle + 1;
   // The half that reaches farther out of what is known first: it may spare the other.
   const bool far_first = box_ && part[axis + 2] - (*box_)[axis + 2] > (*box_)[axis] - part[axis];
-  explore(far_first ? far : low, begin, end);
-  explore(far_first ? low : far, begin, end);
+  explore(far_first ? far : low, among);
+  explore(far_first ? low : far, among);
 }
 
-bool VisibleBoxes::shows_owner(int x, int y, std::span<const std::size_t> among) const {
+bool VisibleBoxes::shows_owner(int x, int y, const Among& among) const {
   double first = kNever;
-  std::int32_t shown = -1;
+  std::uint32_t shown = 0;
   const PixelBox pixel{x, y, x, y};
-  for (const std::size_t i : among) {  // in the list's order
-    if (!meet(outlines_[i].cover, pixel) || outlines_[i].nearest >= first) continue;
-    const double depth = outlines_[i].depth_at(camera_, x, y);
-    if (depth >= first) continue;
+  const auto look = [&](const Shown& one) {
+    const Outline& outline = outlines_[one.outline];
+    if (!meet(outline.cover, pixel) || outline.nearest > first) return;
+    const double depth = outline.depth_at(camera_, x, y);
+    if (depth == kNever || depth > first || (depth == first && one.outline > shown)) return;
     first = depth;
-    shown = outlines_[i].owner;
-  }
-  return first < kNever && shown == owner_;
+    shown = one.outline;
+  };
+  for (std::size_t k = among.own; k < among.own_end; ++k) look(own_[k]);
+  for (std::size_t k = among.others; k < among.others_end; ++k) look(others_[k]);
+  return first < kNever && outlines_[shown].owner == owner_;
 }
 
 }  // namespace unietp

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "simulation/outline.h"
@@ -24,29 +24,43 @@ inline bool meet(const PixelBox& a, const PixelBox& b) {
 class VisibleBoxes {
  public:
   /// Both must outlive it. Of solids that a ray enters at equal depths the first in the list shows.
-  VisibleBoxes(const Camera& camera, const std::vector<Outline>& outlines) : camera_(camera), outlines_(outlines) {}
+  VisibleBoxes(const Camera& camera, const std::vector<Outline>& outlines);
 
   std::optional<PixelBox> of(std::int32_t owner);
 
  private:
+  /// A solid that may show in a part of the image.
+  struct Shown {
+    std::uint32_t outline = 0;
+    bool whole = false;  // a box that certainly fills the part, and so each part of it
+    double nearest = 0;  // depth: nowhere in the part nearer than this
+  };
+  using Stack = std::vector<Shown>;
+  /// Of the two stacks the solids that may show in a part under way.
+  struct Among {
+    std::size_t own = 0, own_end = 0, others = 0, others_end = 0;
+  };
+
   /// Looks where an object that nothing hides reaches farthest, so that little is left to explore.
-  void probe_corners(std::size_t begin, std::size_t end);
-  void probe(const Outline& outline, const Vec2& corner, std::span<const std::size_t> among);
-  // `begin` and `end`: of the solids on the stack that may show in the part.
-  void explore(const PixelBox& whole, std::size_t begin, std::size_t end);
-  void explore_part(const PixelBox& part, std::size_t begin, std::size_t end);
+  void probe_corners(const Among& among);
+  void probe(const Outline& outline, const Vec2& corner, const Among& among);
+  void explore(const PixelBox& whole, const Among& among);
+  void explore_part(const PixelBox& part, const Among& among);
   /// What of a part the owner's solids may show in, if that could make the box larger.
-  std::optional<PixelBox> worth_exploring(const PixelBox& part, std::size_t begin, std::size_t end) const;
-  void halve(const PixelBox& part, std::size_t begin, std::size_t end);
-  bool shows_owner(int x, int y, std::span<const std::size_t> among) const;
+  std::optional<PixelBox> worth_exploring(const PixelBox& part, const Among& among) const;
+  void halve(const PixelBox& part, const Among& among);
+  bool shows_owner(int x, int y, const Among& among) const;
+  /// Puts on the stack which of those from `begin` to `end` may show in the part; `filled`: the depth behind which
+  /// nothing shows in it, as far as known.
+  void gather(Stack& stack, std::size_t begin, std::size_t end, const PixelBox& part, double& filled) const;
 
   const Camera& camera_;
   const std::vector<Outline>& outlines_;
+  std::vector<std::uint32_t> by_depth_;  // positions in the list, the nearest first
   std::int32_t owner_ = -1;
   std::optional<PixelBox> box_;
-  std::size_t asked_ = 0;           // how many solids lie in the way of the owner's cover
-  std::vector<std::size_t> stack_;  // of positions in the list: those that matter in each part under way
-  std::vector<double> nearest_;     // of those of the part at hand
+  bool probed_ = false;
+  Stack own_, others_;  // the owner's solids and all others that matter in each part under way
 };
 
 }  // namespace unietp
