@@ -65,6 +65,18 @@ struct Clause {
                                               // clause of a Final: "if a fridge is open, …"
 };
 
+/// One operator of a goal said as such, where no plainer clause says it: "at all times, if the mug is hot, then …".
+struct Proposition {
+  Formula::Op op = Formula::Op::And;
+  std::vector<NounPhrase> phrases;  // Atom: its subject. Equal: both sides. Quantifiers, Number: what is bound; the
+                                    // determiner is Every, New (`exists`) or one with a number
+  std::vector<Complement> said;     // Atom: one
+  bool negated = false;             // Equal
+  Comparison comparison = Comparison::Equal;  // CountCompare
+  std::vector<Proposition> where;             // of what is bound, at the start: none or one; modifiers say it otherwise
+  std::vector<Proposition> parts;             // the operands
+};
+
 struct Requirement {
   enum class Kind {
     Choose,    // introduces the subject of clause 0, asks nothing
@@ -77,10 +89,12 @@ struct Requirement {
     Then,      // Before, and clause 1 at the end
     ThenKept,  // Before, and both at the end
     Again,     // clause 0 at some point, clause 1 at the end
+    Stated,    // `stated`, which speaks of the subjects of clause 0 and of what it binds itself
   };
   Kind kind = Kind::Final;
   std::vector<Clause> clauses;
-  bool inverted = false;  // Then, ThenKept: clause 1 stands first, "before you …, …"
+  bool inverted = false;            // Then, ThenKept: clause 1 stands first, "before you …, …"
+  std::vector<Proposition> stated;  // Stated: one
 };
 
 using Message = std::vector<Requirement>;

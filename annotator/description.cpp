@@ -48,8 +48,9 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
     }
   }
   for (const Complement* modifier : rest) {
-    Place inside{.inside_description = true};
-    inside.unique = modifier->predicate == Predicate::Nearest || modifier->predicate == Predicate::InRoom;
+    Place inside{.inside_description = true, .exact = place.exact};
+    inside.unique =
+        !place.exact && (modifier->predicate == Predicate::Nearest || modifier->predicate == Predicate::InRoom);
     if (modifier->converse) {
       const auto object = phrase(modifier->object[0], inside);
       if (!object || rest.size() > 1) return std::nullopt;

@@ -9,6 +9,7 @@ namespace unietp {
 namespace {
 
 constexpr std::size_t kFewestWords = 2, kMostWords = 160;
+constexpr std::size_t kMostWordsAPart = 24;  // of a goal so large that it has more than kMostWords
 constexpr std::string_view kMarkup = "*#<>[]{}|\\`~^=@_\n\r\t";
 constexpr std::array<bool, 256> kIsMark = [] {
   std::array<bool, 256> marks{};
@@ -32,6 +33,14 @@ bool has_coordinates(const std::string& text) {
     if (point && std::isdigit(static_cast<unsigned char>(text[i + 1])) != 0) return true;
   }
   return false;
+}
+
+/// Predicates and operators, each of which takes some words.
+std::size_t parts_of(const Formula& goal) {
+  std::size_t parts = 1;
+  for (const Formula& where : goal.domain.where) parts += parts_of(where);
+  for (const Formula& child : goal.children) parts += parts_of(child);
+  return parts;
 }
 
 }  // namespace
@@ -58,7 +67,11 @@ std::vector<std::string> form_faults(const std::string& text, const Specificatio
       faults.push_back("the text names the template '" + word.text + "'");
   }
   if (count < kFewestWords) faults.emplace_back("the text has too few words");
-  if (count > kMostWords) faults.push_back("the text has " + std::to_string(count) + " words, more than 160");
+  if (count > kMostWords) {
+    const std::size_t most = std::max(kMostWords, kMostWordsAPart * parts_of(specification.goal));
+    if (count > most)
+      faults.push_back("the text has " + std::to_string(count) + " words, more than " + std::to_string(most));
+  }
   if (count >= 5 && known * 8 < count) faults.emplace_back("the text does not look English");
   return faults;
 }

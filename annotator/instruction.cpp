@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kDraws = 120;      // forms tried before the grammar gives up on a style
 constexpr int kPlainDraws = 30;  // of these without an opening "Choose a …"
+constexpr int kFreeDraws = 90;   // of these not operator by operator
 
 /// What the text asks for, with the conditions that the start meets left out where the style says one.
 Formula meant(const Formula& read, const Specification& specification) {
@@ -120,11 +121,17 @@ Result<Instruction> write_instruction(const Specification& specification, const 
   if (specification.style != "direct") styles.emplace_back("direct");
   for (const std::string& style : styles) {
     if (!has_material(specification, style, lexicon)) continue;
+    bool exactly = false;
     for (int draw = 0; draw < kDraws; ++draw) {
       Rng own = rng.fork(style, static_cast<std::uint64_t>(draw));
-      auto plan =
-          plan_message(goal, specification.init, {draw >= kPlainDraws, style == "condition"}, own.fork("plan", 0));
-      if (!plan) return plan.error();
+      exactly = exactly || (draw >= kFreeDraws && style == "direct");
+      auto plan = plan_message(exactly ? specification.goal : goal, specification.init,
+                               {draw >= kPlainDraws, style == "condition", exactly}, own.fork("plan", 0));
+      if (!plan && (exactly || style != "direct")) break;
+      if (!plan) {
+        exactly = true;
+        continue;
+      }
       if (!turn_to_style(*plan, style)) continue;
       auto text = realise(*plan, lexicon, style, own.fork("words", 0));
       if (!text || (options.phrasings != Phrasings::All && phrasings_of(*text, lexicon) != options.phrasings)) continue;

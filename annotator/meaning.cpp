@@ -162,6 +162,8 @@ class Expansion {
     } else if (negate && comparison == Comparison::AtMost) {
       comparison = Comparison::AtLeast, ++number, negate = false;
     }
+    if (comparison == Comparison::AtLeast && number <= 0) return joined(Op::And, {});  // of any domain
+    if (comparison == Comparison::AtMost && number < 0) return joined(Op::Or, {});
     if (comparison == Comparison::AtLeast && number == 1) return quantified(f, Op::Exists, false, last);
     if (comparison == Comparison::AtMost && number == 0) return quantified(f, Op::Forall, true, last);
     Formula result = bound(f, false, last);

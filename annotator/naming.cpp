@@ -42,11 +42,11 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
   return plural ? name.plural : name.singular;
 }
 
-std::optional<Naming::Noun> Naming::noun(const Domain& domain) {
+std::optional<Naming::Noun> Naming::noun(const Domain& domain, bool exact) {
   if (domain.kind == Domain::Kind::Object) return Noun{"object", "objects"};
   if (domain.kind == Domain::Kind::Room) return Noun{"room", "rooms"};
-  if (domain.kind == Domain::Kind::Agent) return std::nullopt;
-  if (domain.members.size() > 1 || style_ == "function") {
+  if (domain.kind == Domain::Kind::Agent) return exact ? std::optional(Noun{"agent", "agents"}) : std::nullopt;
+  if (!exact && (domain.members.size() > 1 || style_ == "function")) {
     const auto phrases = lexicon_.functions(domain);
     if (!phrases.empty() && style_ != "alias") {
       const std::string text = rng_.pick(phrases);
@@ -56,8 +56,13 @@ std::optional<Naming::Noun> Naming::noun(const Domain& domain) {
   Noun noun;
   for (const Domain::Member& member : domain.members) {
     bool countable = true;
-    const auto singular = name_of(member, false, countable), plural = name_of(member, true, countable);
-    if (!singular || !plural || (domain.members.size() > 1 && !countable)) return std::nullopt;
+    auto singular = name_of(member, false, countable), plural = name_of(member, true, countable);
+    if (!singular || !plural) return std::nullopt;
+    if (domain.members.size() > 1 && !countable) {
+      plural = "pieces of " + *singular;
+      singular->insert(0, "piece of ");
+      countable = true;
+    }
     noun.singular += (noun.singular.empty() ? "" : " or ") + *singular;
     noun.plural += (noun.plural.empty() ? "" : " or ") + *plural;
     noun.countable = countable;
@@ -65,16 +70,17 @@ std::optional<Naming::Noun> Naming::noun(const Domain& domain) {
   return noun;
 }
 
-std::optional<std::string> Naming::plural(const NounPhrase& phrase) {
+std::optional<std::string> Naming::plural(const NounPhrase& phrase, Place place) {
   if (!phrase.modifiers.empty()) return std::nullopt;
-  const auto bare = noun(phrase.noun);
+  const auto bare = noun(phrase.noun, place.exact);
   if (!bare || bare->function) return std::nullopt;
+  if (place.exact) named_.push_back({phrase.variable, phrase.noun, false});
   return bare->countable ? bare->plural : "pieces of " + bare->singular;
 }
 
 std::optional<std::string> Naming::complement(const Complement& said, Place place) {
   std::string text = said.negated ? "not " : "";
-  const std::string symbol = replace_all(said.symbol, "_", " ");
+  const std::string symbol = said.symbol == "any" ? "something" : replace_all(said.symbol, "_", " ");
   switch (said.predicate) {
     case Predicate::Filled:
       return text + "filled with " + symbol;
@@ -101,19 +107,28 @@ std::optional<std::string> Naming::complement(const Complement& said, Place plac
 
 std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
   if (said.determiner == Determiner::Agent) return Words{"you", true};
-  const auto bare = noun(said.noun);
+  const auto bare = noun(said.noun, place.exact);
   if (!bare) return std::nullopt;
-  if (!said.variable.empty() && was_named(said.variable)) return again(said, *bare);
+  if (!said.variable.empty() && was_named(said.variable)) return again(said, *bare, place);
   if (!said.variable.empty() && (place.inside_description || place.beside_none)) return std::nullopt;
   if (bare->function && (said.determiner != Determiner::New || !said.modifiers.empty())) return std::nullopt;
 
   const auto description = describe(said, place);
   if (!description) return std::nullopt;
+  if (place.exact && !place.inside_description) return bound(said, *bare, *description);
   if (said.determiner != Determiner::New) return counted(said, *bare, *description);
   return first(said, *bare, place, *description);
 }
 
-std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun) {
+std::optional<Words> Naming::bound(const NounPhrase& said, const Noun& noun, const Description& description) {
+  named_.push_back({said.variable, said.noun, said.noun.kind == Domain::Kind::Object});
+  const std::string one = description.before + (noun.countable ? noun.singular : "piece of " + noun.singular);
+  if (said.determiner == Determiner::New) return Words{"some " + one + description.tail(false)};
+  if (said.determiner == Determiner::Every) return Words{pick({"every", "each"}) + " " + one + description.tail(false)};
+  return counted(said, noun, description);
+}
+
+std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Place place) {
   std::vector<std::size_t> alike;
   std::size_t position = 0;
   const bool vague = noun.function;
@@ -123,13 +138,16 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun) {
     if (other.variable == said.variable) position = alike.size();
     if (same || rival) alike.push_back(alike.size());
   }
-  if (named_.size() == 1 && rng_.chance(0.7)) return Words{"it"};
+  if (!place.exact && named_.size() == 1 && rng_.chance(0.7)) return Words{"it"};
   const std::string word = vague ? "object" : noun.singular;
   if (alike.size() > 1) {
-    if (vague || position > 2 || !noun.countable) return std::nullopt;
-    static constexpr std::array kOrdinals{"first", "second", "third"};
-    return Words{"the " + std::string(kOrdinals[position]) + " " + word};
+    static constexpr std::array kOrdinals{"first",   "second", "third", "fourth", "fifth",    "sixth",
+                                          "seventh", "eighth", "ninth", "tenth",  "eleventh", "twelfth"};
+    if (vague || position >= kOrdinals.size() || (!place.exact && (position > 2 || !noun.countable)))
+      return std::nullopt;
+    return Words{"the " + std::string(kOrdinals[position]) + (noun.countable ? " " : " piece of ") + word};
   }
+  if (place.exact) return Words{(place.inside_description ? "that " : "the ") + word};
   const std::string article =
       vague || noun.countable ? pick({"that", "that", "the same", "the"}) : pick({"that", "the same"});
   return Words{article + " " + word};

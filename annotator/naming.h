@@ -25,6 +25,7 @@ struct Place {
   bool unique = false;  // the home has one only: "nearest to the sink"
   bool wanted = false;  // some such thing, not one that is there: "someone wants a hot potato"
   bool bare = false;    // no place follows that the phrase could be torn apart by: "open the drawer in the kitchen"
+  bool exact = false;   // within a proposition: what is bound has one name, "some mug … the mug", and is never "it"
 };
 
 /// Names the objects of one text as it goes: which were named before, and by which words.
@@ -35,8 +36,8 @@ class Naming {
       : plan_(plan), lexicon_(lexicon), style_(std::move(style)), rng_(rng) {}
 
   std::optional<Words> phrase(const NounPhrase& phrase, Place place);
-  /// The bare noun, as "more mugs" has it.
-  std::optional<std::string> plural(const NounPhrase& phrase);
+  /// The bare noun, as "more mugs" has it; `exact`: what it binds can be named from here on.
+  std::optional<std::string> plural(const NounPhrase& phrase, Place place = {});
   /// "clean", "on that table", "filled with water".
   std::optional<std::string> complement(const Complement& complement, Place place);
   bool was_named(const std::string& variable) const;
@@ -54,9 +55,9 @@ class Naming {
     Domain noun;
     bool vague = false;  // "that object" may mean it
   };
-  std::optional<Noun> noun(const Domain& domain);
+  std::optional<Noun> noun(const Domain& domain, bool exact);
   std::optional<std::string> name_of(const Domain::Member& member, bool plural, bool& countable);
-  std::optional<Words> again(const NounPhrase& phrase, const Noun& noun);
+  std::optional<Words> again(const NounPhrase& phrase, const Noun& noun, Place place);
   /// What stands around a noun: "dirty", "that is on a desk", "nearest to the sink".
   struct Description {
     std::string before;    // an adjective with a blank, or ""
@@ -68,6 +69,8 @@ class Naming {
     }
   };
   std::optional<Description> describe(const NounPhrase& phrase, Place place);
+  /// "some dirty mug", "every mug": what a proposition goes on to speak of.
+  std::optional<Words> bound(const NounPhrase& phrase, const Noun& noun, const Description& description);
   std::string adjective(const Complement& modifier, bool two);
   std::optional<Words> first(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description);
   std::optional<Words> counted(const NounPhrase& phrase, const Noun& noun, const Description& description);

@@ -108,13 +108,16 @@ NounTable::NounTable(const Knowledge& knowledge) {
     add(made.nouns, name.plural, of_category(room), false, true, false, 0);
     made.room_types.push_back(room);
   }
-  Domain object, room;
+  Domain object, room, agent;
   object.kind = Domain::Kind::Object;
   room.kind = Domain::Kind::Room;
+  agent.kind = Domain::Kind::Agent;
   add(made.nouns, "object", object, true, false, false, 2);
   add(made.nouns, "objects", object, false, true, false, 2);
   add(made.nouns, "room", room, true, false, false, 2);
   add(made.nouns, "rooms", room, false, true, false, 2);
+  add(made.nouns, "agent", agent, true, false, false, 2);
+  add(made.nouns, "agents", agent, false, true, false, 2);
   made.colours.assign(colours.begin(), colours.end());
   made.materials.assign(materials.begin(), materials.end());
   fixed_ = std::make_shared<const Names>(std::move(made));

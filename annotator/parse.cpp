@@ -8,6 +8,7 @@
 #include "annotator/asides.h"
 #include "annotator/compose.h"
 #include "annotator/reading.h"
+#include "annotator/reading_proposition.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -77,6 +78,11 @@ constexpr std::array<std::string_view, 6> kAssurances{"make sure that", "make su
 constexpr std::array<std::string_view, 4> kClosings{"in the end ,", "at the end ,", "when you are done ,",
                                                     "by the end ,"};
 
+/// What a proposition follows.
+constexpr std::array<std::string_view, 6> kExactOpenings{
+    "make sure of this :", "see to the following :",   "what counts is this :",
+    "the goal is this :",  "what is wanted is this :", "take care of this :"};
+
 class TextReader {
  public:
   TextReader(const std::vector<Token>& tokens, const NounTable& lexicon) : words_(tokens, lexicon), lexicon_(lexicon) {}
@@ -98,7 +104,7 @@ class TextReader {
     if (words_.accept_one({".", "?", "!"}) < 0) words_.fail("expected the end of the sentence");
   }
 
-  void say(Kind kind, std::vector<Clause> clauses) { message_.push_back({kind, std::move(clauses)}); }
+  void say(Kind kind, std::vector<Clause> clauses) { message_.push_back({kind, std::move(clauses), false, {}}); }
 
   void sentence() {
     moving_ = false;
@@ -110,6 +116,11 @@ class TextReader {
     for (const std::string_view never_mind : never_minds())
       if (words_.accept(never_mind)) {  // asks for nothing
         if (words_.phrase().determiner != Determiner::The) words_.fail("expected 'the …' before this");
+        return end_sentence();
+      }
+    for (const std::string_view opening : kExactOpenings)
+      if (words_.accept(opening)) {
+        message_.push_back({Kind::Stated, {}, false, {read_proposition(words_)}});
         return end_sentence();
       }
     if (words_.accept("if")) return conditional();

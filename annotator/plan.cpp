@@ -1,32 +1,37 @@
 #include "annotator/plan.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "annotator/conditions.h"
 #include "annotator/meaning.h"
+#include "annotator/phrase_plan.h"
+#include "annotator/plan_proposition.h"
 
 namespace unietp {
 namespace {
 
 using Op = Formula::Op;
-using Scope = std::map<std::string, Domain>;
+using Scope = PhrasePlanner::Scope;
 
 class Planner {
  public:
-  Planner(const std::vector<Formula>& start, PlanOptions options, Rng rng) : choosing_(options.choosing), rng_(rng) {
+  Planner(const std::vector<Formula>& start, PlanOptions options, Rng rng)
+      : choosing_(options.choosing), rng_(rng), phrases_(start) {
     if (options.conditions) conditions_ = conditions_of(start);
-    for (const Formula& f : start) {
-      if (f.op != Op::Count || f.comparison != Comparison::Equal || f.number != 2) continue;
-      pairs_.insert(pair_key(f.variable, f.domain, f.children[0]));
-    }
+  }
+
+  /// All of it as one proposition.
+  Result<Plan> exactly(const Formula& goal) {
+    state(goal, {});
+    if (phrases_.error()) return *phrases_.error();
+    return std::move(plan_);
   }
 
   Result<Plan> plan(const Formula& goal) {
     Formula body = goal;
     while (body.op == Op::Exists) {
-      scope_[body.variable] = body.domain;
+      phrases_.scope()[body.variable] = body.domain;
       Formula inner = body.children[0];
       body = std::move(inner);
     }
@@ -44,24 +49,38 @@ class Planner {
       }
     }
     std::vector<Requirement> early, late;
-    for (const Formula& part : others) add_temporal(part, finals, part.op == Op::Always ? late : early);
+    std::vector<Formula> stated;  // what no clause says
+    for (const Formula& part : others)
+      if (!add_temporal(part, finals, part.op == Op::Always ? late : early)) stated.push_back(part);
     std::vector<Clause> clauses;
-    for (const Formula& part : finals) clauses.push_back(clause(part));
-    if (error_) return *error_;
+    for (const Formula& part : finals) {
+      Clause said = clause(part);
+      if (phrases_.forgive()) {
+        stated.push_back(at_end(part));
+      } else {
+        clauses.push_back(std::move(said));
+      }
+    }
     if (rng_.chance(0.8)) group(clauses);
     plan_.message = std::move(early);
-    for (Clause& said : clauses) plan_.message.push_back({Requirement::Kind::Final, {std::move(said)}});
+    for (Clause& said : clauses) plan_.message.push_back({Requirement::Kind::Final, {std::move(said)}, false, {}});
     for (Requirement& requirement : late) plan_.message.push_back(std::move(requirement));
+    for (const Formula& part : stated) state(gathered(part), free_variables(part));
+    if (plan_.message.empty()) fail(goal);
+    if (phrases_.error()) return *phrases_.error();
     if (choosing_ && rng_.chance(0.5)) choose_first();
     for (const Formula& f : conditions_) add_condition(f);
     rng_.shuffle(plan_.conditions);
-    return plan_;
+    return std::move(plan_);
   }
 
  private:
-  void fail(const Formula& part) {
-    if (!error_)
-      error_ = Error{Error::Kind::Unsatisfiable, "goal", {}, "the grammar has no words for " + to_text(part)};
+  void fail(const Formula& part) { phrases_.fail(part); }
+
+  void state(const Formula& part, const std::vector<std::string>& about) {
+    Clause named;
+    for (const std::string& variable : about) named.subjects.push_back(phrases_.reference(variable, part));
+    plan_.message.push_back({Requirement::Kind::Stated, {std::move(named)}, false, {proposition_of(part, phrases_)}});
   }
 
   /// Where it is said plainly: of something that is so, not of what it is not.
@@ -70,9 +89,9 @@ class Planner {
     phrase.noun = condition.domain;
     phrase.noun.where.clear();
     const Formula where = expanded(condition.domain.where[0]);
-    for (const Formula& part : scattered(where, condition.variable)) {
+    for (const Formula& part : PhrasePlanner::scattered(where, condition.variable)) {
       if (part.op != Op::Atom && part.op != Op::Exists) return;
-      const auto said = complement(part, condition.variable, Determiner::New);
+      const auto said = phrases_.complement(part, condition.variable, Determiner::New);
       if (!said) return;
       phrase.modifiers.push_back(*said);
     }
@@ -91,39 +110,37 @@ class Planner {
     return true;
   }
 
-  void add_temporal(const Formula& f, std::vector<Formula>& finals, std::vector<Requirement>& out) {
+  /// Says it with what belongs to it of `finals`. False, and nothing is changed, when no clause can.
+  bool add_temporal(const Formula& f, std::vector<Formula>& finals, std::vector<Requirement>& out) {
     using Kind = Requirement::Kind;
+    const auto say = [&](Kind kind, std::vector<Clause> clauses) {
+      if (phrases_.forgive()) return false;
+      out.push_back({kind, std::move(clauses), false, {}});
+      return true;
+    };
     const auto said = [&](std::size_t i) { return clause(f.children[i]); };
     switch (f.op) {
       case Op::Always:
-        out.push_back({Kind::Always, {said(0)}});
-        return;
+        return say(Kind::Always, {said(0)});
       case Op::Until:
-        out.push_back({Kind::Until, {said(0), said(1)}});
-        return;
+        return say(Kind::Until, {said(0), said(1)});
       case Op::Sometime: {
-        const Formula* undone = nullptr;
-        for (const Formula& part : finals)
-          if (opposite(f.children[0], part)) undone = &part;
-        if (undone == nullptr || rng_.chance(0.3)) {
-          out.push_back({Kind::Sometime, {said(0)}});
-          return;
-        }
-        out.push_back({Kind::Again, {said(0), clause(*undone)}});
-        finals.erase(finals.begin() + (undone - finals.data()));
-        return;
+        const auto undone = std::find_if(finals.begin(), finals.end(),
+                                         [&](const Formula& part) { return opposite(f.children[0], part); });
+        if (undone == finals.end() || rng_.chance(0.3)) return say(Kind::Sometime, {said(0)});
+        const bool found = say(Kind::Again, {said(0), clause(*undone)});
+        if (found) finals.erase(undone);
+        return found;
       }
       case Op::Before: {
-        if (rng_.chance(0.25) || !take(f.children[1], finals)) {
-          out.push_back({Kind::Before, {said(0), said(1)}});
-        } else {
-          const bool kept = take(f.children[0], finals);
-          out.push_back({kept ? Kind::ThenKept : Kind::Then, {said(0), said(1)}});
-        }
-        return;
+        const bool apart = rng_.chance(0.25);
+        std::vector<Clause> clauses{said(0), said(1)};
+        if (phrases_.forgive()) return false;
+        if (apart || !take(f.children[1], finals)) return say(Kind::Before, std::move(clauses));
+        return say(take(f.children[0], finals) ? Kind::ThenKept : Kind::Then, std::move(clauses));
       }
       default:
-        fail(f);
+        return false;
     }
   }
 
@@ -138,119 +155,17 @@ class Planner {
     return false;
   }
 
-  NounPhrase reference(const std::string& variable, const Formula& context) {
-    NounPhrase phrase;
-    const auto found = scope_.find(variable);
-    if (found == scope_.end()) {
-      fail(context);
-      return phrase;
-    }
-    phrase.variable = variable;
-    describe(phrase, found->second, variable);
-    return phrase;
-  }
-
-  void describe(NounPhrase& phrase, const Domain& domain, const std::string& variable) {
-    phrase.noun = domain;
-    phrase.noun.where.clear();
-    if (domain.where.empty()) return;
-    const bool size = std::any_of(domain.where.begin(), domain.where.end(), [](const Formula& where) {
-      return where.op == Op::Atom && where.predicate == Predicate::Size;
-    });
-    phrase.two = pairs_.contains(pair_key(variable, phrase.noun, size ? Formula{} : domain.where[0]));
-    for (const Formula& part : scattered(domain.where[0], variable)) {
-      auto modifier = complement(part, variable, Determiner::New);
-      if (!modifier) modifier = converse(part, variable);
-      if (!modifier) fail(part);
-      if (modifier) phrase.modifiers.push_back(*modifier);
-    }
-  }
-
-  /// What is said of the variable, one by one: `expanded` has pulled the quantifiers to the front.
-  static std::vector<Formula> scattered(const Formula& f, const std::string& variable) {
-    if (f.op != Op::And && f.op != Op::Exists) return {f};
-    std::vector<Formula> parts;
-    for (const Formula& child : f.children) {
-      for (Formula& part : scattered(child, variable)) {
-        const bool bound = f.op == Op::Exists && mentions(part, f.variable);
-        parts.push_back(bound ? exists(f.variable, f.domain, std::move(part)) : std::move(part));
-      }
-    }
-    return parts;
-  }
-
-  /// "where a plate is kept": what is said of the variable by something else.
-  std::optional<Complement> converse(const Formula& f, const std::string& variable) {
-    if (f.op != Op::Exists || f.children[0].op != Op::Atom || f.children[0].terms.size() != 2) return std::nullopt;
-    const Formula& body = f.children[0];
-    const bool held = body.predicate == Predicate::Inside || body.predicate == Predicate::On;
-    if (!held || !is(body.terms[0], f.variable) || !is(body.terms[1], variable)) return std::nullopt;
-    return Complement{body.predicate, false, "", {quantified(f, Determiner::New)}, true};
-  }
-
-  NounPhrase quantified(const Formula& binder, Determiner determiner) {
-    NounPhrase phrase;
-    describe(phrase, binder.domain, binder.variable);
-    phrase.determiner = determiner;
-    phrase.number = binder.number;
-    return phrase;
-  }
-
-  static bool is(const Term& term, const std::string& variable) {
-    return term.kind == Term::Kind::Variable && term.name == variable;
-  }
-
-  /// What `f` says of the variable, when that is one state or relation. `local`: how an object bound inside is named.
-  std::optional<Complement> complement(const Formula& f, const std::string& variable, Determiner local) {
-    if (f.op == Op::Not) {
-      auto inner = complement(f.children[0], variable, local);
-      if (inner) inner->negated = !inner->negated;
-      return inner;
-    }
-    if (f.op == Op::Atom && is(f.terms[0], variable)) {
-      Complement said{f.predicate, false, "", {}};
-      if (f.terms.size() == 1) return said;
-      if (is(f.terms[1], variable)) return std::nullopt;
-      if (f.terms[1].kind == Term::Kind::Symbol) said.symbol = f.terms[1].name;
-      if (f.terms[1].kind == Term::Kind::Variable) said.object.push_back(reference(f.terms[1].name, f));
-      return said;
-    }
-    const bool none = f.op == Op::Forall && f.children[0].op == Op::Not;  // not on any table
-    if (f.op != Op::Exists && f.op != Op::Count && f.op != Op::Forall) return std::nullopt;
-    const Formula& body = none ? f.children[0].children[0] : f.children[0];
-    if (body.op != Op::Atom || body.terms.size() != 2 || !is(body.terms[0], variable) || !is(body.terms[1], f.variable))
-      return std::nullopt;
-    const Determiner determiner = f.op == Op::Exists ? local : none ? Determiner::Any : counted(f);
-    return Complement{body.predicate, none, "", {quantified(f, determiner)}};
-  }
-
-  static Determiner counted(const Formula& f) {
-    if (f.op == Op::Forall) return Determiner::Every;
-    if (f.comparison == Comparison::Equal) return Determiner::Exactly;
-    return f.comparison == Comparison::AtLeast ? Determiner::AtLeast : Determiner::AtMost;
-  }
-
-  /// All that `f` says of the variable, joined by and or by or.
-  bool complements(const Formula& f, const std::string& variable, Clause& into) {
-    into.any_complement = f.op == Op::Or;
-    const bool list = f.op == Op::Or || f.op == Op::And;
-    for (const Formula& part : list ? f.children : std::vector<Formula>{f}) {
-      auto said = complement(part, variable, Determiner::Any);
-      if (!said) return false;
-      into.complements.push_back(std::move(*said));
-    }
-    return true;
-  }
-
   Clause clause(const Formula& f) {
     Clause said;
     switch (f.op) {
       case Op::And:
+        if (f.children.empty()) break;
         said.kind = Clause::Kind::And;
         for (const Formula& part : f.children) said.parts.push_back(clause(part));
         group(said.parts);
         return said;
       case Op::Or:
+        if (f.children.empty()) break;
         return alternatives(f);
       case Op::Atom:
       case Op::Not: {
@@ -260,19 +175,20 @@ class Planner {
           NounPhrase you;
           you.determiner = Determiner::Agent;
           said.subjects.push_back(you);
-          said.complements.push_back({inner.predicate, f.op == Op::Not, "", {reference(inner.terms[1].name, f)}});
+          said.complements.push_back(
+              {inner.predicate, f.op == Op::Not, "", {phrases_.reference(inner.terms[1].name, f)}});
           return said;
         }
-        said.subjects.push_back(reference(inner.terms[0].name, f));
-        if (!complements(f, inner.terms[0].name, said)) fail(f);
+        said.subjects.push_back(phrases_.reference(inner.terms[0].name, f));
+        if (!phrases_.complements(f, inner.terms[0].name, said)) fail(f);
         return said;
       }
       case Op::CountCompare: {
         said.kind = Clause::Kind::Compare;
         said.comparison = f.comparison;
         for (const Formula& side : f.children) {
-          said.subjects.push_back(quantified(side, Determiner::New));
-          const auto one = complement(side.children[0], side.variable, Determiner::Any);
+          said.subjects.push_back(phrases_.quantified(side, Determiner::New));
+          const auto one = phrases_.complement(side.children[0], side.variable, Determiner::Any);
           if (!one) fail(side);
           if (one) said.complements.push_back(*one);
         }
@@ -295,26 +211,27 @@ class Planner {
     const Formula& body = f.children[0];
     if (f.op == Op::Forall && negative(body)) {
       const Formula positive = expanded_negation(body);
-      if (complements(positive, f.variable, said)) {
-        said.subjects.push_back(quantified(f, Determiner::No));
+      if (phrases_.complements(positive, f.variable, said)) {
+        said.subjects.push_back(phrases_.quantified(f, Determiner::No));
         return said;
       }
       said = {};
-      if (body.op == Op::Forall && complements(expanded_negation(turned(f).children[0]), body.variable, said)) {
-        said.subjects.push_back(quantified(body, Determiner::No));
+      if (body.op == Op::Forall &&
+          phrases_.complements(expanded_negation(turned(f).children[0]), body.variable, said)) {
+        said.subjects.push_back(phrases_.quantified(body, Determiner::No));
         return said;
       }
       said = {};
     }
-    if (complements(body, f.variable, said)) {
-      said.subjects.push_back(quantified(f, f.op == Op::Exists ? Determiner::Any : counted(f)));
+    if (phrases_.complements(body, f.variable, said)) {
+      said.subjects.push_back(phrases_.quantified(f, f.op == Op::Exists ? Determiner::Any : phrases_.counted(f)));
       return said;
     }
     const Formula& inner = body.op == Op::Not ? body.children[0] : body;
     said = {};
     if (inner.op == Op::Atom && inner.terms[0].kind == Term::Kind::Variable &&
-        complements(f, inner.terms[0].name, said)) {
-      said.subjects.push_back(reference(inner.terms[0].name, f));
+        phrases_.complements(f, inner.terms[0].name, said)) {
+      said.subjects.push_back(phrases_.reference(inner.terms[0].name, f));
       return said;
     }
     fail(f);
@@ -357,13 +274,13 @@ class Planner {
       fail(f);
       return {};
     }
-    const Scope outer = scope_;
+    const Scope outer = phrases_.scope();
     const Formula* body = &rest.children[0];
-    for (; body->op == Op::Exists; body = &body->children[0]) scope_[body->variable] = body->domain;
+    for (; body->op == Op::Exists; body = &body->children[0]) phrases_.scope()[body->variable] = body->domain;
     Clause said = clause(*body);
     for (const Formula& part : f.children)
-      if (excludes(part)) said.given.push_back(quantified(part, Determiner::New));
-    scope_ = outer;
+      if (excludes(part)) said.given.push_back(phrases_.quantified(part, Determiner::New));
+    phrases_.scope() = outer;
     return said;
   }
 
@@ -374,32 +291,32 @@ class Planner {
       bool shared = true;
       for (const Formula& part : f.children) shared = shared && subject_of(part) && *subject_of(part) == *first;
       const std::string variable = *first;
-      if (shared && scope_.contains(variable) && complements(f, variable, said)) {
-        said.subjects.push_back(reference(variable, f));
+      if (shared && phrases_.scope().contains(variable) && phrases_.complements(f, variable, said)) {
+        said.subjects.push_back(phrases_.reference(variable, f));
         return said;
       }
     }
     said = {};
-    Scope outer = scope_;
+    Scope outer = phrases_.scope();
     bool same = true;
     for (const Formula& part : f.children) {  // objects of an alternative are New in it
       const Formula* body = &part;
       std::vector<NounPhrase> given;
       for (; body->op == Op::Exists; body = &body->children[0]) {
-        scope_[body->variable] = body->domain;
-        if (only_given(*body)) given.push_back(reference(body->variable, *body));
+        phrases_.scope()[body->variable] = body->domain;
+        if (only_given(*body)) given.push_back(phrases_.reference(body->variable, *body));
       }
       said.parts.push_back(clause(*body));
       same = same && given.empty();
       said.parts.back().given = std::move(given);
     }
-    scope_ = outer;
+    phrases_.scope() = outer;
     for (const Clause& part : said.parts)
       same = same && part.kind == Clause::Kind::Simple && part.subjects.size() == 1 && same_saying(part, said.parts[0]);
     for (const Clause& part : said.parts)
       for (const Complement& complement : part.complements)
         for (const NounPhrase& object : complement.object)
-          same = same && (object.variable.empty() || scope_.contains(object.variable));
+          same = same && (object.variable.empty() || phrases_.scope().contains(object.variable));
     if (!same) {
       said.kind = Clause::Kind::Or;
       return said;
@@ -439,8 +356,9 @@ class Planner {
   static void group(std::vector<Clause>& clauses) {
     for (std::size_t i = 0; i < clauses.size(); ++i)
       for (std::size_t k = i + 1; k < clauses.size();) {
-        const bool plain = clauses[i].kind == Clause::Kind::Simple && clauses[k].kind == Clause::Kind::Simple &&
-                           !clauses[i].any_subject && !clauses[k].any_subject && clauses[k].subjects.size() == 1;
+        const bool plain = !clauses[i].subjects.empty() && clauses[i].kind == Clause::Kind::Simple &&
+                           clauses[k].kind == Clause::Kind::Simple && !clauses[i].any_subject &&
+                           !clauses[k].any_subject && clauses[k].subjects.size() == 1;
         const auto bare = [](const Clause& c) {
           const Determiner d = c.subjects[0].determiner;
           return d != Determiner::Agent && d != Determiner::No && d != Determiner::Any;
@@ -457,31 +375,25 @@ class Planner {
   /// "Choose one kitchen.": names an object that later clauses speak of.
   void choose_first() {
     std::vector<std::string> variables;
-    for (const auto& [name, domain] : scope_) variables.push_back(name);
+    for (const auto& [name, domain] : phrases_.scope()) variables.push_back(name);
     if (variables.empty()) return;
     Clause said;
-    said.subjects.push_back(reference(rng_.pick(variables), Formula{}));
-    plan_.message.insert(plan_.message.begin(), {Requirement::Kind::Choose, {said}});
-  }
-
-  /// Of which objects there are two, whatever the variables are called.
-  static std::string pair_key(const std::string& variable, const Domain& domain, const Formula& body) {
-    return to_text(normal_form(exists(variable, domain, body)));
+    said.subjects.push_back(phrases_.reference(rng_.pick(variables), Formula{}));
+    plan_.message.insert(plan_.message.begin(), {Requirement::Kind::Choose, {said}, false, {}});
   }
 
   bool choosing_;
   Rng rng_;
   std::vector<Formula> conditions_;
-  std::set<std::string> pairs_;  // pair_key of what the start has exactly two of
-  Scope scope_;
+  PhrasePlanner phrases_;
   Plan plan_;
-  std::optional<Error> error_;
 };
 
 }  // namespace
 
 Result<Plan> plan_message(const Formula& goal, const std::vector<Formula>& start, PlanOptions options, Rng rng) {
-  return Planner(start, options, rng).plan(goal);
+  Planner planner(start, options, rng);
+  return options.exactly ? planner.exactly(goal) : planner.plan(goal);
 }
 
 }  // namespace unietp

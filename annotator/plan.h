@@ -21,11 +21,13 @@ struct Plan {
 struct PlanOptions {
   bool choosing = false;    // may open with "Choose a kitchen.", which clears up the scope of what follows
   bool conditions = false;  // fill in Plan::conditions
+  bool exactly = false;     // operator by operator, as one proposition: any goal has such words
 };
 
-/// Deterministic in rng, which chooses among equal orders and groupings. `goal` is `expanded` (meaning.h). `start`: the
-/// start constraints; where they say that there are exactly two of something, the text may say "both".
-/// Errors: Unsatisfiable, naming the part of the goal that no clause can say.
+/// Deterministic in rng, which chooses among equal orders and groupings. `goal` is `expanded` (meaning.h), or,
+/// `exactly`, any. `start`: the start constraints; where they say that there are exactly two of something, the text may
+/// say "both". What no clause can say is stated operator by operator. Errors: Unsatisfiable, naming the part of the
+/// goal that has no words; `exactly` has none.
 Result<Plan> plan_message(const Formula& goal, const std::vector<Formula>& start, PlanOptions options, Rng rng);
 
 }  // namespace unietp

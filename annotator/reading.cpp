@@ -81,6 +81,9 @@ constexpr StateWords kSymbols[] = {{"filled with", P::Filled}, {"covered with", 
 constexpr std::array<std::string_view, 13> kNumbers{"zero",  "one",   "two",  "three", "four",   "five",  "six",
                                                     "seven", "eight", "nine", "ten",   "eleven", "twelve"};
 
+constexpr std::array<std::string_view, 12> kOrdinals{"first",   "second", "third", "fourth", "fifth",    "sixth",
+                                                     "seventh", "eighth", "ninth", "tenth",  "eleventh", "twelfth"};
+
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kOfTwo = {
     {{"the larger of the two", "large"}, {"the bigger of the two", "large"}, {"the smaller of the two", "small"}}};
 constexpr std::array<std::string_view, 6> kBarePlaces{"on", "inside", "in", "next to", "beside", "on top of"};
@@ -169,15 +172,11 @@ NounPhrase PhraseReader::phrase() {
     read.determiner = determiner;
     return noun_after(read, plural);
   };
-  for (int i = 0; i < 3; ++i) {
-    if (!comes(std::array{"the first", "the second", "the third"}[i])) continue;
-    const std::size_t start = at_;
+  const auto ordinal = peek() == "the" ? std::find(kOrdinals.begin(), kOrdinals.end(), peek(1)) : kOrdinals.end();
+  if (ordinal != kOrdinals.end() && lexicon_.noun_at(tokens_, at_ + 2).length > 0) {
     at_ += 2;
-    if (lexicon_.noun_at(tokens_, at_).length > 0) {
-      read.number = i + 1;
-      return as(Determiner::Ordinal);
-    }
-    at_ = start;
+    read.number = static_cast<int>(ordinal - kOrdinals.begin()) + 1;
+    return as(Determiner::Ordinal);
   }
   // "a single bed" is one bed, unless there is a category "single bed".
   const bool single_in_name = peek(1) == "single" && lexicon_.noun_at(tokens_, at_ + 1).length > 0;
@@ -233,6 +232,13 @@ NounPhrase PhraseReader::bare_noun() {
   NounPhrase read;
   read.column = column();
   return noun_after(read, true);
+}
+
+int PhraseReader::number() {
+  const auto number = failed() ? std::nullopt : number_in(peek());
+  if (!number) fail("expected a number");
+  if (number) ++at_;
+  return number.value_or(0);
 }
 
 NounPhrase PhraseReader::noun_after(NounPhrase read, bool plural) {
@@ -409,6 +415,7 @@ std::string PhraseReader::symbol() {
     ++at_;
   }
   if (words.empty()) fail("expected a substance");
+  if (words.size() == 1 && words[0] == "something") return "any";
   return join(words, "_");
 }
 

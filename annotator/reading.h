@@ -36,6 +36,8 @@ class PhraseReader {
   NounPhrase phrase();
   /// A bare plural noun.
   NounPhrase bare_noun();
+  /// "three", "12".
+  int number();
   /// "a mug, every bowl and that fork"; `any` becomes true for "or".
   std::vector<NounPhrase> phrases(bool& any);
   bool complement_comes() const;

@@ -6,6 +6,7 @@
 
 #include "annotator/asides.h"
 #include "annotator/naming.h"
+#include "annotator/realise_proposition.h"
 #include "annotator/verbs.h"
 #include "core/text.h"
 
@@ -191,8 +192,27 @@ class Realiser {
         if (!second) return std::nullopt;
         return framed(pick({"", "please "}), Text(*first + pick({", then ", " and then "}) + *second), " again");
       }
+      case Kind::Stated:
+        return stated(said);
     }
     return std::nullopt;
+  }
+
+  /// "Choose a mug. Make sure of this: at all times, if the mug is hot, then …"
+  Text stated(const Requirement& said) {
+    std::string text;
+    for (const NounPhrase& about : said.clauses[0].subjects) {
+      if (naming_.was_named(about.variable)) continue;
+      const auto named = naming_.phrase(about, {});
+      if (!named) return std::nullopt;
+      text += sentence("choose " + named->text, '.') + " ";
+    }
+    const Text body = proposition_words(said.stated[0], naming_, rng_);
+    if (!body) return std::nullopt;
+    const std::string opening =
+        pick({"make sure of this: ", "please make sure of this: ", "see to the following: ", "what counts is this: ",
+              "the goal is this: ", "what is wanted is this: ", "please take care of this: "});
+    return text + sentence(opening + *body, '.');
   }
 
   /// "if a fridge is open, close a cabinet"

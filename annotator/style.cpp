@@ -76,7 +76,7 @@ bool tie(Plan& plan) {
   }
   Clause said = all.parts.size() == 1 ? all.parts[0] : all;
   said.given = {plan.conditions.front()};
-  plan.message = {{Kind::Final, {said}}};
+  plan.message = {{Kind::Final, {said}, false, {}}};
   return true;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "logic/evaluate.h"
+#include "simulation/mode_episode.h"
 #include "validator/conjuncts.h"
 
 namespace unietp {
@@ -26,15 +27,29 @@ bool handles(ActionType type) {
   return group == ActionClass::Manipulation || group == ActionClass::Composite;
 }
 
-/// A world on its way, and what changed on it.
+/// Whether an agent that goes by pictures can tell what is in the box: some steps are there to see a thing better.
+bool can_be_told(const PixelBox& box) {
+  constexpr int kLeastSide = 4, kLeastArea = 100;  // pixels (docs/modes.md)
+  const int wide = box[2] - box[0] + 1, high = box[3] - box[1] + 1;
+  return std::min(wide, high) >= kLeastSide && wide * high >= kLeastArea;
+}
+
+bool can_be_told(const Command& command) {
+  return std::all_of(command.args.begin(), command.args.end(),
+                     [](const Argument& argument) { return !argument.box || can_be_told(*argument.box); });
+}
+
+/// An episode on its way, and what changed on it.
 struct Course {
-  World world;
+  ModeEpisode episode;
   std::vector<Delta> changes;
 
   void act(const Action& action) {
-    const auto before = world.moment();
-    (void)world.step(action);
-    if (world.moment() != before) changes.push_back(world.changes());
+    const auto command = episode.said(action);
+    if (!command || !can_be_told(*command)) return;
+    const auto before = episode.world().moment();
+    (void)episode.step(*command);
+    if (episode.world().moment() != before) changes.push_back(episode.world().changes());
   }
 };
 
@@ -48,11 +63,11 @@ std::vector<StateSet> states_held(const World& world) {
 
 class Spoiler {
  public:
-  Spoiler(const Formula& goal, const World& start, const TraceMaker& traces, std::string where)
-      : goal_(goal), start_(start), traces_(traces), where_(std::move(where)) {}
+  Spoiler(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces, std::string where)
+      : goal_(goal), start_{ModeEpisode(start, mode), {}}, traces_(traces), where_(std::move(where)) {}
 
   void leave_out_each(const std::vector<Action>& plan) {
-    Course here{start_, {}};
+    Course here = start_;
     for (std::size_t i = 0; i < plan.size(); ++i) {
       Course without = here;
       if (reaches_goal(without, std::span(plan).subspan(i + 1))) {
@@ -113,7 +128,7 @@ class Spoiler {
   bool survives(const std::vector<std::vector<Action>>& parts) {
     std::vector<Action> plan;
     for (const auto& part : parts) plan.insert(plan.end(), part.begin(), part.end());
-    Course course{start_, {}};
+    Course course = start_;
     return reaches_goal(course, plan);
   }
 
@@ -122,14 +137,14 @@ class Spoiler {
   std::vector<std::vector<Action>> parts_of(const std::vector<Action>& plan) const {
     std::vector<std::vector<Action>> parts;
     std::vector<Action> part;
-    Course course{start_, {}};
+    Course course = start_;
     for (const Action& action : plan) {
       const auto before = course.changes.size();
-      const auto held = states_held(course.world);
+      const auto held = states_held(course.episode.world());
       course.act(action);
       part.push_back(action);
       const bool something = course.changes.size() > before && !course.changes.back().nodes.empty();
-      const auto holds_now = states_held(course.world);
+      const auto holds_now = states_held(course.episode.world());
       const bool became = !held.empty() && holds_now.size() == held.size() && holds_now != held;
       if (!something || (!holds_now.empty() && !became)) continue;
       parts.push_back(std::move(part));
@@ -148,38 +163,24 @@ class Spoiler {
         used = used || handles(action.type);
       }
     }
-    Course course{start_, {}};
+    Course course = start_;
     if (used && reaches_goal(course, spoilt))
       found(ProblemKind::DistractorServes,
             "with " + other + " instead of " + referent + " the goal is reached as well");
   }
 
   const Formula& goal_;
-  const World& start_;
+  Course start_;
   const TraceMaker& traces_;
   std::string where_;
   MustFail done_;
 };
 
-/// The steps as actions on ids; without those that name no action, and without the end.
-std::vector<Action> plan_of(const DemonstrationRecord& demonstration) {
-  std::vector<Action> plan;
-  for (const StepRecord& step : demonstration.steps) {
-    const auto type = action_named(step.command.action);
-    if (!type || *type == ActionType::Stop) continue;
-    Action action{*type, {}};
-    for (const Argument& argument : step.command.args) action.args.push_back(argument.id);
-    plan.push_back(std::move(action));
-  }
-  return plan;
-}
-
 }  // namespace
 
-MustFail must_fail(const Formula& goal, const World& start, const TraceMaker& traces,
-                   const DemonstrationRecord& demonstration, const std::string& where) {
-  const auto plan = plan_of(demonstration);
-  Spoiler spoiler(goal, start, traces, where);
+MustFail must_fail(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
+                   const std::vector<Action>& plan, const std::string& where) {
+  Spoiler spoiler(goal, start, mode, traces, where);
   spoiler.leave_out_each(plan);
   spoiler.change_order(plan);
   spoiler.use_distractors(plan);

@@ -114,11 +114,6 @@ class TaskProver {
       found(prove_goal_at_start(task_, *goal_, constraints_, start_, traces.at_start(), *backend_->knowledge,
                                 reading_.where));
     for (const auto& [mode, demonstration] : shown) prove_demonstration(*world, mode, demonstration, traces);
-    if (goal_ && in_m1 != shown.end()) {
-      auto spoilt = must_fail(*goal_, *world, traces, in_m1->second, where_shown(Mode::M1));
-      proof_.counts.spoilt_plans += spoilt.tried;
-      found(std::move(spoilt.problems));
-    }
     if (const auto wordings = tools_.wordings.find(task_.id); wordings != tools_.wordings.end())
       prove_wordings(wordings->second, traces, in_m1 == shown.end() ? nullptr : &in_m1->second);
   }
@@ -156,6 +151,9 @@ class TaskProver {
     }
     if (!holds(*goal_, trace))
       found(ProblemKind::GoalNotReached, where_shown(mode), "its replay does not reach the goal " + task_.goal_text);
+    auto spoilt = must_fail(*goal_, world, mode, traces, done.plan, where_shown(mode));
+    proof_.counts.spoilt_plans += spoilt.tried;
+    found(std::move(spoilt.problems));
   }
 
   void prove_instruction() {

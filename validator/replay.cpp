@@ -52,6 +52,22 @@ bool same_outcome(const StepRecord& step, const Outcome& outcome) {
          outcome.feedback == step.feedback;
 }
 
+/// What a command asks for, with objects by their ids: a box is of what it overlaps most.
+Action meant(const Command& command, ActionType type, const std::vector<VisibleObject>& view) {
+  Action action{type, {}};
+  for (const Argument& argument : command.args) {
+    if (!argument.box) {
+      action.args.push_back(argument.id);
+      continue;
+    }
+    const auto best = std::max_element(view.begin(), view.end(), [&](const auto& a, const auto& b) {
+      return overlap_of(*argument.box, a.box) < overlap_of(*argument.box, b.box);
+    });
+    action.args.push_back(best == view.end() ? "" : best->id);
+  }
+  return action;
+}
+
 }  // namespace
 
 Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstration, const std::string& where) {
@@ -74,6 +90,8 @@ Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstr
                                    first_difference(step.visible, episode.visible(), "the visible object",
                                                     [](const VisibleObject& object) { return object.id; }));
     }
+    const auto type = action_named(step.command.action);
+    if (type && *type != ActionType::Stop) done.plan.push_back(meant(step.command, *type, step.visible));
     const auto before = episode.world().moment();
     const auto outcome = episode.step(step.command);
     if (!outcome_told && !same_outcome(step, outcome)) {

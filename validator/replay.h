@@ -11,6 +11,7 @@ namespace unietp {
 
 struct Replay {
   std::vector<Delta> changes;  // one a step
+  std::vector<Action> plan;    // what was asked for, with objects by their ids; without the end
   std::vector<Problem> problems;
 };
 

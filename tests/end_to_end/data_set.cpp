@@ -5,6 +5,7 @@
 #include "core/digest.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "schema_checker.h"
 
 namespace unietp {
 namespace {
@@ -57,6 +58,7 @@ Verdict validate(const std::filesystem::path& folder, const std::vector<std::str
   const auto json = Json::parse(ended.out, nullptr, false);
   EXPECT_TRUE(json.is_object()) << ended.out << ended.err;
   if (!json.is_object()) return verdict;
+  EXPECT_EQ(SchemaChecker().check(json, "validation.schema.json"), "");
   verdict.tasks = json["tasks"];
   verdict.proven = json["proven"];
   for (const auto& problem : json["problems"])

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "annotator/clause.h"
+#include "core/result.h"
+
+namespace unietp {
+
+/// Plans what a text calls the objects of a goal: a variable by its noun and what describes it in the start, and what
+/// is said of it. The first part of the goal that it has no words for is kept as the error.
+class PhrasePlanner {
+ public:
+  using Scope = std::map<std::string, Domain>;
+
+  /// `start`: where it says that there are exactly two of something, a phrase may say "both".
+  explicit PhrasePlanner(const std::vector<Formula>& start);
+
+  /// The variables that have one object throughout what is being said.
+  Scope& scope() { return scope_; }
+  const Scope& scope() const { return scope_; }
+
+  const std::optional<Error>& error() const { return error_; }
+  void fail(const Formula& part);
+  /// Takes the error back. Whether there was one.
+  bool forgive();
+
+  NounPhrase reference(const std::string& variable, const Formula& context);
+  /// What a quantifier binds.
+  NounPhrase quantified(const Formula& binder, Determiner determiner);
+  /// What `f` says of the variable, when that is one state or relation. `local`: how an object bound inside is named.
+  std::optional<Complement> complement(const Formula& f, const std::string& variable, Determiner local);
+  /// All that `f` says of the variable, joined by and or by or.
+  bool complements(const Formula& f, const std::string& variable, Clause& into);
+  static Determiner counted(const Formula& f);
+  /// What is said of the variable, one by one: `expanded` has pulled the quantifiers to the front.
+  static std::vector<Formula> scattered(const Formula& f, const std::string& variable);
+
+ private:
+  void describe(NounPhrase& phrase, const Domain& domain, const std::string& variable);
+  std::optional<Complement> converse(const Formula& f, const std::string& variable);
+
+  std::set<std::string> pairs_;  // of what the start has exactly two of
+  Scope scope_;
+  std::optional<Error> error_;
+};
+
+}  // namespace unietp

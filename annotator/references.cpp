@@ -1,0 +1,194 @@
+#include "annotator/references.h"
+
+#include <algorithm>
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+std::string numbered(int number) { return std::string("n").append(std::to_string(number)); }
+Term variable(const std::string& name) { return {Term::Kind::Variable, name}; }
+
+}  // namespace
+
+Formula boxed(const Box& box, Formula body) {
+  std::vector<Formula> parts = box.distinct;
+  parts.push_back(std::move(body));
+  Formula f = conjunction(std::move(parts));
+  for (auto i = box.variables.rbegin(); i != box.variables.rend(); ++i) f = exists(i->first, i->second, std::move(f));
+  return f;
+}
+
+void References::fail(int column, std::string message) {
+  if (!error_) error_ = Error{Error::Kind::Parse, "instruction", {1, column}, std::move(message)};
+}
+
+std::string References::fresh() { return numbered(++count_); }
+
+std::vector<const References::Referent*> References::named(const Domain& noun) const {
+  std::vector<const Referent*> found;
+  for (const Referent& referent : referents_)
+    if (referent.noun == noun || (noun.kind == Domain::Kind::Object && referent.vague)) found.push_back(&referent);
+  return found;
+}
+
+bool References::hidden(const Domain& noun) const {
+  return std::find(hidden_.begin(), hidden_.end(), noun) != hidden_.end();
+}
+
+Domain References::restricted(const NounPhrase& phrase, const std::string& name) {
+  Domain domain = phrase.noun;
+  std::vector<Formula> where;
+  for (const Complement& modifier : phrase.modifiers) where.push_back(restriction(modifier, variable(name)));
+  if (!where.empty()) domain.where.push_back(conjunction(std::move(where)));
+  return domain;
+}
+
+/// "that is on a desk": the desk is any desk, and is not a referent of the text.
+Formula References::restriction(const Complement& modifier, const Term& subject) {
+  if (modifier.object.empty()) return said_of(modifier, subject, nullptr);
+  const NounPhrase& phrase = modifier.object[0];
+  Slot slot;
+  slot.phrase = &phrase;
+  switch (phrase.determiner) {
+    case Determiner::Known:
+    case Determiner::It:
+    case Determiner::Ordinal:
+      slot.term = known(phrase);
+      break;
+    case Determiner::The:
+      if (!named(phrase.noun).empty()) fail(phrase.column, "which one is meant is not clear; say 'that …' or 'a …'");
+      [[fallthrough]];
+    case Determiner::New:
+    case Determiner::Single:
+    case Determiner::Any: {
+      const std::string name = fresh();
+      hidden_.push_back(phrase.noun);
+      slot = {variable(name), true, restricted(phrase, name), &phrase};
+      break;
+    }
+    default:
+      fail(phrase.column, "a description may only name one other object");
+  }
+  return said_of(modifier, subject, &slot);
+}
+
+Term References::known(const NounPhrase& phrase) {
+  if (phrase.determiner == Determiner::It) {
+    if (referents_.size() == 1) return variable(referents_[0].variable);
+    fail(phrase.column, "'it' is clear only after exactly one object was named");
+    return {};
+  }
+  const std::vector<const Referent*> found = named(phrase.noun);
+  if (phrase.determiner == Determiner::Ordinal) {
+    if (phrase.number <= static_cast<int>(found.size())) return variable(found[phrase.number - 1]->variable);
+    fail(phrase.column, "fewer objects of this kind were named before");
+    return {};
+  }
+  if (found.size() == 1) return variable(found[0]->variable);
+  fail(phrase.column, found.empty() ? "no such object was named before" : "several such objects were named before");
+  return {};
+}
+
+Slot References::resolve(const NounPhrase& phrase, Box& box) {
+  Slot slot;
+  slot.phrase = &phrase;
+  switch (phrase.determiner) {
+    case Determiner::Agent:
+      slot.term = {Term::Kind::Agent, "agent"};
+      return slot;
+    case Determiner::Known:
+    case Determiner::It:
+    case Determiner::Ordinal:
+      slot.term = known(phrase);
+      return slot;
+    case Determiner::The:
+      if (phrase.modifiers.empty() && !named(phrase.noun).empty()) {
+        slot.term = known(phrase);
+        return slot;
+      }
+      if (hidden(phrase.noun)) fail(phrase.column, "which one is meant is not clear; say 'a …' for a new one");
+      return introduced(phrase, box);
+    case Determiner::New:
+    case Determiner::Single:
+      return introduced(phrase, box);
+    case Determiner::Another: {
+      const std::vector<const Referent*> others = named(phrase.noun);
+      if (others.empty()) fail(phrase.column, "'another' needs one of the kind named before");
+      const std::string next = numbered(count_ + 1);
+      for (const Referent* other : others) {
+        Formula same;
+        same.op = Op::Equal;
+        same.terms = {variable(next), variable(other->variable)};
+        box.distinct.push_back(negation(same));
+      }
+      return introduced(phrase, box);
+    }
+    default:
+      break;
+  }
+  const std::string name = fresh();
+  hidden_.push_back(phrase.noun);
+  slot = {variable(name), true, restricted(phrase, name), &phrase};
+  return slot;
+}
+
+Slot References::introduced(const NounPhrase& phrase, Box& box) {
+  const std::string name = fresh();
+  Slot slot{variable(name), false, restricted(phrase, name), &phrase};
+  box.variables.emplace_back(name, slot.domain);
+  referents_.push_back({name, phrase.noun, phrase.by_function || phrase.noun.kind == Domain::Kind::Object});
+  return slot;
+}
+
+Formula quantified(const Slot& slot, Formula body) {
+  Formula f;
+  f.variable = slot.term.name;
+  f.domain = slot.domain;
+  f.children.push_back(std::move(body));
+  f.number = slot.phrase->number;
+  switch (slot.phrase->determiner) {
+    case Determiner::Every:
+      f.op = Op::Forall;
+      break;
+    case Determiner::Exactly:
+      f.op = Op::Count, f.comparison = Comparison::Equal;
+      break;
+    case Determiner::AtLeast:
+      f.op = Op::Count, f.comparison = Comparison::AtLeast;
+      break;
+    case Determiner::AtMost:
+      f.op = Op::Count, f.comparison = Comparison::AtMost;
+      break;
+    default:
+      f.op = Op::Exists, f.number = 0;
+  }
+  return slot.phrase->determiner == Determiner::No ? negation(std::move(f)) : f;
+}
+
+Formula said_of(const Complement& complement, const Term& subject, const Slot* object) {
+  Formula f;
+  f.op = Op::Atom;
+  f.predicate = complement.predicate;
+  f.terms.push_back(subject);
+  if (object != nullptr) f.terms.push_back(object->term);
+  if (complement.converse) std::reverse(f.terms.begin(), f.terms.end());
+  if (!complement.symbol.empty()) f.terms.push_back({Term::Kind::Symbol, complement.symbol});
+  if (object != nullptr && object->local) f = quantified(*object, std::move(f));
+  return complement.negated ? negation(std::move(f)) : f;
+}
+
+Slot References::bound(const NounPhrase& phrase) {
+  const std::string name = fresh();
+  Slot slot{variable(name), true, restricted(phrase, name), &phrase};
+  referents_.push_back({name, phrase.noun, phrase.noun.kind == Domain::Kind::Object});
+  return slot;
+}
+
+void References::leave(std::size_t before) {
+  for (std::size_t i = before; i < referents_.size(); ++i) hidden_.push_back(referents_[i].noun);
+  referents_.resize(before);
+}
+
+}  // namespace unietp

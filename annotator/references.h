@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "annotator/clause.h"
+#include "core/result.h"
+
+namespace unietp {
+
+/// A noun phrase after resolution: a term, or a quantifier that is still to be put around what is said of it.
+struct Slot {
+  Term term;
+  bool local = false;  // quantified right around its atom or clause
+  Domain domain;
+  const NounPhrase* phrase = nullptr;
+};
+
+/// Where existential variables go: the text, or one alternative of an `or`.
+struct Box {
+  std::vector<std::pair<std::string, Domain>> variables;
+  std::vector<Formula> distinct;
+};
+Formula boxed(const Box& box, Formula body);
+
+/// The quantifier of a local slot around what is said of it.
+Formula quantified(const Slot& slot, Formula body);
+/// What a complement says of the subject; `object` is that of a relation.
+Formula said_of(const Complement& complement, const Term& subject, const Slot* object);
+
+/// What the nouns and pronouns of a text stand for, from left to right. The first phrase that could mean two things or
+/// nothing is kept as the error.
+class References {
+ public:
+  const std::optional<Error>& error() const { return error_; }
+  void fail(int column, std::string message);
+
+  /// `New` phrases are put into the box.
+  Slot resolve(const NounPhrase& phrase, Box& box);
+  /// A new object of the box, whatever the article.
+  Slot introduced(const NounPhrase& phrase, Box& box);
+  /// The object named before that a phrase means.
+  Term known(const NounPhrase& phrase);
+  /// Binds a variable by a phrase of any determiner; its name can be referred to until `leave`.
+  Slot bound(const NounPhrase& phrase);
+
+  std::size_t named_count() const { return referents_.size(); }
+  /// What was named since cannot be referred to from here on.
+  void leave(std::size_t before);
+
+  std::string fresh();
+  Domain restricted(const NounPhrase& phrase, const std::string& name);
+
+ private:
+  struct Referent {
+    std::string variable;
+    Domain noun;
+    bool vague = false;  // "that object" may mean it
+  };
+  std::vector<const Referent*> named(const Domain& noun) const;
+  bool hidden(const Domain& noun) const;
+  Formula restriction(const Complement& modifier, const Term& subject);
+
+  std::vector<Referent> referents_;
+  std::vector<Domain> hidden_;  // named, but not to be referred to
+  int count_ = 0;
+  std::optional<Error> error_;
+};
+
+}  // namespace unietp
