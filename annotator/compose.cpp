@@ -143,20 +143,20 @@ class Composer {
       side.op = Op::Number;
       side.variable = name;
       side.domain = references_.restricted(clause.subjects[i], name);
-      const std::vector<Slot> objects = objects_of({clause.complements[i]}, clause, box);
+      const std::vector<Resolved> objects = objects_of({clause.complements[i]}, clause, box);
       side.children = {said_of(clause.complements[i], variable(name), objects[0].phrase ? &objects[0] : nullptr)};
       f.children.push_back(std::move(side));
     }
     return f;
   }
 
-  std::vector<Slot> objects_of(const std::vector<Complement>& complements, const Clause& clause, Box& box) {
+  std::vector<Resolved> objects_of(const std::vector<Complement>& complements, const Clause& clause, Box& box) {
     bool every = false, none = false;
     for (const NounPhrase& subject : clause.subjects) {
       every |= subject.determiner == Determiner::Every && clause.kind == Clause::Kind::Simple;
       none |= subject.determiner == Determiner::No && !clause.removal;
     }
-    std::vector<Slot> slots;
+    std::vector<Resolved> slots;
     for (const Complement& complement : complements) {
       if (complement.object.empty()) {
         slots.emplace_back();
@@ -175,14 +175,14 @@ class Composer {
   }
 
   Formula simple(const Clause& clause, Box& box) {
-    std::vector<Slot> subjects;
+    std::vector<Resolved> subjects;
     std::vector<Box> own(clause.subjects.size());
     const bool alternatives = clause.any_subject && clause.subjects.size() > 1;
     const std::size_t before = references_.named_count();
     for (std::size_t i = 0; i < clause.subjects.size(); ++i)
       subjects.push_back(references_.resolve(clause.subjects[i], alternatives ? own[i] : box));
     if (alternatives) references_.leave(before);
-    const std::vector<Slot> objects = objects_of(clause.complements, clause, box);
+    const std::vector<Resolved> objects = objects_of(clause.complements, clause, box);
     std::vector<Formula> parts;
     for (std::size_t i = 0; i < subjects.size(); ++i) {
       std::vector<Formula> said;
@@ -198,9 +198,9 @@ class Composer {
   }
 
   /// "that you put a mug into": another thing that the text asks for.
-  Formula brought_about(const Complement& done, const Slot& subject, const Clause& clause, Box& box) {
+  Formula brought_about(const Complement& done, const Resolved& subject, const Clause& clause, Box& box) {
     const NounPhrase& phrase = done.object[0];
-    const Slot object = references_.resolve(phrase, box);
+    const Resolved object = references_.resolve(phrase, box);
     if (subject.local || object.local || clause.any_subject)
       references_.fail(phrase.column, "which ones are meant is not clear");
     return said_of(done, subject.term, &object);

@@ -27,7 +27,7 @@ Formula atom(const Proposition& said, References& references) {
   const Term subject = referred(said.phrases[0], references);
   const Complement& complement = said.said[0];
   if (complement.object.empty()) return said_of(complement, subject, nullptr);
-  Slot object;
+  Resolved object;
   object.term = referred(complement.object[0], references);
   return said_of(complement, subject, &object);
 }
@@ -41,7 +41,7 @@ Formula same(const Proposition& said, References& references) {
 
 Formula bound(const Proposition& said, References& references) {
   const std::size_t outside = references.named_count();
-  Slot slot = references.bound(said.phrases[0]);
+  Resolved slot = references.bound(said.phrases[0]);
   for (const Proposition& where : said.where) {
     std::vector<Formula> all = std::move(slot.domain.where);
     all.push_back(compose_proposition(where, references));

@@ -49,7 +49,7 @@ Domain References::restricted(const NounPhrase& phrase, const std::string& name)
 Formula References::restriction(const Complement& modifier, const Term& subject) {
   if (modifier.object.empty()) return said_of(modifier, subject, nullptr);
   const NounPhrase& phrase = modifier.object[0];
-  Slot slot;
+  Resolved slot;
   slot.phrase = &phrase;
   switch (phrase.determiner) {
     case Determiner::Known:
@@ -91,8 +91,8 @@ Term References::known(const NounPhrase& phrase) {
   return {};
 }
 
-Slot References::resolve(const NounPhrase& phrase, Box& box) {
-  Slot slot;
+Resolved References::resolve(const NounPhrase& phrase, Box& box) {
+  Resolved slot;
   slot.phrase = &phrase;
   switch (phrase.determiner) {
     case Determiner::Agent:
@@ -134,15 +134,15 @@ Slot References::resolve(const NounPhrase& phrase, Box& box) {
   return slot;
 }
 
-Slot References::introduced(const NounPhrase& phrase, Box& box) {
+Resolved References::introduced(const NounPhrase& phrase, Box& box) {
   const std::string name = fresh();
-  Slot slot{variable(name), false, restricted(phrase, name), &phrase};
+  Resolved slot{variable(name), false, restricted(phrase, name), &phrase};
   box.variables.emplace_back(name, slot.domain);
   referents_.push_back({name, phrase.noun, phrase.by_function || phrase.noun.kind == Domain::Kind::Object});
   return slot;
 }
 
-Formula quantified(const Slot& slot, Formula body) {
+Formula quantified(const Resolved& slot, Formula body) {
   Formula f;
   f.variable = slot.term.name;
   f.domain = slot.domain;
@@ -167,7 +167,7 @@ Formula quantified(const Slot& slot, Formula body) {
   return slot.phrase->determiner == Determiner::No ? negation(std::move(f)) : f;
 }
 
-Formula said_of(const Complement& complement, const Term& subject, const Slot* object) {
+Formula said_of(const Complement& complement, const Term& subject, const Resolved* object) {
   Formula f;
   f.op = Op::Atom;
   f.predicate = complement.predicate;
@@ -179,9 +179,9 @@ Formula said_of(const Complement& complement, const Term& subject, const Slot* o
   return complement.negated ? negation(std::move(f)) : f;
 }
 
-Slot References::bound(const NounPhrase& phrase) {
+Resolved References::bound(const NounPhrase& phrase) {
   const std::string name = fresh();
-  Slot slot{variable(name), true, restricted(phrase, name), &phrase};
+  Resolved slot{variable(name), true, restricted(phrase, name), &phrase};
   referents_.push_back({name, phrase.noun, phrase.noun.kind == Domain::Kind::Object});
   return slot;
 }

@@ -11,7 +11,7 @@
 namespace unietp {
 
 /// A noun phrase after resolution: a term, or a quantifier that is still to be put around what is said of it.
-struct Slot {
+struct Resolved {
   Term term;
   bool local = false;  // quantified right around its atom or clause
   Domain domain;
@@ -26,9 +26,9 @@ struct Box {
 Formula boxed(const Box& box, Formula body);
 
 /// The quantifier of a local slot around what is said of it.
-Formula quantified(const Slot& slot, Formula body);
+Formula quantified(const Resolved& slot, Formula body);
 /// What a complement says of the subject; `object` is that of a relation.
-Formula said_of(const Complement& complement, const Term& subject, const Slot* object);
+Formula said_of(const Complement& complement, const Term& subject, const Resolved* object);
 
 /// What the nouns and pronouns of a text stand for, from left to right. The first phrase that could mean two things or
 /// nothing is kept as the error.
@@ -38,13 +38,13 @@ class References {
   void fail(int column, std::string message);
 
   /// `New` phrases are put into the box.
-  Slot resolve(const NounPhrase& phrase, Box& box);
+  Resolved resolve(const NounPhrase& phrase, Box& box);
   /// A new object of the box, whatever the article.
-  Slot introduced(const NounPhrase& phrase, Box& box);
+  Resolved introduced(const NounPhrase& phrase, Box& box);
   /// The object named before that a phrase means.
   Term known(const NounPhrase& phrase);
   /// Binds a variable by a phrase of any determiner; its name can be referred to until `leave`.
-  Slot bound(const NounPhrase& phrase);
+  Resolved bound(const NounPhrase& phrase);
 
   std::size_t named_count() const { return referents_.size(); }
   /// What was named since cannot be referred to from here on.
