@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <string_view>
+#include <unordered_set>
 
 #include "akb/attributes.h"
 #include "core/text.h"
@@ -182,11 +184,11 @@ bool speaks_of(const DomainConstraint& constraint, const std::string& placeholde
 }  // namespace
 
 std::vector<std::string> room_types(const Knowledge& knowledge) {
-  std::vector<std::string> types;
-  for (const auto& category : knowledge.categories()) {
-    types.insert(types.end(), category.rooms.begin(), category.rooms.end());
-  }
-  return sorted_unique(std::move(types));
+  std::unordered_set<std::string_view> types;
+  for (const auto& category : knowledge.categories()) types.insert(category.rooms.begin(), category.rooms.end());
+  std::vector<std::string> sorted(types.begin(), types.end());
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
 }
 
 bool affords(const Parameter& parameter, const std::string& category, const Knowledge& knowledge) {
@@ -278,10 +280,13 @@ std::vector<std::string> candidates_for(const Parameter& parameter, const std::v
     if (speaks_of(constraint, parameter.name) && (distinct || is_complete(constraint, trial)))
       own.push_back(&constraint);
   }
+  const auto types = is_room(parameter) ? room_types(knowledge) : std::vector<std::string>{};
   std::vector<std::string> fitting;
   for (const auto& name : base ? *base : *among) {
     if (base && among != nullptr && !std::binary_search(among->begin(), among->end(), name)) continue;
-    if (!affords(parameter, name, knowledge)) continue;
+    const bool offers =
+        is_room(parameter) ? std::binary_search(types.begin(), types.end(), name) : affords(parameter, name, knowledge);
+    if (!offers) continue;
     trial.back().second = name;
     const bool fits =
         std::all_of(own.begin(), own.end(), [&](const DomainConstraint* c) { return satisfies(*c, trial, knowledge); });

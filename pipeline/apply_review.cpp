@@ -257,6 +257,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
       if (const auto line = lines.find(task.id); line != lines.end())
         record.demonstration += (record.demonstration.empty() ? "" : "\n") + line->second;
     }
+    record.actions = actions_of(record.demonstration);
     auto scene = read_file(folder / "scenes" / (task.scene + ".scene.json.gz"));
     if (!scene) return scene.error();
     record.scene = std::move(*scene);

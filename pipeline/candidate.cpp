@@ -53,7 +53,8 @@ std::string task_line(const Task& task) {
   return line_of(json);
 }
 
-void write(JsonText& json, const DemonstrationStep& step) {
+/// What was done and how it went, in an object that is left open.
+void write_action(JsonText& json, const DemonstrationStep& step) {
   json.open_object();
   const Json command = command_to_json(step.command);
   for (const auto& [name, value] : command.items()) {
@@ -64,6 +65,10 @@ void write(JsonText& json, const DemonstrationStep& step) {
   json.value(step.outcome.success);
   json.key("failure");
   json.value(name_of(step.outcome.failure));
+}
+
+void write(JsonText& json, const DemonstrationStep& step) {
+  write_action(json, step);
   json.key("feedback");
   json.value(step.outcome.feedback);
   json.key("visible");
@@ -102,6 +107,29 @@ std::string demonstration_line(const Task& task, const Demonstration& demonstrat
   return line;
 }
 
+std::string actions_line(const Demonstration& demonstration) {
+  std::string line;
+  JsonText json(line);
+  json.open_object();
+  json.key("mode");
+  json.value(name_of(demonstration.mode));
+  json.key("steps");
+  json.open_list();
+  for (const auto& step : demonstration.steps) {
+    write_action(json, step);
+    json.close_object();
+  }
+  json.close_list();
+  json.close_object();
+  return line;
+}
+
+std::string actions_lines(const Task& task) {
+  std::string lines = actions_line(task.demonstration);
+  for (const auto& other : task.in_other_modes) lines += "\n" + actions_line(other);
+  return lines;
+}
+
 std::string demonstration_lines(const Task& task) {
   std::string lines = demonstration_line(task, task.demonstration);
   for (const auto& other : task.in_other_modes) lines += "\n" + demonstration_line(task, other);
@@ -131,6 +159,21 @@ std::string start_key(const Task& task, std::string_view scene) {
 
 }  // namespace
 
+std::string actions_of(const std::string& demonstration) {
+  std::vector<std::string> lines;
+  for (const auto& line : split(demonstration, '\n')) {
+    const auto whole = Json::parse(line);
+    Json steps = Json::array();
+    for (const auto& step : whole.at("steps")) {
+      Json done = Json::object();
+      for (const char* part : {"action", "args", "success", "failure"}) done[part] = step.at(part);
+      steps.push_back(std::move(done));
+    }
+    lines.push_back(line_of({{"mode", whole.at("mode")}, {"steps", std::move(steps)}}));
+  }
+  return join(lines, "\n");
+}
+
 std::string rejection_line(const RejectedCandidate& candidate) {
   return rejection_text(candidate.slot, candidate.attempt, candidate.template_name, name_of(candidate.simulator),
                         name_of(candidate.split), candidate.rejection);
@@ -146,7 +189,8 @@ std::string repetition_line(const CandidateRecord& record, bool same_start) {
 }
 
 CandidateRecord outline_of(CandidateRecord record) {
-  for (auto* text : {&record.task, &record.demonstration, &record.scene, &record.rejection}) *text = {};
+  for (auto* text : {&record.task, &record.demonstration, &record.actions, &record.scene, &record.rejection})
+    *text = {};
   return record;
 }
 
@@ -178,6 +222,7 @@ CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate
   record.template_name = task.episode.specification.template_name;
   record.task = task_line(task);
   record.demonstration = demonstration_lines(task);
+  record.actions = actions_lines(task);
   const std::string scene = scene_to_json(task.episode.start);
   record.scene = gzip(scene);
   const auto id = scene.find(task.episode.start.id);

@@ -15,6 +15,7 @@ struct CandidateRecord {
   // of an accepted one
   std::string task;           // line of tasks.jsonl, without its end
   std::string demonstration;  // lines of demonstrations/<mode>.jsonl, one a mode, joined by line ends
+  std::string actions;        // the same lines with mode and steps alone, and of steps what was done and how it went
   std::string scene;          // gzip of the start scene's JSON
   std::string start_key;      // equal for equal (template, binding, start)
   std::string text_key;       // equal for equal (layout, normalised instruction)
@@ -26,6 +27,9 @@ struct CandidateRecord {
 
 /// Pure; no clock, no order that depends on threads.
 CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate);
+
+/// `CandidateRecord::actions` of demonstrations that were written already.
+std::string actions_of(const std::string& demonstration);
 
 std::string rejection_line(const RejectedCandidate& candidate);
 /// The same for a candidate that was accepted, and then turned out to repeat a task.

@@ -1,7 +1,6 @@
 #include "pipeline/dataset_writer.h"
 
 #include <algorithm>
-#include <initializer_list>
 
 #include <nlohmann/json.hpp>
 
@@ -16,15 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 Error io_error(const fs::path& path) { return {Error::Kind::Io, path.string(), {}, "cannot write; is the disk full?"}; }
-
-/// A line of ours without the parts that no one asks for here: most of a demonstration is what was seen.
-nlohmann::ordered_json parse_without(const std::string& line, std::initializer_list<std::string_view> parts) {
-  using Event = nlohmann::ordered_json::parse_event_t;
-  return nlohmann::ordered_json::parse(line, [parts](int, Event event, const nlohmann::ordered_json& parsed) {
-    if (event != Event::key) return true;
-    return std::find(parts.begin(), parts.end(), parsed.get_ref<const std::string&>()) == parts.end();
-  });
-}
 
 }  // namespace
 
@@ -45,12 +35,14 @@ Result<DatasetWriter> DatasetWriter::begin(const fs::path& folder) {
 }
 
 Result<Done> DatasetWriter::add_task(const CandidateRecord& record) {
-  const auto task = parse_without(record.task, {"tree"});
+  const auto task = nlohmann::ordered_json::parse(record.task);
   tasks_ << record.task << '\n';
   if (!tasks_) return io_error(folder_);
+  const auto lines = split(record.demonstration, '\n');
   std::vector<nlohmann::ordered_json> demonstrations;
-  for (const auto& line : split(record.demonstration, '\n')) {
-    demonstrations.push_back(parse_without(line, {"visible", "changes"}));
+  for (const auto& actions : split(record.actions, '\n')) {
+    const auto& line = lines.at(demonstrations.size());
+    demonstrations.push_back(nlohmann::ordered_json::parse(actions));
     auto added = add_demonstration(demonstrations.back().at("mode").get<std::string>(), line);
     if (!added) return added;
   }

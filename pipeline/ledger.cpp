@@ -16,9 +16,9 @@ constexpr const char* kPragmas = "PRAGMA journal_mode=WAL; PRAGMA synchronous=NO
 std::string schema(const std::string& to) {
   return "CREATE TABLE IF NOT EXISTS " + to + ".run(identity TEXT NOT NULL);" + "CREATE TABLE IF NOT EXISTS " + to +
          R"(.candidate(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, accepted INTEGER NOT NULL,
-  template TEXT NOT NULL, task TEXT NOT NULL, demonstration TEXT NOT NULL, scene TEXT NOT NULL, start_key TEXT NOT NULL,
-  text_key TEXT NOT NULL, traits TEXT NOT NULL, rejection TEXT NOT NULL, cost TEXT NOT NULL,
-  PRIMARY KEY(slot, attempt));
+  template TEXT NOT NULL, task TEXT NOT NULL, demonstration TEXT NOT NULL, actions TEXT NOT NULL,
+  scene TEXT NOT NULL, start_key TEXT NOT NULL, text_key TEXT NOT NULL, traits TEXT NOT NULL, rejection TEXT NOT NULL,
+  cost TEXT NOT NULL, PRIMARY KEY(slot, attempt));
 CREATE VIEW IF NOT EXISTS )" +
          to + R"(.outcome AS SELECT slot, attempt, template, accepted,
   CASE accepted WHEN 0 THEN json_extract(rejection, '$.stage') END AS stage,
@@ -96,7 +96,7 @@ Result<Done> Ledger::copy_to(const std::filesystem::path& path, bool with_costs)
     const std::string cost = with_costs ? "cost" : "'{}'";
     const std::string fill =
         "BEGIN; INSERT INTO copy.run SELECT identity FROM main.run; INSERT INTO copy.candidate SELECT slot, attempt, "
-        "accepted, template, task, demonstration, scene, start_key, text_key, traits, rejection, " +
+        "accepted, template, task, demonstration, actions, scene, start_key, text_key, traits, rejection, " +
         cost + " FROM main.candidate ORDER BY slot, attempt; COMMIT; DETACH copy;";
     file_.run(fill.c_str());
     return Done{};
@@ -109,12 +109,12 @@ Result<Done> Ledger::add(const CandidateRecord& record, const StageCosts& costs)
   const std::scoped_lock lock(*mutex_);
   try {
     const std::string cost = text_of(costs);
-    auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
+    auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?)");
     insert.bind(1, std::int64_t{record.slot});
     insert.bind(2, std::int64_t{record.attempt});
     insert.bind(3, std::int64_t{record.accepted});
     int column = 3;
-    for (const auto* text : {&record.template_name, &record.task, &record.demonstration, &record.scene,
+    for (const auto* text : {&record.template_name, &record.task, &record.demonstration, &record.actions, &record.scene,
                              &record.start_key, &record.text_key, &record.traits, &record.rejection})
       insert.bind(++column, std::string_view(*text));
     insert.bind(++column, std::string_view(cost));
@@ -155,7 +155,8 @@ Result<CandidateRecord> Ledger::read(int slot, int attempt) {
   const std::scoped_lock lock(*mutex_);
   try {
     auto query = file_.prepare(
-        "SELECT accepted, template, task, demonstration, scene, start_key, text_key, traits, rejection FROM candidate "
+        "SELECT accepted, template, task, demonstration, actions, scene, start_key, text_key, traits, rejection FROM "
+        "candidate "
         "WHERE slot = ? AND attempt = ?");
     query.bind(1, std::int64_t{slot});
     query.bind(2, std::int64_t{attempt});
@@ -169,8 +170,8 @@ Result<CandidateRecord> Ledger::read(int slot, int attempt) {
     record.attempt = attempt;
     record.accepted = query.integer(0) != 0;
     int column = 0;
-    for (auto* text : {&record.template_name, &record.task, &record.demonstration, &record.scene, &record.start_key,
-                       &record.text_key, &record.traits, &record.rejection})
+    for (auto* text : {&record.template_name, &record.task, &record.demonstration, &record.actions, &record.scene,
+                       &record.start_key, &record.text_key, &record.traits, &record.rejection})
       *text = query.text(++column);
     return record;
   } catch (const std::exception& reason) {

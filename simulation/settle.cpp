@@ -34,8 +34,8 @@ btTransform to_bullet(const Convex& part) {
 /// Worlds are small and many: Bullet's default pools of 4096 entries would cost more than the work itself.
 btDefaultCollisionConstructionInfo small_pools() {
   btDefaultCollisionConstructionInfo pools;
-  pools.m_defaultMaxPersistentManifoldPoolSize = 128;
-  pools.m_defaultMaxCollisionAlgorithmPoolSize = 128;
+  pools.m_defaultMaxPersistentManifoldPoolSize = 32;
+  pools.m_defaultMaxCollisionAlgorithmPoolSize = 64;
   return pools;
 }
 

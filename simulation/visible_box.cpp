@@ -57,20 +57,6 @@ Share share_of(const Outline& outline, const PixelBox& part, const PartOfImage& 
   return share;
 }
 
-/// Without the rows or columns of a part at one end that the box holds whole already.
-PixelBox beyond(PixelBox part, const PixelBox& box) {
-  for (const std::size_t along : {std::size_t{0}, std::size_t{1}}) {
-    const std::size_t across = 1 - along;
-    if (part[across] < box[across] || part[across + 2] > box[across + 2]) continue;
-    if (part[along] >= box[along]) {
-      part[along] = std::max(part[along], box[along + 2] + 1);
-    } else if (part[along + 2] <= box[along + 2]) {
-      part[along + 2] = std::min(part[along + 2], box[along] - 1);
-    }
-  }
-  return part;
-}
-
 }  // namespace
 
 VisibleBoxes::VisibleBoxes(const Camera& camera, const std::vector<Outline>& outlines)
@@ -149,7 +135,7 @@ std::optional<PixelBox> VisibleBoxes::worth_exploring(const PixelBox& part, cons
     own = own ? around(*own, common) : common;
   }
   if (!own || (box_ && within(*own, *box_))) return std::nullopt;
-  return box_ ? beyond(*own, *box_) : own;
+  return own;
 }
 
 void VisibleBoxes::gather(Stack& stack, std::size_t begin, std::size_t end, const PixelBox& part,
@@ -184,17 +170,26 @@ void VisibleBoxes::explore_part(const PixelBox& part, const Among& among) {
     box_ = box_ ? around(*box_, part) : part;
   } else if (any_own) {
     if (!std::exchange(probed_, true)) probe_corners(here);  // of the whole that may show it
-    halve(part, here);
+    cut(part, here);
   }
   own_.resize(here.own);
   others_.resize(here.others);
 }
 
-void VisibleBoxes::halve(const PixelBox& part, const Among& among) {
+void VisibleBoxes::cut(const PixelBox& part, const Among& among) {
   const int wide = part[2] - part[0], high = part[3] - part[1];
   if (wide == 0 && high == 0) {
     if (!shows_owner(part[0], part[1], among)) return;
     box_ = box_ ? around(*box_, part) : part;
+    return;
+  }
+  if (box_ && meet(part, *box_)) {  // what is left of it on each side of what is known
+    const PixelBox known = *box_;
+    const int left = std::max(part[0], known[0]), right = std::min(part[2], known[2]);
+    if (part[0] < known[0]) explore({part[0], part[1], known[0] - 1, part[3]}, among);
+    if (part[2] > known[2]) explore({known[2] + 1, part[1], part[2], part[3]}, among);
+    if (part[1] < known[1]) explore({left, part[1], right, known[1] - 1}, among);
+    if (part[3] > known[3]) explore({left, known[3] + 1, right, part[3]}, among);
     return;
   }
   const std::size_t axis = wide >= high ? 0 : 1;
@@ -202,7 +197,7 @@ void VisibleBoxes::halve(const PixelBox& part, const Among& among) {
   PixelBox low = part, far = part;
   low[axis + 2] = middle;
   far[axis] = middle + 1;
-  // The half that reaches farther out of what is known first: it may spare the other.
+  // The half that lies farther out of what is known first: it may spare the other.
   const bool far_first = box_ && part[axis + 2] - (*box_)[axis + 2] > (*box_)[axis] - part[axis];
   explore(far_first ? far : low, among);
   explore(far_first ? low : far, among);

@@ -19,8 +19,9 @@ inline bool meet(const PixelBox& a, const PixelBox& b) {
 }
 
 /// Boxes around the pixels that show an object, exactly as a ray through the middle of each pixel would find them.
-/// Branch and bound: a part of the image is halved as long as it could make the box larger and it is not settled which
-/// solid shows in it. What is settled by outlines and depths needs no ray; single pixels are asked by ray.
+/// Branch and bound: a part of the image is cut around what is known of the box, or halved, as long as it could make
+/// the box larger and it is not settled which solid shows in it. What is settled by outlines and depths needs no ray;
+/// single pixels are asked by ray.
 class VisibleBoxes {
  public:
   /// Both must outlive it. Of solids that a ray enters at equal depths the first in the list shows.
@@ -48,7 +49,7 @@ class VisibleBoxes {
   void explore_part(const PixelBox& part, const Among& among);
   /// What of a part the owner's solids may show in, if that could make the box larger.
   std::optional<PixelBox> worth_exploring(const PixelBox& part, const Among& among) const;
-  void halve(const PixelBox& part, const Among& among);
+  void cut(const PixelBox& part, const Among& among);
   bool shows_owner(int x, int y, const Among& among) const;
   /// Puts on the stack which of those from `begin` to `end` may show in the part; `filled`: the depth behind which
   /// nothing shows in it, as far as known.

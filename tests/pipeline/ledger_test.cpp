@@ -33,6 +33,7 @@ CandidateRecord full_record() {
   record.template_name = "open-one";
   record.task = "{\"id\":\"x\"}";
   record.demonstration = "{}";
+  record.actions = "[]";
   record.scene = gzip(std::string("a\0b\xff", 4));  // bytes of all kinds
   record.start_key = "start";
   record.text_key = "text";
