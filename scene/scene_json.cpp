@@ -12,6 +12,7 @@
 #include "scene/json_reader.h"
 #include "scene/json_text.h"
 #include "scene/node_json.h"
+#include "scene/scene_lines.h"
 
 namespace unietp {
 namespace {
@@ -257,7 +258,13 @@ Result<Scene> scene_from_json(std::string_view where, std::string_view text) {
   if (const auto f = fields.required("nodes")) scene.nodes = list_from_json(reader, *f, node_from_json);
   if (const auto f = fields.required("edges")) scene.edges = list_from_json(reader, *f, edge_from_json);
   fields.finish();
-  if (!reader.error()) check_references(reader, scene);
+  if (reader.error()) return *reader.error();
+  return check_whole(where, std::move(scene));
+}
+
+Result<Scene> check_whole(std::string_view where, Scene scene) {
+  JsonReader reader(where);
+  check_references(reader, scene);
   if (!reader.error()) sort_edges(reader, scene.edges, "/edges");
   if (reader.error()) return *reader.error();
   return scene;

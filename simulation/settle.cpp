@@ -103,7 +103,7 @@ class Dynamics {
     info.m_linearDamping = 0.04;
     info.m_angularDamping = 0.1;
     btRigidBody& body = bodies_.emplace_back(info);
-    body.setActivationState(DISABLE_DEACTIVATION);
+    if (mass > 0) body.setActivationState(DISABLE_DEACTIVATION);  // what is fixed need not be looked at again
     world_.addRigidBody(&body);
     return body;
   }

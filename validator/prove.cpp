@@ -79,7 +79,7 @@ class TaskProver {
     }
     if (tools_.files != nullptr) found(tools_.files->of(scene_file_, *packed));
     const auto text = gunzip(scene_file_, *packed);
-    auto scene = text ? scene_from_json(scene_file_, *text) : Result<Scene>(text.error());
+    auto scene = text ? tools_.scenes.read(scene_file_, *text) : Result<Scene>(text.error());
     if (!scene) {
       found(ProblemKind::Unreadable, scene.error());
       return false;
@@ -101,10 +101,13 @@ class TaskProver {
     const auto in_m1 = shown.find(Mode::M1);
     proof_.facts = facts_of(task_, start_, in_m1 == shown.end() ? nullptr : &in_m1->second);
     auto physics = physics_of(start_);
-    found(prove_start(start_, physics, tools_.rest, scene_file_));
+    std::vector<std::vector<Link>> links;
+    for (std::size_t i = 0; i < start_.nodes.size(); ++i) links.push_back(links_of(start_, physics, i));
+    found(prove_start(start_, physics, links, tools_.rest, scene_file_));
     prove_instruction();
-    const auto world = World::create(start_, *backend_->knowledge, *backend_->profile,
-                                     KnownStart{std::move(physics), std::nullopt, std::nullopt});
+    KnownStart known{std::move(physics), std::nullopt, std::nullopt};
+    if (start_.agent.held.empty()) known.links = std::move(links);  // what is held has others once it is in the hand
+    const auto world = World::create(start_, *backend_->knowledge, *backend_->profile, std::move(known));
     if (!world) return found(ProblemKind::Unbuildable, scene_file_, "cannot be rebuilt: " + world.error().message);
     const bool compares =
         (goal_ && reads_comparisons(*goal_)) ||

@@ -8,6 +8,7 @@
 #include "validator/file_check.h"
 #include "validator/folder_reading.h"
 #include "validator/rest.h"
+#include "validator/scene_reading.h"
 #include "validator/task_facts.h"
 #include "validator/validate.h"
 #include "validator/wordings_record.h"
@@ -21,6 +22,7 @@ struct ProofTools {
   const std::vector<ValidationBackend>& backends;
   const ValidationOptions& options;
   RestCheck& rest;
+  SceneReading& scenes;
   std::string phrasings = "all";                   // of the instructions
   std::map<std::string, WordingsRecord> wordings;  // by task
 };

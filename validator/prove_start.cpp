@@ -6,7 +6,6 @@
 
 #include "core/text.h"
 #include "logic/evaluate.h"
-#include "simulation/relations.h"
 #include "validator/conjuncts.h"
 
 namespace unietp {
@@ -31,10 +30,16 @@ bool is_known(const std::string& category, const Scene& start, const Knowledge& 
 
 }  // namespace
 
-std::vector<Problem> prove_start(const Scene& start, const PhysicsWorld& physics, RestCheck& rest,
+std::vector<Problem> prove_start(const Scene& start, const PhysicsWorld& physics,
+                                 const std::vector<std::vector<Link>>& links, RestCheck& rest,
                                  const std::string& file) {
   std::vector<Problem> problems;
-  const auto shown = read_relations(start, physics);
+  std::vector<Edge> shown;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    for (const Link& link : links[i]) shown.push_back(edge_of(start, i, link));
+  }
+  if (const Room* room = room_at(start, start.agent.position)) shown.push_back({Predicate::InRoom, "agent", room->id});
+  std::sort(shown.begin(), shown.end());
   std::vector<Edge> missing, extra;
   std::set_difference(start.edges.begin(), start.edges.end(), shown.begin(), shown.end(), std::back_inserter(missing));
   std::set_difference(shown.begin(), shown.end(), start.edges.begin(), start.edges.end(), std::back_inserter(extra));

@@ -156,7 +156,8 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
   }
 
   RestCheck rest(options.rest_m);
-  ProofTools tools{*reading, files ? &*files : nullptr, backends, options, rest, "all", {}};
+  SceneReading scenes;
+  ProofTools tools{*reading, files ? &*files : nullptr, backends, options, rest, scenes, "all", {}};
   if (manifest) tools.phrasings = manifest->phrasings;
   tools.wordings = wordings_in(*reading, problems);
   const auto count = reading->tasks.size();
