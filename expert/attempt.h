@@ -21,6 +21,7 @@ class Attempt {
           const ExpertOptions& options);
 
   /// Does the action; false when it failed, would break a truth to keep, or a budget is used up.
+  bool act(Action action);
   bool act(ActionType type, const std::string& argument);
   bool act(ActionType type) { return act(Action{type, {}}); }
 
@@ -48,7 +49,6 @@ class Attempt {
   bool exhausted() const { return exhausted_; }
 
  private:
-  bool act(Action action);
   void give_up(Action action, std::string reason, std::string text);
   bool keeps_hold() const;
   void mark_moments();

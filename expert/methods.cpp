@@ -9,7 +9,6 @@ namespace unietp {
 namespace {
 
 constexpr std::size_t kMostTools = 4;  // tools tried for one change
-constexpr std::size_t kMostSpots = 5;  // places tried for putting something aside
 
 /// Failures that may not happen from another place to stand.
 bool depends_on_standing(Failure failure) {
@@ -19,6 +18,7 @@ bool depends_on_standing(Failure failure) {
     case Failure::Blocked:
     case Failure::NoFreePlace:
     case Failure::DidNotRest:
+    case Failure::NoStandingPlace:
       return true;
     default:
       return false;
@@ -150,9 +150,11 @@ bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::
       if (device(ActionType::Close, tool) && do_at(action, tool)) return true;
     } else if (is(tool, Predicate::Closed)) {
       // With the door open, one stands elsewhere and sees what one lets go of.
-      if (device(ActionType::Open, tool) && attempt_.act(ActionType::GoTo, tool) && attempt_.act(action, tool))
+      if (device(ActionType::Open, tool) && hold(id) && attempt_.act(ActionType::GoTo, tool) &&
+          attempt_.act(action, tool))
         return true;
     }
+    if (make_room(id, action, tool)) return true;
   }
   return false;
 }
@@ -188,106 +190,6 @@ bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
   return false;
 }
 
-bool Methods::place(const Literal& literal) {
-  const std::string id = attempt_.id_of(literal.subject), target = attempt_.id_of(literal.object);
-  if (target.empty()) return false;
-  switch (literal.predicate) {
-    case Predicate::On:
-    case Predicate::Attached:  // what the tables say attaches does so where it is put
-      return put(id, ActionType::PlaceOn, target);
-    case Predicate::Inside:
-      return put(id, ActionType::PlaceIn, target);
-    case Predicate::OnFloor:
-      return hold(id) && attempt_.act(ActionType::GoTo, target) && attempt_.act(ActionType::Drop);
-    case Predicate::InRoom:
-      return id == "agent" ? attempt_.act(ActionType::GoTo, target) : place_in_room(id, target);
-    case Predicate::NextTo:
-      if (const auto supports = attempt_.world().linked_from(target, Predicate::On); !supports.empty())
-        return put(id, ActionType::PlaceOn, *std::min_element(supports.begin(), supports.end()));
-      return false;
-    default:
-      return false;
-  }
-}
-
-bool Methods::place_in_room(const std::string& id, const std::string& room) {
-  if (!hold(id)) return false;
-  const std::string category = find(id)->category;
-  std::vector<std::string> spots;
-  for (const Node& spot : attempt_.world().nodes()) {
-    if (spot.movable || spots.size() == kMostSpots || attempt_.world().room_of(spot.id) != room) continue;
-    if (attempt_.situation().knowledge->placement(category, "on", spot.category) != nullptr) spots.push_back(spot.id);
-  }
-  for (const std::string& spot : spots) {
-    if (put(id, ActionType::PlaceOn, spot)) return true;
-    if (attempt_.exhausted()) break;
-  }
-  return attempt_.act(ActionType::GoTo, room) && attempt_.act(ActionType::Drop);
-}
-
-/// In the hand a thing is on and in nothing; only a room needs it carried out.
-bool Methods::take_away(const Literal& literal) {
-  const std::string id = attempt_.id_of(literal.subject);
-  if (literal.predicate != Predicate::InRoom) return hold(id);
-  for (const Room& room : attempt_.situation().start->rooms) {
-    if (room.id != attempt_.id_of(literal.object)) return place_in_room(id, room.id);
-  }
-  return false;
-}
-
-bool Methods::hold(const std::string& id) {
-  if (attempt_.is_held(id)) return true;
-  return free_hand(id) && do_at(ActionType::PickUp, id);
-}
-
-bool Methods::free_hand(const std::string& wanted) {
-  const auto hands = static_cast<std::size_t>(attempt_.situation().profile.hands);
-  while (attempt_.world().agent().held.size() >= hands) {
-    const std::string held = attempt_.world().agent().held.front();
-    if (held == wanted) return true;
-    if (!put_aside(held)) return false;
-  }
-  return true;
-}
-
-bool Methods::put_aside(const std::string& id) {
-  if (!attempt_.is_held(id)) return true;
-  const auto relevant = [this](const Node& node) {
-    return std::find(relevant_.begin(), relevant_.end(), node.category) != relevant_.end();
-  };
-  const Knowledge& knowledge = *attempt_.situation().knowledge;
-  const Node* thing = find(id);
-  std::vector<std::tuple<bool, bool, bool, double, std::string>> spots;
-  for (const Node& node : attempt_.world().nodes()) {
-    if (node.movable || node.id == id || !attempt_.world().closed_around(node.id).empty()) continue;
-    const bool usual = thing != nullptr && knowledge.placement(thing->category, "on", node.category) != nullptr;
-    if (!usual && !knowledge.has(node.category, "receptacle")) continue;
-    const double walk = attempt_.world().walking_distance(node.id);
-    if (walk >= Situation::kFar_m) continue;
-    spots.emplace_back(relevant(node), !usual, !attempt_.world().in_reach(node.id), walk, node.id);
-  }
-  std::sort(spots.begin(), spots.end());
-  if (spots.size() > kMostSpots) spots.resize(kMostSpots);
-  for (const auto& spot : spots) {
-    if (do_at(ActionType::PlaceOn, std::get<4>(spot))) return true;
-    if (attempt_.exhausted()) return false;
-  }
-  return attempt_.situation().profile.offers(ActionType::Drop) && attempt_.act(ActionType::Drop);
-}
-
-bool Methods::put(const std::string& id, ActionType action, const std::string& target) {
-  if (attempt_.is_held(target) && !put_aside(target)) return false;
-  if (!hold(id)) return false;
-  const Node* into = find(target);
-  const bool shut = action == ActionType::PlaceIn && into != nullptr && into->openable && !is(target, Predicate::Open);
-  if (shut && !device(ActionType::Open, target)) {
-    const auto& trouble = attempt_.trouble();
-    if (!trouble || trouble->failure != Failure::HandsFull || attempt_.exhausted()) return false;
-    if (!put_aside(id) || !device(ActionType::Open, target) || !hold(id)) return false;
-  }
-  return do_at(action, target);
-}
-
 /// From a seat nothing can be done but to leave it.
 bool Methods::stand_up() {
   const auto& nodes = attempt_.world().nodes();
@@ -305,10 +207,6 @@ bool Methods::open_around(const std::string& id) {
   return true;
 }
 
-bool Methods::reach(const std::string& id) {
-  return attempt_.world().in_reach(id) || attempt_.act(ActionType::GoTo, id);
-}
-
 /// What is done to a thing itself, with what it needs first: no power while opening, shut and plugged in while running,
 /// put down and a free hand for folding.
 bool Methods::device(ActionType action, const std::string& id) {
@@ -323,10 +221,12 @@ bool Methods::device(ActionType action, const std::string& id) {
   const bool plug_first = action == ActionType::TurnOn && profile.power_needs_plug && is(id, Predicate::Unplugged);
   if (plug_first && !do_at(ActionType::PlugIn, id)) return false;
   if (action == ActionType::Fold && !free_hand(id)) return false;
-  return do_at(action, id);
+  const bool swings = action == ActionType::Open || action == ActionType::Close;
+  return do_at(action, id) || (swings && unblock(action, id));
 }
 
-/// The action where the object can be reached and seen; walks only when it has to.
+/// The action where the object can be reached and seen; walks only when it has to, first to where one is led, then to
+/// wherever it works.
 bool Methods::do_at(ActionType action, const std::string& id) {
   if (!stand_up()) return false;
   if (!open_around(id)) return false;
@@ -335,7 +235,16 @@ bool Methods::do_at(ActionType action, const std::string& id) {
     const auto& trouble = attempt_.trouble();
     if (!trouble || attempt_.exhausted() || !depends_on_standing(trouble->failure)) return false;
   }
-  return attempt_.act(ActionType::GoTo, id) && attempt_.act(action, id);
+  if (attempt_.act(ActionType::GoTo, id) && attempt_.act(action, id)) return true;
+  const auto& trouble = attempt_.trouble();
+  return trouble && depends_on_standing(trouble->failure) && from_elsewhere({action, {id}}, id, {});
+}
+
+bool Methods::from_elsewhere(const Action& action, const std::string& about, const Aim& aim) {
+  if (attempt_.exhausted()) return false;
+  const auto way = way_to_do(attempt_.world(), action, about, aim);
+  return way && std::all_of(way->begin(), way->end(), [this](const Action& step) { return attempt_.act(step); }) &&
+         attempt_.act(action);
 }
 
 }  // namespace unietp

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "expert/attempt.h"
+#include "expert/footing.h"
 #include "logic/formula.h"
 
 namespace unietp {
@@ -27,17 +28,27 @@ class Methods {
   bool in_appliance(const Literal& literal, std::string_view effect);
   bool place(const Literal& literal);
   bool place_in_room(const std::string& id, const std::string& room);
+  bool place_beside(const std::string& id, const std::string& neighbour);
+  bool set_beside(const std::string& id, const std::string& neighbour);
+  std::vector<Action> ways_beside(const std::string& neighbour) const;
+  bool let_fall(const std::string& id, const std::string& room);
+  bool make_room(const std::string& id, ActionType action, const std::string& target);
+  bool unblock(ActionType action, const std::string& id);
+  std::vector<Action> ways_to_rid(const std::string& id, const std::string& room, const std::string& except) const;
+  bool is_relevant(const Node& node) const;
   bool take_away(const Literal& literal);
 
   bool hold(const std::string& id);
   bool free_hand(const std::string& wanted);
-  bool put_aside(const std::string& id);
+  bool put_aside(const std::string& id, const std::string& except = {});
   bool put(const std::string& id, ActionType action, const std::string& target);
-  bool reach(const std::string& id);
   bool open_around(const std::string& id);
   bool stand_up();
   bool device(ActionType action, const std::string& id);
   bool do_at(ActionType action, const std::string& id);
+  bool from_elsewhere(const Action& action, const std::string& about, const Aim& aim);
+  bool works(const std::vector<Action>& steps) const;
+  bool works_at(const Action& action) const;
   bool is(const std::string& id, Predicate state) const;
   const Node* find(const std::string& id) const;
   std::vector<std::string> nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const;

@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "generator/goal_parts.h"
+#include "grounding/check_goal.h"
 #include "grounding/goal_places.h"
 #include "grounding/present.h"
+#include "grounding/reach.h"
 #include "logic/evaluate.h"
 #include "scene/trace.h"
 #include "simulation/navigation.h"
@@ -23,95 +25,6 @@ GroundingFailure failure(GroundingReason reason, std::string detail) { return {r
 bool makes_slices(const Domain& domain) {
   return std::any_of(domain.members.begin(), domain.members.end(), [](const auto& member) { return member.slice; });
 }
-
-/// Asks whether the body can stand where it reaches and sees a thing, behind doors that it can open too.
-class Reach {
- public:
-  Reach(const Home& home, const Scene& scene, const PhysicsWorld& world, const Profile& profile)
-      : home_(home), scene_(scene), world_(world), profile_(profile), walk_(walk_of(home, scene)) {}
-
-  bool room(const Room& room) const {
-    const NavigationGrid& grid = walk_->grid;
-    for (int y = 0; y < grid.height(); ++y) {
-      for (int x = 0; x < grid.width(); ++x) {
-        if (walk_->steps[grid.index({x, y})] >= 0 && contains(room.polygon, grid.centre({x, y}))) return true;
-      }
-    }
-    return false;
-  }
-
-  bool object(std::size_t index) {
-    const std::vector<std::size_t> doors = shut_around(index);
-    if (doors.empty()) return standing_place(scene_, world_, walk_->grid, walk_->steps, profile_, index).has_value();
-    // Each door must be reachable shut, and the thing with all of them open.
-    if (!std::all_of(doors.begin(), doors.end(), [&](std::size_t door) { return object(door); })) return false;
-    Opened& opened = with_open(doors);
-    const Pose before = opened.scene.nodes[index].pose;
-    slide_along(opened, doors, index);
-    const bool reached =
-        standing_place(opened.scene, opened.world, opened.walk->grid, opened.walk->steps, profile_, index).has_value();
-    place(opened, index, before);
-    return reached;
-  }
-
- private:
-  /// The scene with some doors open.
-  struct Opened {
-    std::vector<std::size_t> doors;
-    Scene scene;
-    PhysicsWorld world;
-    std::shared_ptr<const Walk> walk;
-  };
-
-  std::vector<std::size_t> shut_around(std::size_t index) const {
-    std::vector<std::size_t> doors;
-    for (const Edge& edge : scene_.edges) {
-      if (edge.relation != Predicate::Inside || edge.from != scene_.nodes[index].id) continue;
-      const Node* container = find_node(scene_, edge.to);
-      if (container != nullptr && container->openable && container->opening < 0.5)
-        doors.push_back(static_cast<std::size_t>(container - scene_.nodes.data()));
-    }
-    return doors;
-  }
-
-  Opened& with_open(const std::vector<std::size_t>& doors) {
-    if (opened_ && opened_->doors == doors) return *opened_;
-    opened_ = Opened{doors, scene_, world_, nullptr};
-    for (const std::size_t door : doors) {
-      const Node& container = scene_.nodes[door];
-      opened_->scene.nodes[door].opening = 1;
-      opened_->world.set(static_cast<BodyId>(door), shape_of(container), container.pose, 1, container.mass);
-    }
-    opened_->walk = walk_of(home_, opened_->scene);
-    return *opened_;
-  }
-
-  static void place(Opened& opened, std::size_t index, const Pose& pose) {
-    opened.scene.nodes[index].pose = pose;
-    opened.world.move(static_cast<BodyId>(index), pose);
-  }
-
-  /// Moves a thing with the drawer that it lies in.
-  void slide_along(Opened& opened, const std::vector<std::size_t>& doors, std::size_t index) const {
-    for (const std::size_t door : doors) {
-      const Node& container = scene_.nodes[door];
-      const Shape shape = shape_of(container);
-      for (const Cavity& cavity : shape.cavities) {
-        if (cavity.joint < 0) continue;
-        const Pose motion = joint_motion(shape, cavity.joint, 1);
-        const Pose& pose = opened.scene.nodes[index].pose;
-        place(opened, index, container.pose * (motion * (inverse(container.pose) * pose)));
-      }
-    }
-  }
-
-  const Home& home_;
-  const Scene& scene_;
-  const PhysicsWorld& world_;
-  const Profile& profile_;
-  std::shared_ptr<const Walk> walk_;
-  std::optional<Opened> opened_;  // the last asked for
-};
 
 std::optional<GroundingFailure> check_formulas(const Specification& specification, const Trace& trace) {
   for (const Formula& constraint : specification.init) {
@@ -168,9 +81,8 @@ std::size_t needed(const QuantifiedDomain& one, std::size_t members) {
   return one.op == Op::Exists ? std::min<std::size_t>(1, members) : members;
 }
 
-std::optional<GroundingFailure> check_reach(const Specification& specification, const Home& home, const Scene& start,
-                                            const PhysicsWorld& world, const Trace& trace, const Profile& profile) {
-  Reach reach(home, start, world, profile);
+std::optional<GroundingFailure> check_reach(const Specification& specification, const Scene& start, const Trace& trace,
+                                            Reach& reach) {
   const auto check = [&](const QuantifiedDomain& one, std::size_t wanted,
                          const std::vector<EntityIndex>& members) -> std::optional<GroundingFailure> {
     std::size_t reached = 0;
@@ -236,7 +148,8 @@ std::optional<GroundingFailure> check_calm(const Scene& start, const std::set<st
 }  // namespace
 
 std::optional<GroundingFailure> check_start(const Specification& specification, const Home& home, const Scene& start,
-                                            const std::set<std::string>& touched, const Profile& profile) {
+                                            const std::set<std::string>& touched, const Knowledge& knowledge,
+                                            const Profile& profile) {
   const PhysicsWorld world = physics_of(home, start);
   const GrownScene read = read_grown(home, start, world);
   if (read.edges != start.edges)
@@ -247,7 +160,9 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   if (auto problem = check_formulas(specification, trace)) return problem;
   if (auto problem = check_referring(specification, trace)) return problem;
   if (auto problem = check_calm(start, touched, world)) return problem;
-  return check_reach(specification, home, start, world, trace, profile);
+  Reach reach(home, start, world, profile);
+  if (auto problem = check_reach(specification, start, trace, reach)) return problem;
+  return check_goal(specification, start, trace, knowledge, profile, reach);
 }
 
 }  // namespace unietp

@@ -32,6 +32,8 @@ std::string name_of(GroundingReason reason) {
       return "not-reachable";
     case GroundingReason::NotCalm:
       return "not-calm";
+    case GroundingReason::NoSpot:
+      return "no-spot";
   }
   return "cannot-enforce";
 }

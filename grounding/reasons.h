@@ -20,6 +20,7 @@ enum class GroundingReason {
   NoDistractor,      // "no-distractor": … or excludes nothing
   NotReachable,      // "not-reachable": the body cannot stand where it could reach and see something needed
   NotCalm,           // "not-calm": what was put in place does not stay there
+  NoSpot,            // "no-spot": nothing could be put where the goal wants it, or its door meets something fixed
 };
 std::string name_of(GroundingReason reason);
 

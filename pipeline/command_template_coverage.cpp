@@ -43,7 +43,7 @@ using Json = nlohmann::ordered_json;
 Json json_of(const CoverageCell& cell) {
   auto reasons = Json::array();
   for (const auto& why : cell.reasons)
-    reasons.push_back({{"stage", why.stage}, {"reason", why.reason}, {"count", why.count}, {"example", why.example}});
+    reasons.push_back({{"stage", why.stage}, {"reason", why.reason}, {"count", why.count}, {"details", why.details}});
   const auto success = expert_success(cell);
   return {{"candidates", cell.candidates}, {"accepted", cell.accepted}, {"grounded", success.grounded},
           {"shown", success.shown},        {"example", cell.example},   {"reasons", std::move(reasons)}};

@@ -15,8 +15,9 @@ void count(std::vector<TemplateTrial::Reason>& reasons, Rejection&& why) {
   const auto found = std::find_if(reasons.begin(), reasons.end(), same);
   if (found != reasons.end()) {
     ++found->count;
+    found->details.push_back(std::move(why.detail));
   } else {
-    reasons.push_back({std::move(why.stage), std::move(why.reason), 1, std::move(why.detail)});
+    reasons.push_back({std::move(why.stage), std::move(why.reason), 1, why.detail, {why.detail}});
   }
 }
 

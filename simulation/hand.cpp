@@ -1,15 +1,11 @@
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
+#include "simulation/spots.h"
 #include "simulation/world_state.h"
 
 namespace unietp {
 namespace {
 
-constexpr double kLetGo_m = 0.002;     // an object is let go this far above the surface
-constexpr double kSpotPitch_m = 0.05;  // spots are tried on a grid this fine
-constexpr double kEasyHeight_m = 1.0;  // shelves near this height are tried first
 constexpr int kMostSettles = 6;        // free spots on which it is tried to rest before giving up
 constexpr double kTouching_m = 0.003;  // bodies nearer than this may be leaning on one another
 constexpr double kSunk_m = 0.003;      // resting contacts sink by up to this much
@@ -52,28 +48,14 @@ double apply(WorldState& state, const Settled& settled, const std::vector<BodyId
   return farthest;
 }
 
-/// Ways to hold an object above a surface: upright along the surface's axes, or lying when it is too tall.
-std::vector<Quat> orientations(double clearance, const Vec3& size, bool alone) {
-  const auto turn = [](double angle, const Vec3& axis) { return Quat(Eigen::AngleAxisd(angle, axis)); };
-  constexpr double kQuarter = std::numbers::pi / 2;
-  if (size.z() + kLetGo_m <= clearance) return {Quat::Identity(), turn(kQuarter, Vec3::UnitZ())};
-  if (!alone) return {};
-  std::vector<Quat> lying;
-  if (size.y() + kLetGo_m <= clearance) lying.push_back(turn(kQuarter, Vec3::UnitX()));
-  if (size.x() + kLetGo_m <= clearance) lying.push_back(turn(kQuarter, Vec3::UnitY()));
-  const std::size_t ways = lying.size();
-  for (std::size_t i = 0; i < ways; ++i) lying.push_back(turn(kQuarter, Vec3::UnitZ()) * lying[i]);
-  return lying;
-}
-
 struct Spot {
   Pose pose;      // of the object, W
-  double effort;  // metres from the agent's hand
+  double effort;  // metres
 };
 
 struct Spots {
   std::vector<Spot> spots;  // in reach, easiest first
-  bool any_surface = false, any_fit = false;
+  Offer offer;
 };
 
 /// What can be attached to a thing can be set on its head, also where nothing else can be put: a camera on a tripod.
@@ -90,32 +72,11 @@ Spots spots_on(const WorldState& state, std::size_t target, const Vec3& size, bo
   Shape shape = state.collider(target).shape;
   if (attaches) add_head(shape, receptacle.size);
   const Vec2 agent = state.agent().position;
-  for (const Surface& surface : shape.surfaces) {
-    if ((surface.cavity >= 0) != inside) continue;
-    result.any_surface = true;
-    const Pose frame = receptacle.pose * joint_motion(shape, surface.joint, receptacle.opening);
-    for (const Quat& orientation : orientations(surface.clearance, size, alone)) {
-      const Bounds extent = bounds_of({Vec3::Zero(), orientation}, size);
-      const Vec2 room = surface.half - extent.high.head<2>();
-      // Inside, an object must fit whole; on top, its middle must rest well within the edge.
-      if (inside && room.minCoeff() < -1e-6) continue;
-      if (!inside && (surface.half - 0.6 * extent.high.head<2>()).minCoeff() < 0) continue;
-      result.any_fit = true;
-      const auto steps = [](double free) { return std::max(0, static_cast<int>(std::floor(free / kSpotPitch_m))); };
-      const int nx = steps(room.x()), ny = steps(room.y());
-      for (int i = -nx; i <= nx; ++i) {
-        for (int k = -ny; k <= ny; ++k) {
-          const Vec3 local = surface.centre + Vec3(i * kSpotPitch_m, k * kSpotPitch_m, extent.high.z() + kLetGo_m);
-          const Pose pose = frame * Pose{local, orientation};
-          const double high = std::max(0.0, pose.position.z() - state.profile->body_height_m);
-          const double distance = std::hypot((pose.position.head<2>() - agent).norm(), high);
-          if (distance > state.profile->reach_m) continue;
-          const double effort = std::hypot(distance, pose.position.z() - kEasyHeight_m);
-          result.spots.push_back({pose, effort});
-        }
-      }
-    }
-  }
+  result.offer = for_each_spot(receptacle, shape, size, inside, alone, [&](const Pose& pose) {
+    if (arm_length(pose.position, agent, *state.profile) <= state.profile->reach_m)
+      result.spots.push_back({pose, effort(pose.position, agent, *state.profile)});
+    return true;
+  });
   std::stable_sort(result.spots.begin(), result.spots.end(),
                    [](const Spot& a, const Spot& b) { return a.effort < b.effort; });
   return result;
@@ -182,11 +143,11 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
   const bool attaches = !inside && state.profile->attaching &&
                         state.knowledge->effect(receptacle.category, "attaches", state.node(i).category) != nullptr;
   const Spots spots = spots_on(state, target, state.node(i).size, inside, group.size() == 1, attaches);
-  if (!spots.any_surface) {
+  if (!spots.offer.any_surface) {
     return failed(Failure::NotAReceptacle,
                   "Nothing can be put " + std::string(inside ? "inside " : "on ") + target_id + ".");
   }
-  if (!spots.any_fit)
+  if (!spots.offer.any_fit)
     return failed(Failure::DoesNotFit, id + " does not fit " + (inside ? "into " : "on ") + target_id + ".");
 
   int settles = 0;
@@ -221,6 +182,20 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
   if (settles > 0) return failed(Failure::DidNotRest, id + " did not come to rest there.");
   return failed(Failure::NoFreePlace,
                 "There is no free place in reach " + std::string(inside ? "inside " : "on ") + target_id + ".");
+}
+
+std::vector<Pose> free_spots(const WorldState& state, std::size_t target, bool inside) {
+  std::vector<Pose> free;
+  if (state.agent().held.empty()) return free;
+  const std::size_t i = *state.index_of(state.agent().held.front());
+  const std::vector<std::size_t> group = state.group_of(i);
+  if (std::find(group.begin(), group.end(), target) != group.end()) return free;
+  for_each_spot(state.node(target), state.collider(target).shape, state.node(i).size, inside, group.size() == 1,
+                [&](const Pose& pose) {
+                  if (free_at(state, group, pose * inverse(state.node(i).pose))) free.push_back(pose);
+                  return true;
+                });
+  return free;
 }
 
 namespace {

@@ -1,3 +1,5 @@
+#include "simulation/swing.h"
+
 #include <algorithm>
 
 #include "simulation/navigation.h"
@@ -42,6 +44,16 @@ std::string name_of_body(const WorldState& state, BodyId body) {
 
 }  // namespace
 
+std::optional<BodyId> in_the_way(const PhysicsWorld& world, const Node& node, const Shape& shape, double to,
+                                 std::span<const BodyId> ignore) {
+  const Shape moving = moving_parts(shape);
+  for (int step = 1; step <= kSweepSteps; ++step) {
+    const double opening = node.opening + (to - node.opening) * step / kSweepSteps;
+    if (const auto hit = world.overlap(moving, node.pose, opening, ignore, kScrape_m)) return hit;
+  }
+  return std::nullopt;
+}
+
 Outcome swing(WorldState& state, std::size_t i, bool open) {
   const std::string id = state.node(i).id;
   if (!state.node(i).openable) return failed(Failure::NotOpenable, id + " cannot be opened or closed.");
@@ -60,13 +72,8 @@ Outcome swing(WorldState& state, std::size_t i, bool open) {
   if (!shape.joints.empty()) {
     std::vector<BodyId> ignore{static_cast<BodyId>(i)};
     ignore.insert(ignore.end(), riding.begin(), riding.end());
-    const Shape moving = moving_parts(shape);
-    for (int step = 1; step <= kSweepSteps; ++step) {
-      const double opening = from + (to - from) * step / kSweepSteps;
-      if (const auto hit = state.physics().overlap(moving, state.node(i).pose, opening, ignore, kScrape_m)) {
-        return failed(Failure::Blocked, id + " is blocked by " + name_of_body(state, *hit) + ".");
-      }
-    }
+    if (const auto hit = in_the_way(state.physics(), state.node(i), shape, to, ignore))
+      return failed(Failure::Blocked, id + " is blocked by " + name_of_body(state, *hit) + ".");
     if (in_door_way(state.node(i), state.agent().position, *state.profile)) {
       return failed(Failure::Blocked, "You stand in the way of " + id + ".");
     }

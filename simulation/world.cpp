@@ -188,6 +188,12 @@ bool World::in_reach(std::string_view id) const {
   return node && !state.held(id) && !out_of_hands_way(state, *node);
 }
 
+std::vector<Pose> World::free_spots(std::string_view id, bool inside) const {
+  const WorldState& state = tree_->at(moment_);
+  const auto node = state.index_of(id);
+  return node ? unietp::free_spots(state, *node, inside) : std::vector<Pose>();
+}
+
 std::string World::closed_around(std::string_view id) const {
   const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);

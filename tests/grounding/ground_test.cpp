@@ -193,7 +193,7 @@ TEST_F(Ground, RejectsAGoalAboutNothing) {
 std::string verdict(const Specification& spec, const Home& home, Scene start, const std::set<std::string>& touched,
                     const Surroundings& style) {
   start.edges = read_relations(start);
-  const auto problem = check_start(spec, home, start, touched, style.profile);
+  const auto problem = check_start(spec, home, start, touched, style.knowledge, style.profile);
   return problem ? name_of(problem->reason) : "sound";
 }
 
@@ -232,7 +232,7 @@ TEST_F(Ground, CheckFindsEachFaultPlantedInASoundStart) {
 
   Scene misread = start;
   misread.edges.pop_back();
-  EXPECT_TRUE(check_start(spec, home, misread, {}, style_->profile));
+  EXPECT_TRUE(check_start(spec, home, misread, {}, style_->knowledge, style_->profile));
 }
 
 TEST_F(Ground, BringsOneClearlyNearestAndLeavesAnotherFurtherAway) {

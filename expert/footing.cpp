@@ -1,0 +1,163 @@
+#include "expert/footing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <set>
+#include <tuple>
+
+#include "simulation/navigation.h"
+#include "simulation/spots.h"
+
+namespace unietp {
+namespace {
+
+constexpr std::size_t kMostBeginnings = 12;  // objects that are gone to first
+constexpr std::size_t kMostPoses = 800;      // looked at
+constexpr int kMostSteps = 10;               // of one way
+constexpr int kMostTrials = 16;              // poses from which the action is done
+
+constexpr std::array kMoves{ActionType::MoveForward, ActionType::MoveLeft, ActionType::MoveRight,
+                            ActionType::MoveBackward};
+constexpr std::array kTurns{ActionType::TurnLeft, ActionType::TurnRight};  // what is dropped falls straight ahead
+
+struct Standing {
+  Agent agent;
+  int steps = 0;
+  std::size_t from = 0;  // itself for the first
+  Action by;
+};
+
+/// Where one may begin to come to an object from another side: itself, then what is nearest; or in a room.
+std::vector<std::string> beginnings(const World& world, const std::string& about) {
+  std::vector<std::string> ids{about};
+  const Node* object = world.find(about);
+  if (object == nullptr) return ids;
+  const Node target = *object;
+  std::vector<std::tuple<double, std::string>> found;
+  const std::string room = world.room_of(about);
+  const double farthest = target.size.head<2>().norm() / 2 + 2 * world.profile().reach_m;
+  for (const Node& node : world.nodes()) {
+    const double away = (node.pose.position - target.pose.position).head<2>().norm();
+    if (away > farthest || node.id == target.id || world.holds(node.id)) continue;
+    const bool rests_there = world.linked(node.id, Predicate::On, target.id) ||
+                             world.linked(node.id, Predicate::Inside, target.id) ||
+                             world.linked(target.id, Predicate::On, node.id);
+    const bool stands_by = !node.movable && world.room_of(node.id) == room;
+    if ((rests_there || stands_by) && world.closed_around(node.id).empty()) found.emplace_back(away, node.id);
+  }
+  std::sort(found.begin(), found.end());
+  for (auto& [away, id] : found) {
+    if (ids.size() < kMostBeginnings) ids.push_back(std::move(id));
+  }
+  return ids;
+}
+
+class Search {
+ public:
+  Search(const World& world, const Action& action, const std::string& about, const Aim& aim)
+      : world_(world), action_(action), about_(about), aim_(aim) {
+    if (const Node* object = world.find(about)) object_ = *object;
+    places_ = action.type == ActionType::PlaceOn || action.type == ActionType::PlaceIn;
+    if (places_) spots_ = world.free_spots(action.args.front(), action.type == ActionType::PlaceIn);
+  }
+
+  std::optional<std::vector<Action>> run() {
+    if (places_ && spots_.empty()) return std::nullopt;
+    poses_.push_back({world_.agent(), 0, 0, {}});
+    if (object_) open_.emplace(0, 0);  // else one has to come to the room first
+    for (const std::string& id : beginnings(world_, about_)) {
+      const Action go{ActionType::GoTo, {id}};
+      if (auto agent = world_.led_to(world_.agent(), go)) add({std::move(*agent), 1, 0, go});
+    }
+    while (!open_.empty() && trials_ < kMostTrials) {
+      const std::size_t at = std::get<1>(open_.top());
+      open_.pop();
+      if (promises(poses_[at].agent)) {
+        if (auto steps = steps_to(at); does(steps)) return steps;
+      }
+      if (poses_.size() < kMostPoses && poses_[at].steps < kMostSteps) expand(at);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void add(Standing pose) {
+    constexpr double kPlaces = 20, kAngles = 12;  // poses within 5 cm and 5 degrees of one another are the same
+    const Vec2 place = pose.agent.position * kPlaces;
+    const long turned = drops() ? std::lround(pose.agent.yaw * kAngles) : 0;
+    if (!known_.emplace(std::lround(place.x()), std::lround(place.y()), turned).second) return;
+    open_.emplace(pose.steps, poses_.size());
+    poses_.push_back(std::move(pose));
+  }
+  void expand(std::size_t at) {
+    const auto step = [&](ActionType type) {
+      const Standing from = poses_[at];
+      if (auto agent = world_.led_to(from.agent, {type, {}})) add({std::move(*agent), from.steps + 1, at, {type, {}}});
+    };
+    for (const ActionType type : kMoves) step(type);
+    if (!drops()) return;
+    for (const ActionType type : kTurns) step(type);
+  }
+  bool drops() const { return action_.type == ActionType::Drop; }
+  /// Whether it is worth a trial: all is in reach and, of what is put down, the spot that will be taken is one.
+  bool promises(const Agent& agent) const {
+    const Profile& profile = world_.profile();
+    if (drops()) return !aim_.at || aim_.at(held_at(agent));
+    if (object_ && reach_distance(*object_, agent.position, profile) > profile.reach_m) return false;
+    if (!places_) return true;
+    const Pose* easiest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Pose& spot : spots_) {
+      if (arm_length(spot.position, agent.position, profile) > profile.reach_m) continue;
+      const double one = effort(spot.position, agent.position, profile);
+      if (one >= least) continue;
+      least = one;
+      easiest = &spot;
+    }
+    return easiest != nullptr && (!aim_.at || aim_.at(*easiest));
+  }
+  /// Where what the hand holds now would be.
+  Pose held_at(const Agent& agent) const {
+    const auto stand = [](const Agent& one) { return upright(Vec3(one.position.x(), one.position.y(), 0), one.yaw); };
+    const Pose& held = world_.find(world_.agent().held.front())->pose;
+    return stand(agent) * inverse(stand(world_.agent())) * held;
+  }
+  std::vector<Action> steps_to(std::size_t at) const {
+    std::vector<Action> steps;
+    for (; at != 0; at = poses_[at].from) steps.push_back(poses_[at].by);
+    std::reverse(steps.begin(), steps.end());
+    return steps;
+  }
+  bool does(const std::vector<Action>& steps) {
+    ++trials_;
+    World trial = world_;
+    const bool there = std::all_of(steps.begin(), steps.end(), [&](const Action& s) { return trial.step(s).success; });
+    return there && trial.step(action_).success && (!aim_.reached || aim_.reached(trial));
+  }
+
+  const World& world_;
+  const Action& action_;
+  const std::string& about_;
+  std::optional<Node> object_;  // that it is
+  const Aim& aim_;
+  bool places_ = false;
+  std::vector<Pose> spots_;
+  int trials_ = 0;
+  std::vector<Standing> poses_;
+  std::set<std::tuple<long, long, long>> known_;
+  using Open = std::pair<int, std::size_t>;  // fewest steps first, of equals the one found first
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Action>> way_to_do(const World& world, const Action& action, const std::string& about,
+                                             const Aim& aim) {
+  if (world.holds(about)) return std::nullopt;
+  return Search(world, action, about, aim).run();
+}
+
+}  // namespace unietp

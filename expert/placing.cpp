@@ -1,0 +1,257 @@
+#include <algorithm>
+#include <tuple>
+
+#include "expert/methods.h"
+#include "simulation/relations.h"
+
+// Where things go: into the hand, to a place, out of the way.
+namespace unietp {
+namespace {
+
+constexpr std::size_t kMostSpots = 12;   // places tried for putting something down anywhere
+constexpr std::size_t kMostCleared = 3;  // things carried out of the way of one
+
+/// As `next_to` is read, of boxes that may yet come down.
+bool side_by_side(const Bounds& a, const Bounds& b) {
+  const double dx = std::max(a.low.x() - b.high.x(), b.low.x() - a.high.x());
+  const double dy = std::max(a.low.y() - b.high.y(), b.low.y() - a.high.y());
+  return std::max(dx, dy) > 0 && std::hypot(std::max(dx, 0.0), std::max(dy, 0.0)) <= kNextTo_m;
+}
+
+/// The feedback names it.
+std::string blocker_named_in(const std::string& feedback) {
+  constexpr std::string_view kBy = " is blocked by ";
+  const auto at = feedback.find(kBy);
+  if (at == std::string::npos) return "";
+  const auto begin = at + kBy.size();
+  return feedback.substr(begin, feedback.find('.', begin) - begin);
+}
+
+}  // namespace
+
+bool Methods::is_relevant(const Node& node) const {
+  return std::find(relevant_.begin(), relevant_.end(), node.category) != relevant_.end();
+}
+
+bool Methods::place(const Literal& literal) {
+  const std::string id = attempt_.id_of(literal.subject), target = attempt_.id_of(literal.object);
+  if (target.empty()) return false;
+  switch (literal.predicate) {
+    case Predicate::On:
+    case Predicate::Attached:  // what the tables say attaches does so where it is put
+      return put(id, ActionType::PlaceOn, target);
+    case Predicate::Inside:
+      return put(id, ActionType::PlaceIn, target);
+    case Predicate::OnFloor:
+      return hold(id) && let_fall(id, target);
+    case Predicate::InRoom:
+      return id == "agent" ? attempt_.act(ActionType::GoTo, target) : place_in_room(id, target);
+    case Predicate::NextTo:
+      return place_beside(id, target);
+    default:
+      return false;
+  }
+}
+
+/// In the middle of the room or, where it would fall on something, elsewhere in it.
+bool Methods::let_fall(const std::string& id, const std::string& room) {
+  const Aim aim{[&](const World& world) {
+                  const auto floors = world.linked_from(id, Predicate::OnFloor);
+                  return std::find(floors.begin(), floors.end(), room) != floors.end();
+                },
+                {}};
+  return from_elsewhere({ActionType::Drop, {}}, room, aim);
+}
+
+/// What can be put where the neighbour stands: on what carries it, into what it lies in, on furniture beside it, or let
+/// fall there.
+std::vector<Action> Methods::ways_beside(const std::string& neighbour) const {
+  const World& world = attempt_.world();
+  std::vector<Action> ways;
+  for (const std::string& support : world.linked_from(neighbour, Predicate::On))
+    ways.push_back({ActionType::PlaceOn, {support}});
+  for (const std::string& around : world.linked_from(neighbour, Predicate::Inside))
+    ways.push_back({ActionType::PlaceIn, {around}});
+  const Node& node = *find(neighbour);
+  const Bounds bounds = bounds_of(node.pose, node.size);
+  for (const Node& other : world.nodes()) {
+    if (other.movable || other.id == neighbour || !side_by_side(bounds, bounds_of(other.pose, other.size))) continue;
+    ways.push_back({ActionType::PlaceOn, {other.id}});
+    if (!other.openable || is(other.id, Predicate::Open)) ways.push_back({ActionType::PlaceIn, {other.id}});
+  }
+  if (attempt_.situation().profile.offers(ActionType::Drop)) ways.push_back({ActionType::Drop, {}});
+  return ways;
+}
+
+/// Where the neighbour is; or, where there is no room beside it, where it can be put with room beside it.
+bool Methods::place_beside(const std::string& id, const std::string& neighbour) {
+  if (attempt_.is_held(neighbour) && !put_aside(neighbour)) return false;
+  if (!open_around(neighbour)) return false;
+  if (hold(id) && set_beside(id, neighbour)) return true;
+  return find(neighbour)->movable && hold(neighbour) && put_aside(neighbour) && hold(id) && set_beside(id, neighbour);
+}
+
+bool Methods::set_beside(const std::string& id, const std::string& neighbour) {
+  const Vec3 size = find(id)->size;
+  const Node& other = *find(neighbour);
+  const Bounds there = bounds_of(other.pose, other.size);
+  const Aim aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbour); },
+                [&](const Pose& spot) { return side_by_side(bounds_of(spot, size), there); }};
+  for (const Action& way : ways_beside(neighbour)) {
+    if (from_elsewhere(way, neighbour, aim)) return true;
+    if (attempt_.exhausted()) return false;
+  }
+  return false;
+}
+
+/// On the furniture that it is usual on, then on or in any other; on the floor only where there is nothing else.
+bool Methods::place_in_room(const std::string& id, const std::string& room) {
+  if (!hold(id)) return false;
+  for (const Action& way : ways_to_rid(id, room, "")) {
+    if (works_at(way)) return do_at(way.type, way.args.front());
+  }
+  if (works({{ActionType::GoTo, {room}}, {ActionType::Drop, {}}}))
+    return attempt_.act(ActionType::GoTo, room) && attempt_.act(ActionType::Drop);
+  for (const Action& way : ways_to_rid(id, room, "")) {
+    if (from_elsewhere(way, way.args.front(), {})) return true;
+  }
+  return attempt_.act(ActionType::GoTo, room) && attempt_.act(ActionType::Drop);
+}
+
+/// In the hand a thing is on and in nothing; only a room needs it carried out.
+bool Methods::take_away(const Literal& literal) {
+  const std::string id = attempt_.id_of(literal.subject);
+  if (literal.predicate != Predicate::InRoom) return hold(id);
+  for (const Room& room : attempt_.situation().start->rooms) {
+    if (room.id != attempt_.id_of(literal.object)) return place_in_room(id, room.id);
+  }
+  return false;
+}
+
+bool Methods::hold(const std::string& id) {
+  if (attempt_.is_held(id)) return true;
+  return free_hand(id) && do_at(ActionType::PickUp, id);
+}
+
+bool Methods::free_hand(const std::string& wanted) {
+  const auto hands = static_cast<std::size_t>(attempt_.situation().profile.hands);
+  while (attempt_.world().agent().held.size() >= hands) {
+    const std::string held = attempt_.world().agent().held.front();
+    if (held == wanted) return true;
+    if (!put_aside(held)) return false;
+  }
+  return true;
+}
+
+/// Furniture that takes a thing, in a room or ("") in any, but for one: what the goal does not speak of and is usual
+/// first, then what is nearest.
+std::vector<Action> Methods::ways_to_rid(const std::string& id, const std::string& room,
+                                         const std::string& except) const {
+  const World& world = attempt_.world();
+  const Knowledge& knowledge = *attempt_.situation().knowledge;
+  const Node* thing = find(id);
+  std::vector<std::tuple<bool, bool, bool, double, std::string, ActionType>> spots;
+  for (const Node& node : world.nodes()) {
+    if (node.movable || node.id == except || !world.closed_around(node.id).empty()) continue;
+    if (!room.empty() && world.room_of(node.id) != room) continue;
+    const double walk = world.walking_distance(node.id);
+    if (walk >= Situation::kFar_m) continue;
+    const auto add = [&](const char* relation, ActionType action) {
+      const bool usual = thing != nullptr && knowledge.placement(thing->category, relation, node.category) != nullptr;
+      if (usual || knowledge.has(node.category, "receptacle"))
+        spots.emplace_back(is_relevant(node), !usual, !world.in_reach(node.id), walk, node.id, action);
+    };
+    add("on", ActionType::PlaceOn);
+    if (!room.empty() && (!node.openable || is(node.id, Predicate::Open))) add("inside", ActionType::PlaceIn);
+  }
+  std::sort(spots.begin(), spots.end());
+  if (spots.size() > kMostSpots) spots.resize(kMostSpots);
+  std::vector<Action> ways;
+  for (const auto& spot : spots) ways.push_back({std::get<5>(spot), {std::get<4>(spot)}});
+  return ways;
+}
+
+bool Methods::put_aside(const std::string& id, const std::string& except) {
+  if (!attempt_.is_held(id)) return true;
+  const auto ways = ways_to_rid(id, "", except);
+  for (const Action& way : ways) {
+    if (works_at(way) && do_at(way.type, way.args.front())) return true;
+    if (attempt_.exhausted()) return false;
+  }
+  if (attempt_.situation().profile.offers(ActionType::Drop) && attempt_.act(ActionType::Drop)) return true;
+  return std::any_of(ways.begin(), ways.end(),
+                     [this](const Action& way) { return from_elsewhere(way, way.args.front(), {}); });
+}
+
+/// Whether the steps would succeed from here, one after the other.
+bool Methods::works(const std::vector<Action>& steps) const {
+  World trial = attempt_.world();
+  return std::all_of(steps.begin(), steps.end(), [&trial](const Action& step) { return trial.step(step).success; });
+}
+
+bool Methods::works_at(const Action& action) const {
+  const std::string& id = action.args.front();
+  return (attempt_.world().in_reach(id) && works({action})) || works({{ActionType::GoTo, {id}}, action});
+}
+
+bool Methods::put(const std::string& id, ActionType action, const std::string& target) {
+  if (attempt_.is_held(target) && !put_aside(target)) return false;
+  if (!hold(id)) return false;
+  const Node* into = find(target);
+  const bool shut = action == ActionType::PlaceIn && into != nullptr && into->openable && !is(target, Predicate::Open);
+  if (shut && !device(ActionType::Open, target)) {
+    const auto& trouble = attempt_.trouble();
+    if (!trouble || trouble->failure != Failure::HandsFull || attempt_.exhausted()) return false;
+    if (!put_aside(id) || !device(ActionType::Open, target)) return false;
+  }
+  if (!hold(id)) return false;
+  return do_at(action, target) || make_room(id, action, target);
+}
+
+/// After there was no free place on or in a target: what the goal does not speak of is carried away from there, the
+/// largest first.
+bool Methods::make_room(const std::string& id, ActionType action, const std::string& target) {
+  const auto crowded = [this] {
+    const auto& trouble = attempt_.trouble();
+    return trouble && !attempt_.exhausted() &&
+           (trouble->failure == Failure::NoFreePlace || trouble->failure == Failure::DidNotRest);
+  };
+  std::vector<std::pair<double, std::string>> there;
+  for (const Node& node : attempt_.world().nodes()) {
+    if (!node.movable || node.id == id || is_relevant(node)) continue;
+    const bool rests = attempt_.world().linked(node.id, Predicate::On, target) ||
+                       attempt_.world().linked(node.id, Predicate::Inside, target);
+    if (rests) there.emplace_back(-node.size.x() * node.size.y(), node.id);
+  }
+  std::sort(there.begin(), there.end());
+  if (there.size() > kMostCleared) there.resize(kMostCleared);
+  for (const auto& [less, other] : there) {
+    if (!crowded() || !put_aside(id, target) || !hold(other) || !put_aside(other, target) || !hold(id)) return false;
+    if (do_at(action, target)) return true;
+  }
+  return false;
+}
+
+/// After something was in the way of a door or a lid: that is carried away; or, where it cannot be, the thing itself is
+/// put down elsewhere.
+bool Methods::unblock(ActionType action, const std::string& id) {
+  for (std::size_t cleared = 0; cleared < kMostCleared; ++cleared) {
+    const auto& trouble = attempt_.trouble();
+    if (!trouble || trouble->failure != Failure::Blocked || attempt_.exhausted()) return false;
+    const std::string blocker = blocker_named_in(trouble->text);
+    const Node* other = find(blocker);
+    if (other == nullptr || !other->movable || blocker == id) break;
+    if (!hold(blocker) || !put_aside(blocker, "")) return false;
+    if (do_at(action, id)) return true;
+  }
+  const Node* self = find(id);
+  if (self == nullptr || !self->movable || !hold(id)) return false;
+  for (const Action& way : ways_to_rid(id, "", "")) {
+    const std::string& spot = way.args.front();
+    const Action go{ActionType::GoTo, {spot}};
+    if (works({go, way, {action, {id}}})) return attempt_.act(go) && attempt_.act(way) && attempt_.act(action, id);
+  }
+  return false;
+}
+
+}  // namespace unietp

@@ -1,0 +1,196 @@
+#include "grounding/check_goal.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "logic/evaluate.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+/// The effects of the knowledge base that bring a state about.
+std::vector<std::string_view> effects_for(Predicate state) {
+  switch (state) {
+    case Predicate::Hot:
+      return {"heats", "cooks", "burns"};
+    case Predicate::Cool:
+      return {"cools", "freezes"};
+    case Predicate::Frozen:
+      return {"freezes"};
+    case Predicate::Cooked:
+      return {"cooks"};
+    case Predicate::Burnt:
+      return {"burns"};
+    case Predicate::Clean:
+      return {"washes", "wipes"};
+    case Predicate::Soaked:
+      return {"soaks"};
+    case Predicate::Filled:
+      return {"fills"};
+    default:
+      return {};
+  }
+}
+
+bool needs(const Effect& effect, std::string_view need) {
+  return std::find(effect.needs.begin(), effect.needs.end(), need) != effect.needs.end();
+}
+
+class Possible {
+ public:
+  Possible(const Scene& start, const Trace& trace, const Knowledge& knowledge, const Profile& profile, Reach& reach)
+      : start_(start), trace_(trace), knowledge_(knowledge), profile_(profile), reach_(reach) {}
+
+  bool read(const Formula& formula) {
+    switch (formula.op) {
+      case Op::Atom:
+        return atom(formula);
+      case Op::And:
+      case Op::Before:
+        return std::all_of(formula.children.begin(), formula.children.end(), [&](const auto& f) { return read(f); });
+      case Op::Or:
+        return std::any_of(formula.children.begin(), formula.children.end(), [&](const auto& f) { return read(f); });
+      case Op::AtEnd:
+      case Op::Sometime:
+        return read(formula.children[0]);
+      case Op::Until:
+        return read(formula.children[1]);
+      case Op::Exists:
+        return at_least(formula, 1);
+      case Op::Forall:
+        return at_least(formula, members(formula).size());
+      case Op::Count:
+        if (formula.comparison == Comparison::Equal || formula.comparison == Comparison::AtLeast)
+          return at_least(formula, static_cast<std::size_t>(std::max(0, formula.number)));
+        if (formula.comparison == Comparison::Greater)
+          return at_least(formula, static_cast<std::size_t>(std::max(0, formula.number + 1)));
+        return true;
+      default:
+        return true;  // what is only kept, taken away or compared needs nothing new
+    }
+  }
+
+  /// The first truth that could not come about, in words.
+  const std::string& missing() const { return missing_; }
+
+ private:
+  std::vector<EntityIndex> members(const Formula& formula) const {
+    return members_of(formula.domain, formula.variable, trace_, names_);
+  }
+
+  bool at_least(const Formula& formula, std::size_t wanted) {
+    const auto& kinds = formula.domain.members;
+    if (std::any_of(kinds.begin(), kinds.end(), [](const auto& kind) { return kind.slice; })) return true;
+    std::size_t found = 0;
+    for (const EntityIndex member : members(formula)) {
+      if (found >= wanted) break;
+      names_.emplace_back(formula.variable, member);
+      if (read(formula.children[0])) ++found;
+      names_.pop_back();
+    }
+    return found >= wanted;
+  }
+
+  std::optional<EntityIndex> entity_of(const Term& term) const {
+    if (term.kind != Term::Kind::Variable) return std::nullopt;
+    const auto bound =
+        std::find_if(names_.rbegin(), names_.rend(), [&](const auto& one) { return one.first == term.name; });
+    return bound == names_.rend() ? std::nullopt : std::optional(bound->second);
+  }
+  /// Place of the node that a term stands for; nullopt for rooms, the agent and symbols.
+  std::optional<std::size_t> node_of(const Formula& atom, std::size_t term) const {
+    if (atom.terms.size() <= term) return std::nullopt;
+    const auto entity = entity_of(atom.terms[term]);
+    if (!entity || trace_.entities[*entity].kind != Entity::Kind::Object) return std::nullopt;
+    const Node* node = find_node(start_, trace_.entities[*entity].id);
+    return node == nullptr ? std::nullopt : std::optional(static_cast<std::size_t>(node - start_.nodes.data()));
+  }
+
+  bool atom(const Formula& formula) {
+    if (holds_in(formula, trace_, 0, names_)) return true;
+    const auto subject = node_of(formula, 0), object = node_of(formula, 1);
+    if (!subject) return true;
+    const auto key = std::tuple(formula.predicate, *subject, object.value_or(start_.nodes.size()));
+    const auto known = known_.find(key);
+    if (known != known_.end()) return known->second;
+    const bool possible = comes_about(formula, *subject, object);
+    if (!possible && missing_.empty()) {
+      missing_ = std::string(info(formula.predicate).name) + " of " + start_.nodes[*subject].id;
+      if (object) missing_ += " and " + start_.nodes[*object].id;
+    }
+    return known_.emplace(key, possible).first->second;
+  }
+
+  bool comes_about(const Formula& formula, std::size_t subject, std::optional<std::size_t> object) {
+    switch (formula.predicate) {
+      case Predicate::On:
+      case Predicate::Inside:
+        return !object || reach_.spot_for(subject, *object, formula.predicate == Predicate::Inside);
+      case Predicate::Open:
+      case Predicate::Closed:
+        return reach_.swings(subject);
+      case Predicate::InRoom:
+        return spot_in_room(subject, trace_.entities[entity_of(formula.terms[1]).value()].id);
+      default:
+        return treatable(formula, subject);
+    }
+  }
+
+  /// On the floor where the simulator lets things fall, else on or in a piece of furniture.
+  bool spot_in_room(std::size_t subject, const std::string& room) {
+    if (profile_.offers(ActionType::Drop)) return true;
+    for (const Edge& edge : start_.edges) {
+      if (edge.relation != Predicate::InRoom || edge.to != room) continue;
+      const auto* node = find_node(start_, edge.from);
+      if (node == nullptr || node->movable) continue;
+      const auto place = static_cast<std::size_t>(node - start_.nodes.data());
+      if (reach_.spot_for(subject, place, false) || reach_.spot_for(subject, place, true)) return true;
+    }
+    return false;
+  }
+
+  /// Something in the home brings the state about and, where that happens in or on it, takes the thing.
+  bool treatable(const Formula& formula, std::size_t subject) {
+    const auto effects = effects_for(formula.predicate);
+    if (effects.empty() || !start_.nodes[subject].movable) return true;
+    const std::string symbol = formula.terms.size() > 1 ? formula.terms[1].name : "";
+    bool any_rule = false;
+    for (const std::string_view name : effects) {
+      for (const Effect* effect : knowledge_.effects_on(start_.nodes[subject].category, name)) {
+        if (!symbol.empty() && symbol != "any" && effect->gives != symbol) continue;
+        any_rule = true;
+        const bool inside = needs(*effect, "inside") || needs(*effect, "under_tap");
+        const bool on = !inside && !needs(*effect, "held") && name != "wipes";
+        for (std::size_t tool = 0; tool < start_.nodes.size(); ++tool) {
+          if (start_.nodes[tool].category != effect->tool) continue;
+          if ((!inside && !on) || reach_.spot_for(subject, tool, inside)) return true;
+        }
+      }
+    }
+    return !any_rule;  // by what this gate knows nothing of
+  }
+
+  const Scene& start_;
+  const Trace& trace_;
+  const Knowledge& knowledge_;
+  const Profile& profile_;
+  Reach& reach_;
+  Assignment names_;
+  std::map<std::tuple<Predicate, std::size_t, std::size_t>, bool> known_;
+  std::string missing_;
+};
+
+}  // namespace
+
+std::optional<GroundingFailure> check_goal(const Specification& specification, const Scene& start, const Trace& trace,
+                                           const Knowledge& knowledge, const Profile& profile, Reach& reach) {
+  Possible possible(start, trace, knowledge, profile, reach);
+  if (possible.read(specification.goal)) return std::nullopt;
+  return GroundingFailure{GroundingReason::NoSpot, possible.missing() + " cannot come about: no spot or no way", {}};
+}
+
+}  // namespace unietp

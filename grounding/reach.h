@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "grounding/home.h"
+#include "scene/scene.h"
+#include "simulation/physics.h"
+#include "simulation/profile.h"
+
+namespace unietp {
+
+/// Where the body can stand in a scene that grew out of a home, and what its arm and its eye reach from there, behind
+/// doors that it can open too. Questions of geometry by the rules of the actions; nothing is done. All that is passed
+/// must outlive it.
+class Reach {
+ public:
+  Reach(const Home& home, const Scene& scene, const PhysicsWorld& world, const Profile& profile);
+
+  /// The body can walk into it.
+  bool room(const Room& room) const;
+  /// The body can stand where it reaches and sees the thing.
+  bool object(std::size_t thing);
+  /// place_on, or with `inside` place_in, can let the thing go on the target: there is a spot where it meets nothing
+  /// fixed, and a place to stand from which the arm gets there and the target is in reach and sight. Whatever can be
+  /// carried away counts as gone; on a target that can be carried itself only the size is asked for.
+  bool spot_for(std::size_t thing, std::size_t target, bool inside);
+  /// A piece of furniture's door, lid or drawer can be moved all its way without meeting anything fixed. True for what
+  /// can be carried, and for what has no joints.
+  bool swings(std::size_t node) const;
+
+ private:
+  /// The scene with some doors open.
+  struct Opened {
+    std::vector<std::size_t> doors;
+    Scene scene;
+    PhysicsWorld world;
+    std::shared_ptr<const Walk> walk;
+  };
+  std::vector<std::size_t> shut_around(std::size_t index) const;
+  Opened& with_open(const std::vector<std::size_t>& doors);
+  void slide_along(Opened& opened, const std::vector<std::size_t>& doors, std::size_t index) const;
+
+  const Home& home_;
+  const Scene& scene_;
+  const PhysicsWorld& world_;
+  const Profile& profile_;
+  std::shared_ptr<const Walk> walk_;
+  std::optional<Opened> opened_;  // the last asked for
+};
+
+}  // namespace unietp
