@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "expert/exploration.h"
+#include "simulation/view.h"
 
 namespace unietp {
 

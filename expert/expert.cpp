@@ -94,11 +94,10 @@ std::string missing_after(Rehearsal& rehearsal, const std::vector<Action>& actio
   return monitor.missing();
 }
 
-}  // namespace
-
-std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const ExpertOptions& options) {
+/// `lacked_room` becomes true when something failed for want of it.
+std::variant<Demonstration, Rejection> try_plans(Rehearsal& rehearsal, const Situation& situation,
+                                                 const ExpertOptions& options, bool clears, bool& lacked_room) {
   const Formula& goal = rehearsal.goal();
-  const Situation situation = look_around(rehearsal, options.mode);
   Experience experience;
   std::set<std::string> tried;
   Rejection last{"expert", "no-plan", "no way to meet the goal with what the scene has: " + to_text(goal)};
@@ -106,9 +105,10 @@ std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const E
     const auto choice = next_choice(read_goal(goal, situation, experience), situation, tried);
     if (!choice) break;
     Attempt attempt(rehearsal, situation, choice->alternative, options);
-    Methods methods(attempt, categories_of(goal));
+    Methods methods(attempt, categories_of(goal), clears);
     const auto failed = carry_out(attempt, methods, choice->habits);
     if (failed) {
+      lacked_room = lacked_room || Methods::lacked_room(attempt);
       learn(experience, situation, attempt, *failed);
       const std::string aim = to_text(*failed, situation);
       if (attempt.trouble()) {
@@ -127,6 +127,18 @@ std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const E
     for (const Literal& literal : choice->alternative.end) experience.literals.emplace_back(literal, 1.0);
   }
   return last;
+}
+
+}  // namespace
+
+std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const ExpertOptions& options) {
+  const Situation situation = look_around(rehearsal, options.mode);
+  bool lacked_room = false;
+  auto shown = try_plans(rehearsal, situation, options, false, lacked_room);
+  // What is in the way is carried away only where no other witness, place or tool will do.
+  if (lacked_room && std::holds_alternative<Rejection>(shown))
+    shown = try_plans(rehearsal, situation, options, true, lacked_room);
+  return shown;
 }
 
 std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,

@@ -7,14 +7,13 @@
 #include <queue>
 #include <tuple>
 
-#include "simulation/navigation.h"
+#include "simulation/view.h"
 
 namespace unietp {
 namespace {
 
-constexpr double kMostSteps = 16;                // of a search, from where it begins
-constexpr std::size_t kMostPoses = 5000;         // looked from
-constexpr int kLeastSide = 4, kLeastArea = 100;  // pixels of a box that can be told from its surroundings
+constexpr double kMostSteps = 16;         // of a search, from where it begins
+constexpr std::size_t kMostPoses = 5000;  // looked from
 constexpr std::size_t kMostLookouts = 5;
 constexpr double kElsewhere = 0.5;  // surcharge for looking from furniture that has nothing to do with the object
 
@@ -45,6 +44,7 @@ class Search {
   std::optional<std::vector<Action>> run() {
     add({world_.agent(), 0, 0, {}});
     if (const std::string room = world_.room_of(target_.id); !room.empty()) begin_with(room, 1);
+    if (in_reach_) begin_with(target_.id, 1);
     double extra = 0;
     for (const std::string& id : lookouts_for(world_, target_.id)) {
       begin_with(id, 1 + extra);
@@ -78,13 +78,13 @@ class Search {
     }
   }
   bool shows(const Agent& agent) const {
-    if (in_reach_ && reach_distance(target_, agent.position, profile_) > profile_.reach_m) return false;
+    if (in_reach_ && !world_.in_reach_from(agent.position, target_.id)) return false;
     if (episode_.mode() == Mode::M2) {
       const Vec3 eye(agent.position.x(), agent.position.y(), profile_.camera_height_m);
       if ((target_.pose.position - eye).norm() > profile_.sight_m) return false;
     }
     const auto box = world_.pictured_from(agent, target_.id);
-    return box && shows_clearly(*box);
+    return box && (episode_.mode() == Mode::M2 || shows_clearly(*box));
   }
   std::vector<Action> steps_to(std::size_t at) const {
     std::vector<Action> steps;
@@ -105,11 +105,6 @@ class Search {
 };
 
 }  // namespace
-
-bool shows_clearly(const PixelBox& box) {
-  const int wide = box[2] - box[0] + 1, high = box[3] - box[1] + 1;
-  return wide >= kLeastSide && high >= kLeastSide && wide * high >= kLeastArea;
-}
 
 std::vector<std::string> lookouts_for(const World& world, const std::string& id) {
   const Node* target = world.find(id);

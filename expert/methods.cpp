@@ -176,7 +176,7 @@ bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
     const Predicate relation = needs("on") ? Predicate::On : Predicate::Inside;
     for (const std::string& tool : nearest_of({rule}, id)) {
       const bool there = attempt_.world().linked(id, relation, tool) ||
-                         put(id, needs("on") ? ActionType::PlaceOn : ActionType::PlaceIn, tool);
+                         put_in_grasp(id, needs("on") ? ActionType::PlaceOn : ActionType::PlaceIn, tool);
       const bool runs = needs("power_on") || needs("under_tap");
       if (there && !attempt_.holds(literal)) {
         if (runs && is(tool, Predicate::PowerOn)) device(ActionType::TurnOff, tool);

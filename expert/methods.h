@@ -14,7 +14,11 @@ namespace unietp {
 class Methods {
  public:
   /// `relevant`: categories that the goal speaks of; things are put aside elsewhere if possible.
-  Methods(Attempt& attempt, std::vector<std::string> relevant) : attempt_(attempt), relevant_(std::move(relevant)) {}
+  /// `clears`: things that are in the way are carried away; else another witness or place is left to be tried.
+  Methods(Attempt& attempt, std::vector<std::string> relevant, bool clears)
+      : attempt_(attempt), relevant_(std::move(relevant)), clears_(clears) {}
+  /// Something failed for want of room, so clearing may help.
+  static bool lacked_room(const Attempt& attempt);
 
   /// True when the literal holds afterwards.
   bool achieve(const Literal& literal);
@@ -32,6 +36,8 @@ class Methods {
   bool set_beside(const std::string& id, const std::string& neighbour);
   std::vector<Action> ways_beside(const std::string& neighbour) const;
   bool let_fall(const std::string& id, const std::string& room);
+  bool put_in_grasp(const std::string& id, ActionType action, const std::string& target);
+  bool put_so_that(const std::string& id, const std::vector<Action>& then);
   bool make_room(const std::string& id, ActionType action, const std::string& target);
   bool unblock(ActionType action, const std::string& id);
   std::vector<Action> ways_to_rid(const std::string& id, const std::string& room, const std::string& except) const;
@@ -55,6 +61,7 @@ class Methods {
 
   Attempt& attempt_;
   std::vector<std::string> relevant_;
+  bool clears_;
 };
 
 }  // namespace unietp

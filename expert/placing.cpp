@@ -9,13 +9,17 @@ namespace unietp {
 namespace {
 
 constexpr std::size_t kMostSpots = 12;   // places tried for putting something down anywhere
-constexpr std::size_t kMostCleared = 3;  // things carried out of the way of one
+constexpr std::size_t kMostCleared = 5;  // things carried out of the way of one
 
 /// As `next_to` is read, of boxes that may yet come down.
 bool side_by_side(const Bounds& a, const Bounds& b) {
   const double dx = std::max(a.low.x() - b.high.x(), b.low.x() - a.high.x());
   const double dy = std::max(a.low.y() - b.high.y(), b.low.y() - a.high.y());
   return std::max(dx, dy) > 0 && std::hypot(std::max(dx, 0.0), std::max(dy, 0.0)) <= kNextTo_m;
+}
+
+bool lacks_room(Failure failure) {
+  return failure == Failure::NoFreePlace || failure == Failure::DidNotRest || failure == Failure::NoStandingPlace;
 }
 
 /// The feedback names it.
@@ -28,6 +32,12 @@ std::string blocker_named_in(const std::string& feedback) {
 }
 
 }  // namespace
+
+bool Methods::lacked_room(const Attempt& attempt) {
+  if (!attempt.trouble()) return true;  // no way was found at all
+  const Failure failure = attempt.trouble()->failure;
+  return lacks_room(failure) || failure == Failure::Blocked || attempt.exhausted();
+}
 
 bool Methods::is_relevant(const Node& node) const {
   return std::find(relevant_.begin(), relevant_.end(), node.category) != relevant_.end();
@@ -88,7 +98,10 @@ bool Methods::place_beside(const std::string& id, const std::string& neighbour) 
   if (attempt_.is_held(neighbour) && !put_aside(neighbour)) return false;
   if (!open_around(neighbour)) return false;
   if (hold(id) && set_beside(id, neighbour)) return true;
-  return find(neighbour)->movable && hold(neighbour) && put_aside(neighbour) && hold(id) && set_beside(id, neighbour);
+  if (!clears_ || !find(neighbour)->movable) return false;
+  auto supports = attempt_.world().linked_from(neighbour, Predicate::On);
+  supports.emplace_back();  // when it is on nothing
+  return hold(neighbour) && put_aside(neighbour, supports.front()) && hold(id) && set_beside(id, neighbour);
 }
 
 bool Methods::set_beside(const std::string& id, const std::string& neighbour) {
@@ -208,14 +221,23 @@ bool Methods::put(const std::string& id, ActionType action, const std::string& t
   return do_at(action, target) || make_room(id, action, target);
 }
 
+/// As `put`, where the hand can take it back.
+bool Methods::put_in_grasp(const std::string& id, ActionType action, const std::string& target) {
+  const Node* into = find(target);
+  const bool shut = action == ActionType::PlaceIn && into != nullptr && into->openable && !is(target, Predicate::Open);
+  if (!hold(id) || (shut && !device(ActionType::Open, target)) || !hold(id)) return put(id, action, target);
+  const Aim aim{[&](const World& world) { return world.in_reach(id); }, {}};
+  return from_elsewhere({action, {target}}, target, aim) || put(id, action, target);
+}
+
 /// After there was no free place on or in a target: what the goal does not speak of is carried away from there, the
 /// largest first.
 bool Methods::make_room(const std::string& id, ActionType action, const std::string& target) {
   const auto crowded = [this] {
     const auto& trouble = attempt_.trouble();
-    return trouble && !attempt_.exhausted() &&
-           (trouble->failure == Failure::NoFreePlace || trouble->failure == Failure::DidNotRest);
+    return trouble && !attempt_.exhausted() && lacks_room(trouble->failure);
   };
+  if (!clears_ || !crowded()) return false;
   std::vector<std::pair<double, std::string>> there;
   for (const Node& node : attempt_.world().nodes()) {
     if (!node.movable || node.id == id || is_relevant(node)) continue;
@@ -226,30 +248,41 @@ bool Methods::make_room(const std::string& id, ActionType action, const std::str
   std::sort(there.begin(), there.end());
   if (there.size() > kMostCleared) there.resize(kMostCleared);
   for (const auto& [less, other] : there) {
-    if (!crowded() || !put_aside(id, target) || !hold(other) || !put_aside(other, target) || !hold(id)) return false;
+    if (!put_aside(id, target)) return false;
+    if (!hold(other)) continue;
+    if (!put_aside(other, target) || !hold(id)) return false;
     if (do_at(action, target)) return true;
+    if (!crowded()) return false;
   }
   return false;
 }
 
-/// After something was in the way of a door or a lid: that is carried away; or, where it cannot be, the thing itself is
-/// put down elsewhere.
+/// After something was in the way of a door or a lid: that is carried to where it is not; or, where it cannot be
+/// carried, the thing itself is.
 bool Methods::unblock(ActionType action, const std::string& id) {
+  if (!clears_) return false;
   for (std::size_t cleared = 0; cleared < kMostCleared; ++cleared) {
     const auto& trouble = attempt_.trouble();
     if (!trouble || trouble->failure != Failure::Blocked || attempt_.exhausted()) return false;
     const std::string blocker = blocker_named_in(trouble->text);
     const Node* other = find(blocker);
     if (other == nullptr || !other->movable || blocker == id) break;
-    if (!hold(blocker) || !put_aside(blocker, "")) return false;
+    if (!hold(blocker)) return false;
+    if (put_so_that(blocker, {{ActionType::GoTo, {id}}, {action, {id}}})) return true;
+    if (!put_aside(blocker) || attempt_.exhausted()) return false;
     if (do_at(action, id)) return true;
   }
   const Node* self = find(id);
-  if (self == nullptr || !self->movable || !hold(id)) return false;
+  return self != nullptr && self->movable && hold(id) && put_so_that(id, {{action, {id}}});
+}
+
+/// Puts what is held where further steps can be done afterwards, and does them.
+bool Methods::put_so_that(const std::string& id, const std::vector<Action>& then) {
   for (const Action& way : ways_to_rid(id, "", "")) {
-    const std::string& spot = way.args.front();
-    const Action go{ActionType::GoTo, {spot}};
-    if (works({go, way, {action, {id}}})) return attempt_.act(go) && attempt_.act(way) && attempt_.act(action, id);
+    std::vector<Action> steps{{ActionType::GoTo, way.args}, way};
+    steps.insert(steps.end(), then.begin(), then.end());
+    if (works(steps))
+      return std::all_of(steps.begin(), steps.end(), [this](const Action& step) { return attempt_.act(step); });
   }
   return false;
 }

@@ -42,8 +42,9 @@ bool needs(const Effect& effect, std::string_view need) {
 
 class Possible {
  public:
-  Possible(const Scene& start, const Trace& trace, const Knowledge& knowledge, const Profile& profile, Reach& reach)
-      : start_(start), trace_(trace), knowledge_(knowledge), profile_(profile), reach_(reach) {}
+  Possible(const Scene& start, const Trace& trace, const Knowledge& knowledge, const Profile& profile, Reach& reach,
+           bool pictured)
+      : start_(start), trace_(trace), knowledge_(knowledge), profile_(profile), reach_(reach), pictured_(pictured) {}
 
   bool read(const Formula& formula) {
     switch (formula.op) {
@@ -76,6 +77,8 @@ class Possible {
 
   /// The first truth that could not come about, in words.
   const std::string& missing() const { return missing_; }
+  /// Id of the first thing that cannot be seen; "" when there is none.
+  const std::string& unseen() const { return unseen_; }
 
  private:
   std::vector<EntityIndex> members(const Formula& formula) const {
@@ -86,7 +89,10 @@ class Possible {
     const auto& kinds = formula.domain.members;
     if (std::any_of(kinds.begin(), kinds.end(), [](const auto& kind) { return kind.slice; })) return true;
     std::size_t found = 0;
-    for (const EntityIndex member : members(formula)) {
+    const auto all = members(formula);
+    if (all.size() < wanted && missing_.empty())
+      missing_ = "there are " + std::to_string(all.size()) + " of " + to_text(formula.domain);
+    for (const EntityIndex member : all) {
       if (found >= wanted) break;
       names_.emplace_back(formula.variable, member);
       if (read(formula.children[0])) ++found;
@@ -117,15 +123,26 @@ class Possible {
     const auto key = std::tuple(formula.predicate, *subject, object.value_or(start_.nodes.size()));
     const auto known = known_.find(key);
     if (known != known_.end()) return known->second;
-    const bool possible = comes_about(formula, *subject, object);
-    if (!possible && missing_.empty()) {
+    const bool seen = shows(*subject) && (!object || shows(*object));
+    const bool possible = seen && comes_about(formula, *subject, object);
+    if (seen && !possible && missing_.empty()) {
       missing_ = std::string(info(formula.predicate).name) + " of " + start_.nodes[*subject].id;
       if (object) missing_ += " and " + start_.nodes[*object].id;
+      missing_ += out_of_reach_ ? " is out of reach" : " has no spot, or no way to it";
     }
     return known_.emplace(key, possible).first->second;
   }
 
+  bool shows(std::size_t node) {
+    if (!pictured_ || !start_.nodes[node].movable || reach_.shows(node)) return true;
+    if (unseen_.empty()) unseen_ = start_.nodes[node].id;
+    return false;
+  }
+
   bool comes_about(const Formula& formula, std::size_t subject, std::optional<std::size_t> object) {
+    // What is moved or treated has to be within reach itself, not only one of its kind.
+    out_of_reach_ = start_.nodes[subject].movable && !reach_.object(subject);
+    if (out_of_reach_) return false;
     switch (formula.predicate) {
       case Predicate::On:
       case Predicate::Inside:
@@ -181,16 +198,20 @@ class Possible {
   Reach& reach_;
   Assignment names_;
   std::map<std::tuple<Predicate, std::size_t, std::size_t>, bool> known_;
-  std::string missing_;
+  bool pictured_, out_of_reach_ = false;
+  std::string missing_, unseen_;
 };
 
 }  // namespace
 
 std::optional<GroundingFailure> check_goal(const Specification& specification, const Scene& start, const Trace& trace,
-                                           const Knowledge& knowledge, const Profile& profile, Reach& reach) {
-  Possible possible(start, trace, knowledge, profile, reach);
+                                           const Knowledge& knowledge, const Profile& profile, Reach& reach,
+                                           bool pictured) {
+  Possible possible(start, trace, knowledge, profile, reach, pictured);
   if (possible.read(specification.goal)) return std::nullopt;
-  return GroundingFailure{GroundingReason::NoSpot, possible.missing() + " cannot come about: no spot or no way", {}};
+  if (!possible.unseen().empty())
+    return GroundingFailure{GroundingReason::NotSeen, possible.unseen() + " shows clearly from nowhere", {}};
+  return GroundingFailure{GroundingReason::NoSpot, possible.missing(), {}};
 }
 
 }  // namespace unietp

@@ -13,8 +13,10 @@ namespace unietp {
 /// The geometric gates of a goal: whether each truth that it needs could come about in the start if it were the only
 /// one, by geometry alone. What is to be put somewhere needs a spot there (Reach::spot_for), a door one that swings, a
 /// change by an appliance a spot in one of those that the home has. Nothing is done and nothing is planned, so what
-/// passes may still be impossible; what is refused nobody could do. `trace`: the start in the logic.
+/// passes may still be impossible; what is refused nobody could do. With `pictured`, what can be carried has to show
+/// clearly, too (Reach::shows). `trace`: the start in the logic.
 std::optional<GroundingFailure> check_goal(const Specification& specification, const Scene& start, const Trace& trace,
-                                           const Knowledge& knowledge, const Profile& profile, Reach& reach);
+                                           const Knowledge& knowledge, const Profile& profile, Reach& reach,
+                                           bool pictured);
 
 }  // namespace unietp

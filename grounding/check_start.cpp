@@ -149,7 +149,7 @@ std::optional<GroundingFailure> check_calm(const Scene& start, const std::set<st
 
 std::optional<GroundingFailure> check_start(const Specification& specification, const Home& home, const Scene& start,
                                             const std::set<std::string>& touched, const Knowledge& knowledge,
-                                            const Profile& profile) {
+                                            const Profile& profile, bool pictured) {
   const PhysicsWorld world = physics_of(home, start);
   const GrownScene read = read_grown(home, start, world);
   if (read.edges != start.edges)
@@ -162,7 +162,7 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   if (auto problem = check_calm(start, touched, world)) return problem;
   Reach reach(home, start, world, profile);
   if (auto problem = check_reach(specification, start, trace, reach)) return problem;
-  return check_goal(specification, start, trace, knowledge, profile, reach);
+  return check_goal(specification, start, trace, knowledge, profile, reach, pictured);
 }
 
 }  // namespace unietp

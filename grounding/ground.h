@@ -13,6 +13,7 @@ namespace unietp {
 struct GroundingOptions {
   int draws_per_object = 60;  // poses tried for one placement
   int rounds = 4;             // passes over the start constraints before giving up
+  bool pictured = false;      // what the goal needs has to show clearly in a picture from somewhere
 };
 
 /// Stage: (specification, home, rng) → episode. Edits a copy of the home's scene until every start constraint holds and

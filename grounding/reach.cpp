@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
+#include "simulation/agent_moves.h"
 #include "simulation/navigation.h"
 #include "simulation/spots.h"
 #include "simulation/swing.h"
@@ -25,24 +28,30 @@ std::vector<BodyId> loose_near(const Scene& scene, const PhysicsWorld& world, co
   return loose;
 }
 
+/// Where the body can walk to and has the node within its arm's reach.
+std::vector<Vec2> places_by(const Node& node, const Walk& walk, const Profile& profile) {
+  std::vector<Vec2> places;
+  const double span = node.size.norm() / 2 + profile.reach_m;
+  const Vec2 middle = node.pose.position.head<2>();
+  const NavigationGrid& grid = walk.grid;
+  const auto from = grid.cell_at(middle - Vec2::Constant(span)), to = grid.cell_at(middle + Vec2::Constant(span));
+  for (int y = from.y; y <= to.y; ++y) {
+    for (int x = from.x; x <= to.x; ++x) {
+      if (!grid.free({x, y}) || walk.steps[grid.index({x, y})] < 0) continue;
+      const Vec2 at = grid.centre({x, y});
+      if (reach_distance(node, at, profile) <= profile.reach_m) places.push_back(at);
+    }
+  }
+  return places;
+}
+
 /// Places to stand for work at a target, found as they are asked for.
 class Footholds {
  public:
   Footholds(const Scene& scene, const PhysicsWorld& world, const Walk& walk, const Profile& profile, std::size_t target,
             std::size_t held)
       : scene_(scene), world_(world), profile_(profile), target_(target), held_{static_cast<BodyId>(held)} {
-    const Node& node = scene.nodes[target];
-    const double span = node.size.norm() / 2 + profile.reach_m;
-    const Vec2 middle = node.pose.position.head<2>();
-    const NavigationGrid& grid = walk.grid;
-    const auto from = grid.cell_at(middle - Vec2::Constant(span)), to = grid.cell_at(middle + Vec2::Constant(span));
-    for (int y = from.y; y <= to.y; ++y) {
-      for (int x = from.x; x <= to.x; ++x) {
-        if (!grid.free({x, y}) || walk.steps[grid.index({x, y})] < 0) continue;
-        const Vec2 at = grid.centre({x, y});
-        if (reach_distance(node, at, profile) <= profile.reach_m) places_.push_back({at, std::nullopt});
-      }
-    }
+    for (const Vec2& at : places_by(scene.nodes[target], walk, profile)) places_.push_back({at, std::nullopt});
   }
   /// The arm gets to the spot from one of them from which the target is in sight.
   bool reach(const Vec3& spot) {
@@ -85,6 +94,29 @@ bool spot_in(const Scene& scene, const PhysicsWorld& world, const Walk& walk, co
   return found;
 }
 
+/// Straight at it, or with it near an edge or a corner of the picture, where a wide lens draws it larger.
+bool shows_in(const Scene& scene, const Walk& walk, const Profile& profile, std::size_t thing, Viewer& viewer) {
+  constexpr double kToTheEdge = 0.8;
+  const Node& node = scene.nodes[thing];
+  const double down = kToTheEdge * profile.vertical_fov_deg * std::numbers::pi / 360;
+  const double aside = std::atan(std::tan(down) * profile.image_width / profile.image_height);
+  const auto places = places_by(node, walk, profile);
+  constexpr std::array<std::array<int, 2>, 6> kTurnAndTilt{{{0, 0}, {0, -1}, {1, 0}, {-1, 0}, {1, -1}, {-1, -1}}};
+  for (const auto& [turn, tilt] : kTurnAndTilt) {
+    const bool shown = std::any_of(places.begin(), places.end(), [&, turn = turn, tilt = tilt](const Vec2& at) {
+      Agent eye;
+      eye.position = at;
+      eye = facing(eye, node.pose.position, profile);
+      eye.yaw += turn * aside;
+      eye.pitch += tilt * down;
+      const auto box = viewer.box_of(scene, {}, thing, eye, profile);
+      return box && shows_clearly(*box);
+    });
+    if (shown) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Reach::Reach(const Home& home, const Scene& scene, const PhysicsWorld& world, const Profile& profile)
@@ -101,6 +133,37 @@ bool Reach::room(const Room& room) const {
 }
 
 bool Reach::object(std::size_t index) {
+  const auto known = reached_.find(index);
+  if (known != reached_.end()) return known->second;
+  const bool reached = stands_by(index);
+  return reached_.emplace(index, reached).first->second;
+}
+
+bool Reach::shows(std::size_t index) {
+  constexpr int kSurely_px = 12;  // each way, as far as the arm reaches
+  const Node& node = scene_.nodes[index];
+  Vec3 sizes = node.size;
+  std::sort(sizes.data(), sizes.data() + 3);
+  const double pixels_at_1m =
+      profile_.image_height / 2.0 / std::tan(profile_.vertical_fov_deg * std::numbers::pi / 360);
+  if (sizes[1] * pixels_at_1m / profile_.reach_m >= kSurely_px) return true;
+  const auto known = shown_.find(index);
+  if (known != shown_.end()) return known->second;
+  const auto doors = shut_around(index);
+  bool shown = false;
+  if (doors.empty()) {
+    shown = shows_in(scene_, *walk_, profile_, index, viewer_);
+  } else {
+    Opened& opened = with_open(doors);
+    const Pose before = opened.scene.nodes[index].pose;
+    slide_along(opened, doors, index);
+    shown = shows_in(opened.scene, *opened.walk, profile_, index, viewer_);
+    place(opened.scene, opened.world, index, before);
+  }
+  return shown_.emplace(index, shown).first->second;
+}
+
+bool Reach::stands_by(std::size_t index) {
   const std::vector<std::size_t> doors = shut_around(index);
   if (doors.empty()) return standing_place(scene_, world_, walk_->grid, walk_->steps, profile_, index).has_value();
   // Each door must be reachable shut, and the thing with all of them open.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "scene/scene.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
+#include "simulation/view.h"
 
 namespace unietp {
 
@@ -23,6 +25,9 @@ class Reach {
   bool room(const Room& room) const;
   /// The body can stand where it reaches and sees the thing.
   bool object(std::size_t thing);
+  /// From one of those places the thing shows clearly in the camera's picture. Only asked of what is small: larger
+  /// things show.
+  bool shows(std::size_t thing);
   /// place_on, or with `inside` place_in, can let the thing go on the target: there is a spot where it meets nothing
   /// fixed, and a place to stand from which the arm gets there and the target is in reach and sight. Whatever can be
   /// carried away counts as gone; on a target that can be carried itself only the size is asked for.
@@ -39,6 +44,7 @@ class Reach {
     PhysicsWorld world;
     std::shared_ptr<const Walk> walk;
   };
+  bool stands_by(std::size_t index);
   std::vector<std::size_t> shut_around(std::size_t index) const;
   Opened& with_open(const std::vector<std::size_t>& doors);
   void slide_along(Opened& opened, const std::vector<std::size_t>& doors, std::size_t index) const;
@@ -49,6 +55,8 @@ class Reach {
   const Profile& profile_;
   std::shared_ptr<const Walk> walk_;
   std::optional<Opened> opened_;  // the last asked for
+  std::map<std::size_t, bool> reached_, shown_;
+  Viewer viewer_;
 };
 
 }  // namespace unietp

@@ -157,7 +157,7 @@ Exit coverage(const Options& options, const CommandLine& program) {
   if (options.json) {
     std::printf("%s\n", json_of(rows, options).dump(2).c_str());
   } else if (options.markdown) {
-    std::printf("%s", coverage_page(rows, options.tries, options.seed).c_str());
+    std::printf("%s", coverage_page(rows, *modes, options.tries, options.seed).c_str());
   } else {
     print(rows, options, *modes);
   }

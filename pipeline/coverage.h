@@ -44,7 +44,9 @@ std::vector<PredicateUse> predicate_uses(const std::vector<CoverageRow>& rows);
 /// "7/10" for a claimed cell that was tried, "yes" for one that was not, "" for one that is not claimed.
 std::string to_text(const CoverageCell& cell);
 
-/// A page in Markdown: the table, what stands in the way of each empty cell, and the predicates.
-std::string coverage_page(const std::vector<CoverageRow>& rows, int tries, std::uint64_t seed);
+/// A page in Markdown: the table, what stands in the way of each empty cell, what the expert did not show, what the
+/// gates refused, and the predicates.
+std::string coverage_page(const std::vector<CoverageRow>& rows, const std::vector<Mode>& modes, int tries,
+                          std::uint64_t seed);
 
 }  // namespace unietp

@@ -11,6 +11,18 @@ std::string percent(const ExpertSuccess& success) {
   return std::to_string(static_cast<int>(std::floor(100 * success.share()))) + " %";
 }
 
+/// The feedback that a detail ends with, without the objects that it names, in brackets; "" when it has none.
+std::string feedback_in(const std::string& detail) {
+  const auto last = detail.rfind(": ");
+  if (last == std::string::npos) return "";
+  std::string text;
+  for (const auto& word : split(detail.substr(last + 2), ' ')) {
+    const bool names = word.find_first_of("0123456789(") != std::string::npos;
+    text += (text.empty() ? "" : " ") + (names ? "…" : word);
+  }
+  return " (" + text.substr(0, text.find_last_not_of('.') + 1) + ")";
+}
+
 std::string row_of(const std::string& name, const ExpertSuccess& success) {
   std::vector<std::string> reasons;
   for (const auto& [reason, count] : success.reasons) reasons.push_back(reason + " " + std::to_string(count));
@@ -36,7 +48,9 @@ ExpertSuccess expert_success(const CoverageCell& cell) {
   success.grounded = cell.candidates;
   for (const auto& why : cell.reasons) {
     if (why.stage == "generator" || why.stage == "grounding") success.grounded -= why.count;
-    if (why.stage == "expert") success.reasons[why.reason] += why.count;
+    if (why.stage != "expert") continue;
+    for (const auto& detail : why.details) ++success.reasons[why.reason + feedback_in(detail)];
+    if (why.details.empty()) success.reasons[why.reason] += why.count;
   }
   success.shown = success.grounded;
   for (const auto& [reason, count] : success.reasons) success.shown -= count;

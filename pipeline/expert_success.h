@@ -12,7 +12,7 @@ namespace unietp {
 /// expert showed in all modes asked for: its plan was executed, makes the goal true, and withstands all mutations.
 struct ExpertSuccess {
   int grounded = 0, shown = 0;
-  std::map<std::string, int> reasons;  // why the others were not
+  std::map<std::string, int> reasons;  // why the others were not: reason and feedback
   double share() const { return grounded == 0 ? 1 : static_cast<double>(shown) / grounded; }
   ExpertSuccess& operator+=(const ExpertSuccess& other);
 };

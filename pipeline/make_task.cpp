@@ -1,5 +1,7 @@
 #include "pipeline/make_task.h"
 
+#include <algorithm>
+
 #include "core/text.h"
 #include "expert/mode_expert.h"
 #include "generator/gate.h"
@@ -109,8 +111,11 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   const auto& specification = std::get<Specification>(specified);
 
   timer.enter(Stage::Grounding);
+  GroundingOptions grounding;
+  const auto& modes = configuration.modes;
+  grounding.pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();
   auto grounded =
-      ground(specification, layout->home, backend.knowledge, backend.profile, {}, root.fork("grounding", item));
+      ground(specification, layout->home, backend.knowledge, backend.profile, grounding, root.fork("grounding", item));
   if (auto* why = std::get_if<Rejection>(&grounded)) return rejected(std::move(*why));
   Task task{task_id(slot), std::move(std::get<Episode>(grounded)), {}, {}, {}, {}, configuration.seed, slot.index,
             plan.attempt};

@@ -21,8 +21,8 @@ struct TemplateTrial {
   struct Reason {
     std::string stage, reason;
     int count = 0;
-    std::string example;               // the detail of the first of them
-    std::vector<std::string> details;  // of all of them, in order of attempt
+    std::string example;                    // the detail of the first of them
+    std::vector<std::string> details = {};  // of all of them, in order of attempt
   };
   std::vector<Reason> reasons;  // why the others were given up; the most frequent first, then by name
 };

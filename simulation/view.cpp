@@ -10,6 +10,12 @@
 
 namespace unietp {
 
+bool shows_clearly(const PixelBox& box) {
+  constexpr int kLeastSide = 4, kLeastArea = 36;
+  const int wide = box[2] - box[0] + 1, high = box[3] - box[1] + 1;
+  return wide >= kLeastSide && high >= kLeastSide && wide * high >= kLeastArea;
+}
+
 struct Viewer::Body {
   Archetype archetype = Archetype::Box;
   bool openable = false;

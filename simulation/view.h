@@ -13,6 +13,9 @@ namespace unietp {
 
 inline constexpr double kEndless_m = 1000;  // farther than any home reaches
 
+/// Enough of an object shows to be told from what is around it: at least 4 pixels each way and 36 in all.
+bool shows_clearly(const PixelBox& box);
+
 /// A workplace for looking: it keeps the solids of what has not changed since the last look. What it held before does
 /// not matter to any result. Not thread-safe; copies share what they keep.
 class Viewer {

@@ -188,6 +188,12 @@ bool World::in_reach(std::string_view id) const {
   return node && !state.held(id) && !out_of_hands_way(state, *node);
 }
 
+bool World::in_reach_from(const Vec2& place, std::string_view id) const {
+  const WorldState& state = tree_->at(moment_);
+  const auto node = state.index_of(id);
+  return node && !state.held(id) && !out_of_hands_way(state, *node, place);
+}
+
 std::vector<Pose> World::free_spots(std::string_view id, bool inside) const {
   const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);

@@ -100,6 +100,8 @@ class World {
   /// Walking distance in metres to the nearest free cell beside the object's box; infinity when there is none.
   double walking_distance(std::string_view id) const;
   bool in_reach(std::string_view id) const;
+  /// The same if the agent stood elsewhere.
+  bool in_reach_from(const Vec2& place, std::string_view id) const;
   /// Poses at which place_on (place_in, with `inside`) could let go of what the hand holds over an object, were they in
   /// reach: those at which it meets nothing. Empty for empty hands.
   std::vector<Pose> free_spots(std::string_view id, bool inside) const;

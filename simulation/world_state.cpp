@@ -146,14 +146,18 @@ Scene WorldState::whole_scene() const {
 }
 
 std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t node) {
+  return out_of_hands_way(state, node, state.agent().position);
+}
+
+std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t node, const Vec2& place) {
   const std::string& id = state.node(node).id;
   if (const auto container = state.closed_around(node)) {
     return failed(Failure::InsideClosed, id + " is inside " + state.node(*container).id + ", which is closed.");
   }
-  if (reach_distance(state.node(node), state.agent().position, *state.profile) > state.profile->reach_m) {
+  if (reach_distance(state.node(node), place, *state.profile) > state.profile->reach_m) {
     return failed(Failure::TooFar, id + " is out of reach; go to it first.");
   }
-  if (!sees(state.scene(), state.physics(), *state.profile, state.agent().position, node)) {
+  if (!sees(state.scene(), state.physics(), *state.profile, place, node)) {
     return failed(Failure::NotVisible, id + " is not in sight from here.");
   }
   return std::nullopt;

@@ -194,6 +194,8 @@ Outcome perform(WorldState& state, const Action& action);
 
 /// Why the agent cannot act on a node from where it stands (closed container, reach, sight), or nullopt.
 std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t node);
+/// The same from another place.
+std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t node, const Vec2& place);
 /// The free cell of a room that the agent can walk to and that is nearest to the middle of its floor.
 std::optional<Vec2> place_in_room(const WorldState& state, const Room& room);
 /// Turns the agent's head and body towards a point.

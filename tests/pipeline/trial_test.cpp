@@ -82,29 +82,38 @@ TEST(Coverage, CountsWhatIsClaimedAndWhatIsEmpty) {
                                                       : std::array<int, 4>{};
     EXPECT_EQ(use.templates, expected) << use.predicate;
   }
-  const auto page = coverage_page(rows, 10, 1);
+  const auto page = coverage_page(rows, {Mode::M1, Mode::M3}, 10, 1);
   EXPECT_NE(page.find("| a | atomic | 7/10 |  | 0/10 |  | inside on |"), std::string::npos) << page;
   EXPECT_NE(page.find("- `a` on habitat: expert no-plan (10), such as: no way."), std::string::npos) << page;
+  EXPECT_NE(page.find("--modes M1,M3"), std::string::npos) << page;
 }
 
 TEST(Coverage, SaysHowManyOfTheCandidatesWithAStartTheExpertShowed) {
   std::vector<CoverageRow> rows(1);
   rows[0].name = "a";
-  rows[0].cells[0] = {
-      true,
-      10,
-      4,
-      "",
-      {{"grounding", "no-free-place", 2, ""}, {"expert", "no-plan", 3, ""}, {"annotator", "no-words", 1, ""}}};
+  rows[0].cells[0] = {true,
+                      10,
+                      4,
+                      "",
+                      {{"grounding", "no-spot", 2, ""},
+                       {"expert",
+                        "action-failed",
+                        3,
+                        "",
+                        {"for a: b(c_1): No room on c_1.", "no way", "for d: b(c_2): No room on c_2."}},
+                       {"annotator", "no-words", 1, ""}}};
   rows[0].cells[1] = {true, 10, 10, "", {}};
   const auto success = expert_success(rows[0].cells[0]);
   EXPECT_EQ(success.grounded, 8);
   EXPECT_EQ(success.shown, 5);
   const auto tables = expert_success_tables(rows);
-  EXPECT_NE(tables.find("| ai2thor | 8 | 5 | 62 % | no-plan 3 |"), std::string::npos) << tables;
+  EXPECT_NE(tables.find("| ai2thor | 8 | 5 | 62 % | action-failed 1, action-failed (No room on …) 2 |"),
+            std::string::npos)
+      << tables;
   EXPECT_NE(tables.find("| virtualhome | 10 | 10 | 100 % |  |"), std::string::npos) << tables;
   EXPECT_EQ(tables.find("`a` on virtualhome"), std::string::npos) << tables;
-  EXPECT_NE(tables.find("| `a` on ai2thor | 8 | 5 | 62 % | no-plan 3 |"), std::string::npos) << tables;
+  EXPECT_NE(tables.find("| `a` on ai2thor | 8 | 5 | 62 % | action-failed 1, "), std::string::npos) << tables;
+  EXPECT_NE(coverage_page(rows, {Mode::M1}, 10, 1).find("| grounding | `no-spot` | 2 |  |  |  |"), std::string::npos);
 }
 
 }  // namespace
