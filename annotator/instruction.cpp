@@ -98,6 +98,17 @@ bool dress(std::string& text, const std::string& style, const Specification& spe
   return true;
 }
 
+/// Words of the plan that are among the phrasings asked for; about half are.
+std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, const std::string& style,
+                                  Phrasings phrasings, const Rng& rng) {
+  constexpr std::uint64_t kWordings = 4;
+  for (std::uint64_t i = 0; i < kWordings; ++i) {
+    auto text = realise(plan, lexicon, style, rng.fork("words", i));
+    if (!text || phrasings == Phrasings::All || phrasings_of(*text, lexicon) == phrasings) return text;
+  }
+  return std::nullopt;
+}
+
 bool has_material(const Specification& specification, const std::string& style, const NounTable& lexicon) {
   if (style != "alias") return true;
   const auto categories = categories_of(specification.goal);
@@ -133,8 +144,8 @@ Result<Instruction> write_instruction(const Specification& specification, const 
         continue;
       }
       if (!turn_to_style(*plan, style)) continue;
-      auto text = realise(*plan, lexicon, style, own.fork("words", 0));
-      if (!text || (options.phrasings != Phrasings::All && phrasings_of(*text, lexicon) != options.phrasings)) continue;
+      auto text = worded(*plan, lexicon, style, options.phrasings, own);
+      if (!text) continue;
       if (!dress(*text, style, specification, knowledge, options.around, own)) break;
       if (reads_back(*text, specification, goal, lexicon) &&
           style_fault(*text, style, specification.goal, options.around, lexicon).empty())

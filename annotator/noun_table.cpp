@@ -33,6 +33,7 @@ constexpr std::array kUsualRooms{"Bathroom", "Bedroom", "Kitchen", "LivingRoom"}
 
 std::vector<Token> tokens_of(std::string_view text) {
   std::vector<Token> tokens;
+  tokens.reserve(text.size() / 4 + 1);
   for (std::size_t i = 0; i < text.size();) {
     if (std::isspace(static_cast<unsigned char>(text[i]))) {
       ++i;
@@ -216,10 +217,12 @@ NounTable::Reading NounTable::longest(const Index& index, const std::vector<Toke
 }
 
 NounTable::Reading NounTable::noun_at(const std::vector<Token>& tokens, std::size_t at) const {
-  const Reading plain = longest(fixed_->nouns, tokens, at);
-  const auto word = [&](std::size_t ahead) { return at + ahead < tokens.size() ? tokens[at + ahead].text : ""; };
+  Reading plain = longest(fixed_->nouns, tokens, at);
+  const auto word = [&](std::size_t ahead) -> std::string_view {
+    return at + ahead < tokens.size() ? std::string_view(tokens[at + ahead].text) : "";
+  };
   const std::size_t fresh = word(0) == "freshly" && word(1) == "cut" ? 2 : 0;
-  const std::string head = word(fresh);
+  const std::string_view head = word(fresh);
   const bool slice = head == "slice" || head == "slices";
   if ((!slice && (fresh > 0 || (head != "piece" && head != "pieces"))) || word(fresh + 1) != "of") return plain;
   Reading of = longest(fixed_->nouns, tokens, at + fresh + 2);

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "akb/knowledge.h"
@@ -71,7 +72,7 @@ class NounTable {
     bool singular = false, plural = false, mass = false;
     int rank = 0;  // display names before synonyms
   };
-  using Index = std::map<std::string, std::vector<Entry>, std::less<>>;  // by first word, longest first
+  using Index = std::unordered_map<std::string, std::vector<Entry>>;  // by first word, longest first
   static void add(Index& index, const std::string& text, const Domain& noun, bool singular, bool plural, bool mass,
                   int rank);
   static Reading longest(const Index& index, const std::vector<Token>& tokens, std::size_t at);

@@ -53,10 +53,12 @@ void PhrasePlanner::describe(NounPhrase& phrase, const Domain& domain, const std
   phrase.noun = domain;
   phrase.noun.where.clear();
   if (domain.where.empty()) return;
-  const bool size = std::any_of(domain.where.begin(), domain.where.end(), [](const Formula& where) {
-    return where.op == Op::Atom && where.predicate == Predicate::Size;
-  });
-  phrase.two = pairs_.contains(pair_key(variable, phrase.noun, size ? Formula{} : domain.where[0]));
+  if (!pairs_.empty()) {
+    const bool size = std::any_of(domain.where.begin(), domain.where.end(), [](const Formula& where) {
+      return where.op == Op::Atom && where.predicate == Predicate::Size;
+    });
+    phrase.two = pairs_.contains(pair_key(variable, phrase.noun, size ? Formula{} : domain.where[0]));
+  }
   for (const Formula& part : scattered(domain.where[0], variable)) {
     auto modifier = complement(part, variable, Determiner::New);
     if (!modifier) modifier = converse(part, variable);

@@ -1,15 +1,17 @@
 #include "annotator/phrasing_sets.h"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
-
-#include "annotator/evidence.h"
 
 namespace unietp {
 namespace {
 
-constexpr std::string_view kLeftOut =
-    "a. an. the. one. that. this. same. some. single. it. two. three. four. five. six. and.";
+constexpr std::array<std::string_view, 16> kLeftOut{"a",      "an", "the", "one",   "that", "this", "same", "some",
+                                                    "single", "it", "two", "three", "four", "five", "six",  "and"};
+
+bool is_left_out(std::string_view word) { return std::find(kLeftOut.begin(), kLeftOut.end(), word) != kLeftOut.end(); }
 
 }  // namespace
 
@@ -24,7 +26,7 @@ Phrasings phrasings_of(std::string_view text, const NounTable& nouns) {
     const auto function = nouns.function_at(words, i);
     const auto taken = function.length > 0 ? function.length : nouns.noun_at(words, i).length;
     const bool mark = std::isalnum(static_cast<unsigned char>(words[i].text[0])) == 0;
-    if (taken == 0 && !mark && !is_among(words[i].text, kLeftOut)) add(words[i].text);
+    if (taken == 0 && !mark && !is_left_out(words[i].text)) add(words[i].text);
     i += taken > 0 ? taken : 1;
   }
   sum ^= sum >> 32;

@@ -50,7 +50,11 @@ void write_and_check(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
   state.counters["without words"] = static_cast<double>(failed);
 }
-BENCHMARK(write_and_check)->Arg(static_cast<int>(Phrasings::All))->Arg(static_cast<int>(Phrasings::Benchmark));
+BENCHMARK(write_and_check)
+    ->ArgName("phrasings")
+    ->Arg(static_cast<int>(Phrasings::All))
+    ->Arg(static_cast<int>(Phrasings::Training))
+    ->Arg(static_cast<int>(Phrasings::Benchmark));
 
 /// What a text of a language model goes through besides the two calls.
 void check_words(benchmark::State& state) {

@@ -82,20 +82,26 @@ Result<std::vector<Instruction>> written(const fs::path& folder, const std::vect
   std::set<std::string> seen;  // in a home
   for (std::size_t i = 0; i < lines.size(); ++i) {
     auto& draft = drafts[i];
-    constexpr std::uint64_t kOthers = 16;
-    for (std::uint64_t k = 1; draft && k < kOthers; ++k) {
-      if (!seen.contains(lines[i].layout + "\n" + normalised_text(draft->text))) break;
+    const auto repeats = [&] { return seen.contains(lines[i].layout + "\n" + normalised_text(draft->text)); };
+    const auto in_style = [&] { return draft->style == lines[i].specification.style; };
+    constexpr std::uint64_t kOthers = 400;  // a goal has tens of texts at least, and a home few tasks of one goal
+    for (std::uint64_t k = 1; draft && k <= kOthers && (repeats() || !in_style()); ++k) {
+      const bool in_place = repeats() && options.writer != Writer::Grammar;
+      std::string why = in_place ? "another task of this home has the model's text" : draft->why;
       draft = by_grammar(folder, lines[i], resources, options, stream_of(lines[i], options).fork("another", k));
-      if (draft && options.writer != Writer::Grammar) draft->why = "another task of this home has the model's text";
+      if (draft) draft->why = std::move(why);
     }
     if (!draft) {
       Error error = draft.error();
       error.where = (folder / "tasks.jsonl").string() + " " + lines[i].id;
       return error;
     }
-    if (draft->style != lines[i].specification.style)
-      return Error{
-          Error::Kind::Unsatisfiable, lines[i].id, {}, "no words in the style " + lines[i].specification.style};
+    if (!in_style() || repeats())
+      return Error{Error::Kind::Unsatisfiable,
+                   lines[i].id,
+                   {},
+                   in_style() ? "no words that no other task of its home has"
+                              : "no words in the style " + lines[i].specification.style};
     seen.insert(lines[i].layout + "\n" + normalised_text(draft->text));
     instructions.push_back(std::move(*draft));
   }

@@ -1,6 +1,7 @@
 // `unietp annotate` as a user runs it: by the grammar, by a server on loopback, and by batch files.
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -114,6 +115,23 @@ class AnnotateCommand : public testing::Test {
   }
   ScratchFolder folder_;
 };
+
+TEST_F(AnnotateCommand, GivesTasksOfOneHomeAndOneGoalWordsOfTheirOwn) {
+  const Json task = json_lines(data() / "tasks.jsonl").front();
+  std::string lines;
+  constexpr int kTwins = 40;  // more than a simple goal has texts of one frame
+  for (int i = 0; i < kTwins; ++i) {
+    Json twin = task;
+    twin["id"] = task["id"].get<std::string>() + "-" + std::to_string(i);
+    lines += twin.dump() + "\n";
+  }
+  ASSERT_TRUE(write_file(data() / "tasks.jsonl", lines));
+  const auto ended = annotate({"--phrasings", "benchmark"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  std::set<std::string> texts;
+  for (const auto& line : json_lines(data() / "tasks.jsonl")) texts.insert(line["instruction"]["text"]);
+  EXPECT_EQ(texts.size(), static_cast<std::size_t>(kTwins));
+}
 
 TEST_F(AnnotateCommand, TheGrammarWithTheRunsSeedGivesTheSameTexts) {
   const auto ended = annotate({});
