@@ -1,8 +1,5 @@
 #include "exports/finished_tasks.h"
 
-#include <atomic>
-#include <thread>
-
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
@@ -90,18 +87,4 @@ const ValidationBackend& backend_of(const std::vector<ValidationBackend>& backen
   return backends[static_cast<std::size_t>(scene.simulator)];
 }
 
-namespace exports_detail {
-
-void in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back(run);
-  run();
-  for (auto& other : others) other.join();
-}
-
-}  // namespace exports_detail
 }  // namespace unietp

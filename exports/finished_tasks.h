@@ -10,6 +10,7 @@
 
 #include "core/result.h"
 #include "scene/scene.h"
+#include "validator/share_work.h"
 #include "validator/task_record.h"
 #include "validator/validate.h"
 
@@ -66,11 +67,6 @@ Result<Done> for_each_task(FinishedTasks tasks, int threads, const std::function
 /// The simulator's facts and limits among `backends`, which are in the order of kSimulators.
 const ValidationBackend& backend_of(const std::vector<ValidationBackend>& backends, const Scene& scene);
 
-namespace exports_detail {
-/// Calls work(0) … work(count - 1) on so many threads.
-void in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
-}  // namespace exports_detail
-
 template <class T>
 Result<Done> for_each_task(FinishedTasks tasks, int threads, const std::function<Result<T>(const FinishedTask&)>& work,
                            const std::function<Result<Done>(T&&)>& take) {
@@ -84,7 +80,7 @@ Result<Done> for_each_task(FinishedTasks tasks, int threads, const std::function
     }
     more = lines.size() == kAtOnce;
     std::vector<std::optional<Result<T>>> made(lines.size());
-    exports_detail::in_parallel(lines.size(), threads, [&](std::size_t i) {
+    share_work(threads, lines.size(), [&](std::size_t i) {
       const auto task = tasks.read(lines[i]);
       made[i] = task ? work(*task) : Result<T>(task.error());
     });

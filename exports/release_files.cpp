@@ -5,12 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
-#include "exports/finished_tasks.h"
-#include "exports/left_out.h"
 #include "exports/release_goal.h"
 #include "exports/release_scene.h"
 #include "exports/release_words.h"
-#include "exports/whole_folder.h"
+#include "exports/task_folder.h"
 
 namespace unietp {
 namespace {
@@ -22,36 +20,20 @@ std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 
 class Exporter {
  public:
-  Exporter(const std::vector<ValidationBackend>& backends, const fs::path& folder)
-      : backends_(backends), folder_(folder) {}
+  explicit Exporter(const std::vector<ValidationBackend>& backends) : backends_(backends) {}
 
-  Result<ReleaseExport> run(FinishedTasks tasks) {
-    while (const auto lines = tasks.next()) {
-      const auto task = tasks.read(*lines);
-      if (!task) return task.error();
-      if (auto added = add(*task); !added) return added.error();
-    }
-    for (const auto& [simulator, list] : lists_) {
-      if (auto ok = write_file(folder_ / release_file(simulator), "[\n" + list + "\n]\n"); !ok) return ok.error();
-    }
-    if (auto ok = write_file(folder_ / "left_out.jsonl", left_out_); !ok) return ok.error();
-    if (auto ok = write_file(folder_ / "scenes.jsonl", scenes_); !ok) return ok.error();
-    return made_;
-  }
-
- private:
-  Result<Done> add(const FinishedTask& finished) {
+  Result<std::optional<std::string>> say(const FinishedTask& finished, const fs::path& folder) {
     const TaskRecord& task = finished.record;
     const Knowledge& knowledge = *backend_of(backends_, finished.start).knowledge;
     const auto goal = release_goal(task.goal_tree, finished.start, knowledge);
-    if (!goal) return leave_out(task, goal.error().message);
+    if (!goal) return std::optional(goal.error().message);
     auto scene = release_scene(task.scene, finished.start, knowledge);
     if (!scene) return scene.error();
     Json references = Json::object(), referents = Json::object();
     for (const auto& [category, ids] : goal->referents) {
       for (const auto& id : ids) {
         const auto named = scene->names.find(id);
-        if (named == scene->names.end()) return leave_out(task, id + ", which is meant, has no name in their scene");
+        if (named == scene->names.end()) return std::optional(id + ", which is meant, has no name in their scene");
         references[category].push_back(named->second);
         referents[id] = named->second;
       }
@@ -63,7 +45,7 @@ class Exporter {
     if (scene->record) {
       records.push_back(Json::parse(*scene->record));
       if (!references.empty()) records[0]["object_reference"] = references;
-      ++made_.with_scene;
+      ++with_scene_;
     } else if (!references.empty()) {
       own["object_reference"] = references;
     }
@@ -76,39 +58,39 @@ class Exporter {
     std::string& list = lists_[finished.start.simulator];
     if (!list.empty()) list += ",\n";
     list += element.dump(-1, ' ', false, Json::error_handler_t::replace);
-    ++made_.tasks;
     scenes_ += line_of({{"task", task.id}, {"scene", task.scene}, {"not_said", scene->not_said}});
-    return scene->file.empty() ? Done{} : write_file(folder_ / scene->file, scene->file_text);
+    if (scene->file.empty()) return std::optional<std::string>();
+    if (auto written = write_file(folder / scene->file, scene->file_text); !written) return written.error();
+    return std::optional<std::string>();
   }
 
-  Done leave_out(const TaskRecord& task, const std::string& why) {
-    ++made_.left_out;
-    left_out_ += left_out_line(task, why);
-    return {};
+  /// The lists of all tasks, and what of their scenes is not said.
+  Result<Done> finish(const fs::path& folder) const {
+    for (const auto& [simulator, list] : lists_) {
+      if (auto written = write_file(folder / release_file(simulator), "[\n" + list + "\n]\n"); !written) return written;
+    }
+    return write_file(folder / "scenes.jsonl", scenes_);
   }
 
+  std::size_t with_scene() const { return with_scene_; }
+
+ private:
   const std::vector<ValidationBackend>& backends_;
-  const fs::path& folder_;
-  ReleaseExport made_;
+  std::size_t with_scene_ = 0;
   std::map<Simulator, std::string> lists_;
-  std::string left_out_, scenes_;
+  std::string scenes_;
 };
 
 }  // namespace
 
 Result<ReleaseExport> export_release(const fs::path& dataset, const std::vector<ValidationBackend>& backends,
                                      const fs::path& out) {
-  ReleaseExport made;
-  const auto written = write_whole_folder(out, [&](const fs::path& aside) -> Result<Done> {
-    auto tasks = FinishedTasks::open(dataset, {});
-    if (!tasks) return tasks.error();
-    const auto done = Exporter(backends, aside).run(std::move(*tasks));
-    if (!done) return done.error();
-    made = *done;
-    return Done{};
-  });
-  if (!written) return written.error();
-  return made;
+  Exporter exporter(backends);
+  const auto made = write_task_folder(
+      dataset, {}, out, [&](const FinishedTask& task, const fs::path& folder) { return exporter.say(task, folder); },
+      [&](const fs::path& folder) { return exporter.finish(folder); });
+  if (!made) return made.error();
+  return ReleaseExport{made->said, made->left_out, exporter.with_scene()};
 }
 
 }  // namespace unietp

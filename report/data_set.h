@@ -12,18 +12,13 @@
 
 namespace unietp {
 
-/// A candidate that was given up: a line of rejections.jsonl.
-struct GivenUp {
-  std::string template_name, simulator, split, stage, reason;
-};
-
 /// A finished data set's folder but for what is large: scenes and demonstrations are read when they are asked for.
 struct FinishedSet {
   std::filesystem::path folder;
   std::string name;                                         // of the folder, for people
   std::string digest;                                       // SHA-256 of tasks.jsonl
   std::vector<TaskRecord> tasks;                            // in the order of the file
-  std::vector<GivenUp> given_up;                            // likewise
+  std::vector<RejectionRecord> given_up;                    // lines of rejections.jsonl
   std::map<std::string, std::map<std::string, int>> level;  // "receptacle" → "ai2thor/Sofa" → tasks that have it
   std::vector<Mode> modes;                                  // that it has demonstrations of
 };
@@ -38,8 +33,5 @@ Result<Scene> read_start_scene(const std::filesystem::path& folder, const TaskRe
 /// `use(i, demonstration)` for task i. Errors: as above; Schema when they are not those of the tasks.
 Result<Done> read_demonstrations(const FinishedSet& set, Mode mode, int threads,
                                  const std::function<void(std::size_t, const DemonstrationRecord&)>& use);
-
-/// Calls `work(i)` for each i < count, from so many threads.
-void in_threads(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
 }  // namespace unietp

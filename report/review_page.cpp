@@ -10,6 +10,7 @@
 #include "report/asset.h"
 #include "report/base64.h"
 #include "report/html.h"
+#include "validator/share_work.h"
 
 namespace unietp {
 namespace {
@@ -81,7 +82,7 @@ Result<std::string> review_page(const FinishedSet& set, const std::vector<std::v
     }
   }
   std::vector<std::optional<Result<std::string>>> made(chunks.size());
-  in_threads(chunks.size(), threads, [&](std::size_t i) { made[i] = packed(set, chunks[i], plans, pictures); });
+  share_work(threads, chunks.size(), [&](std::size_t i) { made[i] = packed(set, chunks[i], plans, pictures); });
 
   HtmlPage page;
   page.title = set.name + ": review";

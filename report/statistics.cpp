@@ -9,6 +9,7 @@
 
 #include "report/formula_census.h"
 #include "scene/simulator.h"
+#include "validator/share_work.h"
 
 namespace unietp {
 namespace {
@@ -64,7 +65,7 @@ void count_goals(const FinishedSet& set, DatasetStatistics& statistics) {
 std::vector<FunnelRow> funnel_of(const FinishedSet& set) {
   std::map<std::string, FunnelRow> rows;
   for (const TaskRecord& task : set.tasks) ++rows[task.template_name].accepted;
-  for (const GivenUp& candidate : set.given_up)
+  for (const RejectionRecord& candidate : set.given_up)
     ++rows[candidate.template_name].causes[candidate.stage + ": " + candidate.reason];
   std::vector<FunnelRow> funnel;
   for (auto& [name, row] : rows) {
@@ -95,7 +96,7 @@ Result<Done> count_homes(const FinishedSet& set, int threads, DatasetStatistics&
   const std::vector<std::pair<std::string, const TaskRecord*>> homes(first.begin(), first.end());
   std::vector<std::optional<Error>> errors(homes.size());
   std::mutex mutex;
-  in_threads(homes.size(), threads, [&](std::size_t i) {
+  share_work(threads, homes.size(), [&](std::size_t i) {
     const auto scene = read_start_scene(set.folder, *homes[i].second);
     const std::lock_guard lock(mutex);
     if (!scene) {

@@ -91,6 +91,18 @@ TEST(WriteInstruction, HasAtLeastTwentyTextsForASimpleGoalInTrainingAndInTheBenc
       EXPECT_GE(texts_of(goal, phrasings).size(), 20u) << goal << " " << static_cast<int>(phrasings);
 }
 
+TEST(WriteInstruction, HasAtLeastTwentyTextsInEachSetForEveryStateOfOneThing) {
+  for (const PredicateInfo& predicate : all_predicates()) {
+    if (predicate.arguments.size() != 1) continue;
+    const std::string name(predicate.name);
+    for (const char* noun : {"Mug", "Bread"})
+      for (const Phrasings phrasings : {Phrasings::Training, Phrasings::Benchmark})
+        EXPECT_GE(texts_of("(exists (?a - " + std::string(noun) + ") (at-end (" + name + " ?a)))", phrasings).size(),
+                  20u)
+            << name << " " << noun << " " << static_cast<int>(phrasings);
+  }
+}
+
 TEST(WriteInstruction, TrainingAndBenchmarkShareNoTurnOfPhrase) {
   // The same but for its nouns: what is learned for mugs would be known of bowls.
   const auto skeletons = [](const std::string& goal, Phrasings phrasings) {

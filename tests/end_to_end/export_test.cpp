@@ -5,6 +5,7 @@
 
 #include "data_set.h"
 #include "program.h"
+#include "schema_checker.h"
 #include "tests/pddl/reader.h"
 
 namespace unietp::testing {
@@ -42,8 +43,10 @@ TEST(ExportPddl, EveryDemonstrationIsAPlanOfItsProblem) {
     EXPECT_TRUE(machine.goal_holds());
     ++valid;
   }
-  const auto left_out = text_of(files, "left-out.csv");
-  EXPECT_EQ(left_out.substr(0, 12), "task,reason\n");
+  const auto left_out = text_of(files, "left_out.jsonl");
+  SchemaChecker checker;
+  for (const auto& line : json_lines(fs::path(out) / "left_out.jsonl"))
+    EXPECT_EQ(checker.check(line, "left_out.schema.json"), "");
   EXPECT_GE(3 * valid, 2 * json_lines(small_data_set() / "tasks.jsonl").size()) << left_out;
 
   const auto again = run_program({"export", "--format", "pddl", small_data_set().string(), "--out", out});

@@ -1,0 +1,246 @@
+#include "annotator/clause_writing.h"
+
+#include <algorithm>
+
+#include "annotator/verbs.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+using Text = std::optional<std::string>;
+
+Place place_of(const Clause& clause) {
+  Place place;
+  for (const NounPhrase& subject : clause.subjects) {
+    place.beside_every |= subject.determiner == Determiner::Every;
+    place.beside_none |= subject.determiner == Determiner::No;
+  }
+  for (const Complement& complement : clause.complements) place.beside_none |= complement.negated;
+  return place;
+}
+
+std::string agreed(const std::string& be, bool plural) {
+  if (!plural) return be;
+  if (be == "is") return "are";
+  return be == "has to be" ? "have to be" : be;
+}
+
+/// "turn it off" rather than "turn off it"; no long object before "up".
+std::string smooth(const std::string& pattern, const std::string& subject, const Complement& said) {
+  const auto parted = [](const std::string& words) {
+    return words.find(' ') + 1 == words.find("{s}") && !words.ends_with("{s}") && words.find("{o}") == words.npos;
+  };
+  const bool is_long = std::count(subject.begin(), subject.end(), ' ') > 2;
+  for (const std::string words : verbs(said)) {
+    const bool direct = words.find(' ') + 1 == words.find("{s}");
+    if (subject == "it" && direct && pattern.find(' ') + 1 != pattern.find("{s}")) return words;
+    if (is_long && parted(pattern) && !parted(words)) return words;
+  }
+  return pattern;
+}
+
+}  // namespace
+
+std::string listed(const std::vector<std::string>& parts, const char* word) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0) text += i + 1 < parts.size() ? ", " : std::string(" ") + word + " ";
+    text += parts[i];
+  }
+  return text;
+}
+
+std::string ClauseWriter::pick(std::initializer_list<const char*> choices) {
+  return *(choices.begin() + rng_.below(choices.size()));
+}
+
+/// "keep every fridge closed"
+std::optional<std::string> ClauseWriter::keeping(const Clause& clause) {
+  if (clause.kind != Clause::Kind::Simple || clause.complements.size() != 1 || clause.any_subject) return std::nullopt;
+  if (clause.subjects[0].determiner == Determiner::No || clause.subjects[0].determiner == Determiner::Agent)
+    return std::nullopt;
+  if (clause.subjects[0].determiner == Determiner::Any) return std::nullopt;
+  const auto subjects = subjects_of(clause);
+  if (!subjects) return std::nullopt;
+  const Text said = naming_.complement(clause.complements[0], place_of(clause));
+  return said ? Text("keep " + subjects->text + " " + *said) : std::nullopt;
+}
+
+std::optional<Words> ClauseWriter::subjects_of(const Clause& clause, Place place) {
+  std::vector<std::string> texts;
+  bool plural = clause.subjects.size() > 1 && !clause.any_subject;
+  for (const NounPhrase& subject : clause.subjects) {
+    const std::size_t before = naming_.named_count();
+    const auto words = naming_.phrase(subject, place);
+    if (!words) return std::nullopt;
+    if (clause.any_subject && naming_.named_count() > before) naming_.forget_after(before);
+    texts.push_back(words->text);
+    plural |= words->plural;
+  }
+  return Words{listed(texts, clause.any_subject ? "or" : "and"), plural};
+}
+
+std::optional<std::string> ClauseWriter::statement(const Clause& clause, const std::string& be) {
+  if (clause.kind == Clause::Kind::And || clause.kind == Clause::Kind::Or) {
+    return joined_parts(clause, &be);
+  }
+  if (clause.kind == Clause::Kind::Compare) return comparison(clause, be);
+  const auto subjects = subjects_of(clause);
+  if (!subjects) return std::nullopt;
+  std::vector<std::string> parts;
+  for (const Complement& complement : clause.complements) {
+    const Text said = naming_.complement(complement, place_of(clause));
+    if (!said) return std::nullopt;
+    parts.push_back(*said);
+  }
+  const std::string either = clause.any_complement && rng_.chance(0.6) ? "either " : "";
+  return subjects->text + " " + agreed(be, subjects->plural) + " " + either +
+         listed(parts, clause.any_complement ? "or" : "and");
+}
+
+std::optional<std::string> ClauseWriter::joined_parts(const Clause& clause, const std::string* be) {
+  const bool either = clause.kind == Clause::Kind::Or;
+  std::vector<std::string> parts;
+  for (const Clause& part : clause.parts) {
+    if (part.kind == Clause::Kind::Or || (!either && part.kind != Clause::Kind::Simple)) return std::nullopt;
+    const std::size_t before = naming_.named_count();
+    const Text said = be == nullptr ? command(part) : statement(part, *be);
+    const Text condition = said ? given(part) : std::nullopt;
+    if (!condition) return std::nullopt;
+    if (either) naming_.forget_after(before);
+    parts.push_back(*said + *condition);
+  }
+  return (either ? "either " : "") + listed(parts, either ? "or" : "and");
+}
+
+/// " if a fridge is open", or nothing.
+std::optional<std::string> ClauseWriter::given(const Clause& part) {
+  std::string text;
+  for (const NounPhrase& there : part.given) {
+    NounPhrase bare = there;
+    bare.modifiers.clear();
+    const auto subject = naming_.phrase(bare, {});
+    if (!subject) return std::nullopt;
+    std::vector<std::string> states;
+    for (const Complement& modifier : there.modifiers) {
+      const Text said = naming_.complement(modifier, {});
+      if (!said) return std::nullopt;
+      states.push_back(*said);
+    }
+    text += (text.empty() ? " if " : " and ") + subject->text + " is " + listed(states, "and");
+  }
+  return text;
+}
+
+std::optional<std::string> ClauseWriter::comparison(const Clause& clause, const std::string& be) {
+  const auto more = naming_.plural(clause.subjects[0]);
+  const Text here = naming_.complement(clause.complements[0], place_of(clause));
+  const auto fewer = naming_.plural(clause.subjects[1]);
+  const Text there = naming_.complement(clause.complements[1], place_of(clause));
+  if (!more || !here || !fewer || !there) return std::nullopt;
+  const bool greater = clause.comparison == Comparison::Greater;
+  const std::string quantity = greater                                  ? "more "
+                               : clause.comparison == Comparison::Equal ? "as many "
+                                                                        : "at least as many ";
+  const std::string link = greater ? " than " : " as ";
+  const std::string& second = *more == *fewer && rng_.chance(0.5) ? std::string() : *fewer + " ";
+  return "there " + agreed(be, true) + " " + quantity + *more + " " + *here + link + second + *there;
+}
+
+/// An imperative, without frame.
+std::optional<std::string> ClauseWriter::command(const Clause& clause) {
+  if (clause.kind == Clause::Kind::And || clause.kind == Clause::Kind::Or) return joined_parts(clause, nullptr);
+  if (clause.kind == Clause::Kind::Simple) {
+    bool special = false;
+    const Text text = special_command(clause, special);
+    if (special) return text;
+    if (clause.complements.size() == 1) {
+      const auto patterns = verbs(clause.complements[0]);
+      const bool clean_subject = clause.subjects[0].determiner != Determiner::No &&
+                                 clause.subjects[0].determiner != Determiner::AtMost &&
+                                 clause.subjects[0].determiner != Determiner::Agent;
+      if (!patterns.empty() && clean_subject) return filled(patterns[rng_.below(patterns.size())], clause);
+    }
+  }
+  const Text stated = statement(clause, "is");
+  return stated ? Text("make sure that " + *stated) : std::nullopt;
+}
+
+/// "go to the kitchen", "remove every mug from the table", "put every mug either in a box or on a table".
+std::optional<std::string> ClauseWriter::special_command(const Clause& clause, bool& special) {
+  const Complement& said = clause.complements[0];
+  const NounPhrase& subject = clause.subjects[0];
+  if (subject.determiner == Determiner::Agent && said.predicate == Predicate::InRoom && !said.negated) {
+    special = true;
+    const auto room = naming_.phrase(said.object[0], {});
+    return room ? Text("go to " + room->text) : std::nullopt;
+  }
+  const bool single = clause.complements.size() == 1 && clause.subjects.size() == 1 && !said.negated;
+  if (single && subject.determiner == Determiner::No && said.predicate == Predicate::Held && rng_.chance(0.7)) {
+    special = true;
+    NounPhrase any = subject;
+    any.determiner = Determiner::Any;
+    const auto held = naming_.phrase(any, {});
+    return held ? Text("do not hold " + held->text) : std::nullopt;
+  }
+  const bool place = said.predicate == Predicate::On || said.predicate == Predicate::Inside;
+  if (single && subject.determiner == Determiner::No && place && rng_.chance(0.8)) {
+    special = true;
+    NounPhrase every = subject;
+    every.determiner = Determiner::Every;
+    const auto taken = naming_.phrase(every, {});
+    const auto from = naming_.phrase(said.object[0], {.beside_every = true});
+    if (!taken || !from) return std::nullopt;
+    if (said.predicate == Predicate::Inside) return "take " + taken->text + " out of " + from->text;
+    const bool remove = rng_.chance(0.6);
+    return (remove ? "remove " : "take ") + taken->text + (remove ? " from " : " off ") + from->text;
+  }
+  if (!clause.any_complement || clause.subjects.size() != 1 || subject.determiner == Determiner::No)
+    return std::nullopt;
+  for (const Complement& part : clause.complements)
+    if (part.negated || (part.predicate != Predicate::On && part.predicate != Predicate::Inside)) return std::nullopt;
+  special = true;
+  const auto moved = naming_.phrase(subject, {});
+  if (!moved) return std::nullopt;
+  std::vector<std::string> places;
+  for (const Complement& part : clause.complements) {
+    const Text where = naming_.complement(part, place_of(clause));
+    if (!where) return std::nullopt;
+    places.push_back(*where);
+  }
+  return pick({"put ", "place "}) + moved->text + " either " + listed(places, "or");
+}
+
+/// "put the mug that is on a desk in a box" could be read as a desk in a box: "take … and put it in a box" cannot.
+std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
+  const auto subject = naming_.phrase(clause.subjects[0], {});
+  if (!subject || subject->plural) return std::nullopt;
+  const Text where = naming_.complement(clause.complements[0], place_of(clause));
+  return where ? Text("take " + subject->text + pick({" and put it ", " and place it "}) + *where) : std::nullopt;
+}
+
+bool ClauseWriter::described_by_place(const Clause& clause) const {
+  const NounPhrase& subject = clause.subjects[0];
+  if (clause.subjects.size() != 1 || subject.modifiers.empty() || naming_.was_named(subject.variable)) return false;
+  if (subject.determiner != Determiner::New) return false;
+  return !subject.modifiers.back().object.empty() && !clause.complements[0].object.empty();
+}
+
+std::optional<std::string> ClauseWriter::filled(const std::string& pattern, const Clause& clause) {
+  if (described_by_place(clause) && !pattern.starts_with("attach")) return taken_first(clause);
+  // Only where the reader expects no place: verbs that end with what they are done to.
+  const bool bare = clause.complements[0].object.empty() && pattern.ends_with(" {s}");
+  const auto subjects = subjects_of(clause, {.bare = bare});
+  if (!subjects) return std::nullopt;
+  std::string text = smooth(pattern, subjects->text, clause.complements[0]);
+  text = replace_all(text, "{m}", replace_all(clause.complements[0].symbol, "_", " "));
+  if (!clause.complements[0].object.empty()) {
+    const auto object = naming_.phrase(clause.complements[0].object[0], place_of(clause));
+    if (!object) return std::nullopt;
+    text = replace_all(text, "{o}", object->text);
+  }
+  return replace_all(text, "{s}", subjects->text);
+}
+
+}  // namespace unietp

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "annotator/clause.h"
+#include "annotator/naming.h"
+#include "core/rng.h"
+
+namespace unietp {
+
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& parts, const char* word);
+
+/// Words clauses, without frame or full stop: as statements ("every fridge is closed") and as commands ("put a mug on a
+/// table"). Objects are named as the text goes. `nullopt`: the drawn words cannot say it without a second reading.
+class ClauseWriter {
+ public:
+  ClauseWriter(Naming& naming, Rng& rng) : naming_(naming), rng_(rng) {}
+
+  /// `be`: "is", "should be", …
+  std::optional<std::string> statement(const Clause& clause, const std::string& be);
+  /// An imperative.
+  std::optional<std::string> command(const Clause& clause);
+  /// "keep every fridge closed"
+  std::optional<std::string> keeping(const Clause& clause);
+  /// " if a fridge is open", or nothing.
+  std::optional<std::string> given(const Clause& part);
+
+ private:
+  std::string pick(std::initializer_list<const char*> choices);
+  std::optional<Words> subjects_of(const Clause& clause, Place place = {});
+  /// Each part by `statement` with `be`, or, without it, by `command`.
+  std::optional<std::string> joined_parts(const Clause& clause, const std::string* be);
+  std::optional<std::string> comparison(const Clause& clause, const std::string& be);
+  std::optional<std::string> special_command(const Clause& clause, bool& special);
+  std::optional<std::string> taken_first(const Clause& clause);
+  bool described_by_place(const Clause& clause) const;
+  std::optional<std::string> filled(const std::string& pattern, const Clause& clause);
+
+  Naming& naming_;
+  Rng& rng_;
+};
+
+}  // namespace unietp

@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <array>
+
+#include "annotator/reading.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+using P = Predicate;
+
+struct StateWords {
+  std::string_view words;
+  Predicate predicate;
+};
+
+/// Longer ones first where one starts another.
+constexpr StateWords kStates[] = {{"open", P::Open},
+                                  {"closed", P::Closed},
+                                  {"shut", P::Closed},
+                                  {"switched on", P::PowerOn},
+                                  {"turned on", P::PowerOn},
+                                  {"switched off", P::PowerOff},
+                                  {"turned off", P::PowerOff},
+                                  {"clean", P::Clean},
+                                  {"washed", P::Clean},
+                                  {"dirty", P::Dirty},
+                                  {"hot", P::Hot},
+                                  {"heated", P::Hot},
+                                  {"cold", P::Cool},
+                                  {"cool", P::Cool},
+                                  {"chilled", P::Cool},
+                                  {"at room temperature", P::RoomTemperature},
+                                  {"cooked", P::Cooked},
+                                  {"raw", P::Raw},
+                                  {"burnt", P::Burnt},
+                                  {"unburnt", P::Unburnt},
+                                  {"frozen", P::Frozen},
+                                  {"thawed", P::Thawed},
+                                  {"sliced", P::Sliced},
+                                  {"whole", P::Whole},
+                                  {"empty", P::Empty},
+                                  {"soaked", P::Soaked},
+                                  {"dry", P::Dry},
+                                  {"used up", P::UsedUp},
+                                  {"unused", P::Unused},
+                                  {"broken", P::Broken},
+                                  {"intact", P::Intact},
+                                  {"folded", P::Folded},
+                                  {"unfolded", P::Unfolded},
+                                  {"plugged in", P::PluggedIn},
+                                  {"unplugged", P::Unplugged},
+                                  {"in your hand", P::Held},
+                                  {"in your hands", P::Held},
+                                  {"held", P::Held},
+                                  {"sat on", P::SatOn},
+                                  {"lain on", P::LainOn}};
+
+constexpr StateWords kPrepositions[] = {{"on the floor of", P::OnFloor},
+                                        {"on top of", P::On},
+                                        {"onto", P::On},
+                                        {"on", P::On},
+                                        {"inside of", P::Inside},
+                                        {"inside", P::Inside},
+                                        {"into", P::Inside},
+                                        {"in", P::Inside},
+                                        {"next to", P::NextTo},
+                                        {"beside", P::NextTo},
+                                        {"underneath", P::Under},
+                                        {"under", P::Under},
+                                        {"cut from", P::SliceOf},
+                                        {"attached to", P::Attached},
+                                        {"nearest to", P::Nearest},
+                                        {"closest to", P::Nearest}};
+
+constexpr StateWords kSymbols[] = {{"filled with", P::Filled}, {"covered with", P::Covered}, {"covered in", P::Covered},
+                                   {"made of", P::Material},   {"of the colour", P::Colour}, {"of the size", P::Size}};
+
+constexpr std::array<std::string_view, 6> kLarge{"large", "larger", "largest", "big", "bigger", "biggest"};
+constexpr std::array<std::string_view, 3> kSmall{"small", "smaller", "smallest"};
+
+}  // namespace
+
+std::optional<Complement> PhraseReader::adjective() const {
+  for (const StateWords& state : kStates)
+    if (peek() == state.words) return Complement{state.predicate, false, "", {}};
+  if (lexicon_.is_colour(peek())) return Complement{P::Colour, false, peek(), {}};
+  if (peek() == "wooden") return Complement{P::Material, false, "wood", {}};
+  if (lexicon_.is_material(peek())) return Complement{P::Material, false, peek(), {}};
+  if (std::find(kLarge.begin(), kLarge.end(), peek()) != kLarge.end()) return Complement{P::Size, false, "large", {}};
+  if (std::find(kSmall.begin(), kSmall.end(), peek()) != kSmall.end()) return Complement{P::Size, false, "small", {}};
+  return std::nullopt;
+}
+
+bool PhraseReader::complement_comes() const {
+  if (peek() == "not" || lexicon_.is_colour(peek())) return true;
+  for (const StateWords& words : kStates)
+    if (comes(words.words)) return true;
+  for (const StateWords& words : kPrepositions)
+    if (comes(words.words)) return true;
+  return std::any_of(std::begin(kSymbols), std::end(kSymbols),
+                     [&](const StateWords& words) { return comes(words.words); });
+}
+
+std::optional<Predicate> PhraseReader::preposition() {
+  for (const StateWords& words : kPrepositions)
+    if (accept(words.words)) return words.predicate;
+  return std::nullopt;
+}
+
+Complement PhraseReader::relation(Predicate predicate) {
+  Complement read;
+  read.predicate = predicate;
+  read.object.push_back(phrase());
+  const Domain& noun = read.object[0].noun;
+  const bool room =
+      noun.kind == Domain::Kind::Room || (!noun.members.empty() && lexicon_.is_room_type(noun.members[0].category));
+  if (room && predicate == P::Inside) read.predicate = P::InRoom;
+  return read;
+}
+
+Complement PhraseReader::complement() {
+  if (accept("not")) {
+    Complement read = complement();
+    read.negated = !read.negated;
+    return read;
+  }
+  for (const StateWords& words : kStates)
+    if (accept(words.words)) return {words.predicate, false, "", {}};
+  for (const StateWords& words : kSymbols)
+    if (accept(words.words)) return {words.predicate, false, symbol(), {}};
+  if (lexicon_.is_colour(peek())) return {P::Colour, false, tokens_[at_++].text, {}};
+  if (const auto predicate = preposition()) return relation(*predicate);
+  fail("expected a state or a place, such as 'clean' or 'on a table'");
+  return {};
+}
+
+void PhraseReader::complements(Clause& into) {
+  const bool either = accept("either");
+  into.complements.push_back(complement());
+  while (!failed()) {
+    const std::size_t here = at_;
+    const bool comma = accept(",");
+    const bool alternative = accept("or");
+    if ((!alternative && !accept("and") && !comma) || !complement_comes()) {
+      at_ = here;
+      break;
+    }
+    into.any_complement |= alternative;
+    into.complements.push_back(complement());
+  }
+  if (either && !into.any_complement) fail("expected 'or' after 'either'");
+}
+
+std::string PhraseReader::symbol() {
+  std::vector<std::string> words;
+  while (!done() && !failed()) {
+    bool stop = false;
+    for (const char* end : {",", ".", "?", "!", ";", "and", "or", "before", "until", "then", "on", "in", "over", "off",
+                            "at", "again", "the", "is", "if"})
+      stop |= peek() == end;
+    if (stop) break;
+    words.push_back(peek());
+    ++at_;
+  }
+  if (words.empty()) fail("expected a substance");
+  if (words.size() == 1 && words[0] == "something") return "any";
+  return join(words, "_");
+}
+
+}  // namespace unietp

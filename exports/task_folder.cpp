@@ -1,0 +1,46 @@
+#include "exports/task_folder.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+#include "exports/whole_folder.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string left_out_line(const TaskRecord& task, const std::string& why) {
+  using Json = nlohmann::ordered_json;
+  const Json json{{"task", task.id}, {"simulator", task.simulator}, {"template", task.template_name}, {"reason", why}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+Result<ExportedTasks> write_task_folder(const fs::path& dataset, const std::vector<Mode>& modes, const fs::path& out,
+                                        const SayTask& say,
+                                        const std::function<Result<Done>(const fs::path& folder)>& finish) {
+  ExportedTasks made;
+  const auto written = write_whole_folder(out, [&](const fs::path& aside) -> Result<Done> {
+    auto tasks = FinishedTasks::open(dataset, modes);
+    if (!tasks) return tasks.error();
+    std::string left_out;
+    while (const auto lines = tasks->next()) {
+      const auto task = tasks->read(*lines);
+      if (!task) return task.error();
+      const auto why = say(*task, aside);
+      if (!why) return why.error();
+      if (*why) left_out += left_out_line(task->record, **why);
+      ++(*why ? made.left_out : made.said);
+    }
+    if (finish) {
+      if (auto done = finish(aside); !done) return done;
+    }
+    return write_file(aside / "left_out.jsonl", left_out);
+  });
+  if (!written) return written.error();
+  return made;
+}
+
+}  // namespace unietp
