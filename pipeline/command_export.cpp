@@ -32,19 +32,19 @@ struct Options {
 
 using Backends = std::vector<ValidationBackend>;
 
-Exit write_pddl(const Options& options, const Backends& backends) {
-  const auto made = export_pddl(options.dataset, backends, options.out);
+Exit tell(const Result<ExportedTasks>& made, const Options& options) {
   if (!made) return refuse(made.error());
-  std::printf("%zu problems in %s, %zu tasks left out\n", made->problems, options.out.string().c_str(), made->left_out);
+  std::printf("%zu problems in %s, %zu tasks left out\n", made->said, options.out.string().c_str(), made->left_out);
   return Exit::Ok;
+}
+
+Exit write_pddl(const Options& options, const Backends& backends) {
+  return tell(export_pddl(options.dataset, backends, options.out), options);
 }
 
 Exit write_bddl(const Options& options, const Backends& backends, const DataFolders& folders) {
   const auto synsets = folders.root / "data" / "bddl" / "synsets.csv";
-  const auto made = export_bddl(options.dataset, backends, synsets, options.out);
-  if (!made) return refuse(made.error());
-  std::printf("%zu problems in %s, %zu tasks left out\n", made->problems, options.out.string().c_str(), made->left_out);
-  return Exit::Ok;
+  return tell(export_bddl(options.dataset, backends, synsets, options.out), options);
 }
 
 Exit write_release(const Options& options, const Backends& backends) {

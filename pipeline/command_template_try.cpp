@@ -9,9 +9,8 @@
 #include "pipeline/each_home.h"
 #include "pipeline/given_binding.h"
 #include "pipeline/library_options.h"
-#include "pipeline/rejection_hints.h"
 #include "pipeline/template_choice.h"
-#include "pipeline/trial.h"
+#include "pipeline/trial_reasons.h"
 
 namespace unietp {
 namespace {
@@ -55,17 +54,10 @@ Json json_of(const TemplateTrial& trial, Simulator simulator) {
                      {"goal", to_text(task.episode.specification.goal)},
                      {"steps", steps_of(task)}});
   }
-  auto reasons = Json::array();
-  for (const auto& why : trial.reasons)
-    reasons.push_back({{"stage", why.stage},
-                       {"reason", why.reason},
-                       {"count", why.count},
-                       {"example", why.example},
-                       {"hint", hint_for(why.reason)}});
   return {{"simulator", name_of(simulator)},
           {"candidates", trial.candidates},
           {"tasks", std::move(tasks)},
-          {"rejections", std::move(reasons)}};
+          {"rejections", rejections_json(trial)}};
 }
 
 void print(const TemplateTrial& trial, const std::string& name, Simulator simulator) {
@@ -77,10 +69,8 @@ void print(const TemplateTrial& trial, const std::string& name, Simulator simula
     int number = 0;
     for (const auto& step : steps_of(task)) std::printf("  %3d  %s\n", ++number, step.c_str());
   }
-  for (const auto& why : trial.reasons)
-    std::printf("\n  %d x %s %s, such as: %s\n", why.count, why.stage.c_str(), why.reason.c_str(), why.example.c_str());
-  if (trial.tasks.empty() && !trial.reasons.empty() && !hint_for(trial.reasons.front().reason).empty())
-    std::printf("  most likely: %s\n", std::string(hint_for(trial.reasons.front().reason)).c_str());
+  for (const auto& why : trial.reasons) std::printf("\n  %s\n", text_of(why).c_str());
+  if (const auto change = likeliest_change(trial); !change.empty()) std::printf("  most likely: %s\n", change.c_str());
   std::printf("\n");
 }
 

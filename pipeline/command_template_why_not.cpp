@@ -8,9 +8,8 @@
 #include "pipeline/command_template.h"
 #include "pipeline/given_binding.h"
 #include "pipeline/library_options.h"
-#include "pipeline/rejection_hints.h"
 #include "pipeline/template_choice.h"
-#include "pipeline/trial.h"
+#include "pipeline/trial_reasons.h"
 #include "pipeline/verdict_text.h"
 
 namespace unietp {
@@ -54,14 +53,7 @@ Json json_of(const BindingVerdict& verdict) {
 }
 
 Json json_of(const TemplateTrial& trial) {
-  auto reasons = Json::array();
-  for (const auto& why : trial.reasons)
-    reasons.push_back({{"stage", why.stage},
-                       {"reason", why.reason},
-                       {"count", why.count},
-                       {"example", why.example},
-                       {"hint", hint_for(why.reason)}});
-  return {{"candidates", trial.candidates}, {"proven", trial.tasks.size()}, {"rejections", std::move(reasons)}};
+  return {{"candidates", trial.candidates}, {"proven", trial.tasks.size()}, {"rejections", rejections_json(trial)}};
 }
 
 /// One task is asked for, with the binding that the gates passed.

@@ -2,7 +2,7 @@
 
 #include "core/text.h"
 #include "pipeline/given_binding.h"
-#include "pipeline/rejection_hints.h"
+#include "pipeline/trial_reasons.h"
 
 namespace unietp {
 namespace {
@@ -46,11 +46,8 @@ std::string trial_text(const TemplateTrial& trial) {
                      " candidates became proven tasks\n";
   for (const auto& task : trial.tasks) text += "  \"" + task.instruction.text + "\"\n";
   if (!trial.tasks.empty()) return text;
-  for (const auto& why : trial.reasons)
-    text += "  why:     " + std::to_string(why.count) + " x " + why.stage + " " + why.reason +
-            ", such as: " + why.example + "\n";
-  if (!trial.reasons.empty() && !hint_for(trial.reasons.front().reason).empty())
-    text += "  change:  " + std::string(hint_for(trial.reasons.front().reason)) + "\n";
+  for (const auto& why : trial.reasons) text += "  why:     " + text_of(why) + "\n";
+  if (const auto change = likeliest_change(trial); !change.empty()) text += "  change:  " + change + "\n";
   return text;
 }
 
