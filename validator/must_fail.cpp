@@ -6,6 +6,7 @@
 #include "core/text.h"
 #include "logic/evaluate.h"
 #include "simulation/mode_episode.h"
+#include "simulation/view.h"
 #include "validator/conjuncts.h"
 
 namespace unietp {
@@ -27,16 +28,10 @@ bool handles(ActionType type) {
   return group == ActionClass::Manipulation || group == ActionClass::Composite;
 }
 
-/// Whether an agent that goes by pictures can tell what is in the box: some steps are there to see a thing better.
-bool can_be_told(const PixelBox& box) {
-  constexpr int kLeastSide = 4, kLeastArea = 100;  // pixels (docs/modes.md)
-  const int wide = box[2] - box[0] + 1, high = box[3] - box[1] + 1;
-  return std::min(wide, high) >= kLeastSide && wide * high >= kLeastArea;
-}
-
+/// Whether an agent that goes by pictures can tell what it points at: some steps are there to see a thing better.
 bool can_be_told(const Command& command) {
   return std::all_of(command.args.begin(), command.args.end(),
-                     [](const Argument& argument) { return !argument.box || can_be_told(*argument.box); });
+                     [](const Argument& argument) { return !argument.box || shows_clearly(*argument.box); });
 }
 
 /// An episode on its way, and what changed on it.

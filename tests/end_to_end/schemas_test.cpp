@@ -42,6 +42,46 @@ TEST(Schemas, DescribeTheSettingsThatComeWithTheProgram) {
   }
 }
 
+/// What a command prints with --json, whatever it ends with.
+Json printed(std::vector<std::string> arguments) {
+  arguments.emplace_back("--json");
+  const auto ended = run_program(arguments);
+  auto json = Json::parse(ended.out, nullptr, false);
+  EXPECT_FALSE(json.is_discarded()) << ended.out << ended.err;
+  return json;
+}
+
+TEST(Schemas, DescribeWhatCommandsPrintForPrograms) {
+  const ScratchFolder scratch;
+  const std::string bad = scratch.at("bad.template"), homes = scratch.at("homes"), changed = scratch.at("akb");
+  ASSERT_TRUE(write_file(bad, "(template bad (goal (at-end (opn ?a))))"));
+  fs::copy(kSource / "data" / "akb", changed, fs::copy_options::recursive);
+  const std::string tables = (kSource / "data" / "akb").string();
+  const std::string overrides = *read_file(fs::path(changed) / "override.csv");
+  ASSERT_TRUE(write_file(fs::path(changed) / "override.csv", overrides + "ai2thor,Mug,mass,0.9,a heavy one\n"));
+  const std::vector<std::pair<const char*, std::vector<std::string>>> outputs{
+      {"scene-making", {"scene", "make", "--simulator", "habitat", "--count", "1", "--out", homes}},
+      {"scene-statistics", {"scene", "stats", homes}},
+      {"scene-list", {"scene", "list", "--simulators", "behavior"}},
+      {"template", {"template", "show", "wash-then-heat"}},
+      {"template-list", {"template", "list", "--class", "logical"}},
+      {"template-lint", {"template", "lint", bad}},
+      {"vocabulary", {"template", "vocabulary"}},
+      {"template-try", {"template", "try", "place-one-next-to", "--simulator", "behavior", "--count", "2"}},
+      {"template-why-not", {"template", "why-not", "place-one-inside", "--bind", "A=Fridge", "B=Mug"}},
+      {"template-why-not", {"template", "why-not", "open-one", "--bind", "A=Fridge", "--try", "--homes", "1"}},
+      {"coverage", {"template", "coverage", "--tries", "1", "--template", "open-one"}},
+      {"knowledge-show", {"knowledge", "show", "ai2thor", "Mug"}},
+      {"knowledge-show", {"knowledge", "show", "habitat"}},
+      {"knowledge-why", {"knowledge", "why", "ai2thor", "Mug", "on:CounterTop"}},
+      {"knowledge-why", {"knowledge", "why", "ai2thor", "Mug", "openable"}},
+      {"knowledge-stats", {"knowledge", "stats"}},
+      {"knowledge-diff", {"knowledge", "diff", tables, changed}}};
+  SchemaChecker checker;
+  for (const auto& [schema, arguments] : outputs)
+    EXPECT_EQ(checker.check(printed(arguments), std::string(schema) + ".schema.json"), "") << schema;
+}
+
 TEST(Schemas, DescribeAShardAndWhatItsRunReports) {
   const ScratchFolder scratch;
   ASSERT_TRUE(write_file(scratch.path() / "run.json", R"({"format": "unietp-run/1", "count": 2, "block": 1,
