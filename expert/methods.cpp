@@ -235,9 +235,25 @@ bool Methods::do_at(ActionType action, const std::string& id) {
     const auto& trouble = attempt_.trouble();
     if (!trouble || attempt_.exhausted() || !depends_on_standing(trouble->failure)) return false;
   }
-  if (attempt_.act(ActionType::GoTo, id) && attempt_.act(action, id)) return true;
+  if ((attempt_.act(ActionType::GoTo, id) || shut_out_of_the_way(id)) && attempt_.act(action, id)) return true;
   const auto& trouble = attempt_.trouble();
   return trouble && depends_on_standing(trouble->failure) && from_elsewhere({action, {id}}, id, {});
+}
+
+/// Who opened a door may stand behind it, in a corner that leads nowhere. Shuts one after which there is a way, and
+/// goes.
+bool Methods::shut_out_of_the_way(const std::string& id) {
+  std::vector<std::string> open;
+  for (const Node& node : attempt_.world().nodes()) {
+    if (!node.movable && node.openable && node.states.has(Predicate::Open)) open.push_back(node.id);
+  }
+  for (const std::string& door : open) {
+    const Action back{ActionType::GoTo, {door}}, shut{ActionType::Close, {door}}, go{ActionType::GoTo, {id}};
+    if (attempt_.world().linked(id, Predicate::Inside, door)) continue;
+    if (attempt_.world().in_reach(door) && works({shut, go})) return attempt_.act(shut) && attempt_.act(go);
+    if (works({back, shut, go})) return attempt_.act(back) && attempt_.act(shut) && attempt_.act(go);
+  }
+  return false;
 }
 
 bool Methods::from_elsewhere(const Action& action, const std::string& about, const Aim& aim) {

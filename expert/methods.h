@@ -36,6 +36,7 @@ class Methods {
   bool set_beside(const std::string& id, const std::string& neighbour);
   std::vector<Action> ways_beside(const std::string& neighbour) const;
   bool let_fall(const std::string& id, const std::string& room);
+  bool put_shut(const std::string& id, ActionType action, const std::string& target);
   bool put_in_grasp(const std::string& id, ActionType action, const std::string& target);
   bool put_so_that(const std::string& id, const std::vector<Action>& then);
   bool make_room(const std::string& id, ActionType action, const std::string& target);
@@ -52,6 +53,7 @@ class Methods {
   bool stand_up();
   bool device(ActionType action, const std::string& id);
   bool do_at(ActionType action, const std::string& id);
+  bool shut_out_of_the_way(const std::string& id);
   bool from_elsewhere(const Action& action, const std::string& about, const Aim& aim);
   bool works(const std::vector<Action>& steps) const;
   bool works_at(const Action& action) const;

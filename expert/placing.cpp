@@ -218,7 +218,14 @@ bool Methods::put(const std::string& id, ActionType action, const std::string& t
     if (!put_aside(id) || !device(ActionType::Open, target)) return false;
   }
   if (!hold(id)) return false;
-  return do_at(action, target) || make_room(id, action, target);
+  return do_at(action, target) || put_shut(id, action, target) || make_room(id, action, target);
+}
+
+/// What is open takes more room than shut: a box with its lid up.
+bool Methods::put_shut(const std::string& id, ActionType action, const std::string& target) {
+  const auto& trouble = attempt_.trouble();
+  const bool may_help = trouble && !attempt_.exhausted() && lacks_room(trouble->failure) && is(id, Predicate::Open);
+  return may_help && device(ActionType::Close, id) && hold(id) && do_at(action, target);
 }
 
 /// As `put`, where the hand can take it back.

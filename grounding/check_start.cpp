@@ -124,7 +124,11 @@ std::optional<GroundingFailure> check_reach(const Specification& specification, 
     if (constraint.op != Op::Exists && constraint.op != Op::Count) continue;
     const QuantifiedDomain one{constraint.op, constraint.variable, constraint.domain, true};
     const auto members = members_of(constraint.domain, constraint.variable, trace);
-    if (auto problem = check(one, std::min<std::size_t>(1, members.size()), members)) return problem;
+    // What has to be there k times is needed k times: one for each place, both to be swapped.
+    const bool counted = constraint.op == Op::Count &&
+                         (constraint.comparison == Comparison::Equal || constraint.comparison == Comparison::AtLeast);
+    const std::size_t wanted = counted ? static_cast<std::size_t>(std::max(1, constraint.number)) : 1;
+    if (auto problem = check(one, std::min(wanted, members.size()), members)) return problem;
   }
   return std::nullopt;
 }

@@ -113,6 +113,38 @@ TEST_F(Placing, TakesWhatIsInTheWayOfADoorOutOfIt) {
   EXPECT_THAT(steps, HasSubstr("open(microwave_1)"));
 }
 
+TEST_F(Placing, LeavesTheCornerBehindAnOpenDoor) {
+  // Counters on three sides of who stands before the fridge; its open door is the fourth.
+  Scene scene = house_with({"apple_1"});
+  std::erase_if(scene.nodes, [](const Node& node) {
+    return node.id == "sink_1" || node.id == "diningtable_1" || node.id == "countertop_1" || node.id == "microwave_1";
+  });
+  find_node(scene, "fridge_1")->pose.position.x() = 3.2;
+  find_node(scene, "apple_1")->pose.position = Vec3(3.2, 3.55, 0.95);
+  add(scene, knowledge, "countertop_2", "CounterTop", 3.8, 2.25, 0).size = {0.5, 2.1, 0.9};
+  add(scene, knowledge, "countertop_3", "CounterTop", 3.2, 1.2, 0).size = {1.7, 0.5, 0.9};
+  add(scene, knowledge, "countertop_4", "CounterTop", 2.6, 1.95, 0).size = {0.5, 1.0, 0.9};
+  set_state(scene, "fridge_1", Predicate::Open);
+  scene.agent.position = {3.2, 2.0};
+  const std::string steps =
+      plan("(exists (?x - Apple) (exists (?y - SideTable) (at-end (on ?x ?y))))", at_rest(std::move(scene)));
+  EXPECT_THAT(steps, HasSubstr("close(fridge_1)"));
+  EXPECT_THAT(steps, HasSubstr("place_on(sidetable_"));
+}
+
+TEST_F(Placing, ShutsABoxThatDoesNotFitWithItsLidUp) {
+  Scene scene = house_with({"box_1", "apple_1"});
+  add(scene, knowledge, "countertop_2", "CounterTop", 8.5, 3.5, 0).size = {0.6, 0.6, 0.3};
+  Node& above = scene.nodes.back();
+  above.pose.position.z() = 0.6 + 0.26 + 0.15;  // a quarter of a metre over the table
+  add(scene, knowledge, "countertop_3", "CounterTop", 8.5, 0.5, 0).size = {0.6, 0.6, 0.3};
+  scene.nodes.back().pose.position.z() = 0.6 + 0.26 + 0.15;
+  const std::string steps = plan(
+      "(exists (?x - Apple) (exists (?b - Box) (exists (?y - SideTable) (at-end (and (inside ?x ?b) (on ?b ?y))))))",
+      at_rest(std::move(scene)));
+  EXPECT_THAT(steps, HasSubstr("close(box_1)"));
+}
+
 TEST_F(Placing, BringsAThingIntoARoomOnWhateverStandsThere) {
   profile.actions[static_cast<std::size_t>(ActionType::Drop)] = false;
   Scene scene = house_with({});
