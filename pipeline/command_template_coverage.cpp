@@ -22,7 +22,7 @@ constexpr const char* kHelp =
     "  unietp template coverage --tries 10               take 10 candidates of each through all stages: 7/10 became\n"
     "                                                    proven tasks; tells what stops those that give none\n"
     "  unietp template coverage --tries 20 --template open-one,slice-one --simulators ai2thor --json\n"
-    "  unietp template coverage --tries 10 --markdown > docs/coverage.md\n"
+    "  unietp template coverage --tries 10 --modes M1,M2,M3 --markdown > docs/coverage.md\n"
     "  unietp template coverage --tries 10 --modes M2    how many of those shown in M1 are shown in M2, with how many\n"
     "                                                    steps\n"
     "\n"

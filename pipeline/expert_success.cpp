@@ -14,7 +14,7 @@ std::string percent(const ExpertSuccess& success) {
 /// The feedback that a detail ends with, without the objects that it names, in brackets; "" when it has none.
 std::string feedback_in(const std::string& detail) {
   const auto last = detail.rfind(": ");
-  if (last == std::string::npos) return "";
+  if (last == std::string::npos || detail.compare(last + 2, 1, "(") == 0) return "";  // none, or a formula
   std::string text;
   for (const auto& word : split(detail.substr(last + 2), ' ')) {
     const bool names = word.find_first_of("0123456789(") != std::string::npos;
