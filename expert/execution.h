@@ -2,11 +2,15 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "expert/expert.h"
 
 namespace unietp {
+
+/// What `demonstrate` shows, without looking: the actions of a plan, of which none can be missed, ending with `stop`.
+std::variant<std::vector<Action>, Rejection> find_plan(Rehearsal& rehearsal, const ExpertOptions& options);
 
 /// Does the actions from the start as an agent of the mode would live them; what it cannot say is left out.
 Demonstration record(Rehearsal& rehearsal, Mode mode, const std::vector<Action>& actions);

@@ -95,8 +95,8 @@ std::string missing_after(Rehearsal& rehearsal, const std::vector<Action>& actio
 }
 
 /// `lacked_room` becomes true when something failed for want of it.
-std::variant<Demonstration, Rejection> try_plans(Rehearsal& rehearsal, const Situation& situation,
-                                                 const ExpertOptions& options, bool clears, bool& lacked_room) {
+std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, const Situation& situation,
+                                                       const ExpertOptions& options, bool clears, bool& lacked_room) {
   const Formula& goal = rehearsal.goal();
   Experience experience;
   std::set<std::string> tried;
@@ -121,8 +121,8 @@ std::variant<Demonstration, Rejection> try_plans(Rehearsal& rehearsal, const Sit
     std::vector<Action> actions = attempt.actions();
     actions.push_back(Action{ActionType::Stop, {}});
     // Only an attempt that had to change its mind leaves detours longer than a step.
-    const auto needed = without_needless(rehearsal, Mode::M1, actions, attempt.failures() == 0 ? 1 : 6);
-    if (needed) return record(rehearsal, Mode::M1, *needed);
+    auto needed = without_needless(rehearsal, Mode::M1, actions, attempt.failures() == 0 ? 1 : 6);
+    if (needed) return std::move(*needed);
     last = {"expert", "goal-not-met", missing_after(rehearsal, actions)};
     for (const Literal& literal : choice->alternative.end) experience.literals.emplace_back(literal, 1.0);
   }
@@ -131,14 +131,20 @@ std::variant<Demonstration, Rejection> try_plans(Rehearsal& rehearsal, const Sit
 
 }  // namespace
 
-std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const ExpertOptions& options) {
+std::variant<std::vector<Action>, Rejection> find_plan(Rehearsal& rehearsal, const ExpertOptions& options) {
   const Situation situation = look_around(rehearsal, options.mode);
   bool lacked_room = false;
-  auto shown = try_plans(rehearsal, situation, options, false, lacked_room);
+  auto plan = try_plans(rehearsal, situation, options, false, lacked_room);
   // What is in the way is carried away only where no other witness, place or tool will do.
-  if (lacked_room && std::holds_alternative<Rejection>(shown))
-    shown = try_plans(rehearsal, situation, options, true, lacked_room);
-  return shown;
+  if (lacked_room && std::holds_alternative<Rejection>(plan))
+    plan = try_plans(rehearsal, situation, options, true, lacked_room);
+  return plan;
+}
+
+std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const ExpertOptions& options) {
+  auto plan = find_plan(rehearsal, options);
+  if (auto* why = std::get_if<Rejection>(&plan)) return std::move(*why);
+  return record(rehearsal, Mode::M1, std::get<std::vector<Action>>(plan));
 }
 
 std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,

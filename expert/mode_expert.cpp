@@ -64,13 +64,10 @@ class Explorer {
   std::string trouble_;
 };
 
-std::optional<std::vector<Action>> plan_of(const Demonstration& shown, Mode mode) {
-  std::vector<Action> plan;
-  for (const DemonstrationStep& step : shown.steps) {
-    if (!offers(info(step.action.type), mode)) return std::nullopt;
-    plan.push_back(step.action);
-  }
-  return plan;
+std::vector<Action> actions_of(const Demonstration& shown) {
+  std::vector<Action> actions;
+  for (const DemonstrationStep& step : shown.steps) actions.push_back(step.action);
+  return actions;
 }
 
 }  // namespace
@@ -81,15 +78,16 @@ std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, Rehearsal& rehe
     return Rejection{"expert", mode == Mode::M2 ? "not-in-m2" : "not-in-m3", why};
   };
   const StepLimits limits = limits_of(mode);
-  auto plan = plan_of(shown, mode);
-  if (!plan) {
-    auto atomic = demonstrate(rehearsal, {.max_steps = limits.steps, .max_failures = limits.failures, .mode = mode});
+  auto plan = actions_of(shown);
+  const auto is_offered = [mode](const Action& action) { return offers(info(action.type), mode); };
+  if (!std::all_of(plan.begin(), plan.end(), is_offered)) {
+    auto atomic = find_plan(rehearsal, {.max_steps = limits.steps, .max_failures = limits.failures, .mode = mode});
     if (const auto* why = std::get_if<Rejection>(&atomic)) return rejected(why->reason + ": " + why->detail);
-    plan = plan_of(std::get<Demonstration>(atomic), mode);
+    plan = std::move(std::get<std::vector<Action>>(atomic));
   }
 
   Explorer explorer(rehearsal, mode);
-  for (const Action& action : *plan) {
+  for (const Action& action : plan) {
     if (!explorer.carry_out(action)) return rejected("for " + to_text(action) + ": " + explorer.trouble());
   }
   const auto actions = without_needless(rehearsal, mode, explorer.done(), kLongestRun);
