@@ -114,11 +114,13 @@ std::vector<std::string> offered_categories(const Scene& scene, const Knowledge&
   std::set<std::string> offered;
   for (const auto& node : scene.nodes) offered.insert(node.category);
   const std::set<std::string> present = offered;
-  for (const auto& placement : knowledge.placements()) {
-    if (placement.relation != "on" && placement.relation != "inside") continue;
-    const Category* object = knowledge.find(placement.object);
-    if (object != nullptr && object->movable && present.count(placement.receptacle) > 0)
-      offered.insert(placement.object);
+  for (const auto& receptacle : present) {
+    for (const char* relation : {"on", "inside"}) {
+      for (const Placement* placement : knowledge.placements_at(receptacle, relation)) {
+        const Category* object = knowledge.find(placement->object);
+        if (object != nullptr && object->movable) offered.insert(placement->object);
+      }
+    }
   }
   for (const auto& room : scene.rooms) offered.insert(room.type);
   return {offered.begin(), offered.end()};

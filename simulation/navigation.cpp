@@ -387,9 +387,9 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
     }
   };
   std::vector<Candidate> candidates;
-  const double span = target.size.norm() / 2 + profile.reach_m;
-  const Vec2 middle = target.pose.position.head<2>();
-  const auto from = grid.cell_at(middle - Vec2::Constant(span)), to = grid.cell_at(middle + Vec2::Constant(span));
+  const Bounds bounds = bounds_of(target.pose, target.size);
+  const Vec2 span = Vec2::Constant(profile.reach_m), middle = target.pose.position.head<2>();
+  const auto from = grid.cell_at(bounds.low.head<2>() - span), to = grid.cell_at(bounds.high.head<2>() + span);
   for (int y = from.y; y <= to.y; ++y) {
     for (int x = from.x; x <= to.x; ++x) {
       const NavigationGrid::Cell cell{x, y};
