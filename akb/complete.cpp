@@ -14,11 +14,6 @@ bool is_filled(const CompletionBatch& batch, const ToldFacts& told) {
   });
 }
 
-FactKind kind_of(const Alias& alias) {
-  if (alias.kind == "function") return FactKind::Function;
-  return alias.kind == "context" ? FactKind::Context : FactKind::Aliases;
-}
-
 /// Adds the facts of `from` whose category has none of the kind yet.
 template <class Row, class Key>
 void add(std::vector<Row>& to, std::vector<Row> from, const ToldFacts& told, std::map<FactKind, int>& accepted,

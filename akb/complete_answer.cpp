@@ -15,9 +15,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kDeepest = 64;
 constexpr std::size_t kLongestShown = 60;
-constexpr double kLargest_m = 20, kHeaviest_kg = 2000, kSmallest = 0.001;
+constexpr double kSmallest = 0.001;
 constexpr double kLightest_kg_m3 = 0.5, kDensest_kg_m3 = 25000;  // of the box: a paper lantern, gold
 constexpr std::size_t kMostPhrases = 4, kMostPlaces = 12;
 
@@ -220,7 +219,7 @@ CheckedAnswer check_completion(std::string_view answer, const Tables& tables, co
   const auto reject_all = [&](const std::string& category, std::string_view reason) {
     out.rejected.push_back({plain_line(category, kLongestShown), "", "", std::string(reason)});
   };
-  const Json json = nested_deeper(answer, kDeepest) ? Json() : Json::parse(answer, nullptr, false);
+  const Json json = nested_too_deep(answer) ? Json() : Json::parse(answer, nullptr, false);
   if (!json.is_object() || !json.contains("categories") || !json.at("categories").is_array()) {
     for (const auto& name : batch.categories) reject_all(name, "no list of categories in the answer");
     return out;

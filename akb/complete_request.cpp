@@ -8,7 +8,7 @@
 namespace unietp {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kTask =
     "You fill gaps in tables of household objects for a simulator of home robots. Answer in plain English and in "
@@ -47,15 +47,15 @@ const char* rule_of(FactKind kind) {
   return "";
 }
 
-Json list_of(const Json& items) { return {{"type", "array"}, {"items", items}}; }
-Json object_of(const Json& properties) {
-  Json required = Json::array();
+OrderedJson list_of(const OrderedJson& items) { return {{"type", "array"}, {"items", items}}; }
+OrderedJson object_of(const OrderedJson& properties) {
+  OrderedJson required = OrderedJson::array();
   for (const auto& [name, form] : properties.items()) required.push_back(name);
   return {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
 }
 
-Json form_of(FactKind kind) {
-  const Json number = {{"type", "number"}}, text = {{"type", "string"}};
+OrderedJson form_of(FactKind kind) {
+  const OrderedJson number = {{"type", "number"}}, text = {{"type", "string"}};
   switch (kind) {
     case FactKind::Size:
       return object_of({{"width", number}, {"depth", number}, {"height", number}});
@@ -77,8 +77,8 @@ Json form_of(FactKind kind) {
   return {};
 }
 
-Json schema_of(const CompletionBatch& batch) {
-  Json entry = {{"category", {{"type", "string"}, {"enum", batch.categories}}}};
+OrderedJson schema_of(const CompletionBatch& batch) {
+  OrderedJson entry = {{"category", {{"type", "string"}, {"enum", batch.categories}}}};
   for (const auto kind : batch.facts) entry[std::string(name_of(kind))] = form_of(kind);
   return object_of({{"categories", list_of(object_of(entry))}});
 }

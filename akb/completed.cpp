@@ -17,12 +17,6 @@ constexpr std::array kKinds{FactKind::Size,     FactKind::Mass,    FactKind::Syn
 constexpr std::array<std::string_view, kKinds.size()> kNames{"size",     "mass",    "synset",     "aliases",
                                                              "function", "context", "placements", "affordances"};
 constexpr std::array kFiles{"size", "mass", "synset", "affordance", "relation", "alias"};
-constexpr double kLargest_m = 20, kHeaviest_kg = 2000;
-
-FactKind kind_of(const Alias& alias) {
-  if (alias.kind == "function") return FactKind::Function;
-  return alias.kind == "context" ? FactKind::Context : FactKind::Aliases;
-}
 
 bool is_stand_in(const Source& source) {
   return source.source.starts_with("derived:") && source.confidence < kLeastConfidence;
@@ -66,6 +60,11 @@ std::optional<FactKind> fact_kind_named(std::string_view name) {
   const auto at = std::find(kNames.begin(), kNames.end(), name);
   if (at == kNames.end()) return std::nullopt;
   return kKinds[static_cast<std::size_t>(at - kNames.begin())];
+}
+
+FactKind kind_of(const Alias& alias) {
+  if (alias.kind == "function") return FactKind::Function;
+  return alias.kind == "context" ? FactKind::Context : FactKind::Aliases;
 }
 
 ToldFacts told_by(const Tables& tables) {

@@ -19,6 +19,7 @@ enum class FactKind : std::uint8_t { Size, Mass, Synset, Aliases, Function, Cont
 std::span<const FactKind> all_fact_kinds();
 std::string_view name_of(FactKind kind);  // "size"
 std::optional<FactKind> fact_kind_named(std::string_view name);
+FactKind kind_of(const Alias& alias);
 
 /// Facts that language models completed for one simulator, as they stand in `data/akb/completed/<simulator>/`:
 /// size.csv, mass.csv and synset.csv of their own, affordance.csv, relation.csv and alias.csv with the columns of the
@@ -45,6 +46,8 @@ struct CompletedFacts {
   std::vector<Placement> placements;
   std::vector<Alias> aliases;
 };
+
+inline constexpr double kLargest_m = 20, kHeaviest_kg = 2000;  // what a category may be told to be
 
 /// The categories of which something of a kind is told.
 using ToldFacts = std::map<FactKind, std::set<std::string, std::less<>>>;

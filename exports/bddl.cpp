@@ -38,9 +38,9 @@ Rest rest_of(const Scene& start, const std::string& id) {
   return rest;
 }
 
-class Problem {
+class BddlProblem {
  public:
-  Problem(const Scene& start, const std::map<std::string, std::string>& names) : start_(start), names_(names) {}
+  BddlProblem(const Scene& start, const std::map<std::string, std::string>& names) : start_(start), names_(names) {}
 
   /// An object with what it rests on or in. Errors: as bddl_problem.
   Result<Done> take(const std::string& id) {
@@ -120,7 +120,7 @@ Result<std::string> bddl_problem(const std::string& name, const Formula& goal, c
   const auto names = names_of(start, synsets);
   const auto said = bddl_goal(goal, start, knowledge, synsets, names);
   if (!said) return said.error();
-  Problem problem(start, names);
+  BddlProblem problem(start, names);
   for (const Node& node : start.nodes) {
     if (!std::binary_search(said->categories.begin(), said->categories.end(), node.category)) continue;
     if (auto taken = problem.take(node.id); !taken) return taken.error();

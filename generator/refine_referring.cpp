@@ -12,7 +12,7 @@ namespace {
 
 using Op = Formula::Op;
 
-constexpr int kMostTried = 24;
+constexpr int kMostReferences = 24;
 
 std::vector<Formula> tests_of(const std::vector<Reference>& references) {
   std::vector<Formula> tests;
@@ -111,7 +111,7 @@ class Refiner {
     return found;
   }
 
-  bool spent() { return ++tried_ > kMostTried; }
+  bool spent() { return ++tried_ > kMostReferences; }
 
   std::optional<Specification> by_one(const GoalVariable& variable, std::string_view kind) {
     for (const auto& reference : offered(variable, kind)) {

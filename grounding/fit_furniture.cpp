@@ -22,10 +22,6 @@ constexpr double kSmallestArea_m2 = 9;
 const std::vector<std::string> kFurnitureColumns{"room", "category", "where", "share", "mean", "at_least", "at_most"};
 const std::vector<std::string> kRoomColumns{"room", "weight", "at_least", "at_most", "area_low", "area_high"};
 
-std::string rounded(double value, double per_unit = 1000) {
-  return number_text(std::round(value * per_unit) / per_unit);
-}
-
 struct Curated {
   std::string room, category, where;
   double share = 1;
@@ -131,8 +127,8 @@ Result<std::string> fit_furniture(const FitInput& own, const std::filesystem::pa
       mean = std::max(mean, static_cast<double>(at_least));
       listed.insert(row.category);
       if (at_least > 0) obligatory.insert(row.category);
-      out += csv_line(
-          {room, row.category, rounded(mean), std::to_string(at_least), std::to_string(at_most), row.where, source});
+      out += csv_line({room, row.category, rounded_text(mean), std::to_string(at_least), std::to_string(at_most),
+                       row.where, source});
     }
   }
   return out;
@@ -174,8 +170,8 @@ Result<std::string> fit_rooms(const FitInput& own, const std::filesystem::path& 
       weight = reader.number("weight", 0, 10, false);
     }
     if (!errors.empty()) return errors.front();
-    out += csv_line({room, rounded(weight), std::to_string(at_least), std::to_string(at_most), rounded(low, 10),
-                     rounded(high, 10), source});
+    out += csv_line({room, rounded_text(weight), std::to_string(at_least), std::to_string(at_most),
+                     rounded_text(low, 10), rounded_text(high, 10), source});
   }
   if (!errors.empty()) return errors.front();
   return out;

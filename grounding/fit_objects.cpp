@@ -11,12 +11,10 @@
 namespace unietp {
 namespace {
 
-constexpr double kRare = 0.02;  // means below are left to the share of what was not seen
+constexpr double kSeldom = 0.02;  // means below are left to the share of what was not seen
 constexpr double kLeastUnseen = 0.01, kMostUnseen = 0.15;
 constexpr double kMovableShare = 0.45;  // where no real home says
 constexpr double kLikeRoom = 0.5;       // of a thing's mean in another room, in a usual room that no real home shows
-
-std::string rounded(double value) { return number_text(std::round(value * 1000) / 1000); }
 
 using ByWord = std::map<std::pair<std::string, std::string>, double>;  // (room, display) → mean
 
@@ -75,9 +73,9 @@ std::string fit_objects(const FitInput& own, std::span<const FitInput> all) {
   const std::set<std::string> cut = slices(*own.knowledge);
   const bool real = !own.homes.homes.empty();
   std::string out = "room,category,mean,source\n";
-  out += csv_line({"any", "all", rounded(real ? own.statistics.movable_share : kMovableShare),
+  out += csv_line({"any", "all", rounded_text(real ? own.statistics.movable_share : kMovableShare),
                    real ? own.homes.source : "curated"});
-  out += csv_line({"any", "unseen", rounded(unseen_share(own)), real ? "derived:good-turing" : "curated"});
+  out += csv_line({"any", "unseen", rounded_text(unseen_share(own)), real ? "derived:good-turing" : "curated"});
   for (const std::string& room : room_types()) {
     for (const Category& category : own.knowledge->categories()) {
       if (!category.movable || cut.contains(category.name)) continue;
@@ -100,7 +98,7 @@ std::string fit_objects(const FitInput& own, std::span<const FitInput> all) {
         mean = word->second;
         source = "derived:same-word";
       }
-      if (mean >= kRare) out += csv_line({room, category.name, rounded(mean), source});
+      if (mean >= kSeldom) out += csv_line({room, category.name, rounded_text(mean), source});
     }
   }
   return out;
@@ -120,9 +118,9 @@ std::string fit_receptacles(const FitInput& own, std::span<const FitInput> all) 
   for (const Category& category : own.knowledge->categories()) {
     const auto held = own.statistics.held.find(category.name);
     if (held != own.statistics.held.end()) {
-      out += csv_line({category.name, rounded(held->second), own.homes.source});
+      out += csv_line({category.name, rounded_text(held->second), own.homes.source});
     } else if (const auto word = by_word.find(category.display); word != by_word.end()) {
-      out += csv_line({category.name, rounded(word->second.first / word->second.second), "derived:same-word"});
+      out += csv_line({category.name, rounded_text(word->second.first / word->second.second), "derived:same-word"});
     }
   }
   return out;

@@ -30,6 +30,8 @@ Result<FitInput> input_of(const std::filesystem::path& upstream, const Knowledge
 
 }  // namespace
 
+std::string rounded_text(double value, double per_unit) { return number_text(std::round(value * per_unit) / per_unit); }
+
 Result<std::vector<FittedFile>> fit_layouts(const std::filesystem::path& upstream, const std::filesystem::path& curated,
                                             std::span<const Knowledge> knowledge) {
   std::vector<FitInput> inputs;

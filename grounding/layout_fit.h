@@ -41,4 +41,6 @@ Result<std::string> fit_furniture(const FitInput& own, const std::filesystem::pa
 std::string fit_objects(const FitInput& own, std::span<const FitInput> all);
 std::string fit_receptacles(const FitInput& own, std::span<const FitInput> all);
 
+std::string rounded_text(double value, double per_unit = 1000);  // 0.12345 → "0.123"
+
 }  // namespace unietp

@@ -24,12 +24,12 @@ bool has_mark(const Json& json, const std::vector<std::string_view>& marks) {
 /// Rooms, walls, openings and agent of the size of a home; a room that is larger is an error, the rest is dropped with
 /// a warning.
 void keep_to_a_home(JsonReader& reader, const JsonAt& home, SourceScene& scene) {
-  constexpr double kFarthest_m = 1000, kWidest_m = 200, kLowest_m = 1, kHighest_m = 50, kUsual_m = 2.6;
-  Vec2 low = Vec2::Constant(kFarthest_m), high = -low;
+  constexpr double kFarOff_m = 1000, kWidest_m = 200, kLowest_m = 1, kHighest_m = 50, kUsual_m = 2.6;
+  Vec2 low = Vec2::Constant(kFarOff_m), high = -low;
   for (const Room& room : scene.rooms) {
     for (const Vec2& corner : room.polygon) {
       low = low.cwiseMin(corner), high = high.cwiseMax(corner);
-      const bool near = corner.allFinite() && corner.cwiseAbs().maxCoeff() <= kFarthest_m;
+      const bool near = corner.allFinite() && corner.cwiseAbs().maxCoeff() <= kFarOff_m;
       if (near && (high - low).maxCoeff() <= kWidest_m) continue;
       return reader.fail(home, "the room " + in_quotes(room.id) +
                                    " reaches too far; expected a home of at most 200 m within 1000 m of the origin");
@@ -46,7 +46,7 @@ void keep_to_a_home(JsonReader& reader, const JsonAt& home, SourceScene& scene) 
   const auto dropped = std::erase_if(scene.openings, is_none);
   if (dropped > 0) scene.warnings.push_back(std::to_string(dropped) + " openings have no width");
   const Vec2& agent = scene.agent.position;
-  if (scene.has_agent && !(agent.allFinite() && agent.cwiseAbs().maxCoeff() <= kFarthest_m)) {
+  if (scene.has_agent && !(agent.allFinite() && agent.cwiseAbs().maxCoeff() <= kFarOff_m)) {
     scene.warnings.emplace_back("the agent stands too far away to be in a home");
     scene.has_agent = false;
   }

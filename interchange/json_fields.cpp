@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostFields = 100000;  // a table of scenes is one object
+constexpr std::size_t kMostSceneFields = 100000;  // a table of scenes is one object
 
 }  // namespace
 
@@ -69,7 +69,7 @@ Vec3 vector_at(JsonReader& reader, const JsonAt& at) {
 
 Result<std::vector<Json>> read_json_values(std::string_view where, std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
-  auto whole = parse_json(where, text, kMostFields);
+  auto whole = parse_json(where, text, kMostSceneFields);
   std::vector<Json> values;
   if (whole) {
     values.push_back(std::move(*whole));
@@ -83,7 +83,7 @@ Result<std::vector<Json>> read_json_values(std::string_view where, std::string_v
     const std::string_view one = text.substr(at, end - at);
     at = end + 1;
     if (one.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-    auto value = parse_json(where, one, kMostFields);
+    auto value = parse_json(where, one, kMostSceneFields);
     if (!value) {
       if (values.empty()) return whole.error();
       Error error = value.error();

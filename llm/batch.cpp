@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "llm/chat.h"
+#include "llm/foreign_json.h"
 #include "llm/json_object.h"
 #include "llm/redact.h"
 
@@ -14,17 +15,6 @@ using Json = nlohmann::json;
 using Pointer = Json::json_pointer;
 
 constexpr const char* kPath = "/v1/chat/completions";
-constexpr int kDeepest = 64;
-constexpr std::size_t kLongestComplaint = 200;
-
-Json parsed(std::string_view line) {
-  return nested_deeper(line, kDeepest) ? Json(Json::value_t::discarded) : Json::parse(line, nullptr, false);
-}
-
-std::string text_at(const Json& json, const char* pointer) {
-  const Pointer at(pointer);
-  return json.contains(at) && json.at(at).is_string() ? json.at(at).get<std::string>() : std::string();
-}
 
 /// A cached answer costs nothing now: it was paid for when the batch ran.
 Result<LlmAnswer> answer_in(const Json& line) {
@@ -58,7 +48,7 @@ std::string batch_line(const LlmEndpoint& endpoint, const LlmRequest& request) {
 }
 
 std::string id_of_batch_line(std::string_view line) {
-  const Json json = parsed(line);
+  const Json json = foreign_json(line);
   return json.is_object() ? text_at(json, "/custom_id") : "";
 }
 
@@ -82,7 +72,7 @@ void read_batch_answers(std::string_view where, std::string_view text, BatchAnsw
   for (const std::string& line : split(text, '\n')) {
     ++number;
     if (trim(line).empty()) continue;
-    const Json json = parsed(line);
+    const Json json = foreign_json(line);
     const auto id = json.is_object() ? text_at(json, "/custom_id") : "";
     if (id.empty()) {
       into.unreadable.push_back({Error::Kind::Parse,

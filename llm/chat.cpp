@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "llm/foreign_json.h"
 #include "llm/json_object.h"
 #include "llm/redact.h"
 
@@ -12,19 +13,7 @@ namespace {
 using Json = nlohmann::json;
 using Pointer = Json::json_pointer;
 
-constexpr int kDeepest = 64;
-constexpr std::size_t kLongestComplaint = 200;
 constexpr std::int64_t kMostTokens = 1'000'000'000;
-
-/// The JSON of a text that came from outside; discarded when it is none or too deep.
-Json parsed(std::string_view text) {
-  return nested_deeper(text, kDeepest) ? Json(Json::value_t::discarded) : Json::parse(text, nullptr, false);
-}
-
-std::string text_at(const Json& json, const char* pointer) {
-  const Pointer at(pointer);
-  return json.contains(at) && json.at(at).is_string() ? json.at(at).get<std::string>() : std::string();
-}
 
 std::int64_t count_at(const Json& json, const char* pointer) {
   const Pointer at(pointer);
@@ -71,7 +60,7 @@ std::string chat_body(const LlmEndpoint& endpoint, const LlmRequest& request, Ll
 }
 
 Result<LlmAnswer> read_completion(std::string_view body, std::string_view key) {
-  const Json outer = parsed(body);
+  const Json outer = foreign_json(body);
   if (!outer.is_object()) return Error{Error::Kind::Schema, "chat completion", {}, "expected a JSON object"};
   const Pointer content("/choices/0/message/content");
   if (!outer.contains(content) || !outer.at(content).is_string()) return schema_error("expected a text");
@@ -80,14 +69,14 @@ Result<LlmAnswer> read_completion(std::string_view body, std::string_view key) {
     const bool cut = text_at(outer, "/choices/0/finish_reason") == "length";
     return schema_error(std::string("expected a JSON object") + (cut ? "; the answer was cut off by its limit" : ""));
   }
-  if (repeats(parsed(*object), key)) return schema_error("the answer repeats the key, so it is not used");
+  if (repeats(foreign_json(*object), key)) return schema_error("the answer repeats the key, so it is not used");
   LlmAnswer answer = usage_in(body);
   answer.text = std::move(*object);
   return answer;
 }
 
 LlmAnswer usage_in(std::string_view body) {
-  const Json outer = parsed(body);
+  const Json outer = foreign_json(body);
   LlmAnswer usage;
   usage.prompt_tokens = count_at(outer, "/usage/prompt_tokens");
   usage.completion_tokens = count_at(outer, "/usage/completion_tokens");
@@ -95,7 +84,7 @@ LlmAnswer usage_in(std::string_view body) {
 }
 
 std::string complaint_in(std::string_view body, std::string_view key) {
-  const Json outer = parsed(body);
+  const Json outer = foreign_json(body);
   for (const char* place : {"/error/message", "/error", "/message", "/detail"}) {
     const auto message = text_at(outer, place);
     if (!message.empty()) return plain_line(redacted(message, key), kLongestComplaint);

@@ -45,19 +45,19 @@ std::size_t balanced_length(std::string_view text) {
 }
 
 bool is_object(std::string_view text) {
-  return !nested_deeper(text, kDeepest) && Json::parse(text, nullptr, false).is_object();
+  return !nested_too_deep(text) && Json::parse(text, nullptr, false).is_object();
 }
 
 }  // namespace
 
-bool nested_deeper(std::string_view json, int depth) {
+bool nested_too_deep(std::string_view json) {
   Strings strings;
   int now = 0;
   for (const char c : json) {
     if (strings.inside(c)) continue;
     if (c == '{' || c == '[') ++now;
     if (c == '}' || c == ']') --now;
-    if (now > depth) return true;
+    if (now > kDeepest) return true;
   }
   return false;
 }

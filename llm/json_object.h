@@ -11,7 +11,7 @@ namespace unietp {
 /// or a code fence. Its bytes are kept. Errors: Schema, when there is none or it is nested over 64 deep.
 Result<std::string> json_object_in(std::string_view text);
 
-/// True when brackets outside strings nest deeper than that; such texts are not given to a parser.
-bool nested_deeper(std::string_view json, int depth);
+/// True when brackets outside strings nest over 64 deep; such texts are not given to a parser.
+bool nested_too_deep(std::string_view json);
 
 }  // namespace unietp

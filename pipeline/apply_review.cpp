@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-const std::string kReviews = "reviews.jsonl", kWordings = "wordings.jsonl", kManifest = "manifest.json";
+const std::string kReviews = "reviews.jsonl", kPairs = "wordings.jsonl", kManifest = "manifest.json";
 
 /// What will stand in place of a task.
 struct Ruling {
@@ -179,8 +179,8 @@ std::string rejection_of(const TaskLine& task, const Review& review) {
 
 /// Every file of the folder but paired wordings that are kept as they are, and what nobody here knows.
 std::vector<std::string> files_made_anew(const fs::path& folder) {
-  std::vector<std::string> names{"tasks.jsonl", "rejections.jsonl", "dataset.sqlite", "README.md",
-                                 kManifest,     kReviews,           kWordings};
+  std::vector<std::string> names{"tasks.jsonl", "rejections.jsonl", "dataset.sqlite", "README.md", kManifest, kReviews,
+                                 kPairs};
   for (const char* part : {"scenes", "demonstrations"}) {
     std::error_code code;
     for (const auto& entry : fs::directory_iterator(folder / part, code))
@@ -217,7 +217,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
   if (!tasks) return tasks.error();
   auto marks = lines_by_task(folder / kReviews, "task");
   if (!marks) return marks.error();
-  const auto wordings = lines_by_task(folder / kWordings, "pair");
+  const auto wordings = lines_by_task(folder / kPairs, "pair");
   if (!wordings) return wordings.error();
   const auto traits = traits_of_tasks(folder / "dataset.sqlite");
   if (!traits) return traits.error();
@@ -277,7 +277,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
   for (const auto& [task, line] : *marks) kept_marks += line + "\n";
   if (auto done = write_file(copy->folder() / kReviews, kept_marks); !done) return done.error();
   if (!kept_wordings.empty()) {
-    if (auto done = write_file(copy->folder() / kWordings, kept_wordings); !done) return done.error();
+    if (auto done = write_file(copy->folder() / kPairs, kept_wordings); !done) return done.error();
   }
   if (auto done = writer->finish(*configuration, resources, options.licences); !done) return done.error();
   if (auto done = note_writer(copy->folder() / kManifest, *manifest); !done) return done.error();

@@ -17,7 +17,7 @@ using Mat3 = Eigen::Matrix3d;
 
 constexpr double kUpright = 1 - 1e-9;  // |z of an axis| of what stands
 
-bool upright(const Convex& solid) { return std::abs(solid.axes(2, 2)) > kUpright; }
+bool stands_upright(const Convex& solid) { return std::abs(solid.axes(2, 2)) > kUpright; }
 
 /// Separating axes; edges against edges win only when they are clearly shallower, as in the box test of ODE.
 std::optional<Touch> boxes(const Convex& a, const Convex& b) {
@@ -131,12 +131,12 @@ std::optional<Touch> ball_on(const Convex& ball, const Convex& other) {
   return Touch{other.axes * away, radius - distance};
 }
 
-btVector3 to_bullet(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+btVector3 vector_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 btTransform transform_of(const Convex& solid) {
   const Mat3& m = solid.axes;
   return btTransform(btMatrix3x3(m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)),
-                     to_bullet(solid.centre));
+                     vector_of(solid.centre));
 }
 
 struct Nearest : btDiscreteCollisionDetectorInterface::Result {
@@ -155,8 +155,8 @@ std::optional<Touch> by_gjk(const Convex& a, const Convex& b) {
       shape.setMargin(kSkin_m);
       return use(shape);
     };
-    if (solid.kind == Kind::Box) return thin(btBoxShape(to_bullet(solid.half)));
-    return thin(btCylinderShapeZ(to_bullet(solid.half)));
+    if (solid.kind == Kind::Box) return thin(btBoxShape(vector_of(solid.half)));
+    return thin(btCylinderShapeZ(vector_of(solid.half)));
   };
   return with(a, [&](const btConvexShape& first) {
     return with(b, [&](const btConvexShape& second) {
@@ -213,7 +213,7 @@ std::optional<Touch> touch(const Convex& a, const Convex& b) {
   if (a.kind == Kind::Box && b.kind == Kind::Box) return boxes(a, b);
   if (a.kind == Kind::Sphere) return ball_on(a, b);
   if (b.kind == Kind::Sphere) return turned(ball_on(b, a));
-  if (!upright(a) || !upright(b)) return by_gjk(a, b);
+  if (!stands_upright(a) || !stands_upright(b)) return by_gjk(a, b);
   if (a.kind == Kind::Box) return turned(cylinder_on_box(b, a));
   return b.kind == Kind::Box ? cylinder_on_box(a, b) : cylinders(a, b);
 }

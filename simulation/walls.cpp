@@ -11,8 +11,8 @@ struct Interval {
   double low_z;  // the gap's height: wall continues above
 };
 
-WallPiece piece(const Vec2& start, const Vec2& along, double from, double to, double low_z, double high_z,
-                double thickness) {
+WallPiece wall_piece(const Vec2& start, const Vec2& along, double from, double to, double low_z, double high_z,
+                     double thickness) {
   const Vec2 middle = start + along * ((from + to) / 2);
   const double yaw = std::atan2(along.y(), along.x());
   return {upright(Vec3(middle.x(), middle.y(), (low_z + high_z) / 2), yaw), Vec3(to - from, thickness, high_z - low_z)};
@@ -41,7 +41,7 @@ std::vector<WallPiece> walls_of(const Scene& scene) {
       }
       std::sort(gaps.begin(), gaps.end(), [](const Interval& x, const Interval& y) { return x.from < y.from; });
       const auto add = [&](double from, double to, double low_z) {
-        pieces.push_back(piece(start, along, from, to, low_z, scene.wall_height, scene.wall_thickness));
+        pieces.push_back(wall_piece(start, along, from, to, low_z, scene.wall_height, scene.wall_thickness));
       };
       double at = 0;
       for (const Interval& gap : gaps) {

@@ -7,7 +7,6 @@ namespace unietp::symbolic {
 namespace {
 
 const Wish kNothing{};
-const Wish kNever{Wish::kImpossible, {}};
 
 Wish with_steps_of(Wish wish, const Wish& other) {
   wish.steps.add(other.steps);

@@ -30,6 +30,7 @@ struct Wish {
   FewSteps steps;  // first steps of ways to it, each worth a try; empty when it holds or cannot be
   bool possible() const { return cost < kImpossible; }
 };
+inline const Wish kNever{Wish::kImpossible, {}};
 
 /// Reads off from a world what has to be done next for a truth: the step that brings it about, or, where that step
 /// needs something first, the step towards that. An estimate that guides a search: what it says may fail or take more.

@@ -6,7 +6,6 @@ namespace unietp::symbolic {
 namespace {
 
 constexpr std::size_t kMostPlaces = 3;  // places tried where any will do
-const Wish kNever{Wish::kImpossible, {}};
 
 Wish one_step(const Step& step) {
   Wish wish{1, {}};

@@ -3,12 +3,6 @@
 #include "symbolic/way.h"
 
 namespace unietp::symbolic {
-namespace {
-
-const Wish kNever{Wish::kImpossible, {}};
-
-}  // namespace
-
 Wish Way::with_held(Id tool, ActionType action, Id target, Wish need, int depth) const {
   if (!offered(action)) return kNever;
   need = together(std::move(need), to_hold(tool, depth));

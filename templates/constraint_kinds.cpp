@@ -9,33 +9,34 @@
 namespace unietp {
 namespace {
 
-using enum ConstraintKind::Meaning;
-
-constexpr std::array<ConstraintKind, 22> kKinds = {{
-    {"distinct", Distinct, "", "(distinct A B ...)", "the placeholders get different categories"},
-    {"fits-on", Placement, "on", "(fits-on A B [n])", "a B carries at least n A at once (1 when left out)"},
-    {"fits-inside", Placement, "inside", "(fits-inside A B [n])", "a B holds at least n A at once (1 when left out)"},
-    {"fits-next-to", Placement, "next_to", "(fits-next-to A B [n])", "at least n A find room beside a B"},
-    {"fits-under", Placement, "under", "(fits-under A B [n])", "at least n A find room under a B"},
-    {"heats", Effect, "heats", "(heats T A)", "a T makes an A hot"},
-    {"cools", Effect, "cools", "(cools T A)", "a T makes an A cool"},
-    {"freezes", Effect, "freezes", "(freezes T A)", "a T freezes an A"},
-    {"washes", Effect, "washes", "(washes T A)", "a T makes an A clean"},
-    {"wipes", Effect, "wipes", "(wipes T A)", "an A is wiped clean with a T"},
-    {"cooks", Effect, "cooks", "(cooks T A)", "a T cooks an A"},
-    {"burns", Effect, "burns", "(burns T A)", "a T burns an A"},
-    {"slices", Effect, "slices", "(slices K A)", "a K cuts an A"},
-    {"soaks", Effect, "soaks", "(soaks T A)", "a T soaks an A"},
-    {"fills", Effect, "fills", "(fills T A substance)", "a T fills an A with the substance"},
-    {"dispenses", Effect, "dispenses", "(dispenses T A substance)", "a T spreads the substance over an A"},
-    {"drains", Effect, "drains", "(drains T A)", "an A is emptied into a T"},
-    {"attaches", Effect, "attaches", "(attaches B A)", "an A can be attached to a B"},
-    {"found-in", Usual, "", "(found-in A R)", "an A is usual in an R, a type of room"},
-    {"comes-in", Value, "", "(comes-in A K)",
-     "an A may be K, a colour or material, or be something told apart from it"},
-    {"comes-in-sizes", Sizes, "", "(comes-in-sizes A)", "one A may be 1.3 times as large as another"},
-    {"has-words", Words, "", "(has-words A synonym|function|context)", "the knowledge base has such words for an A"},
-}};
+constexpr auto kKinds = [] {
+  using enum ConstraintKind::Meaning;
+  return std::array<ConstraintKind, 22>{{
+      {"distinct", Distinct, "", "(distinct A B ...)", "the placeholders get different categories"},
+      {"fits-on", Placement, "on", "(fits-on A B [n])", "a B carries at least n A at once (1 when left out)"},
+      {"fits-inside", Placement, "inside", "(fits-inside A B [n])", "a B holds at least n A at once (1 when left out)"},
+      {"fits-next-to", Placement, "next_to", "(fits-next-to A B [n])", "at least n A find room beside a B"},
+      {"fits-under", Placement, "under", "(fits-under A B [n])", "at least n A find room under a B"},
+      {"heats", Effect, "heats", "(heats T A)", "a T makes an A hot"},
+      {"cools", Effect, "cools", "(cools T A)", "a T makes an A cool"},
+      {"freezes", Effect, "freezes", "(freezes T A)", "a T freezes an A"},
+      {"washes", Effect, "washes", "(washes T A)", "a T makes an A clean"},
+      {"wipes", Effect, "wipes", "(wipes T A)", "an A is wiped clean with a T"},
+      {"cooks", Effect, "cooks", "(cooks T A)", "a T cooks an A"},
+      {"burns", Effect, "burns", "(burns T A)", "a T burns an A"},
+      {"slices", Effect, "slices", "(slices K A)", "a K cuts an A"},
+      {"soaks", Effect, "soaks", "(soaks T A)", "a T soaks an A"},
+      {"fills", Effect, "fills", "(fills T A substance)", "a T fills an A with the substance"},
+      {"dispenses", Effect, "dispenses", "(dispenses T A substance)", "a T spreads the substance over an A"},
+      {"drains", Effect, "drains", "(drains T A)", "an A is emptied into a T"},
+      {"attaches", Effect, "attaches", "(attaches B A)", "an A can be attached to a B"},
+      {"found-in", Usual, "", "(found-in A R)", "an A is usual in an R, a type of room"},
+      {"comes-in", Value, "", "(comes-in A K)",
+       "an A may be K, a colour or material, or be something told apart from it"},
+      {"comes-in-sizes", Sizes, "", "(comes-in-sizes A)", "one A may be 1.3 times as large as another"},
+      {"has-words", Words, "", "(has-words A synonym|function|context)", "the knowledge base has such words for an A"},
+  }};
+}();
 
 constexpr std::array<WordMeaning, 8> kPseudoAffordances = {{
     {"furniture", "a category that stays where it is"},
@@ -76,10 +77,10 @@ std::vector<PlaceholderUse> placeholders_of(const DomainConstraint& constraint) 
   std::vector<PlaceholderUse> uses;
   for (std::size_t i = 0; i < constraint.arguments.size(); ++i) {
     const auto& argument = constraint.arguments[i];
-    const bool substance = kind != nullptr && kind->meaning == Effect && !argument.empty() &&
+    const bool substance = kind != nullptr && kind->meaning == ConstraintKind::Meaning::Effect && !argument.empty() &&
                            std::isupper(static_cast<unsigned char>(argument.front())) != 0;
-    if (kind != nullptr && kind->meaning != Distinct && i >= 2 && !substance) break;
-    if (kind != nullptr && kind->meaning == Words && i >= 1) break;
+    if (kind != nullptr && kind->meaning != ConstraintKind::Meaning::Distinct && i >= 2 && !substance) break;
+    if (kind != nullptr && kind->meaning == ConstraintKind::Meaning::Words && i >= 1) break;
     uses.push_back(placeholder_use(constraint.arguments[i]));
   }
   return uses;
@@ -87,7 +88,8 @@ std::vector<PlaceholderUse> placeholders_of(const DomainConstraint& constraint) 
 
 int capacity_of(const DomainConstraint& constraint) {
   const auto* kind = constraint_kind(constraint.kind);
-  if (kind == nullptr || kind->meaning != Placement || constraint.arguments.size() < 3) return 1;
+  if (kind == nullptr || kind->meaning != ConstraintKind::Meaning::Placement || constraint.arguments.size() < 3)
+    return 1;
   const auto& text = constraint.arguments[2];
   int value = 1;
   if (is_number(text)) std::from_chars(text.data(), text.data() + text.size(), value);
@@ -96,7 +98,7 @@ int capacity_of(const DomainConstraint& constraint) {
 
 std::string substance_of(const DomainConstraint& constraint) {
   const auto* kind = constraint_kind(constraint.kind);
-  if (kind == nullptr || kind->meaning != Effect || constraint.arguments.size() < 3) return "";
+  if (kind == nullptr || kind->meaning != ConstraintKind::Meaning::Effect || constraint.arguments.size() < 3) return "";
   return constraint.arguments[2];
 }
 

@@ -24,11 +24,6 @@ std::size_t uses_of(const std::string& variable, const Sexpr& expression) {
   return uses;
 }
 
-bool is_binder(const Sexpr& expression) {
-  return expression.is_list() && expression.children.size() == 3 && expression.children[0].is_atom() &&
-         expression.children[0].text.starts_with('?') && expression.children[1].is_atom("-");
-}
-
 class IdleParts {
  public:
   explicit IdleParts(const TemplateSource& source) : source_(source), value_(source.value) {}

@@ -11,6 +11,7 @@
 #include "templates/bracket_hint.h"
 #include "templates/constraint_kinds.h"
 #include "templates/idle_parts.h"
+#include "templates/phrasing.h"
 #include "templates/refinement_kinds.h"
 #include "templates/sections.h"
 #include "templates/template.h"
@@ -34,12 +35,6 @@ bool is_template_name(std::string_view text) {
     return std::islower(static_cast<unsigned char>(c)) != 0 || std::isdigit(static_cast<unsigned char>(c)) != 0 ||
            c == '-';
   });
-}
-
-bool is_placeholder_name(std::string_view text) {
-  return !text.empty() && std::isupper(static_cast<unsigned char>(text.front())) != 0 &&
-         std::all_of(text.begin(), text.end(),
-                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
 }
 
 bool is_positive_number(std::string_view text) {

@@ -9,12 +9,6 @@
 namespace unietp {
 namespace {
 
-bool is_placeholder_name(std::string_view text) {
-  return !text.empty() && std::isupper(static_cast<unsigned char>(text.front())) != 0 &&
-         std::all_of(text.begin(), text.end(),
-                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
-}
-
 std::string form_list() {
   std::vector<std::string> names;
   for (const auto& form : slot_forms()) names.emplace_back(form.name);
@@ -25,23 +19,23 @@ Error malformed(std::size_t offset, std::string message) {
   return {Error::Kind::Parse, "", {1, static_cast<int>(offset) + 1}, std::move(message)};
 }
 
-struct Words {
+struct Names {
   std::string singular, plural;
   bool countable = true;
 };
 
-Words words_of(const std::string& category, const Knowledge& knowledge) {
+Names names_of(const std::string& category, const Knowledge& knowledge) {
   if (const auto* known = knowledge.find(category)) return {known->display, known->plural, known->countable};
   const auto name = replace_all(lower(category), "_", " ");
   return {name, name + "s", true};
 }
 
-std::string indefinite(const Words& words) {
+std::string indefinite(const Names& words) {
   if (!words.countable) return "some " + words.singular;
   return (starts_with_vowel_letter(words.singular) ? "an " : "a ") + words.singular;
 }
 
-std::string worded(const std::string& form, const Words& words) {
+std::string worded(const std::string& form, const Names& words) {
   if (form.empty()) return words.singular;
   if (form == "plural") return words.plural;
   if (form == "indefinite") return indefinite(words);
@@ -51,6 +45,12 @@ std::string worded(const std::string& form, const Words& words) {
 }
 
 }  // namespace
+
+bool is_placeholder_name(std::string_view text) {
+  return !text.empty() && std::isupper(static_cast<unsigned char>(text.front())) != 0 &&
+         std::all_of(text.begin(), text.end(),
+                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
+}
 
 const std::vector<SlotForm>& slot_forms() {
   static const std::vector<SlotForm> kForms = {
@@ -117,7 +117,7 @@ std::string fill_phrasing(std::string_view text, const std::vector<std::pair<std
     if (bound == binding.end()) {
       filled += text.substr(slot.offset, slot.length);
     } else {
-      filled += worded(slot.form, words_of(bound->second, knowledge));
+      filled += worded(slot.form, names_of(bound->second, knowledge));
     }
   }
   filled += text.substr(at);

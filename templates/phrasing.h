@@ -23,6 +23,7 @@ struct SlotForm {
   std::string_view name, example;
 };
 const std::vector<SlotForm>& slot_forms();
+bool is_placeholder_name(std::string_view text);  // "A", "Sink_2"
 
 /// The slots of a phrasing, and everything that is malformed in it (pos.column is the offset in the text, from 1).
 struct SlotReading {

@@ -10,13 +10,13 @@
 namespace unietp {
 namespace {
 
-using Words = std::vector<std::string>;
+using WordList = std::vector<std::string>;
 
 constexpr std::array<std::string_view, 13> kNumbers = {"zero",  "one",   "two",  "three", "four",   "five",  "six",
                                                        "seven", "eight", "nine", "ten",   "eleven", "twelve"};
 
-Words words_of(std::string_view text) {
-  Words words(1);
+WordList words_of(std::string_view text) {
+  WordList words(1);
   for (const char c : text) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
       words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -27,18 +27,18 @@ Words words_of(std::string_view text) {
   return words;
 }
 
-bool says_one_of(const Words& words, const Words& accepted) {
+bool says_one_of(const WordList& words, const WordList& accepted) {
   return std::any_of(accepted.begin(), accepted.end(), [&](const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
   });
 }
 
-Words words_for(int number) {
-  Words words = {std::to_string(number)};
+WordList words_for(int number) {
+  WordList words = {std::to_string(number)};
   if (static_cast<std::size_t>(number) < kNumbers.size())
     words.emplace_back(kNumbers[static_cast<std::size_t>(number)]);
-  const Words of_two = {"pair", "couple", "both", "second", "another", "twice", "several"};
-  const Words of_more = {"trio", "few", "several", "third"};
+  const WordList of_two = {"pair", "couple", "both", "second", "another", "twice", "several"};
+  const WordList of_more = {"trio", "few", "several", "third"};
   const auto& more = number == 2 ? of_two : of_more;
   words.insert(words.end(), more.begin(), more.end());
   return words;
@@ -73,9 +73,9 @@ void collect(const Formula& formula, Asked& asked) {
 std::vector<DoubtfulPhrasing> doubtful_phrasings(const Template& source) {
   Asked asked;
   collect(source.goal, asked);
-  const Words of_all = {"all",        "every",    "each",    "any",   "no",      "none",  "whole",   "entire",
-                        "everything", "whatever", "only",    "never", "nothing", "both",  "clear",   "empty",
-                        "whichever",  "neither",  "without", "not",   "rest",    "those", "together"};
+  const WordList of_all = {"all",        "every",    "each",    "any",   "no",      "none",  "whole",   "entire",
+                           "everything", "whatever", "only",    "never", "nothing", "both",  "clear",   "empty",
+                           "whichever",  "neither",  "without", "not",   "rest",    "those", "together"};
   std::vector<DoubtfulPhrasing> doubtful;
   for (std::size_t i = 0; i < source.instructions.size(); ++i) {
     const auto words = words_of(source.instructions[i]);

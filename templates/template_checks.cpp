@@ -23,11 +23,6 @@ struct Binder {
   SourcePos pos;
 };
 
-bool is_binder(const Sexpr& expression) {
-  return expression.is_list() && expression.children.size() >= 3 && expression.children[0].is_atom() &&
-         expression.children[0].text.starts_with('?') && expression.children[1].is_atom("-");
-}
-
 void names_in_domain(const Sexpr& domain, std::vector<const Sexpr*>& names) {
   if (domain.is_atom()) {
     names.push_back(&domain);
@@ -349,6 +344,11 @@ class Checker {
 };
 
 }  // namespace
+
+bool is_binder(const Sexpr& expression) {
+  return expression.is_list() && expression.children.size() >= 3 && expression.children[0].is_atom() &&
+         expression.children[0].text.starts_with('?') && expression.children[1].is_atom("-");
+}
 
 std::vector<Error> check_template(const TemplateSource& source) { return Checker(source).run(); }
 

@@ -22,6 +22,9 @@ struct TemplateSource {
   std::vector<Sexpr> phrasings;  // of value.instructions, same order
 };
 
+/// `(?x - D)`, where a quantifier names its variable and domain
+bool is_binder(const Sexpr& expression);
+
 /// What is wrong with a template beyond the grammar of its sections: placeholders that are not declared or not used,
 /// start constraints that grounding cannot enforce, a `forall` or `count` of the goal that may range over nothing,
 /// phrasings with bad slots or without a placeholder of the goal. Errors: Schema, all of them, in order of appearance.

@@ -18,7 +18,8 @@ std::string one_line(const Sexpr& expression) {
   return text + ")";
 }
 
-bool is_binder(const Sexpr& expression) {
+/// `(?x - D)`, `(A - movable)`
+bool is_declaration(const Sexpr& expression) {
   return expression.is_list() && expression.children.size() == 3 && expression.children[1].is_atom("-");
 }
 
@@ -61,7 +62,7 @@ std::string laid_out(const Sexpr& expression, std::size_t indent) {
   std::size_t next = 1;
   // What tells the form stays on its line: comparison, number, variable and domain.
   while (next < expression.children.size() &&
-         (!expression.children[next].is_list() || is_binder(expression.children[next]))) {
+         (!expression.children[next].is_list() || is_declaration(expression.children[next]))) {
     text += " " + one_line(expression.children[next++]);
   }
   for (; next < expression.children.size(); ++next) {

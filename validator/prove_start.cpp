@@ -7,13 +7,10 @@
 #include "core/text.h"
 #include "logic/evaluate.h"
 #include "validator/conjuncts.h"
+#include "validator/replay.h"
 
 namespace unietp {
 namespace {
-
-std::string text_of(const Edge& edge) {
-  return std::string(info(edge.relation).name) + "(" + edge.from + ", " + edge.to + ")";
-}
 
 std::string list_of(const std::vector<Edge>& edges) {
   constexpr std::size_t kShown = 4;

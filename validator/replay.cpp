@@ -8,10 +8,6 @@
 namespace unietp {
 namespace {
 
-std::string text_of(const Edge& edge) {
-  return std::string(info(edge.relation).name) + "(" + edge.from + ", " + edge.to + ")";
-}
-
 template <class T, class TextOf>
 std::string first_difference(const std::vector<T>& recorded, const std::vector<T>& replayed, std::string_view what,
                              TextOf text) {
@@ -69,6 +65,10 @@ Action meant(const Command& command, ActionType type, const std::vector<VisibleO
 }
 
 }  // namespace
+
+std::string text_of(const Edge& edge) {
+  return std::string(info(edge.relation).name) + "(" + edge.from + ", " + edge.to + ")";
+}
 
 Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstration, const std::string& where) {
   Replay done;

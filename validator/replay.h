@@ -9,6 +9,8 @@
 
 namespace unietp {
 
+std::string text_of(const Edge& edge);  // "on(mug_1, table_1)"
+
 struct Replay {
   std::vector<Delta> changes;  // one a step
   std::vector<Action> plan;    // what was asked for, with objects by their ids; without the end

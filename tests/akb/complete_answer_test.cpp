@@ -43,7 +43,7 @@ struct Bad {
 };
 
 TEST(CompletionAnswer, WhatIsOutOfBoundsIsRejectedWithItsReason) {
-  const Bad kBad[] = {
+  const Bad kOutOfBounds[] = {
       {FactKind::Size, "3", "of another form than asked"},
       {FactKind::Size, R"({"width":1,"depth":1})", "of another form than asked"},
       {FactKind::Size, R"({"width":1,"depth":"1","height":1})", "of another form than asked"},
@@ -100,7 +100,7 @@ TEST(CompletionAnswer, WhatIsOutOfBoundsIsRejectedWithItsReason) {
        R"([{"relation":"inside","receptacle":"fridge","likelihood":1},{"relation":"inside","receptacle":"fridge","likelihood":1}])",
        "said twice"},
   };
-  for (const auto& bad : kBad) {
+  for (const auto& bad : kOutOfBounds) {
     SCOPED_TRACE(std::string(name_of(bad.kind)) + " " + bad.value);
     const auto answer =
         checked(R"({"categories":[{"category":"knife",")" + std::string(name_of(bad.kind)) + "\":" + bad.value + "}]}",

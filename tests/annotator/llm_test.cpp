@@ -19,8 +19,8 @@ using test::ChatServer;
 using test::completion;
 using test::http;
 using test::Received;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 using testing_support::asking;
 using testing_support::small_knowledge;
 
@@ -41,7 +41,7 @@ ChatServer::Handler answering(std::vector<std::string> wordings, std::string jud
   };
 }
 
-class LlmWriter : public testing::Test {
+class LlmWriter : public ::testing::Test {
  protected:
   LlmWriter() : knowledge_(small_knowledge()), nouns_(knowledge_) {}
 
@@ -81,7 +81,7 @@ TEST_F(LlmWriter, TakesATextThatASecondCallUnderstandsAsTheGoal) {
   EXPECT_EQ(written.text, "Would you mind leaving a mug on the table?");
   EXPECT_EQ(written.writer, "llm:tiny");
   EXPECT_EQ(written.why, "");
-  EXPECT_THAT(written.checks, testing::Contains("judged-back"));
+  EXPECT_THAT(written.checks, ::testing::Contains("judged-back"));
   ASSERT_EQ(server.count(), 2);
   EXPECT_TRUE(server.received()[0].structured);
   EXPECT_THAT(server.received()[0].user, HasSubstr(kGoal));

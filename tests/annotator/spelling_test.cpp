@@ -10,8 +10,8 @@
 namespace unietp {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 TEST(Spelling, FindsSlipsAndNotTheNamesOfThings) {
   const auto spelling = Spelling::open();

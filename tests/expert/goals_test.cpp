@@ -7,23 +7,11 @@
 namespace unietp::testing {
 namespace {
 
-struct Case {
-  const char* name;
-  const char* goal;
-  void (*edit)(Scene&) = nullptr;  // of the house, before it comes to rest
-};
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
-
-void move_to(Scene& scene, const std::string& id, double x, double y, double z) {
-  Node& node = *find_node(scene, id);
-  node.pose.position = Vec3(x, y, z + node.size.z() / 2);
-}
 void open_fridge(Scene& s) { set_state(s, "fridge_1", Predicate::Open); }
 void mugs_in_fridge(Scene& s) {
   move_to(s, "mug_1", 4.25, 3.55, 0.9);
   move_to(s, "mug_2", 4.5, 3.55, 0.9);
 }
-void mug_in_fridge(Scene& s) { move_to(s, "mug_1", 4.4, 3.55, 0.9); }
 void lamp_on(Scene& s) { set_state(s, "lamp_1", Predicate::PowerOn); }
 void all_on(Scene& s) {
   lamp_on(s);
@@ -34,15 +22,10 @@ void laptop_open(Scene& s) { set_state(s, "laptop_1", Predicate::Open); }
 void microwave_on(Scene& s) { set_state(s, "microwave_1", Predicate::PowerOn); }
 void box_open(Scene& s) { set_state(s, "box_1", Predicate::Open); }
 void dresser_open(Scene& s) { set_state(s, "dresser_1", Predicate::Open); }
-void all_dirty(Scene& s) {
-  for (Node& node : s.nodes) {
-    if (node.states.has(Predicate::Clean)) node.states.set({Predicate::Dirty, ""});
-  }
-}
 void cooled_mug(Scene& s) { set_state(s, "mug_1", Predicate::Cool); }
 
 // One for each shape of the goal catalogue that the actions of this backend can reach.
-const Case kCases[] = {
+const HouseCase kGoalCases[] = {
     {"open", "(exists (?x - Fridge) (at-end (open ?x)))"},
     {"close", "(exists (?x - Fridge) (at-end (closed ?x)))", open_fridge},
     {"turn_on", "(exists (?x - Lamp) (at-end (power_on ?x)))"},
@@ -235,7 +218,7 @@ const Case kCases[] = {
      box_open},
 };
 
-class EveryGoalShape : public ::testing::TestWithParam<Case> {};
+class EveryGoalShape : public ::testing::TestWithParam<HouseCase> {};
 
 TEST_P(EveryGoalShape, IsDemonstratedWithoutAFailedOrNeedlessStep) {
   const Knowledge knowledge = house_knowledge();
@@ -268,7 +251,7 @@ TEST(AnyStart, GivesASoundDemonstrationOrAKnownReason) {
     Rng rng(seed);
     const Scene start = strewn_house(rng.fork("house", seed));
     for (int i = 0; i < 4; ++i) {
-      const Case& about = kCases[rng.below(std::size(kCases))];
+      const HouseCase& about = kGoalCases[rng.below(std::size(kGoalCases))];
       SCOPED_TRACE(std::to_string(seed) + " " + about.name);
       const Formula formula = goal(about.goal);
       const auto result = demonstrate(formula, start, knowledge, profile, {});
@@ -288,7 +271,7 @@ TEST(AnyStart, GivesASoundDemonstrationOrAKnownReason) {
   EXPECT_GT(shown, asked * 3 / 4) << "of " << asked;
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EveryGoalShape, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryGoalShape, ::testing::ValuesIn(kGoalCases),
                          [](const auto& about) { return std::string(about.param.name); });
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <ostream>
 #include <stdexcept>
 
 #include "expert/situation.h"
@@ -218,6 +219,21 @@ Scene strewn_house(Rng rng) {
 }
 
 Profile house_profile() { return {}; }
+
+void PrintTo(const HouseCase& c, std::ostream* out) { *out << c.name; }
+
+void move_to(Scene& scene, const std::string& id, double x, double y, double z) {
+  Node& node = *find_node(scene, id);
+  node.pose.position = Vec3(x, y, z + node.size.z() / 2);
+}
+
+void mug_in_fridge(Scene& scene) { move_to(scene, "mug_1", 4.4, 3.55, 0.9); }
+
+void all_dirty(Scene& scene) {
+  for (Node& node : scene.nodes) {
+    if (node.states.has(Predicate::Clean)) node.states.set({Predicate::Dirty, ""});
+  }
+}
 
 Formula goal(const std::string& text) {
   auto formula = parse_formula("goal", text, FormulaUse::Goal);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,18 @@ Node& add(Scene& scene, const Knowledge& knowledge, const std::string& id, const
 /// The scene at rest with its edges read afresh.
 Scene at_rest(Scene scene);
 void set_state(Scene& scene, const std::string& id, Predicate state);
+
+/// A goal in the house, and what is changed before the house comes to rest.
+struct HouseCase {
+  const char* name;
+  const char* goal;
+  void (*edit)(Scene&) = nullptr;
+};
+void PrintTo(const HouseCase& c, std::ostream* out);
+/// Stands it on a height; metres.
+void move_to(Scene& scene, const std::string& id, double x, double y, double z);
+void mug_in_fridge(Scene& scene);
+void all_dirty(Scene& scene);
 
 Formula goal(const std::string& text);
 std::string plan_of(const Demonstration& demonstration);

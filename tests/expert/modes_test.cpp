@@ -13,24 +13,7 @@
 namespace unietp::testing {
 namespace {
 
-struct Case {
-  const char* name;
-  const char* goal;
-  void (*edit)(Scene&) = nullptr;  // of the house, before it comes to rest
-};
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
-
-void mug_in_fridge(Scene& s) {
-  Node& mug = *find_node(s, "mug_1");
-  mug.pose.position = Vec3(4.4, 3.55, 0.9 + mug.size.z() / 2);
-}
-void all_dirty(Scene& s) {
-  for (Node& node : s.nodes) {
-    if (node.states.has(Predicate::Clean)) node.states.set({Predicate::Dirty, ""});
-  }
-}
-
-const Case kCases[] = {
+const HouseCase kModeCases[] = {
     {"open", "(exists (?x - Fridge) (at-end (open ?x)))"},
     {"pick_up", "(exists (?x - Mug) (at-end (held ?x)))"},
     {"pick_up_from_a_closed_place",
@@ -51,7 +34,7 @@ const Case kCases[] = {
      all_dirty},
 };
 
-class InAnotherMode : public ::testing::TestWithParam<std::tuple<Mode, Case>> {
+class InAnotherMode : public ::testing::TestWithParam<std::tuple<Mode, HouseCase>> {
  protected:
   InAnotherMode() : mode_(std::get<0>(GetParam())), goal_(goal(std::get<1>(GetParam()).goal)) {
     Scene scene = house();
@@ -111,7 +94,7 @@ TEST_P(InAnotherMode, IsShownByStepsThatReplayUnderItsRulesAndCannotBeMissed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, InAnotherMode,
-                         ::testing::Combine(::testing::Values(Mode::M2, Mode::M3), ::testing::ValuesIn(kCases)),
+                         ::testing::Combine(::testing::Values(Mode::M2, Mode::M3), ::testing::ValuesIn(kModeCases)),
                          [](const auto& param) {
                            return std::string(name_of(std::get<0>(param.param))) + "_" + std::get<1>(param.param).name;
                          });

@@ -17,8 +17,6 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-const Knowledge& knowledge() { return knowledge_of(Simulator::Behavior); }
-
 SceneModels models() {
   return {{"armchair-abcdef", {"armchair", Vec3(0.8, 0.6, 0.9), 9}},
           {"floors-aaaaaa", {"floors", Vec3(3, 4, 0.2), 0}},
@@ -53,7 +51,7 @@ std::string omnigibson(bool nested) {
 }
 
 SourceScene read(const std::string& text) {
-  const auto scenes = read_behavior("scene.json", text, knowledge(), models());
+  const auto scenes = read_behavior("scene.json", text, knowledge_of(Simulator::Behavior), models());
   EXPECT_TRUE(scenes) << format(scenes.error());
   return scenes->front();
 }
@@ -65,7 +63,8 @@ TEST(Behavior, TheRealSceneArrives) {
   const auto table = read_behavior_inventory("object_inventory.json.gz", *inventory);
   ASSERT_TRUE(table) << format(table.error());
   for (const SceneModels& known : {SceneModels(), *table}) {
-    const auto scenes = read_behavior("scene_restaurant_brunch.json.gz", *text, knowledge(), known);
+    const auto scenes =
+        read_behavior("scene_restaurant_brunch.json.gz", *text, knowledge_of(Simulator::Behavior), known);
     ASSERT_TRUE(scenes) << format(scenes.error());
     const auto all = import_all(*scenes, 1);
     EXPECT_EQ(all.front().report.objects, 167);
@@ -129,7 +128,8 @@ TEST(Behavior, ReadsOmniGibsonsOwnFormOfTwoReleases) {
 
 TEST(Behavior, BadScenesGetAnErrorWithItsPlace) {
   const auto with = [](const std::string& text, const std::string& from, const std::string& to) {
-    const auto scenes = read_behavior("scene.json", replace_all(text, from, to), knowledge(), models());
+    const auto scenes =
+        read_behavior("scene.json", replace_all(text, from, to), knowledge_of(Simulator::Behavior), models());
     return scenes ? std::string("accepted") : format(scenes.error());
   };
   EXPECT_EQ(with(kFlat, "[1, 1, 0.55]", "[1, 1]"),

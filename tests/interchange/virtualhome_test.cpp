@@ -21,10 +21,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Json = nlohmann::json;
 
-const Knowledge& knowledge() { return knowledge_of(Simulator::Virtualhome); }
-
 Result<std::vector<SourceScene>> read(const std::string& text) {
-  return read_virtualhome("home.json", text, knowledge());
+  return read_virtualhome("home.json", text, knowledge_of(Simulator::Virtualhome));
 }
 
 /// A kitchen of two tiles with a bedroom beside it, the frame of a door between them, a fridge at the kitchen's wall
@@ -82,7 +80,7 @@ TEST(Virtualhome, RealHomesArriveAndHold) {
     const std::string name = "TestScene" + std::to_string(i) + ".json.gz";
     const auto text = read_maybe_gzip(upstream() / "virtualhome/scenes" / name);
     if (!text) GTEST_SKIP() << "the simulators' own files are not there";
-    const auto scenes = read_virtualhome(name, *text, knowledge());
+    const auto scenes = read_virtualhome(name, *text, knowledge_of(Simulator::Virtualhome));
     ASSERT_TRUE(scenes) << format(scenes.error());
     EXPECT_EQ(scenes->front().id, "TestScene" + std::to_string(i));
     EXPECT_GE(scenes->front().rooms.size(), 4U);
@@ -172,23 +170,24 @@ TEST(Virtualhome, ARotationInTheFileWinsOverTheWallAndSolvesTheBox) {
 TEST(Virtualhome, WhatGoesOutComesInTheSameForAnySeed) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
-    const Scene home = small_home(knowledge(), seed);
-    const auto exported = write_virtualhome(home, knowledge());
+    const Scene home = small_home(knowledge_of(Simulator::Virtualhome), seed);
+    const auto exported = write_virtualhome(home, knowledge_of(Simulator::Virtualhome));
     ASSERT_TRUE(exported) << format(exported.error());
     const auto scenes = read(exported->text);
     ASSERT_TRUE(scenes) << format(scenes.error());
-    const auto again = assemble(scenes->front(), knowledge(), profile_of(Simulator::Virtualhome), {.settle = false});
+    const auto again = assemble(scenes->front(), knowledge_of(Simulator::Virtualhome),
+                                profile_of(Simulator::Virtualhome), {.settle = false});
     ASSERT_TRUE(again) << format(again.error());
     EXPECT_THAT(differences(home, again->scene, 1e-6), IsEmpty());
   }
 }
 
 TEST(Virtualhome, ExportsUpstreamsWordsForPropertiesStatesAndRelations) {
-  Scene home = small_home(knowledge(), 1);
+  Scene home = small_home(knowledge_of(Simulator::Virtualhome), 1);
   home.nodes.clear();
   const auto add = [&](const std::string& id, const std::string& category, Vec3 position) {
     Node node;
-    node.id = id, node.category = category, node.size = knowledge().find(category)->size;
+    node.id = id, node.category = category, node.size = knowledge_of(Simulator::Virtualhome).find(category)->size;
     node.pose = upright(position, 0);
     home.nodes.push_back(node);
   };
@@ -200,7 +199,7 @@ TEST(Virtualhome, ExportsUpstreamsWordsForPropertiesStatesAndRelations) {
   home.edges = {{Predicate::Inside, "plate_1", "fridge_1"},
                 {Predicate::OnFloor, "fridge_1", "kitchen_1"},
                 {Predicate::InRoom, "fridge_1", "kitchen_1"}};
-  const auto exported = write_virtualhome(home, knowledge());
+  const auto exported = write_virtualhome(home, knowledge_of(Simulator::Virtualhome));
   ASSERT_TRUE(exported) << format(exported.error());
   const Json json = Json::parse(exported->text);
   std::map<int, std::string> names;
@@ -253,7 +252,8 @@ TEST(Virtualhome, ThingsInsideEachOtherAreListedAndThoseInNoRoomToo) {
   json["nodes"][9]["bbox_center"] = {200, 0.85, 2};
   const auto scenes = read(json.dump());
   ASSERT_TRUE(scenes) << format(scenes.error());
-  const auto imported = assemble(scenes->front(), knowledge(), profile_of(Simulator::Virtualhome));
+  const auto imported =
+      assemble(scenes->front(), knowledge_of(Simulator::Virtualhome), profile_of(Simulator::Virtualhome));
   ASSERT_TRUE(imported) << format(imported.error());
   std::vector<std::string> reasons;
   for (const ImportIssue& issue : imported->report.issues) reasons.push_back(issue.reason + " " + issue.object);

@@ -10,13 +10,8 @@
 namespace unietp {
 namespace {
 
+using testing::goal_of;
 using testing::GoalWriter;
-
-Formula goal_of(std::string_view text) {
-  auto parsed = parse_formula("test", text, FormulaUse::Goal);
-  EXPECT_TRUE(parsed) << format(parsed.error()) << text;
-  return parsed ? *parsed : Formula{};
-}
 
 TEST(Formula, TextAndTreeAreInverseOnRandomFormulas) {
   std::set<std::string> texts;

@@ -8,15 +8,10 @@
 namespace unietp {
 namespace {
 
+using testing::goal_of;
 using testing::GoalWriter;
 using testing::prefix_of;
 using testing::random_trace;
-
-Formula goal_of(std::string_view text) {
-  auto parsed = parse_formula("test", text, FormulaUse::Goal);
-  EXPECT_TRUE(parsed) << format(parsed.error());
-  return parsed ? *parsed : Formula{};
-}
 
 // Three twins read the same random goals and traces: the evaluator, the monitor fed one state at a time, and a copy of
 // the monitor taken midway.

@@ -1,5 +1,7 @@
 #include "random_goals.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 namespace unietp::testing {
@@ -162,6 +164,12 @@ Formula GoalWriter::formula(int depth, bool predicates, bool temporal) {
     default:
       return with_children(Op::Before, {below(true), below(true)});
   }
+}
+
+Formula goal_of(std::string_view text) {
+  auto parsed = parse_formula("test", text, FormulaUse::Goal);
+  EXPECT_TRUE(parsed) << format(parsed.error()) << text;
+  return parsed ? *parsed : Formula{};
 }
 
 Trace random_trace(Rng rng) {

@@ -33,6 +33,9 @@ class GoalWriter {
   int names_ = 0;
 };
 
+/// The goal that a text says; a test that gives another text fails.
+Formula goal_of(std::string_view text);
+
 /// Small traces whose objects appear (slices) and vanish midway. Entities are listed in the order of their appearance.
 Trace random_trace(Rng rng);
 

@@ -11,7 +11,7 @@ namespace {
 using enum ActionType;
 using F = Failure;
 using Alter = std::function<void(Scene&)>;
-using Effect = std::function<bool(const Scene&)>;
+using Outcome = std::function<bool(const Scene&)>;
 
 Action go(const char* id) { return {GoTo, {id}}; }
 /// The hand holds `id`, and the agent stands by `at`.
@@ -66,17 +66,17 @@ Alter state(const std::string& id, Predicate predicate, const std::string& symbo
   return [=](Scene& scene) { node(scene, id).states.set({predicate, symbol}); };
 }
 
-Effect is(const std::string& id, Predicate predicate, const std::string& symbol = "") {
+Outcome is(const std::string& id, Predicate predicate, const std::string& symbol = "") {
   return [=](const Scene& scene) { return find_node(scene, id)->states.has(State{predicate, symbol}); };
 }
-Effect edge(Predicate relation, const std::string& from, const std::string& to) {
+Outcome edge(Predicate relation, const std::string& from, const std::string& to) {
   return [=](const Scene& scene) { return has_edge(scene, relation, from, to); };
 }
-Effect holds(const std::string& id) {
+Outcome holds(const std::string& id) {
   return [=](const Scene& scene) { return scene.agent.held == std::vector<std::string>{id}; };
 }
 /// What is held is as asked, and still held.
-Effect treated(const std::string& id, Predicate predicate, const std::string& symbol = "") {
+Outcome treated(const std::string& id, Predicate predicate, const std::string& symbol = "") {
   return [=](const Scene& scene) { return holds(id)(scene) && is(id, predicate, symbol)(scene); };
 }
 
@@ -111,7 +111,7 @@ class Table {
  public:
   std::vector<ActionRow> rows;
 
-  void good(ActionType action, const char* target, std::vector<Action> before, Effect effect, Alter alter = nullptr) {
+  void good(ActionType action, const char* target, std::vector<Action> before, Outcome effect, Alter alter = nullptr) {
     rows.push_back({action, F::None, target, std::move(before), std::move(alter), std::move(effect)});
   }
   void bad(ActionType action, F failure, const char* target, std::vector<Action> before, Alter alter = nullptr) {
@@ -280,7 +280,7 @@ void treatments(Table& t) {
       block(scene, tool.pose.position + low, size);
     };
   };
-  const auto treat = [&](ActionType action, const char* item, const char* tool, const char* useless, Effect effect,
+  const auto treat = [&](ActionType action, const char* item, const char* tool, const char* useless, Outcome effect,
                          Alter alter = nullptr) {
     t.good(action, tool, with(item, tool), std::move(effect), std::move(alter));
     t.bad(action, F::NotHolding, tool, {go(tool)});
