@@ -3,9 +3,10 @@
 # room_graph.txt, which tests/house holds against every #include.
 add_library(unietp_flags INTERFACE)
 target_compile_features(unietp_flags INTERFACE cxx_std_20)
-target_compile_options(unietp_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+target_compile_options(unietp_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
                        -Werror -ffp-contract=off
-                       $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-subobject-linkage>  # it takes the batch for a header
+                       # In a batch the file before is no enclosing scope, and its classes are not a header's.
+                       $<IF:$<BOOL:${CMAKE_UNITY_BUILD}>,-Wshadow=local;-Wno-subobject-linkage,-Wshadow>
                        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # g++ 12 warns falsely of "literal" + std::string
 target_include_directories(unietp_flags INTERFACE ${PROJECT_SOURCE_DIR})
 file(WRITE ${PROJECT_BINARY_DIR}/room_graph.txt "")
