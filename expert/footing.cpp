@@ -15,15 +15,15 @@ namespace unietp {
 namespace {
 
 constexpr std::size_t kMostBeginnings = 12;  // objects that are gone to first
-constexpr std::size_t kMostPoses = 800;      // looked at
-constexpr int kMostSteps = 10;               // of one way
+constexpr std::size_t kMostFootings = 800;   // looked at
+constexpr int kLongestWay = 10;              // of one way
 constexpr int kMostTrials = 16;              // poses from which the action is done
 
-constexpr std::array kMoves{ActionType::MoveForward, ActionType::MoveLeft, ActionType::MoveRight,
-                            ActionType::MoveBackward};
+constexpr std::array kFlatMoves{ActionType::MoveForward, ActionType::MoveLeft, ActionType::MoveRight,
+                                ActionType::MoveBackward};
 constexpr std::array kTurns{ActionType::TurnLeft, ActionType::TurnRight};  // what is dropped falls straight ahead
 
-struct Standing {
+struct Footing {
   Agent agent;
   int steps = 0;
   std::size_t from = 0;  // itself for the first
@@ -55,9 +55,9 @@ std::vector<std::string> beginnings(const World& world, const std::string& about
   return ids;
 }
 
-class Search {
+class FootingSearch {
  public:
-  Search(const World& world, const Action& action, const std::string& about, const Aim& aim)
+  FootingSearch(const World& world, const Action& action, const std::string& about, const Aim& aim)
       : world_(world), action_(action), about_(about), aim_(aim) {
     if (const Node* object = world.find(about)) object_ = *object;
     places_ = action.type == ActionType::PlaceOn || action.type == ActionType::PlaceIn;
@@ -78,13 +78,13 @@ class Search {
       if (promises(poses_[at].agent)) {
         if (auto steps = steps_to(at); does(steps)) return steps;
       }
-      if (poses_.size() < kMostPoses && poses_[at].steps < kMostSteps) expand(at);
+      if (poses_.size() < kMostFootings && poses_[at].steps < kLongestWay) expand(at);
     }
     return std::nullopt;
   }
 
  private:
-  void add(Standing pose) {
+  void add(Footing pose) {
     constexpr double kPlaces = 20, kAngles = 12;  // poses within 5 cm and 5 degrees of one another are the same
     const Vec2 place = pose.agent.position * kPlaces;
     const long turned = drops() ? std::lround(pose.agent.yaw * kAngles) : 0;
@@ -94,10 +94,10 @@ class Search {
   }
   void expand(std::size_t at) {
     const auto step = [&](ActionType type) {
-      const Standing from = poses_[at];
+      const Footing from = poses_[at];
       if (auto agent = world_.led_to(from.agent, {type, {}})) add({std::move(*agent), from.steps + 1, at, {type, {}}});
     };
-    for (const ActionType type : kMoves) step(type);
+    for (const ActionType type : kFlatMoves) step(type);
     if (!drops()) return;
     for (const ActionType type : kTurns) step(type);
   }
@@ -146,7 +146,7 @@ class Search {
   bool places_ = false;
   std::vector<Pose> spots_;
   int trials_ = 0;
-  std::vector<Standing> poses_;
+  std::vector<Footing> poses_;
   std::set<std::tuple<long, long, long>> known_;
   using Open = std::pair<int, std::size_t>;  // fewest steps first, of equals the one found first
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
@@ -157,7 +157,7 @@ class Search {
 std::optional<std::vector<Action>> way_to_do(const World& world, const Action& action, const std::string& about,
                                              const Aim& aim) {
   if (world.holds(about)) return std::nullopt;
-  return Search(world, action, about, aim).run();
+  return FootingSearch(world, action, about, aim).run();
 }
 
 }  // namespace unietp

@@ -32,12 +32,12 @@ std::shared_ptr<fcl::CollisionGeometryd> geometry_of(const Part& part, double ga
 }
 
 /// A part in the world; FCL's form of it.
-struct Solid {
+struct PlacedPart {
   BodyId id = 0;
   Bounds bounds;
   fcl::CollisionObjectd object;
 
-  Solid(BodyId body, const Part& part, const Pose& in_world, const Bounds& tight, double gap)
+  PlacedPart(BodyId body, const Part& part, const Pose& in_world, const Bounds& tight, double gap)
       : id(body),
         bounds(tight),
         object(geometry_of(part, gap), in_world.rotation.normalized().toRotationMatrix(), in_world.position) {}
@@ -45,12 +45,12 @@ struct Solid {
 
 /// Which solids may be where, seen from above, by their tight bounds: FCL's own tree holds those of the sphere around
 /// each turned object.
-class SolidGrid {
+class PartGrid {
  public:
-  void insert(const Solid& solid) {
+  void insert(const PlacedPart& solid) {
     each_cell(solid.bounds, [&](std::uint64_t cell) { cells_[cell].push_back(&solid); });
   }
-  void erase(const Solid& solid) {
+  void erase(const PlacedPart& solid) {
     each_cell(solid.bounds, [&](std::uint64_t cell) { std::erase(cells_[cell], &solid); });
   }
 
@@ -60,7 +60,7 @@ class SolidGrid {
     each_cell(bounds, [&](std::uint64_t cell) {
       const auto found = cells_.find(cell);
       if (found == cells_.end()) return;
-      for (const Solid* solid : found->second) {
+      for (const PlacedPart* solid : found->second) {
         if (overlap(solid->bounds, bounds)) visit(*solid);
       }
     });
@@ -80,14 +80,14 @@ class SolidGrid {
     }
   }
 
-  std::unordered_map<std::uint64_t, std::vector<const Solid*>> cells_;  // never iterated
+  std::unordered_map<std::uint64_t, std::vector<const PlacedPart*>> cells_;  // never iterated
 };
 
 }  // namespace
 
 struct PlacementChecker::Impl {
-  std::unordered_map<BodyId, std::vector<std::unique_ptr<Solid>>> bodies;  // never iterated
-  SolidGrid grid;
+  std::unordered_map<BodyId, std::vector<std::unique_ptr<PlacedPart>>> bodies;  // never iterated
+  PartGrid grid;
   std::shared_ptr<const PlacementChecker> below;
   std::set<BodyId> hidden;  // of `below`
 
@@ -105,8 +105,8 @@ struct PlacementChecker::Impl {
       if (joints_only && part.joint < 0) continue;
       const Pose in_world = pose * joint_motion(shape, part.joint, opening) * part.pose;
       const Bounds bounds = bounds_of(in_world, part.size + Vec3::Constant(2 * gap));
-      std::optional<Solid> probe;  // made for the first that is near
-      const auto test = [&](const Solid& there) {
+      std::optional<PlacedPart> probe;  // made for the first that is near
+      const auto test = [&](const PlacedPart& there) {
         if (lowest && *lowest <= there.id) return;
         if (std::find(ignore.begin(), ignore.end(), there.id) != ignore.end()) return;
         if (!probe) probe.emplace(0, part, in_world, bounds, gap);
@@ -116,7 +116,7 @@ struct PlacementChecker::Impl {
       };
       grid.visit(bounds, test);
       if (!below) continue;
-      below->impl_->grid.visit(bounds, [&](const Solid& there) {
+      below->impl_->grid.visit(bounds, [&](const PlacedPart& there) {
         if (!hidden.contains(there.id)) test(there);
       });
     }
@@ -142,7 +142,7 @@ void PlacementChecker::set(BodyId id, const Shape& shape, const Pose& pose, doub
   solids.reserve(shape.parts.size());
   for (const Part& part : shape.parts) {
     const Pose in_world = pose * joint_motion(shape, part.joint, opening) * part.pose;
-    solids.push_back(std::make_unique<Solid>(id, part, in_world, bounds_of(in_world, part.size), 0));
+    solids.push_back(std::make_unique<PlacedPart>(id, part, in_world, bounds_of(in_world, part.size), 0));
     impl_->grid.insert(*solids.back());
   }
 }

@@ -16,7 +16,7 @@ struct BadTable {
 };
 void PrintTo(const BadTable& bad, std::ostream* out) { *out << bad.name; }
 
-class BadTables : public testing::TestWithParam<BadTable> {};
+class BadTables : public ::testing::TestWithParam<BadTable> {};
 
 TEST_P(BadTables, GiveExactlyTheirMessage) {
   const BadTable& bad = GetParam();
@@ -92,7 +92,7 @@ const BadTable kBad[] = {
      "doubled"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Each, BadTables, testing::ValuesIn(kBad),
+INSTANTIATE_TEST_SUITE_P(Each, BadTables, ::testing::ValuesIn(kBad),
                          [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST(BadTables, AColumnOfAnotherNameIsBothUnknownAndMissing) {

@@ -20,12 +20,12 @@ using test::ChatServer;
 using test::endpoint_of;
 using test::http;
 using test::Received;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Key;
-using testing::Not;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Key;
+using ::testing::Not;
 
 std::vector<FactKind> every_kind() { return {all_fact_kinds().begin(), all_fact_kinds().end()}; }
 
@@ -288,7 +288,7 @@ TEST(Complete, AFailedRequestIsToldAndTheOthersCount) {
   const Home home;
   const auto report = home.run(endpoint_of(server), options_for({FactKind::Function}));
   EXPECT_EQ(report.totals.failed, 1);
-  EXPECT_THAT(report.failures, ElementsAre(testing::Pair(HasSubstr("status 404"), 1)));
+  EXPECT_THAT(report.failures, ElementsAre(::testing::Pair(HasSubstr("status 404"), 1)));
   EXPECT_GT(report.accepted.at(FactKind::Function), 0);
 }
 
@@ -330,9 +330,9 @@ TEST(Complete, AFaultyFileOfCompletedFactsIsPlaced) {
   std::vector<std::string> messages;
   for (const auto& error : compile_knowledge(home.tables(), home.tables() / "x.sqlite"))
     messages.push_back(format(error));
-  EXPECT_THAT(messages, ElementsAre(testing::AllOf(HasSubstr("size.csv:2:9"), HasSubstr("nan")),
-                                    testing::AllOf(HasSubstr("alias.csv:2:1"), HasSubstr("unknown category 'plait'")),
-                                    testing::AllOf(HasSubstr("alias.csv:3:26"), HasSubstr("llm:<model>"))));
+  EXPECT_THAT(messages, ElementsAre(::testing::AllOf(HasSubstr("size.csv:2:9"), HasSubstr("nan")),
+                                    ::testing::AllOf(HasSubstr("alias.csv:2:1"), HasSubstr("unknown category 'plait'")),
+                                    ::testing::AllOf(HasSubstr("alias.csv:3:26"), HasSubstr("llm:<model>"))));
 }
 
 TEST(Complete, AModelWhoseNameCannotBeASourceIsRefused) {

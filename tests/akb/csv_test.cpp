@@ -39,7 +39,7 @@ struct BadCase {
   const char* text;
   const char* message;
 };
-class BadCsv : public testing::TestWithParam<BadCase> {};
+class BadCsv : public ::testing::TestWithParam<BadCase> {};
 TEST_P(BadCsv, IsReportedWithItsPlaceAndWhatIsAccepted) {
   const auto file = read_csv("t.csv", GetParam().text);
   ASSERT_EQ(file.errors.size(), 1U);
@@ -47,7 +47,7 @@ TEST_P(BadCsv, IsReportedWithItsPlaceAndWhatIsAccepted) {
 }
 INSTANTIATE_TEST_SUITE_P(
     Each, BadCsv,
-    testing::Values(
+    ::testing::Values(
         BadCase{"", "t.csv:1:1: parse error: no header; expected a line of column names"},
         BadCase{"a,b\nx\"y,1\n",
                 "t.csv:2:2: parse error: quote inside an unquoted field; expected the whole field in quotes and the "

@@ -17,7 +17,7 @@ std::filesystem::path upstream() { return UNIETP_UPSTREAM_DIR; }
 /// BEHAVIOR's words are WordNet's too.
 bool has_wordnet() { return std::filesystem::exists(std::filesystem::path(WordNetWords::kFolder) / "data.noun"); }
 
-class Importers : public testing::TestWithParam<Simulator> {
+class Importers : public ::testing::TestWithParam<Simulator> {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists(upstream() / "ai2thor")) {
@@ -28,7 +28,7 @@ class Importers : public testing::TestWithParam<Simulator> {
     }
   }
 };
-INSTANTIATE_TEST_SUITE_P(Each, Importers, testing::ValuesIn(kSimulators),
+INSTANTIATE_TEST_SUITE_P(Each, Importers, ::testing::ValuesIn(kSimulators),
                          [](const auto& simulator) { return std::string(name_of(simulator.param)); });
 
 TEST_P(Importers, GiveTheCommittedTablesByteForByte) {

@@ -25,8 +25,8 @@ std::vector<const Row*> scan(const std::vector<Row>& rows, const Test& test) {
   return found;
 }
 
-class EachSimulator : public testing::TestWithParam<Simulator> {};
-INSTANTIATE_TEST_SUITE_P(Knowledge, EachSimulator, testing::ValuesIn(kSimulators),
+class EachSimulator : public ::testing::TestWithParam<Simulator> {};
+INSTANTIATE_TEST_SUITE_P(Knowledge, EachSimulator, ::testing::ValuesIn(kSimulators),
                          [](const auto& simulator) { return std::string(name_of(simulator.param)); });
 
 TEST_P(EachSimulator, EveryQueryFindsWhatALinearScanFinds) {

@@ -43,7 +43,7 @@ struct Case {
   const char *name, *category, *fact, *value, *expected;
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
-class EveryFact : public testing::TestWithParam<Case> {};
+class EveryFact : public ::testing::TestWithParam<Case> {};
 
 TEST_P(EveryFact, SaysAfterwardsWhatTheOverrideSays) {
   const auto& [name, category, fact, value, expected] = GetParam();
@@ -58,38 +58,38 @@ TEST_P(EveryFact, SaysAfterwardsWhatTheOverrideSays) {
 
 INSTANTIATE_TEST_SUITE_P(
     Override, EveryFact,
-    testing::Values(Case{"Display", "mug", "display", "coffee mug", "coffee mug [override:mine.csv]"},
-                    Case{"Plural", "mug", "plural", "coffee mugs", "coffee mugs [override:mine.csv]"},
-                    Case{"Synset", "fridge", "synset", "electric_refrigerator.n.01",
-                         "electric_refrigerator.n.01 [override:mine.csv]"},
-                    Case{"NoSynset", "mug", "synset", "", ""},
-                    Case{"Countable", "mug", "countable", "false", "false [override:mine.csv]"},
-                    Case{"Archetype", "mug", "archetype", "cylinder", "cylinder [override:mine.csv]"},
-                    Case{"Size", "mug", "size", "0.2 x 0.15x0.3", "0.2 x 0.15 x 0.3 [override:mine.csv]"},
-                    Case{"Mass", "mug", "mass", "0.45", "0.45 [override:mine.csv]"},
-                    Case{"Rooms", "mug", "rooms", "office|bedroom", "office|bedroom [override:mine.csv]"},
-                    Case{"NoColours", "mug", "colours", "", ""},
-                    Case{"Movable", "fridge", "movable", "true", "true [override:mine.csv]"},
-                    Case{"NewAffordance", "mug", "fillable", "true", "true [override:mine.csv]"},
-                    Case{"KnownAffordance", "fridge", "openable", "true", "true [override:mine.csv]"},
-                    Case{"NoAffordance", "fridge", "openable", "false", ""},
-                    Case{"NewPlace", "mug", "on:plate", "true", "1 [override:mine.csv]"},
-                    Case{"NewPlaceLikeOthers", "apple", "next_to:mug", "true", "0.5 [override:mine.csv]"},
-                    Case{"LikelyPlace", "apple", "inside:fridge", "0.9", "0.9 [override:mine.csv]"},
-                    Case{"KnownPlace", "apple", "inside:fridge", "true", "0.6 [override:mine.csv]"},
-                    Case{"NoPlace", "apple", "inside:fridge", "false", ""},
-                    Case{"Capacity", "apple", "inside:fridge:capacity", "20", "20 [override:mine.csv]"},
-                    Case{"NewEffect", "fridge", "cools:mug", "true", "true [override:mine.csv]"},
-                    Case{"NoEffect", "fridge", "cools:apple", "false", ""},
-                    Case{"Pieces", "knife", "slices:apple", "4 half_apple", "4 half_apple [override:mine.csv]"},
-                    Case{"Dispensed", "fridge", "dispenses:mug", "water", "water [override:mine.csv]"},
-                    Case{"Needs", "fridge", "cools:apple:needs", "closed", "closed [override:mine.csv]"},
-                    Case{"NewAlias", "mug", "alias:beaker", "true", "synonym [override:mine.csv]"},
-                    Case{"AliasOfAKind", "mug", "alias:a thing with a handle", "function",
-                         "function [override:mine.csv]"},
-                    Case{"NoAlias", "mug", "alias:cup, with a handle", "false", ""},
-                    Case{"Asset", "mug", "asset:Mug_3", "0.1 x 0.1 x 0.1", "0.1 x 0.1 x 0.1 [override:mine.csv]"},
-                    Case{"NoAsset", "mug", "asset:Mug_1", "false", ""}),
+    ::testing::Values(Case{"Display", "mug", "display", "coffee mug", "coffee mug [override:mine.csv]"},
+                      Case{"Plural", "mug", "plural", "coffee mugs", "coffee mugs [override:mine.csv]"},
+                      Case{"Synset", "fridge", "synset", "electric_refrigerator.n.01",
+                           "electric_refrigerator.n.01 [override:mine.csv]"},
+                      Case{"NoSynset", "mug", "synset", "", ""},
+                      Case{"Countable", "mug", "countable", "false", "false [override:mine.csv]"},
+                      Case{"Archetype", "mug", "archetype", "cylinder", "cylinder [override:mine.csv]"},
+                      Case{"Size", "mug", "size", "0.2 x 0.15x0.3", "0.2 x 0.15 x 0.3 [override:mine.csv]"},
+                      Case{"Mass", "mug", "mass", "0.45", "0.45 [override:mine.csv]"},
+                      Case{"Rooms", "mug", "rooms", "office|bedroom", "office|bedroom [override:mine.csv]"},
+                      Case{"NoColours", "mug", "colours", "", ""},
+                      Case{"Movable", "fridge", "movable", "true", "true [override:mine.csv]"},
+                      Case{"NewAffordance", "mug", "fillable", "true", "true [override:mine.csv]"},
+                      Case{"KnownAffordance", "fridge", "openable", "true", "true [override:mine.csv]"},
+                      Case{"NoAffordance", "fridge", "openable", "false", ""},
+                      Case{"NewPlace", "mug", "on:plate", "true", "1 [override:mine.csv]"},
+                      Case{"NewPlaceLikeOthers", "apple", "next_to:mug", "true", "0.5 [override:mine.csv]"},
+                      Case{"LikelyPlace", "apple", "inside:fridge", "0.9", "0.9 [override:mine.csv]"},
+                      Case{"KnownPlace", "apple", "inside:fridge", "true", "0.6 [override:mine.csv]"},
+                      Case{"NoPlace", "apple", "inside:fridge", "false", ""},
+                      Case{"Capacity", "apple", "inside:fridge:capacity", "20", "20 [override:mine.csv]"},
+                      Case{"NewEffect", "fridge", "cools:mug", "true", "true [override:mine.csv]"},
+                      Case{"NoEffect", "fridge", "cools:apple", "false", ""},
+                      Case{"Pieces", "knife", "slices:apple", "4 half_apple", "4 half_apple [override:mine.csv]"},
+                      Case{"Dispensed", "fridge", "dispenses:mug", "water", "water [override:mine.csv]"},
+                      Case{"Needs", "fridge", "cools:apple:needs", "closed", "closed [override:mine.csv]"},
+                      Case{"NewAlias", "mug", "alias:beaker", "true", "synonym [override:mine.csv]"},
+                      Case{"AliasOfAKind", "mug", "alias:a thing with a handle", "function",
+                           "function [override:mine.csv]"},
+                      Case{"NoAlias", "mug", "alias:cup, with a handle", "false", ""},
+                      Case{"Asset", "mug", "asset:Mug_3", "0.1 x 0.1 x 0.1", "0.1 x 0.1 x 0.1 [override:mine.csv]"},
+                      Case{"NoAsset", "mug", "asset:Mug_1", "false", ""}),
     [](const auto& c) { return std::string(c.param.name); });
 
 TEST(Override, WhatCanBePickedUpIsMovable) {
@@ -115,17 +115,17 @@ struct Fault {
   const char *name, *row, *expected;
 };
 void PrintTo(const Fault& f, std::ostream* out) { *out << f.name; }
-class BadOverride : public testing::TestWithParam<Fault> {};
+class BadOverride : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(BadOverride, IsPlacedAndToldWhatIsAccepted) {
   const auto laid = lay(GetParam().row + std::string("\n"));
   ASSERT_EQ(laid.errors.size(), 1U);
-  EXPECT_THAT(format(laid.errors.front()), testing::HasSubstr(GetParam().expected));
+  EXPECT_THAT(format(laid.errors.front()), ::testing::HasSubstr(GetParam().expected));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Each, BadOverride,
-    testing::Values(
+    ::testing::Values(
         Fault{
             "Simulator", "habitatt,mug,mass,1,r",
             "mine.csv:2:1: schema error: unknown simulator 'habitatt'; expected one of ai2thor, virtualhome, habitat, "
@@ -167,7 +167,7 @@ TEST(Override, AllFaultsAreToldAtOnce) {
   EXPECT_EQ(laid.errors.size(), 5U);
 }
 
-class Compiled : public testing::Test {
+class Compiled : public ::testing::Test {
  protected:
   void SetUp() override { test::write_small_tables(tables(), test::small_tables()); }
   std::filesystem::path tables() const { return folder_.path() / "t"; }

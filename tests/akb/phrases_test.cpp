@@ -11,7 +11,7 @@
 namespace unietp {
 namespace {
 
-class Phrases : public testing::TestWithParam<Simulator> {
+class Phrases : public ::testing::TestWithParam<Simulator> {
  protected:
   std::set<std::string> phrased(const std::string& kind) const {
     std::set<std::string> names;
@@ -23,7 +23,7 @@ class Phrases : public testing::TestWithParam<Simulator> {
   Tables tables = test::committed(GetParam());
 };
 INSTANTIATE_TEST_SUITE_P(Homes, Phrases,
-                         testing::Values(Simulator::Ai2thor, Simulator::Virtualhome, Simulator::Habitat),
+                         ::testing::Values(Simulator::Ai2thor, Simulator::Virtualhome, Simulator::Habitat),
                          [](const auto& simulator) { return std::string(name_of(simulator.param)); });
 
 TEST_P(Phrases, SayOfEveryMovableWhatItIsForAndWhenOneNeedsIt) {

@@ -15,7 +15,7 @@
 namespace unietp {
 namespace {
 
-class CommittedTables : public testing::TestWithParam<Simulator> {
+class CommittedTables : public ::testing::TestWithParam<Simulator> {
  protected:
   void SetUp() override {
     tables = test::committed(GetParam());
@@ -34,7 +34,7 @@ class CommittedTables : public testing::TestWithParam<Simulator> {
   std::map<std::string, const Category*> by_name;
   std::set<std::pair<std::string, std::string>> facts;  // category, affordance
 };
-INSTANTIATE_TEST_SUITE_P(Each, CommittedTables, testing::ValuesIn(kSimulators),
+INSTANTIATE_TEST_SUITE_P(Each, CommittedTables, ::testing::ValuesIn(kSimulators),
                          [](const auto& simulator) { return std::string(name_of(simulator.param)); });
 
 TEST_P(CommittedTables, HaveAsManyCategoriesAsTheSimulator) {

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 using test::ChatServer;
 using test::Received;
 using test::WordingModel;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kKey = "sk-program-secret-0123456789";
@@ -40,7 +40,7 @@ const fs::path& made() {
   return path;
 }
 
-class AnnotateCommand : public testing::Test {
+class AnnotateCommand : public ::testing::Test {
  protected:
   AnnotateCommand() {
     ::setenv("UNIETP_LLM_KEY", kKey, 1);
@@ -85,7 +85,7 @@ class AnnotateCommand : public testing::Test {
     }
     std::vector<std::string> left;
     for (const auto& entry : fs::directory_iterator(folder_.path())) left.push_back(entry.path().filename().string());
-    EXPECT_THAT(left, Not(testing::Contains(HasSubstr(".changing"))));
+    EXPECT_THAT(left, Not(::testing::Contains(HasSubstr(".changing"))));
   }
   void expect_no_key(const Ended& ended) const {
     EXPECT_THAT(ended.out + ended.err, Not(HasSubstr(kKey)));

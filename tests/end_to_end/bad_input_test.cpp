@@ -11,8 +11,8 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::ContainsRegex;
-using testing::HasSubstr;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
 
 const fs::path kSource = UNIETP_SOURCE_DIR;
 
@@ -32,7 +32,7 @@ std::string template_with(const std::string& from, const std::string& to) {
 }
 
 /// The tables and the library, copied so that one thing in them can be spoilt.
-class OwnData : public testing::Test {
+class OwnData : public ::testing::Test {
  protected:
   void SetUp() override {
     fs::create_directories(folder_.path() / "own");

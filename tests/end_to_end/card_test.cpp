@@ -11,9 +11,9 @@
 namespace unietp {
 namespace {
 
-using testing::Contains;
-using testing::HasSubstr;
-using testing::SizeIs;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
 using Json = nlohmann::ordered_json;
 
 /// Every field below a value with the kind of what it holds; a table's column has one kind.
@@ -45,7 +45,7 @@ TEST(Card, NamesTablesWhoseColumnsHaveOneTypeEach) {
        {"license", "language", "task_categories", "tags", "pretty_name", "size_categories", "configs"})
     EXPECT_THAT(fields, Contains(field));
   EXPECT_THAT(*card, HasSubstr("- n<1K\n"));
-  EXPECT_THAT(files, testing::ElementsAre("tasks.jsonl", "demonstrations/M1.jsonl"));
+  EXPECT_THAT(files, ::testing::ElementsAre("tasks.jsonl", "demonstrations/M1.jsonl"));
   for (const auto& file : files) {
     std::map<std::string, std::set<std::string>> kinds;
     for (const auto& line : json_lines(small_data_set() / file)) collect_kinds(line, "", kinds);

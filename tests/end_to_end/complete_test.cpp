@@ -20,14 +20,14 @@ using test::answer_all;
 using test::ChatServer;
 using test::http;
 using test::Received;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 constexpr const char* kKey = "sk-program-secret-0123456789";
 
-class CompleteCommand : public testing::Test {
+class CompleteCommand : public ::testing::Test {
  protected:
   CompleteCommand() { ::setenv("UNIETP_LLM_KEY", kKey, 1); }
   ~CompleteCommand() override { ::unsetenv("UNIETP_LLM_KEY"); }

@@ -16,9 +16,9 @@
 namespace unietp {
 namespace {
 
-using testing::Contains;
-using testing::Each;
-using testing::IsEmpty;
+using ::testing::Contains;
+using ::testing::Each;
+using ::testing::IsEmpty;
 using Json = nlohmann::ordered_json;
 
 std::vector<SpoiltTask> tasks_of(const SpoiltCopy& copy) {
@@ -98,7 +98,7 @@ const Outcome& outcome() {
   return kOutcome;
 }
 
-class TaskCorruption : public testing::TestWithParam<Corruption> {};
+class TaskCorruption : public ::testing::TestWithParam<Corruption> {};
 
 TEST_P(TaskCorruption, IsNamed) {
   const auto found = outcome().kinds_by_corruption.find(GetParam().name);
@@ -106,7 +106,7 @@ TEST_P(TaskCorruption, IsNamed) {
   EXPECT_THAT(found->second, Contains(GetParam().kind));
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, TaskCorruption, testing::ValuesIn(kCorruptions),
+INSTANTIATE_TEST_SUITE_P(Every, TaskCorruption, ::testing::ValuesIn(kCorruptions),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST(Corruption, NoOtherTaskIsBlamed) { EXPECT_THAT(outcome().blamed_falsely, IsEmpty()); }

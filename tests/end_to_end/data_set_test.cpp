@@ -13,7 +13,7 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
 TEST(DataSet, HoldsEverySimulatorAndSplitAndIsProven) {
@@ -75,7 +75,7 @@ TEST(DataSet, AnotherSeedGivesOtherTasks) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   for (const auto& task : json_lines(folder.path() / "other" / "tasks.jsonl"))
     EXPECT_THAT(bytes_below(small_data_set())["tasks.jsonl"],
-                testing::Not(HasSubstr(task["instruction"]["text"].get<std::string>() + "\",\"writer")));
+                ::testing::Not(HasSubstr(task["instruction"]["text"].get<std::string>() + "\",\"writer")));
 }
 
 TEST(DataSet, ATaskIsDrawnFromAbove) {

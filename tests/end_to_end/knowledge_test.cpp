@@ -12,7 +12,7 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
 const fs::path kTables = fs::path(UNIETP_SOURCE_DIR) / "data" / "akb";

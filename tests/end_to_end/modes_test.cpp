@@ -13,7 +13,7 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
 constexpr int kCount = kCountInAllModes;

@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::Browser;
-using testing::Contains;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
 using Json = nlohmann::ordered_json;
 
 constexpr int kCount = 10;
@@ -39,7 +39,7 @@ const fs::path& made() {
   return path;
 }
 
-class Pages : public testing::Test {
+class Pages : public ::testing::Test {
  protected:
   Pages() { fs::copy(made(), data(), fs::copy_options::recursive); }
   fs::path data() const { return folder_.path() / "data"; }

@@ -10,8 +10,8 @@
 namespace unietp {
 namespace {
 
-using testing::AnyOf;
-using testing::HasSubstr;
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
 
 struct Wanted {
   std::string name, split, refinement, style;

@@ -17,8 +17,8 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A run of a few seconds: three tasks in two small homes.
 std::vector<std::string> tiny_options(const std::string& out) {

@@ -11,7 +11,7 @@
 namespace unietp {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// A configuration of three blocks in the benchmark's homes, some thirty seconds less than the benchmark itself.
 constexpr const char* kSmall = R"({
@@ -19,7 +19,7 @@ constexpr const char* kSmall = R"({
   "quotas": {"splits": {"atomic": 6, "compositional": 7, "logical": 5},
              "simulators": {"ai2thor": 8, "virtualhome": 4, "habitat": 3, "behavior": 3}}})";
 
-class QuotaRun : public testing::Test {
+class QuotaRun : public ::testing::Test {
  protected:
   void SetUp() override { ASSERT_TRUE(write_file(scratch_.at("small.json"), kSmall)); }
   Ended make(const std::string& out, std::vector<std::string> options = {}) {
@@ -113,7 +113,7 @@ TEST(Training, LeavesOutASimulatorAndTheTemplatesHeldOutAndSharesNoHomeWithTheBe
   ASSERT_TRUE(held_out);
   for (const auto& task : json_lines(scratch.path() / "out" / "tasks.jsonl")) {
     EXPECT_TRUE(task["simulator"] == "virtualhome" || task["simulator"] == "habitat");
-    EXPECT_THAT(*held_out, testing::Not(HasSubstr("\n" + task["template"].get<std::string>() + "\n")));
+    EXPECT_THAT(*held_out, ::testing::Not(HasSubstr("\n" + task["template"].get<std::string>() + "\n")));
     EXPECT_THAT(task["layout"].get<std::string>(), HasSubstr("-training-"));
   }
 }

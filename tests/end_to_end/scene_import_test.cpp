@@ -14,7 +14,7 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
 const fs::path kHomes = fs::path(UNIETP_SOURCE_DIR) / "tests" / "end_to_end" / "homes";
@@ -25,7 +25,7 @@ struct Sample {
   int homes = 1;
   std::vector<std::string> more = {};  // options
 };
-std::string name_of_sample(const testing::TestParamInfo<Sample>& info) { return info.param.name; }
+std::string name_of_sample(const ::testing::TestParamInfo<Sample>& info) { return info.param.name; }
 
 Json import_into(const std::string& out, const fs::path& file, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"scene", "import", "auto", file.string(), "--out", out, "--json"};
@@ -57,7 +57,7 @@ void expect_tasks_in(const std::string& homes, const std::string& out, int count
   EXPECT_EQ(verdict.proven, count);
 }
 
-class SmallHomes : public testing::TestWithParam<Sample> {};
+class SmallHomes : public ::testing::TestWithParam<Sample> {};
 
 TEST_P(SmallHomes, ArriveWithAReportAndTasksAreMadeInThem) {
   const auto& sample = GetParam();
@@ -76,18 +76,16 @@ TEST_P(SmallHomes, ArriveWithAReportAndTasksAreMadeInThem) {
   expect_tasks_in(folder.at("homes"), folder.at("tasks"), 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(EachFormat, SmallHomes,
-                         testing::Values(Sample{"ithor", "ithor", "kitchen.ithor.json"},
-                                         Sample{"procthor", "procthor", "houses.procthor.jsonl", 2},
-                                         Sample{"virtualhome", "virtualhome", "flat.virtualhome.json"},
-                                         Sample{"replicacad", "replicacad", "apartment.replicacad.scene_instance.json"},
-                                         Sample{"hssd",
-                                                "hssd",
-                                                "flat.hssd.scene_instance.json",
-                                                1,
-                                                {"--assets", (kHomes / "hssd_models.json").string()}},
-                                         Sample{"behavior", "behavior", "small.behavior.json"}),
-                         name_of_sample);
+INSTANTIATE_TEST_SUITE_P(
+    EachFormat, SmallHomes,
+    ::testing::Values(
+        Sample{"ithor", "ithor", "kitchen.ithor.json"}, Sample{"procthor", "procthor", "houses.procthor.jsonl", 2},
+        Sample{"virtualhome", "virtualhome", "flat.virtualhome.json"},
+        Sample{"replicacad", "replicacad", "apartment.replicacad.scene_instance.json"},
+        Sample{
+            "hssd", "hssd", "flat.hssd.scene_instance.json", 1, {"--assets", (kHomes / "hssd_models.json").string()}},
+        Sample{"behavior", "behavior", "small.behavior.json"}),
+    name_of_sample);
 
 TEST(ForeignScenes, AreDrawnAndMeasuredAsTheyAre) {
   ScratchFolder folder;
@@ -163,7 +161,7 @@ TEST(ForeignScenes, AreNotWrittenOfAnotherSimulator) {
   EXPECT_FALSE(fs::exists(folder.at("house.json")));
 }
 
-class RealHomes : public testing::TestWithParam<Sample> {};
+class RealHomes : public ::testing::TestWithParam<Sample> {};
 
 TEST_P(RealHomes, ArriveAndTasksAreMadeInThem) {
   const auto& sample = GetParam();
@@ -181,19 +179,20 @@ TEST_P(RealHomes, ArriveAndTasksAreMadeInThem) {
 
 INSTANTIATE_TEST_SUITE_P(
     EachFormat, RealHomes,
-    testing::Values(Sample{"ithor", "ithor", "ai2thor/ithor_scenes.json.gz", 2, {"--homes", "FloorPlan1,FloorPlan201"}},
-                    Sample{"virtualhome", "virtualhome", "virtualhome/scenes/TestScene3.json.gz"},
-                    Sample{"replicacad", "replicacad", "habitat/replicacad_scenes.json.gz", 1, {"--homes", "apt_0"}},
-                    Sample{"hssd", "hssd", "habitat/hssd_scene_102344193_boxes.json"},
-                    Sample{"behavior",
-                           "behavior",
-                           "behavior/scene_restaurant_brunch.json.gz",
-                           1,
-                           {"--assets", (kUpstream / "behavior/object_inventory.json.gz").string()}}),
+    ::testing::Values(
+        Sample{"ithor", "ithor", "ai2thor/ithor_scenes.json.gz", 2, {"--homes", "FloorPlan1,FloorPlan201"}},
+        Sample{"virtualhome", "virtualhome", "virtualhome/scenes/TestScene3.json.gz"},
+        Sample{"replicacad", "replicacad", "habitat/replicacad_scenes.json.gz", 1, {"--homes", "apt_0"}},
+        Sample{"hssd", "hssd", "habitat/hssd_scene_102344193_boxes.json"},
+        Sample{"behavior",
+               "behavior",
+               "behavior/scene_restaurant_brunch.json.gz",
+               1,
+               {"--assets", (kUpstream / "behavior/object_inventory.json.gz").string()}}),
     name_of_sample);
 
 /// Spoilt files: each is refused with what is wrong, and nothing is written, also of the sound file beside it.
-class SpoiltFiles : public testing::Test {
+class SpoiltFiles : public ::testing::Test {
  protected:
   static std::string sound() { return (kHomes / "kitchen.ithor.json").string(); }
   static std::string text_of(const std::string& home) {

@@ -18,9 +18,9 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
-using testing::MatchesRegex;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+using ::testing::Not;
 using Json = nlohmann::ordered_json;
 
 std::vector<std::string> make_two(const std::string& out, const std::string& threads) {
@@ -90,7 +90,7 @@ TEST(SceneMake, AnInterruptionLeavesWholeFilesOnly) {
   }
 }
 
-class MadeHomes : public testing::Test {
+class MadeHomes : public ::testing::Test {
  protected:
   void SetUp() override { ASSERT_EQ(run_program(make_two(folder_.at("homes"), "2")).code, 0); }
   std::string home(int n) const { return folder_.at("homes/habitat-sized-5-" + std::to_string(n) + ".scene.json.gz"); }

@@ -16,8 +16,8 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::ordered_json;
 
 void export_sft(const fs::path& out, const std::vector<std::string>& options) {
@@ -170,7 +170,7 @@ TEST(ExportSft, StepsOfM3ShowThePictureThatRenderDraws) {
   EXPECT_EQ(*read_file(drawn), *read_file(out / lines[4]["images"][0].get<std::string>()));
   for (const auto& line : lines) {  // nothing has an id there
     const auto answer = Json::parse(line["messages"][2]["content"].get<std::string>());
-    EXPECT_THAT(answer["reasoning"].get<std::string>(), Not(testing::ContainsRegex("[a-z]_[0-9]+ (is|are)")));
+    EXPECT_THAT(answer["reasoning"].get<std::string>(), Not(::testing::ContainsRegex("[a-z]_[0-9]+ (is|are)")));
   }
 }
 

@@ -9,7 +9,7 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// The insides of all fenced blocks of one kind, in order.
 std::vector<std::string> blocks(const std::string& page, const std::string& kind) {

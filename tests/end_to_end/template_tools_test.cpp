@@ -11,8 +11,8 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::ContainsRegex;
-using testing::HasSubstr;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
 /// A template of the user's: what it asks of A, and what init says.
@@ -86,7 +86,7 @@ TEST(TemplateWhyNot, NamesTheGateTheFactAndWhatElseCouldBeBound) {
   EXPECT_THAT(ended.out, ContainsRegex("constraint +refused"));
   EXPECT_THAT(ended.out, HasSubstr("relation has no row (inside, Pillow, Microwave)"));
   EXPECT_THAT(ended.out, ContainsRegex("A could be: Apple"));
-  EXPECT_THAT(ended.out, testing::Not(HasSubstr("B could be")));  // nothing holds a pillow inside
+  EXPECT_THAT(ended.out, ::testing::Not(HasSubstr("B could be")));  // nothing holds a pillow inside
 }
 
 TEST(TemplateWhyNot, AsksAboutAffordancesAndKnownNames) {

@@ -65,7 +65,7 @@ SceneOffer small_offer() {
   return offer_with({"Lamp", "Television", "Counter", "Table", "Shelf", "Sink", "Fridge", "Cabinet", "Bowl", "Book"});
 }
 
-class ReferringKind : public testing::TestWithParam<std::string> {};
+class ReferringKind : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(ReferringKind, SinglesOutWhatIsMeantAndLeavesADistractorInEveryStart) {
   const auto knowledge = small_home(Simulator::Ai2thor);
@@ -103,8 +103,8 @@ TEST_P(ReferringKind, SinglesOutWhatIsMeantAndLeavesADistractorInEveryStart) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ReferringKind,
-                         testing::Values("by-state", "by-relation", "by-room", "by-nearness", "by-size", "by-attribute",
-                                         "by-two", "each-its-own"),
+                         ::testing::Values("by-state", "by-relation", "by-room", "by-nearness", "by-size",
+                                           "by-attribute", "by-two", "each-its-own"),
                          [](const auto& parameter) {
                            std::string name = parameter.param;
                            std::erase(name, '-');

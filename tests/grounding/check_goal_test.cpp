@@ -10,7 +10,7 @@
 namespace unietp {
 namespace {
 
-class CheckGoal : public testing::Test {
+class CheckGoal : public ::testing::Test {
  protected:
   void SetUp() override {
     style_ = style_of(Simulator::Ai2thor);

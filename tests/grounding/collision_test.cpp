@@ -68,7 +68,7 @@ TEST(PlacementChecker, AgreesWithSeparatingAxesOnRandomBoxes) {
       checker.set(id, shape_of_box(boxes.back().size), boxes.back().pose, 0);
     }
     for (int probe = 0; probe < 25; ++probe) {
-      SCOPED_TRACE(testing::Message() << "seed " << seed << " probe " << probe);
+      SCOPED_TRACE(::testing::Message() << "seed " << seed << " probe " << probe);
       const OrientedBox box = random_box(rng, 0.8);
       OrientedBox grown = box;
       grown.size += Vec3::Constant(2 * PlacementChecker::kGap_m);

@@ -39,7 +39,7 @@ void expect_read_and_written_exactly(const Scene& start) {
 
 const std::string kHoldAMug = "(exists (?a - Mug) (at-end (held ?a)))";
 
-class Ground : public testing::Test {
+class Ground : public ::testing::Test {
  protected:
   void SetUp() override {
     style_ = style_of(Simulator::Ai2thor);

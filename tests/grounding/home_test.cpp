@@ -121,7 +121,7 @@ TEST(Home, AWorkspaceThatIsEditedAndReadAgainAndAgainShowsWhatAWholeReadingGives
     Workspace workspace(home, style->knowledge);
     Rng rng(seed);
     for (int edit = 0; edit < 12; ++edit) {
-      SCOPED_TRACE(testing::Message() << "seed " << seed << ", edit " << edit);
+      SCOPED_TRACE(::testing::Message() << "seed " << seed << ", edit " << edit);
       const std::vector<Edge> before = workspace.scene().edges;
       const Scene next = grown_out_of(workspace.scene(), rng.fork("edit", static_cast<std::uint64_t>(edit)));
       while (workspace.scene().nodes.size() > next.nodes.size()) workspace.remove(workspace.scene().nodes.size() - 1);

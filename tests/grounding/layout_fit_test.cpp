@@ -49,7 +49,7 @@ struct Bound {
   double free_floor, together, held;  // 1 where the real homes cannot say
 };
 
-class EveryStyle : public testing::TestWithParam<Bound> {};
+class EveryStyle : public ::testing::TestWithParam<Bound> {};
 
 TEST_P(EveryStyle, IsNearItsRealHomes) {
   const Bound& bound = GetParam();
@@ -82,12 +82,12 @@ TEST_P(EveryStyle, IsNearItsRealHomes) {
   EXPECT_LT(d.held.value_or(0), bound.held);
 }
 
-INSTANTIATE_TEST_SUITE_P(Simulators, EveryStyle,
-                         testing::Values(Bound{Simulator::Ai2thor, 0.13, 0.02, 0.04, 0.05, 0.05, 0.06, 0.08, 0.4, 0.15},
-                                         Bound{Simulator::Virtualhome, 0.1, 0.02, 0.06, 0.08, 0.09, 0.11, 0.06, 0.6,
-                                               0.4},
-                                         Bound{Simulator::Behavior, 0.05, 0.05, 0.1, 0.14, 1, 1, 1, 0.97, 1}),
-                         [](const auto& one) { return std::string(name_of(one.param.simulator)); });
+INSTANTIATE_TEST_SUITE_P(
+    Simulators, EveryStyle,
+    ::testing::Values(Bound{Simulator::Ai2thor, 0.13, 0.02, 0.04, 0.05, 0.05, 0.06, 0.08, 0.4, 0.15},
+                      Bound{Simulator::Virtualhome, 0.1, 0.02, 0.06, 0.08, 0.09, 0.11, 0.06, 0.6, 0.4},
+                      Bound{Simulator::Behavior, 0.05, 0.05, 0.1, 0.14, 1, 1, 1, 0.97, 1}),
+    [](const auto& one) { return std::string(name_of(one.param.simulator)); });
 
 /// All rooms of a home as one, furniture only: a scene of boxes has no rooms.
 HomeCensus without_rooms(const HomeCensus& home) {

@@ -41,7 +41,7 @@ TEST(BenchmarkLayouts, Are170OfSevenRoomsAndTwoHundredAndTenObjectsOnAverage) {
   EXPECT_NEAR(objects / 170, 210, 15);
 }
 
-class EveryLibrary : public testing::TestWithParam<Simulator> {};
+class EveryLibrary : public ::testing::TestWithParam<Simulator> {};
 
 TEST_P(EveryLibrary, GeneratesEveryBenchmarkLayoutAsItsRowSaysAndTrainingLayoutsThatAreNoneOfThem) {
   const auto style = style_of(GetParam());
@@ -70,7 +70,7 @@ TEST_P(EveryLibrary, GeneratesEveryBenchmarkLayoutAsItsRowSaysAndTrainingLayouts
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Simulators, EveryLibrary, testing::ValuesIn(kSimulators),
+INSTANTIATE_TEST_SUITE_P(Simulators, EveryLibrary, ::testing::ValuesIn(kSimulators),
                          [](const auto& one) { return std::string(name_of(one.param)); });
 
 TEST(ReadBenchmark, ReportsEveryErrorWithLineAndColumn) {

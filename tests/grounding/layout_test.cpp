@@ -67,7 +67,7 @@ double depth_of(const Solid& a, const Solid& b) {
   return least;
 }
 
-class EveryHome : public testing::TestWithParam<Simulator> {
+class EveryHome : public ::testing::TestWithParam<Simulator> {
  protected:
   void SetUp() override {
     style_ = style_of(GetParam());
@@ -138,7 +138,7 @@ TEST_P(EveryHome, HasWindowsOnlyInWallsWithNoRoomBehind) {
 TEST_P(EveryHome, LetsTheAgentReachEveryPieceOfFurniture) {
   for (const Scene& home : homes_) {
     const Walk walk = walk_in(home, style_->profile);
-    EXPECT_THAT(unreached_furniture(home, physics_of(home), style_->profile, walk), testing::IsEmpty());
+    EXPECT_THAT(unreached_furniture(home, physics_of(home), style_->profile, walk), ::testing::IsEmpty());
     EXPECT_EQ(unreached_room(home, walk), std::nullopt);
   }
 }
@@ -321,7 +321,7 @@ TEST_P(EveryHome, CarriesTheNamesOfTheModelsWhoseSizesItHas) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Simulators, EveryHome, testing::ValuesIn(kSimulators),
+INSTANTIATE_TEST_SUITE_P(Simulators, EveryHome, ::testing::ValuesIn(kSimulators),
                          [](const auto& one) { return std::string(name_of(one.param)); });
 
 TEST(GenerateLayout, SaysWhichObligatoryPieceFindsNoPlace) {
@@ -334,7 +334,7 @@ TEST(GenerateLayout, SaysWhichObligatoryPieceFindsNoPlace) {
   EXPECT_NE(home.error().message.find("Bathtub"), std::string::npos) << home.error().message;
 }
 
-class EveryPlan : public testing::Test {
+class EveryPlan : public ::testing::Test {
  protected:
   /// Plans of a usual home over many seeds; those draws that failed are left out.
   static std::vector<FloorPlan> plans() {

@@ -21,7 +21,7 @@ TEST(LoadRecipe, ReadsTheCommittedRecipesOfAllSimulators) {
   }
 }
 
-class BadRecipe : public testing::Test {
+class BadRecipe : public ::testing::Test {
  protected:
   static RecipeTexts sound() {
     return {

@@ -79,7 +79,7 @@ TEST(SceneStatistics, ReadsBackWhatItWrote) {
   ASSERT_TRUE(again) << format(again.error());
   EXPECT_EQ(statistics_to_json(*again), statistics_to_json(s)) << "to four decimals";
   EXPECT_EQ(again->furniture, s.furniture);
-  EXPECT_THAT(statistics_text(s), testing::HasSubstr("Fridge 1"));
+  EXPECT_THAT(statistics_text(s), ::testing::HasSubstr("Fridge 1"));
 }
 
 TEST(StatisticsFromJson, SaysWhereTheTextIsWrong) {
@@ -87,13 +87,13 @@ TEST(StatisticsFromJson, SaysWhereTheTextIsWrong) {
     const auto read = statistics_from_json("a.json", text);
     return read ? "no error" : format(read.error());
   };
-  EXPECT_THAT(error("{"), testing::HasSubstr("a.json:1:2: parse error"));
-  EXPECT_THAT(error(R"({"format":"unietp-scene-statistics/1"})"), testing::HasSubstr("source"));
-  EXPECT_THAT(error(R"({"format":"x","source":"s"})"), testing::HasSubstr("expected unietp-scene-statistics/1"));
+  EXPECT_THAT(error("{"), ::testing::HasSubstr("a.json:1:2: parse error"));
+  EXPECT_THAT(error(R"({"format":"unietp-scene-statistics/1"})"), ::testing::HasSubstr("source"));
+  EXPECT_THAT(error(R"({"format":"x","source":"s"})"), ::testing::HasSubstr("expected unietp-scene-statistics/1"));
   const std::string sound = statistics_to_json(statistics_of(std::span<const HomeCensus>(), "none"));
   std::string bad = sound;
   bad.replace(bad.find("\"held\": []"), 10, "\"held\": [[\"Sink\"]]");
-  EXPECT_THAT(error(bad), testing::HasSubstr("/held/0: schema error: expected a list of 2"));
+  EXPECT_THAT(error(bad), ::testing::HasSubstr("/held/0: schema error: expected a list of 2"));
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 const fs::path kSource = UNIETP_SOURCE_DIR;
 

@@ -21,7 +21,7 @@ using test::questions;
 using test::quick;
 using test::Received;
 using test::text_for;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(AskAll, AnswersStandInTheOrderOfTheRequestsWhateverTheOrderOfArrival) {
   constexpr int kCount = 6;
@@ -44,7 +44,7 @@ TEST(AskAll, AnswersStandInTheOrderOfTheRequestsWhateverTheOrderOfArrival) {
     changed.notify_all();
   };
   const auto answers = ask_all(endpoint_of(server), questions(kCount), options, nullptr);
-  EXPECT_THAT(arrived, testing::ElementsAre(5, 4, 3, 2, 1, 0));
+  EXPECT_THAT(arrived, ::testing::ElementsAre(5, 4, 3, 2, 1, 0));
   ASSERT_EQ(answers.size(), static_cast<std::size_t>(kCount));
   for (int i = 0; i < kCount; ++i) {
     const auto& answer = answers[static_cast<std::size_t>(i)];
@@ -80,7 +80,7 @@ struct Trouble {
 };
 void PrintTo(const Trouble& trouble, std::ostream* out) { *out << trouble.name; }
 
-class PassingTrouble : public testing::TestWithParam<Trouble> {};
+class PassingTrouble : public ::testing::TestWithParam<Trouble> {};
 
 TEST_P(PassingTrouble, LosesNoAnswer) {
   std::mutex mutex;
@@ -103,28 +103,27 @@ TEST_P(PassingTrouble, LosesNoAnswer) {
 
 INSTANTIATE_TEST_SUITE_P(
     Troubles, PassingTrouble,
-    testing::Values(Trouble{"TooManyRequests", http("429 Too Many Requests", "slow down", "Retry-After: 0\r\n")},
-                    Trouble{"TooManyRequestsForLong", http("429 Too Many Requests", "", "Retry-After: 86400\r\n")},
-                    Trouble{
-                        "TooManyRequestsUntilADate",
-                        http("429 Too Many Requests", "",
-                             "Date: Wed, 21 Oct 2015 07:28:00 GMT\r\nRetry-After: Wed, 21 Oct 2015 07:27:00 GMT\r\n")},
-                    Trouble{"RetryAfterNonsense", http("429 Too Many Requests", "", "Retry-After: soon, -3 nan\r\n")},
-                    Trouble{"ServerError", http("500 Internal Server Error", "oh")},
-                    Trouble{"BadGateway", http("502 Bad Gateway", "<html><body>nginx</body></html>")},
-                    Trouble{"RequestTimeout", http("408 Request Timeout", "")}, Trouble{"Closed", ""},
-                    Trouble{"NoHttp", "SSH-2.0-server\r\n\r\n"}, Trouble{"CutHead", "HTTP/1.1 200 OK\r\nContent-Le"},
-                    Trouble{"CutBody", "HTTP/1.1 200 OK\r\nContent-Length: 500\r\n\r\n{\"choices\":[{\"mess"},
-                    Trouble{"CutChunk", "HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\nff\r\n{\"choices\""},
-                    Trouble{"Empty", http("200 OK", "")}, Trouble{"Html", http("200 OK", "<html>Log in</html>")},
-                    Trouble{"WrongJson", http("200 OK", R"({"choices":"none"})")},
-                    Trouble{"NullContent", http("200 OK", R"({"choices":[{"message":{"content":null}}]})")},
-                    Trouble{"Prose", completion("I would rather not.")},
-                    Trouble{"CutObject", completion("{\"to\": \"ques")}, Trouble{"List", completion("[1, 2]")},
-                    Trouble{"Deep", http("200 OK", std::string(100000, '['))},
-                    Trouble{"DeepContent", completion(std::string(20000, '{'))},
-                    Trouble{"Huge", http("200 OK", std::string(std::size_t{5} << 20, 'x'))},
-                    Trouble{"Silence", ChatServer::kSilence}),
+    ::testing::Values(
+        Trouble{"TooManyRequests", http("429 Too Many Requests", "slow down", "Retry-After: 0\r\n")},
+        Trouble{"TooManyRequestsForLong", http("429 Too Many Requests", "", "Retry-After: 86400\r\n")},
+        Trouble{"TooManyRequestsUntilADate",
+                http("429 Too Many Requests", "",
+                     "Date: Wed, 21 Oct 2015 07:28:00 GMT\r\nRetry-After: Wed, 21 Oct 2015 07:27:00 GMT\r\n")},
+        Trouble{"RetryAfterNonsense", http("429 Too Many Requests", "", "Retry-After: soon, -3 nan\r\n")},
+        Trouble{"ServerError", http("500 Internal Server Error", "oh")},
+        Trouble{"BadGateway", http("502 Bad Gateway", "<html><body>nginx</body></html>")},
+        Trouble{"RequestTimeout", http("408 Request Timeout", "")}, Trouble{"Closed", ""},
+        Trouble{"NoHttp", "SSH-2.0-server\r\n\r\n"}, Trouble{"CutHead", "HTTP/1.1 200 OK\r\nContent-Le"},
+        Trouble{"CutBody", "HTTP/1.1 200 OK\r\nContent-Length: 500\r\n\r\n{\"choices\":[{\"mess"},
+        Trouble{"CutChunk", "HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\nff\r\n{\"choices\""},
+        Trouble{"Empty", http("200 OK", "")}, Trouble{"Html", http("200 OK", "<html>Log in</html>")},
+        Trouble{"WrongJson", http("200 OK", R"({"choices":"none"})")},
+        Trouble{"NullContent", http("200 OK", R"({"choices":[{"message":{"content":null}}]})")},
+        Trouble{"Prose", completion("I would rather not.")}, Trouble{"CutObject", completion("{\"to\": \"ques")},
+        Trouble{"List", completion("[1, 2]")}, Trouble{"Deep", http("200 OK", std::string(100000, '['))},
+        Trouble{"DeepContent", completion(std::string(20000, '{'))},
+        Trouble{"Huge", http("200 OK", std::string(std::size_t{5} << 20, 'x'))},
+        Trouble{"Silence", ChatServer::kSilence}),
     [](const auto& trouble) { return std::string(trouble.param.name); });
 
 TEST(AskAll, EndsARequestWithItsLastReasonAndTheOthersWell) {

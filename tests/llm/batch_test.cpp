@@ -11,8 +11,8 @@ namespace {
 
 using test::question;
 using test::questions;
-using testing::HasSubstr;
-using testing::SizeIs;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
 using Json = nlohmann::json;
 
 std::string answer_line(const std::string& id, const std::string& content) {

@@ -18,9 +18,9 @@ using test::question;
 using test::questions;
 using test::quick;
 using test::text_for;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-class LlmCacheTest : public testing::Test {
+class LlmCacheTest : public ::testing::Test {
  protected:
   LlmCacheTest() { std::filesystem::create_directories(folder_); }
   ~LlmCacheTest() override {

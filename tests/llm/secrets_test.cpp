@@ -21,8 +21,8 @@ using test::kKey;
 using test::question;
 using test::quick;
 using test::Received;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(Key, IsSentInOneHeader) {
   ChatServer server(test::answer_to);

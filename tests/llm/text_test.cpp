@@ -37,7 +37,7 @@ TEST(JsonObject, IsMissedWhereThereIsNone) {
 
 TEST(OneField, IsReadBack) {
   const auto request = one_field_request("s", "u", "instruction");
-  EXPECT_THAT(request.schema, testing::HasSubstr("instruction"));
+  EXPECT_THAT(request.schema, ::testing::HasSubstr("instruction"));
   EXPECT_EQ(*field_of({R"({"instruction": "Go."})"}, "instruction"), "Go.");
   for (const char* text : {"{}", "[]", "", R"({"instruction": 3})"}) EXPECT_FALSE(field_of({text}, "instruction"));
 }

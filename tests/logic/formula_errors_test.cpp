@@ -116,8 +116,8 @@ std::vector<std::string> all_problems(std::string_view text) {
 }
 
 TEST(ReadFormula, TellsAllProblemsAtOnceInOrderOfPosition) {
-  using testing::ElementsAre;
-  using testing::StartsWith;
+  using ::testing::ElementsAre;
+  using ::testing::StartsWith;
   EXPECT_THAT(all_problems("(and (at-end (opn ?x))\n"
                            "     (exists (?c - C) (at-end (closed ?d) (open ?c)))\n"
                            "     (open ?c)\n"
@@ -137,8 +137,8 @@ TEST(ReadFormula, TellsAllProblemsAtOnceInOrderOfPosition) {
 }
 
 TEST(ReadFormula, ABadDomainIsNoReasonToCallItsVariableUnbound) {
-  using testing::ElementsAre;
-  using testing::StartsWith;
+  using ::testing::ElementsAre;
+  using ::testing::StartsWith;
   EXPECT_THAT(all_problems("(exists (?x - A/half) (at-end (open ?x)))"), ElementsAre(StartsWith("1:15:")));
   EXPECT_THAT(all_problems("(exists (?x A) (at-end (open ?x)))"), ElementsAre(StartsWith("1:9:")));
   EXPECT_THAT(all_problems("(exists ?x (at-end (open ?x)))"), ElementsAre(StartsWith("1:9:")));
@@ -146,8 +146,8 @@ TEST(ReadFormula, ABadDomainIsNoReasonToCallItsVariableUnbound) {
 
 TEST(ReadFormula, AMisspeltVariableIsAnsweredWithTheNearest) {
   EXPECT_THAT(all_problems("(exists (?mug - A) (at-end (open ?muug)))"),
-              testing::ElementsAre("1:34: parse error: the variable ?muug is not bound here; bound are ?mug; did you "
-                                   "mean '?mug'?"));
+              ::testing::ElementsAre("1:34: parse error: the variable ?muug is not bound here; bound are ?mug; did you "
+                                     "mean '?mug'?"));
 }
 
 TEST(ParseFormula, TakesPlaceholdersWhereCategoriesAndSymbolsStand) {

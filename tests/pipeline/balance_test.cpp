@@ -6,7 +6,7 @@
 namespace unietp {
 namespace {
 
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 Template two_places() {
   Template source;

@@ -11,7 +11,7 @@ namespace unietp {
 /// What the checkout holds, read once.
 inline const Resources& committed() {
   static const auto kReading =
-      load_resources({UNIETP_SOURCE_DIR, std::filesystem::path(testing::TempDir()) / "unietp-pipeline-test-cache"});
+      load_resources({UNIETP_SOURCE_DIR, std::filesystem::path(::testing::TempDir()) / "unietp-pipeline-test-cache"});
   EXPECT_TRUE(kReading.errors.empty());
   return kReading.resources;
 }

@@ -16,8 +16,8 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 fs::path runs() { return fs::path(UNIETP_SOURCE_DIR) / "data" / "runs"; }
 

@@ -6,8 +6,8 @@
 namespace unietp {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 TEST(ParseSimulators, TakesNamesInAnyOrderAndGivesTheirOwn) {
   const auto parsed = parse_simulators("--simulators", "habitat, ai2thor,habitat");

@@ -13,12 +13,12 @@
 namespace unietp {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::StartsWith;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 /// A folder with scene files, and a backend that knows mugs.
-class GivenScenesTest : public testing::Test {
+class GivenScenesTest : public ::testing::Test {
  protected:
   void SetUp() override {
     std::string name = (std::filesystem::temp_directory_path() / "unietp-scenes-XXXXXX").string();
@@ -96,7 +96,7 @@ TEST_F(GivenScenesTest, ARunUsesThemInPlaceOfDrawnHomes) {
   ASSERT_TRUE(layout);
   EXPECT_EQ(layout->home.scene.id, "second");
   EXPECT_EQ(layout->home.scene.nodes, resources.homes[1].nodes);
-  EXPECT_THAT(layout->offer.categories, testing::Contains("Mug"));
+  EXPECT_THAT(layout->offer.categories, ::testing::Contains("Mug"));
   const auto slots = plan_slots(configuration, resources);
   ASSERT_FALSE(slots);
   EXPECT_THAT(slots.error().message, HasSubstr("none of the scenes given is one of ai2thor"));

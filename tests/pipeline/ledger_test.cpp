@@ -10,13 +10,13 @@
 namespace unietp {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-class LedgerFile : public testing::Test {
+class LedgerFile : public ::testing::Test {
  protected:
   void SetUp() override {
-    path_ = std::filesystem::path(testing::TempDir()) /
-            (std::string("ledger_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".sqlite");
+    path_ = std::filesystem::path(::testing::TempDir()) /
+            (std::string("ledger_") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".sqlite");
     TearDown();
   }
   void TearDown() override {

@@ -9,7 +9,7 @@ namespace unietp {
 namespace {
 
 DataFolders own_folders() {
-  return {UNIETP_SOURCE_DIR, std::filesystem::path(testing::TempDir()) / "unietp-resources-cache"};
+  return {UNIETP_SOURCE_DIR, std::filesystem::path(::testing::TempDir()) / "unietp-resources-cache"};
 }
 
 TEST(Resources, TheCommittedDataLoadsWithoutAnError) {

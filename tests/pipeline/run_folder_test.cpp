@@ -9,13 +9,13 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-class OutFolder : public testing::Test {
+class OutFolder : public ::testing::Test {
  protected:
   void SetUp() override {
-    base_ = fs::path(testing::TempDir()) /
-            (std::string("run_folder_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    base_ = fs::path(::testing::TempDir()) /
+            (std::string("run_folder_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(base_);
     out_ = base_ / "out";
     partial_ = base_ / "out.partial";

@@ -6,8 +6,8 @@
 namespace unietp {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 CandidateRecord accepted(int slot, int attempt, const std::string& start, const std::string& text) {
   CandidateRecord record;

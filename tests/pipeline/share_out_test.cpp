@@ -11,8 +11,8 @@
 namespace unietp {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 std::vector<std::vector<bool>> all_allowed(std::size_t rows, std::size_t columns) {
   return std::vector<std::vector<bool>>(rows, std::vector<bool>(columns, true));

@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 Template small(const std::string& name, Split split, std::vector<Simulator> simulators) {
   Template source;
@@ -96,7 +96,7 @@ TEST(PlanSlots, TheBenchmarkBeginsWithEachTemplateOfTheLibraryWhateverItsSeed) {
     ASSERT_TRUE(slots) << format(slots.error());
     std::vector<int> dealt(committed().templates.size(), 0);
     for (const auto& slot : *slots) ++dealt[slot.templates[slot.dealt]];
-    EXPECT_THAT(dealt, testing::Each(testing::Ge(2))) << configuration->seed;
+    EXPECT_THAT(dealt, ::testing::Each(::testing::Ge(2))) << configuration->seed;
   }
 }
 
@@ -152,7 +152,7 @@ TEST(PlanSlots, LeavesOutTemplates) {
   configuration.without = {"a"};
   const auto slots = plan_slots(configuration, three_templates());
   ASSERT_TRUE(slots) << format(slots.error());
-  for (const auto& slot : *slots) EXPECT_THAT(slot.templates, testing::Not(testing::Contains(0U)));
+  for (const auto& slot : *slots) EXPECT_THAT(slot.templates, ::testing::Not(::testing::Contains(0U)));
   configuration.without = {"z"};
   EXPECT_FALSE(plan_slots(configuration, three_templates()));
 }

@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TemplateDraft open_one() {
   TemplateDraft draft;

@@ -11,11 +11,11 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 DataFolders own_folders() {
-  return {UNIETP_SOURCE_DIR, fs::path(testing::TempDir()) / "unietp-template-library-cache"};
+  return {UNIETP_SOURCE_DIR, fs::path(::testing::TempDir()) / "unietp-template-library-cache"};
 }
 
 std::string small_template(const std::string& name) {
@@ -30,7 +30,7 @@ std::string small_template(const std::string& name) {
 
 /// A folder of the user's with one template of that name.
 fs::path folder_with(const std::string& folder, const std::string& name) {
-  auto path = fs::path(testing::TempDir()) / folder;
+  auto path = fs::path(::testing::TempDir()) / folder;
   EXPECT_TRUE(write_file(path / (name + ".template"), small_template(name)));
   return path;
 }
@@ -77,7 +77,7 @@ TEST(TemplateLibrary, AReaderOfTheKnowledgeFileSeesClassSimulatorsAndParameters)
 }
 
 TEST(TemplateLibrary, AnotherTemplateMakesAnotherKnowledgeFile) {
-  const auto root = fs::path(testing::TempDir()) / "unietp-root-with-templates";
+  const auto root = fs::path(::testing::TempDir()) / "unietp-root-with-templates";
   fs::remove_all(root);
   fs::create_directories(root / "templates");
   fs::copy(fs::path(UNIETP_SOURCE_DIR) / "templates" / "library", root / "templates" / "library",
@@ -107,7 +107,7 @@ TEST(TemplateLibrary, AUsersFolderLoadsBesideTheBuiltInOnesWithoutARebuild) {
   EXPECT_EQ(library.templates.size(), count + 1);
   EXPECT_EQ(library.templates.back().name, "open-mine");
   ASSERT_EQ(library.own.size(), 1U);
-  EXPECT_THAT(library.own[0], testing::StartsWith("open-mine "));
+  EXPECT_THAT(library.own[0], ::testing::StartsWith("open-mine "));
   EXPECT_EQ(compiled_knowledge(folders).database, before.database);
 }
 

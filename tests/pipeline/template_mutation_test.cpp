@@ -25,7 +25,7 @@ const std::vector<TemplateFile>& library() {
 
 const std::vector<Backend>& backends() {
   static const auto kReading =
-      load_backends({UNIETP_SOURCE_DIR, std::filesystem::path(testing::TempDir()) / "unietp-resources-cache"});
+      load_backends({UNIETP_SOURCE_DIR, std::filesystem::path(::testing::TempDir()) / "unietp-resources-cache"});
   return kReading.backends;
 }
 

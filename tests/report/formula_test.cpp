@@ -7,7 +7,7 @@
 namespace unietp {
 namespace {
 
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 Formula goal(const std::string& text) {
   auto read = parse_formula("goal", text, FormulaUse::Goal);

@@ -9,8 +9,8 @@
 namespace unietp {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(Base64, IsThatOfTheStandard) {
   EXPECT_EQ(base64(""), "");

@@ -6,8 +6,8 @@
 namespace unietp {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 std::string file(const std::string& reviews) {
   return R"({"format": "unietp-review/1", "set": "mine", "tasks_sha256": "ab", "reviews": [)" + reviews + "]}";

@@ -17,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::Browser;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 constexpr const char* kHostile =
     "</script><script>window.hurt = 1</script><img src=x onerror='hurt=2'> \"quoted\" & 'so'";
@@ -62,7 +62,7 @@ std::vector<std::vector<PlanCard>> plans_for(std::size_t count) {
               {Mode::M3, {{"stop", true, ""}}}});
 }
 
-class ReviewPage : public testing::Test {
+class ReviewPage : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!Browser::installed()) GTEST_SKIP() << "Chromium is not installed: pages cannot be tried in a browser";
@@ -103,7 +103,7 @@ class ReviewPage : public testing::Test {
   void expect_quiet() {
     EXPECT_THAT(browser_->fetched, IsEmpty());
     EXPECT_TRUE(browser_->evaluate("typeof window.hurt === 'undefined'").get<bool>());
-    EXPECT_THAT(browser_->complaints, testing::Each(HasSubstr("inline event handler")));  // of the drawing; stopped
+    EXPECT_THAT(browser_->complaints, ::testing::Each(HasSubstr("inline event handler")));  // of the drawing; stopped
   }
 
   fs::path folder_;

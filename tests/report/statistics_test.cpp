@@ -9,8 +9,8 @@
 namespace unietp {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 Histogram of(std::initializer_list<int> values) {
   Histogram histogram;
@@ -73,7 +73,7 @@ TEST(Charts, EachHasATableAndAsManyValuesAsLabels) {
   for (const auto& table : tables_of({&set, 1})) tables.push_back(table.id);
   for (const auto& section : chart_sections(set)) {
     for (const auto& chart : section.charts) {
-      EXPECT_THAT(tables, testing::Contains(chart.table));
+      EXPECT_THAT(tables, ::testing::Contains(chart.table));
       for (const auto& series : chart.series) EXPECT_EQ(series.values.size(), chart.labels.size()) << chart.id;
     }
   }

@@ -7,7 +7,7 @@
 namespace unietp {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 struct Parts {
   std::string parameters = "(A - pickupable) (B - furniture receptacle)";

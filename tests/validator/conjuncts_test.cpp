@@ -6,8 +6,8 @@
 namespace unietp {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 Formula goal(const std::string& text) {
   const auto formula = parse_formula("test", text, FormulaUse::Goal);

@@ -7,7 +7,7 @@
 namespace unietp {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
 Json sound_task() {

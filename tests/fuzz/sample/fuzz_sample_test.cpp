@@ -72,7 +72,7 @@ std::string broken(std::string text, Rng& rng) {
   return text;
 }
 
-class FuzzSample : public testing::TestWithParam<Parser> {};
+class FuzzSample : public ::testing::TestWithParam<Parser> {};
 
 TEST_P(FuzzSample, SeedsAreAcceptedUnlessTheirNameSaysBad) {
   const auto seeds = seeds_of(GetParam());
@@ -97,7 +97,7 @@ TEST_P(FuzzSample, BrokenSeedsAreRefusedOrReadAndNeverCrash) {
   EXPECT_GT(refused, kTexts / 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Parsers, FuzzSample, testing::ValuesIn(kParsers),
+INSTANTIATE_TEST_SUITE_P(Parsers, FuzzSample, ::testing::ValuesIn(kParsers),
                          [](const auto& parser) { return std::string(parser.param.name); });
 
 }  // namespace
