@@ -17,7 +17,7 @@ namespace {
 constexpr int kMutants = 10000;
 constexpr int kDeepEvery = 25;  // of the accepted, how many are also looked at on all simulators
 
-const std::vector<TemplateFile>& library() {
+const std::vector<TemplateFile>& library_files() {
   static const auto kFiles =
       template_files(std::filesystem::path(UNIETP_SOURCE_DIR) / "templates" / "library", "library").files;
   return kFiles;
@@ -100,15 +100,15 @@ std::string silent_change(const TemplateFile& original, const std::string& mutan
 }
 
 TEST(TemplateMutations, NoneOfTenThousandIsAcceptedWithAMeaningThatChangedSilently) {
-  ASSERT_GE(library().size(), 50U);
+  ASSERT_GE(library_files().size(), 50U);
   std::string all;
-  for (const auto& file : library()) all += file.text + "\n";
+  for (const auto& file : library_files()) all += file.text + "\n";
   const auto words = testing_support::words_in(all);
   ASSERT_EQ(backends().size(), 4U);
   Tally tally;
   for (int i = 0; i < kMutants; ++i) {
     Rng rng = Rng(7).fork("mutant", static_cast<std::uint64_t>(i));
-    const auto& original = rng.pick(library());
+    const auto& original = rng.pick(library_files());
     const auto mutant = testing_support::mutated(original.text, words, rng);
     const int accepted = tally.accepted;
     const auto wrong = silent_change(original, mutant, tally);
@@ -127,7 +127,7 @@ TEST(TemplateMutations, NoneOfTenThousandIsAcceptedWithAMeaningThatChangedSilent
 }
 
 TEST(TemplateText, EveryTemplateOfTheLibraryIsReadBackFromIt) {
-  for (const auto& file : library()) {
+  for (const auto& file : library_files()) {
     Tally tally;
     EXPECT_EQ(silent_change(file, file.text, tally), "") << file.path;
     EXPECT_EQ(tally.same, 1) << file.path;
