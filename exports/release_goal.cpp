@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Op = Formula::Op;
 
-constexpr const char* kAgent = "robot_agent";
+constexpr const char* kTheirAgent = "robot_agent";
 
 /// What a bound variable may stand for, in both vocabularies.
 struct Bound {
@@ -26,9 +26,9 @@ struct Bound {
   bool late = false;  // some are born only when something is cut
 };
 
-class Translator {
+class ReleaseTranslator {
  public:
-  Translator(const Scene& start, const Knowledge& knowledge) : start_(start), knowledge_(knowledge) {}
+  ReleaseTranslator(const Scene& start, const Knowledge& knowledge) : start_(start), knowledge_(knowledge) {}
 
   Result<ReleaseGoal> run(const Formula& goal) {
     const Json logic = node(goal);
@@ -284,9 +284,9 @@ class Translator {
       case Predicate::Inside:
         return on_or_inside(f);
       case Predicate::Held:
-        return relation("grasping", kAgent, word(f.terms[0]));
+        return relation("grasping", kTheirAgent, word(f.terms[0]));
       case Predicate::InRoom:
-        if (f.terms[0].kind == Term::Kind::Agent) return relation("inside_room", kAgent, word(f.terms[1]));
+        if (f.terms[0].kind == Term::Kind::Agent) return relation("inside_room", kTheirAgent, word(f.terms[1]));
         if (!says_rooms_of_objects(knowledge_.simulator()))
           return refuse("their graph does not say for every object in which room it is");
         return from_object("inside_room", f);
@@ -341,7 +341,7 @@ class Translator {
             {"args", word(f.terms[0])}};
   }
 
-  static std::string word(const Term& term) { return term.kind == Term::Kind::Agent ? kAgent : "?" + term.name; }
+  static std::string word(const Term& term) { return term.kind == Term::Kind::Agent ? kTheirAgent : "?" + term.name; }
 
   const Scene& start_;
   const Knowledge& knowledge_;
@@ -356,7 +356,7 @@ class Translator {
 }  // namespace
 
 Result<ReleaseGoal> release_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge) {
-  return Translator(start, knowledge).run(goal);
+  return ReleaseTranslator(start, knowledge).run(goal);
 }
 
 }  // namespace unietp

@@ -1,5 +1,7 @@
 #include "llm/foreign_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "llm/json_object.h"
 
 namespace unietp {
