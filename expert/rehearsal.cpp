@@ -26,9 +26,14 @@ Rehearsal::Rehearsal(const Formula& goal, const Scene& start, const Knowledge& k
       knowledge_(&knowledge),
       profile_(&profile),
       world_(std::move(world)),
-      reader_(reads_comparisons(goal)),
       compares_later_(reads_later_comparisons(goal)) {
-  facts_.emplace_back(reader_.read(start));
+  compared_.add(goal);
+  facts_.emplace_back(read(start));
+}
+
+Facts Rehearsal::read(const Scene& scene) {
+  Facts facts = reader_.read(scene);
+  return compared_.none() ? facts : with_comparisons(facts, scene, reader_, compared_);
 }
 
 Outcome Rehearsal::step(World& world, const Action& action) {
@@ -42,7 +47,7 @@ void Rehearsal::read(std::uint32_t before, const World& world) {
   const std::uint32_t now = world.moment();
   if (now >= facts_.size()) facts_.resize(now + std::size_t{1});
   if (!facts_[now])
-    facts_[now] = compares_later_ ? reader_.read(world.scene()) : reader_.read(*facts_[before], world.changes());
+    facts_[now] = compares_later_ ? read(world.scene()) : reader_.read(*facts_[before], world.changes());
 }
 
 bool Rehearsal::reaches_goal(std::vector<std::uint32_t> moments) {

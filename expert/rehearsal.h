@@ -8,6 +8,7 @@
 #include "akb/knowledge.h"
 #include "logic/formula.h"
 #include "scene/action.h"
+#include "scene/comparisons.h"
 #include "scene/trace.h"
 #include "simulation/known_start.h"
 #include "simulation/profile.h"
@@ -48,6 +49,7 @@ class Rehearsal {
 
  private:
   Rehearsal(const Formula& goal, const Scene& start, const Knowledge& knowledge, const Profile& profile, World world);
+  Facts read(const Scene& scene);
 
   const Formula* goal_;
   const Scene* start_;
@@ -55,6 +57,7 @@ class Rehearsal {
   const Profile* profile_;
   World world_;
   FactReader reader_;
+  Compared compared_;
   bool compares_later_;
   std::deque<std::optional<Facts>> facts_;  // by moment
   Trace trace_;                             // the last that was judged, and its moments

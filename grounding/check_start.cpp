@@ -8,7 +8,7 @@
 #include "grounding/present.h"
 #include "grounding/reach.h"
 #include "logic/evaluate.h"
-#include "scene/trace.h"
+#include "scene/comparisons.h"
 #include "simulation/navigation.h"
 #include "simulation/physics.h"
 #include "simulation/relations.h"
@@ -158,9 +158,10 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   const GrownScene read = read_grown(home, start, world);
   if (read.edges != start.edges)
     return failure(GroundingReason::StartNotMet, "the relations of the start are not those that physics shows");
-  bool compared = reads_comparisons(specification.goal);
-  for (const Formula& constraint : specification.init) compared = compared || reads_comparisons(constraint);
-  const Trace trace = compared ? to_logic(start, {}, true) : read.now;
+  Compared compared;
+  compared.add(specification.goal);
+  for (const Formula& constraint : specification.init) compared.add(constraint);
+  const Trace trace = compared.none() ? read.now : read_state(start, compared);
   if (auto problem = check_formulas(specification, trace)) return problem;
   if (auto problem = check_referring(specification, trace)) return problem;
   if (auto problem = check_calm(start, touched, world)) return problem;

@@ -1,11 +1,11 @@
 #include "grounding/enforce.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 #include <string_view>
-
-#include "scene/trace.h"
 
 namespace unietp {
 namespace {
@@ -39,14 +39,20 @@ bool is_empty(const Formula& body) { return body.op == Op::And && body.children.
 
 }  // namespace
 
-Enforcer::Enforcer(SceneEditor& editor, bool with_comparisons, Rng rng)
-    : editor_(editor), with_comparisons_(with_comparisons), rng_(rng) {}
+Enforcer::Enforcer(SceneEditor& editor, Compared compared, Rng rng)
+    : editor_(editor), compared_(std::move(compared)), rng_(rng) {}
 
 const Trace& Enforcer::now() {
   editor_.refresh();
   const Workspace& workspace = editor_.workspace();
-  if (!with_comparisons_) return workspace.present().now();
-  if (read_ != workspace.reading()) trace_ = to_logic(workspace.scene(), {}, true);
+  const Trace& plain = workspace.present().now();
+  if (compared_.none()) return plain;
+  if (read_ != workspace.reading()) {
+    trace_.entities.insert(trace_.entities.end(), plain.entities.begin() + std::ssize(trace_.entities),
+                           plain.entities.end());
+    trace_.states = {
+        with_comparisons(plain.states.front(), workspace.scene(), workspace.present().reader(), compared_)};
+  }
   read_ = workspace.reading();
   return trace_;
 }
@@ -56,10 +62,7 @@ bool Enforcer::holds(const Formula& formula) { return holds(formula, {}); }
 Assignment Enforcer::assignment(const Trace& trace, const Names& names) const {
   Assignment assignment;
   for (const auto& [variable, id] : names) {
-    auto entity = with_comparisons_ ? std::nullopt : editor_.workspace().present().find(id);
-    for (std::size_t i = 0; with_comparisons_ && !entity && i < trace.entities.size(); ++i) {
-      if (trace.entities[i].id == id) entity = static_cast<EntityIndex>(i);
-    }
+    const auto entity = editor_.workspace().present().reader().find(id);
     if (entity && trace.states.front().exists(*entity)) assignment.emplace_back(variable, *entity);
   }
   return assignment;
@@ -72,13 +75,21 @@ bool Enforcer::holds(const Formula& formula, const Names& names) {
   return known.size() == names.size() && holds_in(formula, trace, 0, known);
 }
 
+std::vector<std::string> Enforcer::ids_of(const std::vector<EntityIndex>& entities, const Trace& trace) const {
+  std::vector<std::string> ids;
+  for (const EntityIndex entity : entities) ids.push_back(trace.entities[entity].id);
+  if (compared_.none() || ids.size() < 2) return ids;
+  const std::set<std::string_view> wanted(ids.begin(), ids.end());
+  std::vector<std::string> in_order;
+  for (const Node& node : editor_.workspace().scene().nodes) {
+    if (wanted.contains(node.id)) in_order.push_back(node.id);
+  }
+  return in_order.size() == ids.size() ? in_order : ids;  // rooms keep their order
+}
+
 std::vector<std::string> Enforcer::members(const Formula& quantifier, const Names& names) {
   const Trace& trace = now();
-  std::vector<std::string> ids;
-  for (const EntityIndex entity : members_of(quantifier.domain, quantifier.variable, trace, assignment(trace, names))) {
-    ids.push_back(trace.entities[entity].id);
-  }
-  return ids;
+  return ids_of(members_of(quantifier.domain, quantifier.variable, trace, assignment(trace, names)), trace);
 }
 
 std::vector<std::string> Enforcer::satisfying(const Formula& quantifier, const Names& names, bool truth) {
@@ -91,11 +102,7 @@ std::vector<std::string> Enforcer::satisfying(const Formula& quantifier, const N
   if (!truth) body = negation(std::move(body));
   if (!domain.where.empty()) body = conjunction({std::move(domain.where.front()), std::move(body)});
   domain.where = {std::move(body)};
-  std::vector<std::string> ids;
-  for (const EntityIndex entity : members_of(domain, quantifier.variable, trace, known)) {
-    ids.push_back(trace.entities[entity].id);
-  }
-  return ids;
+  return ids_of(members_of(domain, quantifier.variable, trace, known), trace);
 }
 
 bool Enforcer::make_true(const Formula& formula) {

@@ -8,6 +8,7 @@
 #include "logic/evaluate.h"
 #include "logic/formula.h"
 #include "logic/trace.h"
+#include "scene/comparisons.h"
 
 namespace unietp {
 
@@ -17,7 +18,8 @@ namespace unietp {
 /// are reserved, so that the next does not undo them but takes or adds others.
 class Enforcer {
  public:
-  Enforcer(SceneEditor& editor, bool with_comparisons, Rng rng);
+  /// `compared`: all that the formulas compare which it will be asked for.
+  Enforcer(SceneEditor& editor, Compared compared, Rng rng);
 
   /// Tries to make a closed state formula true; false when it is not afterwards (SceneEditor::failure says why).
   bool make_true(const Formula& formula);
@@ -42,12 +44,14 @@ class Enforcer {
   bool holds(const Formula& formula, const Names& names);
   /// The names of things that exist, as the trace numbers them.
   Assignment assignment(const Trace& trace, const Names& names) const;
+  /// In the order of the home's list; where things are compared, in that of the scene, which changes when one goes.
+  std::vector<std::string> ids_of(const std::vector<EntityIndex>& entities, const Trace& trace) const;
   std::vector<std::string> members(const Formula& quantifier, const Names& names);
   std::vector<std::string> satisfying(const Formula& quantifier, const Names& names, bool truth);
   std::string id_of(const Term& term, const Names& names) const;
 
   SceneEditor& editor_;
-  bool with_comparisons_;
+  Compared compared_;
   Rng rng_;
   Trace trace_;  // with comparisons
   int read_ = -1;

@@ -1,12 +1,14 @@
 #include "grounding/ground.h"
 
+#include <utility>
+
 #include "generator/goal_parts.h"
 #include "grounding/check_start.h"
 #include "grounding/enforce.h"
 #include "grounding/reachability.h"
 #include "grounding/scene_editor.h"
 #include "logic/evaluate.h"
-#include "scene/trace.h"
+#include "scene/comparisons.h"
 
 namespace unietp {
 namespace {
@@ -88,9 +90,10 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
   std::vector<Formula> constraints = specification.init;
   const auto referring = referring_constraints(specification);
   constraints.insert(constraints.end(), referring.begin(), referring.end());
-  bool compared = reads_comparisons(specification.goal);
-  for (const Formula& constraint : constraints) compared = compared || reads_comparisons(constraint);
-  Enforcer enforcer(editor, compared, rng.fork("choices", 0));
+  Compared compared;
+  compared.add(specification.goal);
+  for (const Formula& constraint : constraints) compared.add(constraint);
+  Enforcer enforcer(editor, std::move(compared), rng.fork("choices", 0));
   const auto parts = goal_parts(specification.goal);
   std::optional<GroundingFailure> problem;
   for (int attempt = 0; attempt < kRepairs; ++attempt) {

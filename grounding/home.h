@@ -27,8 +27,8 @@ struct Home {
   std::vector<std::optional<Bounds>> sweeps;       // space that doors and drawers of furniture pass through, by node
   std::shared_ptr<const Walk> walk;
   std::optional<std::string> unreached;  // a room that the agent cannot walk to
-  Trace now;                             // the scene in the logic, with comparisons
-  FactReader reader{true};               // that read it
+  Trace now;                             // the scene in the logic, without comparisons
+  FactReader reader;                     // that read it
 };
 
 /// Reads the scene's edges anew. Deterministic.

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "grounding/home.h"
@@ -11,7 +10,7 @@
 namespace unietp {
 
 /// What physics and the logic show of a scene that grew out of a home, kept up to date at the cost of what changed
-/// since it was last read. Comparisons (`nearest`, `size`) stay those of the home.
+/// since it was last read; without comparisons (`nearest`, `size`).
 class Present {
  public:
   /// Of the home as it is.
@@ -25,7 +24,7 @@ class Present {
 
   /// The state that was read last. Entities that are gone stay in the list and do not exist.
   const Trace& now() const { return trace_; }
-  std::optional<EntityIndex> find(std::string_view id) const { return reader_.find(id); }
+  const FactReader& reader() const { return reader_; }  // that read it
 
  private:
   FactReader reader_;

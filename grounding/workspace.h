@@ -36,7 +36,7 @@ class Workspace {
   void remove(std::size_t index);
   /// Reads the edges anew from physics; of a home only those that can have changed, and the state in the logic.
   void read_edges();
-  /// The state of a workspace that began as a home, as last read, without comparisons of its own.
+  /// The state of a workspace that began as a home, as last read.
   const Present& present() const { return *present_; }
   /// Another number after each reading.
   int reading() const { return reading_; }

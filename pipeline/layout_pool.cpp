@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "scene/trace.h"
+
 namespace unietp {
 namespace {
 
@@ -16,7 +18,7 @@ std::string layout_id(Simulator simulator, int index) {
 Layout layout_of(Scene scene, const Backend& backend) {
   Layout layout;
   layout.home = prepare_home(std::move(scene), backend.profile);
-  layout.offer = {offered_categories(layout.home.scene, backend.knowledge), layout.home.now};
+  layout.offer = {offered_categories(layout.home.scene, backend.knowledge), to_logic(layout.home.scene, {}, true)};
   return layout;
 }
 

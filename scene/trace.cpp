@@ -1,13 +1,13 @@
 #include "scene/trace.h"
 
 #include <algorithm>
-#include <cmath>
 #include <compare>
 #include <iterator>
-#include <map>
 #include <numeric>
 #include <unordered_map>
 #include <unordered_set>
+
+#include "scene/comparisons.h"
 
 namespace unietp {
 namespace {
@@ -41,73 +41,6 @@ struct Relation {
   EntityIndex second = 0;
   auto operator<=>(const Relation&) const = default;
 };
-
-/// In order of the winners, then of what they are nearest to, as the nodes stand in the list.
-void add_nearest(const std::vector<Node>& nodes, const std::vector<EntityIndex>& index_of_node,
-                 std::vector<Relation>& relations) {
-  std::unordered_map<std::string_view, std::size_t> slot_of_category;
-  std::vector<std::size_t> slot(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    slot[i] = slot_of_category.emplace(nodes[i].category, slot_of_category.size()).first->second;
-  }
-  struct Best {
-    double distance = 0, next = 0;  // squared
-    std::size_t node = 0;
-    int found = 0;
-  };
-  std::vector<Best> best(slot_of_category.size());
-  struct Pair {
-    std::size_t winner = 0, other = 0;
-  };
-  std::vector<Pair> pairs;
-  // Of each winner's next pair; at first, how many the winner before it has.
-  std::vector<std::size_t> place_of(nodes.size() + 1, 0);
-  for (std::size_t y = 0; y < nodes.size(); ++y) {
-    std::fill(best.begin(), best.end(), Best{});
-    for (std::size_t x = 0; x < nodes.size(); ++x) {
-      if (x == y) continue;
-      const double distance = (nodes[x].pose.position - nodes[y].pose.position).squaredNorm();
-      Best& so_far = best[slot[x]];
-      if (so_far.found == 0 || distance < so_far.distance) {
-        so_far = {distance, so_far.distance, x, so_far.found + 1};
-      } else if (++so_far.found == 2 || distance < so_far.next) {
-        so_far.next = distance;
-      }
-    }
-    for (const Best& winner : best) {
-      const bool wins =
-          winner.found == 1 || (winner.found > 1 && clearly_nearer(std::sqrt(winner.distance), std::sqrt(winner.next)));
-      if (!wins) continue;
-      pairs.push_back({winner.node, y});
-      ++place_of[winner.node + 1];
-    }
-  }
-  std::partial_sum(place_of.begin(), place_of.end(), place_of.begin());
-  const std::size_t before = relations.size();
-  relations.resize(before + pairs.size());
-  for (const Pair& pair : pairs) {
-    relations[before + place_of[pair.winner]++] = {index_of_node[pair.winner], Predicate::Nearest,
-                                                   index_of_node[pair.other]};
-  }
-}
-
-/// `large` and `small`, by category.
-void add_sizes(const std::vector<Node>& nodes, const std::vector<EntityIndex>& index_of_node, Facts& facts) {
-  std::map<std::string_view, std::vector<std::size_t>> alike;
-  for (std::size_t i = 0; i < nodes.size(); ++i) alike[nodes[i].category].push_back(i);
-  for (auto& [category, things] : alike) {
-    if (things.size() < 2) continue;
-    const auto volume = [&](std::size_t i) { return nodes[i].size.prod(); };
-    std::sort(things.begin(), things.end(), [&](std::size_t a, std::size_t b) { return volume(a) < volume(b); });
-    const auto second_largest = things[things.size() - 2];
-    if (volume(things.back()) >= kClearlyLarger * volume(second_largest)) {
-      facts.set(Predicate::Size, index_of_node[things.back()], "large");
-    }
-    if (volume(things[1]) >= kClearlyLarger * volume(things[0])) {
-      facts.set(Predicate::Size, index_of_node[things[0]], "small");
-    }
-  }
-}
 
 bool is_comparison(const Formula& formula) {
   return formula.op == Formula::Op::Atom &&
@@ -248,11 +181,14 @@ Facts FactReader::read(const Scene& scene) {
   std::sort(relations.begin(), relations.end());  // facts are kept sorted: in order, each goes to the end at once
   if (with_comparisons_) {
     const auto edges = static_cast<std::ptrdiff_t>(relations.size());
-    add_nearest(scene.nodes, index_of_node, relations);
+    std::vector<std::size_t> all(scene.nodes.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    for (const NearestPair& pair : nearest_pairs(scene.nodes, all))
+      relations.push_back({index_of_node[pair.winner], Predicate::Nearest, index_of_node[pair.other]});
     const auto nearest = relations.begin() + edges;
     if (!std::is_sorted(nearest, relations.end())) std::sort(nearest, relations.end());  // known in another order
     std::inplace_merge(relations.begin(), nearest, relations.end());
-    add_sizes(scene.nodes, index_of_node, facts);
+    for (const auto& [i, size] : sizes_of(scene.nodes, all)) facts.set(Predicate::Size, index_of_node[i], size);
   }
   for (const Relation& relation : relations) facts.set(relation.predicate, relation.first, relation.second);
   return facts;

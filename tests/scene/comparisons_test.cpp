@@ -1,0 +1,79 @@
+#include "scene/comparisons.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "random_scene.h"
+
+namespace unietp {
+namespace {
+
+Compared compared_by(std::string_view text, FormulaUse use) {
+  const auto formula = parse_formula("test", text, use);
+  EXPECT_TRUE(formula) << text;
+  Compared compared;
+  if (formula) compared.add(*formula);
+  return compared;
+}
+
+TEST(Compared, AreTheCategoriesOfTheVariablesThatAComparisonNamesAndNoOthers) {
+  const auto nearest = compared_by(
+      "(at-end (exists (?x - Mug) (exists (?y - (Fridge :where (nearest ?y ?x))) (exists (?z - Table) (on ?x ?z)))))",
+      FormulaUse::Goal);
+  EXPECT_EQ(nearest.categories, (std::vector<std::string>{"Fridge", "Mug"}));
+  EXPECT_FALSE(nearest.all);
+  const auto size = compared_by("(exists (?x - (either Mug Bread/slice)) (size ?x large))", FormulaUse::State);
+  EXPECT_EQ(size.categories, (std::vector<std::string>{"Bread", "Mug"}));
+  EXPECT_TRUE(compared_by("(exists (?x - object) (exists (?y - Mug) (nearest ?x ?y)))", FormulaUse::State).all);
+  EXPECT_TRUE(compared_by("(exists (?x - Mug) (exists (?y - Table) (on ?x ?y)))", FormulaUse::State).none());
+}
+
+TEST(Compared, AreReadAsInAReadingThatComparesEverythingAndNothingElseIsForAnySeed) {
+  int related = 0, sized = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    Scene scene = random_scene(rng);
+    const std::vector<std::string> categories{"Bread", "Fridge", "Mug", "Plate"};
+    for (int i = 0; i < 12; ++i) {
+      Node node = random_node("thing_" + std::to_string(i), rng);
+      node.category = categories[rng.below(categories.size())];
+      scene.nodes.push_back(std::move(node));
+    }
+    Compared compared;
+    compared.categories = {"Fridge", "Mug"};
+    const Trace some = read_state(scene, compared), every = to_logic(scene, {}, true);
+    ASSERT_EQ(some.entities, every.entities);
+    const auto of_named = [&](EntityIndex e) {
+      const Entity& entity = every.entities[e];
+      return std::binary_search(compared.categories.begin(), compared.categories.end(), entity.category) ||
+             std::binary_search(compared.categories.begin(), compared.categories.end(), entity.slice_of);
+    };
+    const Facts &few = some.states.front(), &all = every.states.front();
+    for (EntityIndex x = 0; x < every.entities.size(); ++x) {
+      for (const char* size : {"large", "small"}) {
+        if (!of_named(x)) continue;
+        EXPECT_EQ(few.holds(Predicate::Size, x, size), all.holds(Predicate::Size, x, size)) << every.entities[x].id;
+        sized += few.holds(Predicate::Size, x, size) ? 1 : 0;
+      }
+      for (EntityIndex y = 0; y < every.entities.size(); ++y) {
+        for (const PredicateInfo& one : all_predicates()) {
+          if (one.predicate == Predicate::Nearest) continue;
+          EXPECT_EQ(few.holds(one.predicate, x, y), all.holds(one.predicate, x, y));
+        }
+        if (of_named(x) && of_named(y)) {
+          EXPECT_EQ(few.holds(Predicate::Nearest, x, y), all.holds(Predicate::Nearest, x, y));
+          related += few.holds(Predicate::Nearest, x, y) ? 1 : 0;
+        } else if (every.entities[x].category == "Plate" || every.entities[y].category == "Plate") {
+          EXPECT_FALSE(few.holds(Predicate::Nearest, x, y));
+        }
+      }
+    }
+  }
+  EXPECT_GT(related, 100);
+  EXPECT_GT(sized, 20);
+}
+
+}  // namespace
+}  // namespace unietp
