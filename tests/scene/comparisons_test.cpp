@@ -37,7 +37,7 @@ TEST(Compared, AreReadAsInAReadingThatComparesEverythingAndNothingElseIsForAnySe
     Scene scene = random_scene(rng);
     const std::vector<std::string> categories{"Bread", "Fridge", "Mug", "Plate"};
     for (int i = 0; i < 12; ++i) {
-      Node node = random_node("thing_" + std::to_string(i), rng);
+      Node node = random_node("compared_" + std::to_string(i), rng);
       node.category = categories[rng.below(categories.size())];
       scene.nodes.push_back(std::move(node));
     }
