@@ -87,8 +87,8 @@ void CandidatePlanner::settle_home(CandidatePlan& plan, const TaskSlot& slot, Fr
     // One without a task comes first, so that none is left over; one that has been tried in vain waits.
     const auto tried = tried_.find({slot.simulator, home});
     const double patience = 1.0 / (1 + (tried == tried_.end() ? 0 : tried->second));
-    const double wanted = counts.weight(Dimension::Scene, layout->home.scene.id);
-    weights.push_back(fit * wanted * wanted * wanted * patience * patience);
+    const double wanted = counts.weight(Dimension::Scene, layout->home.scene.id), wanted_more = wanted * wanted;
+    weights.push_back(fit * wanted_more * wanted_more * wanted * patience * patience);
   }
   Rng draw = rng.fork("home", 0);
   for (int look = 0; look < kHomesLookedAt && !homes.empty(); ++look) {

@@ -54,16 +54,20 @@ TEST_P(SpoiltPlans, GiveAwayAStepThatIsNotNeeded) {
   EXPECT_THAT(found.problems.back().error.message, HasSubstr("turn_left"));
 }
 
-TEST_P(SpoiltPlans, GiveAwayAnOrderThatTheGoalDoesNotNeed) {
+/// In M3 what a plan points at in another order is not what its looks show then, so that it fails all the same.
+class SpoiltOrders : public SpoiltPlans {};
+
+TEST_P(SpoiltOrders, GiveAwayAnOrderThatTheGoalDoesNotNeed) {
   const std::string either =
       "(exists (?x - Apple) (exists (?y - Mug) (exists (?b - SideTable) (and (or (before (on ?x ?b) (on ?y ?b)) "
       "(before (on ?y ?b) (on ?x ?b))) (at-end (and (on ?x ?b) (on ?y ?b)))))))";
-  if (GetParam() == Mode::M3) GTEST_SKIP() << "in another order the plan's looks show other things, so that it fails";
   const auto found = spoilt(either, plan_for(either));
   ASSERT_EQ(found.problems.size(), 1U);
   EXPECT_EQ(found.problems[0].kind, ProblemKind::AnyOrder);
 }
 
+INSTANTIATE_TEST_SUITE_P(InEachMode, SpoiltOrders, ::testing::Values(Mode::M1, Mode::M2),
+                         [](const auto& mode) { return std::string(name_of(mode.param)); });
 INSTANTIATE_TEST_SUITE_P(InEachMode, SpoiltPlans, ::testing::Values(Mode::M1, Mode::M2, Mode::M3),
                          [](const auto& mode) { return std::string(name_of(mode.param)); });
 
