@@ -14,7 +14,6 @@ void write(JsonText& json, std::initializer_list<double> numbers) {
   for (const double number : numbers) json.value(number);
   json.close_list();
 }
-void write(JsonText& json, const Vec2& v) { write(json, {v.x(), v.y()}); }
 void write(JsonText& json, const Vec3& v) { write(json, {v.x(), v.y(), v.z()}); }
 void write(JsonText& json, const Quat& q) { write(json, {q.w(), q.x(), q.y(), q.z()}); }
 
@@ -115,6 +114,8 @@ Archetype archetype_from_json(JsonReader& reader, const JsonAt& at) {
 }
 
 }  // namespace
+
+void write(JsonText& json, const Vec2& v) { write(json, {v.x(), v.y()}); }
 
 bool is_edge_relation(Predicate predicate) {
   const auto arguments = info(predicate).arguments;

@@ -8,6 +8,7 @@ namespace unietp {
 
 /// The parts that a scene and a delta share. Numbers must be finite. Readers report through `reader` and then return
 /// a value of no use.
+void write(JsonText& json, const Vec2& v);
 void write(JsonText& json, const Node& node);
 void write(JsonText& json, const Edge& edge);
 void write(JsonText& json, const Agent& agent);

@@ -21,13 +21,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "unietp-scene/1";
 
-void write(JsonText& json, const Vec2& v) {
-  json.open_list();
-  json.value(v.x());
-  json.value(v.y());
-  json.close_list();
-}
-
 void write(JsonText& json, const Room& room) {
   json.open_object();
   json.key("id");
