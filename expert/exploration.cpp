@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <queue>
 #include <tuple>
 
+#include "expert/poses.h"
 #include "simulation/view.h"
 
 namespace unietp {
@@ -21,16 +20,8 @@ constexpr std::array kMoves{ActionType::TurnLeft, ActionType::TurnRight,   Actio
                             ActionType::LookUp,   ActionType::MoveForward, ActionType::MoveBackward,
                             ActionType::MoveLeft, ActionType::MoveRight};
 
-/// A pose of the body on the way, and how it came about.
-struct Standing {
-  Agent agent;
-  double cost = 0;
-  std::size_t from = 0;  // itself for a pose without a step before it
-  Action by;
-};
-
 /// Poses a centimetre or a degree apart are the same.
-std::tuple<long, long, long, long> key_of(const Agent& agent) {
+Poses::Key key_of(const Agent& agent) {
   constexpr double kPlaces = 100, kAngles = 57.3;
   return {std::lround(agent.position.x() * kPlaces), std::lround(agent.position.y() * kPlaces),
           std::lround(agent.yaw * kAngles), std::lround(agent.pitch * kAngles)};
@@ -50,20 +41,17 @@ class Search {
       begin_with(id, 1 + extra);
       extra = kElsewhere;
     }
-    while (!open_.empty()) {
-      const std::size_t at = std::get<1>(open_.top());
-      open_.pop();
-      if (shows(poses_[at].agent)) return steps_to(at);
-      if (poses_.size() < kMostPoses && poses_[at].cost < kMostSteps) expand(at);
+    while (const auto at = poses_.next()) {
+      if (shows(poses_[*at].agent)) return poses_.steps_to(*at);
+      if (poses_.size() < kMostPoses && poses_[*at].cost < kMostSteps) expand(*at);
     }
     return std::nullopt;
   }
 
  private:
-  void add(Standing pose) {
-    if (!known_.emplace(key_of(pose.agent), poses_.size()).second) return;
-    open_.emplace(pose.cost, poses_.size());
-    poses_.push_back(std::move(pose));
+  void add(ReachedPose pose) {
+    const auto key = key_of(pose.agent);
+    poses_.add(std::move(pose), key);
   }
   void begin_with(const std::string& place, double cost) {
     const Action action{ActionType::GoTo, {place}};
@@ -86,22 +74,13 @@ class Search {
     const auto box = world_.pictured_from(agent, target_.id);
     return box && (episode_.mode() == Mode::M2 || shows_clearly(*box));
   }
-  std::vector<Action> steps_to(std::size_t at) const {
-    std::vector<Action> steps;
-    for (; at != 0; at = poses_[at].from) steps.push_back(poses_[at].by);
-    std::reverse(steps.begin(), steps.end());
-    return steps;
-  }
 
   const ModeEpisode& episode_;
   const World& world_;
   const Node& target_;
   const Profile& profile_;
   bool in_reach_;
-  std::vector<Standing> poses_;
-  std::map<std::tuple<long, long, long, long>, std::size_t> known_;
-  using Open = std::pair<double, std::size_t>;  // cheapest first, of equals the one found first
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+  Poses poses_;
 };
 
 }  // namespace

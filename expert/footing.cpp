@@ -4,10 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <queue>
-#include <set>
 #include <tuple>
 
+#include "expert/poses.h"
 #include "simulation/navigation.h"
 #include "simulation/spots.h"
 
@@ -22,13 +21,6 @@ constexpr int kMostTrials = 16;              // poses from which the action is d
 constexpr std::array kFlatMoves{ActionType::MoveForward, ActionType::MoveLeft, ActionType::MoveRight,
                                 ActionType::MoveBackward};
 constexpr std::array kTurns{ActionType::TurnLeft, ActionType::TurnRight};  // what is dropped falls straight ahead
-
-struct Footing {
-  Agent agent;
-  int steps = 0;
-  std::size_t from = 0;  // itself for the first
-  Action by;
-};
 
 /// Where one may begin to come to an object from another side: itself, then what is nearest; or in a room.
 std::vector<std::string> beginnings(const World& world, const std::string& about) {
@@ -66,36 +58,34 @@ class FootingSearch {
 
   std::optional<std::vector<Action>> run() {
     if (places_ && spots_.empty()) return std::nullopt;
-    poses_.push_back({world_.agent(), 0, 0, {}});
-    if (object_) open_.emplace(0, 0);  // else one has to come to the room first
+    poses_.add({world_.agent(), 0, 0, {}}, {0, 0, 0, 1});  // what leads back to it may stand a little otherwise
+    if (!object_) poses_.next();                           // one has to come to the room first
     for (const std::string& id : beginnings(world_, about_)) {
       const Action go{ActionType::GoTo, {id}};
       if (auto agent = world_.led_to(world_.agent(), go)) add({std::move(*agent), 1, 0, go});
     }
-    while (!open_.empty() && trials_ < kMostTrials) {
-      const std::size_t at = std::get<1>(open_.top());
-      open_.pop();
-      if (promises(poses_[at].agent)) {
-        if (auto steps = steps_to(at); does(steps)) return steps;
+    while (trials_ < kMostTrials) {
+      const auto at = poses_.next();
+      if (!at) break;
+      if (promises(poses_[*at].agent)) {
+        if (auto steps = poses_.steps_to(*at); does(steps)) return steps;
       }
-      if (poses_.size() < kMostFootings && poses_[at].steps < kLongestWay) expand(at);
+      if (poses_.size() < kMostFootings && poses_[*at].cost < kLongestWay) expand(*at);
     }
     return std::nullopt;
   }
 
  private:
-  void add(Footing pose) {
+  void add(ReachedPose pose) {
     constexpr double kPlaces = 20, kAngles = 12;  // poses within 5 cm and 5 degrees of one another are the same
     const Vec2 place = pose.agent.position * kPlaces;
     const long turned = drops() ? std::lround(pose.agent.yaw * kAngles) : 0;
-    if (!known_.emplace(std::lround(place.x()), std::lround(place.y()), turned).second) return;
-    open_.emplace(pose.steps, poses_.size());
-    poses_.push_back(std::move(pose));
+    poses_.add(std::move(pose), {std::lround(place.x()), std::lround(place.y()), turned, 0});
   }
   void expand(std::size_t at) {
     const auto step = [&](ActionType type) {
-      const Footing from = poses_[at];
-      if (auto agent = world_.led_to(from.agent, {type, {}})) add({std::move(*agent), from.steps + 1, at, {type, {}}});
+      const ReachedPose from = poses_[at];
+      if (auto agent = world_.led_to(from.agent, {type, {}})) add({std::move(*agent), from.cost + 1, at, {type, {}}});
     };
     for (const ActionType type : kFlatMoves) step(type);
     if (!drops()) return;
@@ -125,12 +115,6 @@ class FootingSearch {
     const Pose& held = world_.find(world_.agent().held.front())->pose;
     return stand(agent) * inverse(stand(world_.agent())) * held;
   }
-  std::vector<Action> steps_to(std::size_t at) const {
-    std::vector<Action> steps;
-    for (; at != 0; at = poses_[at].from) steps.push_back(poses_[at].by);
-    std::reverse(steps.begin(), steps.end());
-    return steps;
-  }
   bool does(const std::vector<Action>& steps) {
     ++trials_;
     World trial = world_;
@@ -146,10 +130,7 @@ class FootingSearch {
   bool places_ = false;
   std::vector<Pose> spots_;
   int trials_ = 0;
-  std::vector<Footing> poses_;
-  std::set<std::tuple<long, long, long>> known_;
-  using Open = std::pair<int, std::size_t>;  // fewest steps first, of equals the one found first
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+  Poses poses_;
 };
 
 }  // namespace
