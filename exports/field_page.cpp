@@ -86,10 +86,11 @@ void add_fields(const Json& schema, const std::string& path, std::string& rows) 
   if (schema.contains("items") && schema["items"].is_object()) add_fields(schema["items"], path + "[]", rows);
 }
 
+/// The fields of what has some, the type of what has none.
 std::string table(const Json& schema) {
   std::string rows;
   add_fields(schema, "", rows);
-  return rows.empty() ? "" : "\n| field | type | meaning |\n|---|---|---|\n" + rows;
+  return rows.empty() ? "\n" + type_of(schema) + "\n" : "\n| field | type | meaning |\n|---|---|---|\n" + rows;
 }
 
 std::string section(const std::string& name, const Json& schema) {
@@ -100,8 +101,7 @@ std::string section(const std::string& name, const Json& schema) {
     text += "\n### " + name + ": " + definition + "\n";
     const auto about = part.value("description", "");
     if (!about.empty()) text += "\n" + about + "\n";
-    const auto rows = table(part);
-    text += rows.empty() ? "\n" + type_of(part) + "\n" : rows;
+    text += table(part);
   }
   return text;
 }

@@ -11,6 +11,7 @@
 #include "../llm/model.h"
 #include "core/files.h"
 #include "program.h"
+#include "schema_checker.h"
 
 namespace unietp {
 namespace {
@@ -85,6 +86,18 @@ TEST_F(CompleteCommand, FillsGapsThatTheOtherCommandsThenShow) {
   EXPECT_EQ(again.code, 0);
   EXPECT_EQ(Json::parse(again.out)["requests"]["asked"], 0);
   EXPECT_EQ(server.count(), asked);
+}
+
+TEST_F(CompleteCommand, WhatItPrintsForProgramsIsAsItsSchemaSays) {
+  // The first request is refused for good, the others are answered: facts accepted and rejected, and a failure.
+  ChatServer server([](const Received& received) {
+    return received.number == 0 ? http("403 Forbidden", "not this one") : answer_all(received);
+  });
+  const auto ended = run_program(command(data("own"), server, {"--json", "--at-once", "1", "--price-out", "2"}));
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  const auto json = nlohmann::ordered_json::parse(ended.out);
+  for (const char* part : {"failures", "accepted", "rejected"}) EXPECT_FALSE(json[part].empty()) << part;
+  EXPECT_EQ(SchemaChecker().check(json, "knowledge-complete.schema.json"), "");
 }
 
 TEST_F(CompleteCommand, KilledAndRunAgainGivesTheBytesOfOneRun) {

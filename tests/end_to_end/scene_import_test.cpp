@@ -32,7 +32,9 @@ Json import_into(const std::string& out, const fs::path& file, const std::vector
   arguments.insert(arguments.end(), more.begin(), more.end());
   const auto ended = run_program(arguments);
   EXPECT_EQ(ended.code, 0) << ended.err;
-  return Json::parse(ended.out, nullptr, false);
+  const auto json = Json::parse(ended.out, nullptr, false);
+  EXPECT_EQ(SchemaChecker().check(json, "scene-importing.schema.json"), "");
+  return json;
 }
 
 /// What stands in the folder is as its schema says.
@@ -247,8 +249,11 @@ TEST_F(SpoiltFiles, AFolderThatCannotBeWrittenIsNamed) {
 TEST_F(SpoiltFiles, AHomeThatCannotBeBuiltLosesNoOther) {
   ASSERT_TRUE(write_file(folder_.at("void.json"), R"({"sceneName":"FloorPlan2","objects":[]})"));
   const auto ended =
-      run_program({"scene", "import", "ithor", folder_.at("void.json"), sound(), "--out", folder_.at("out")});
+      run_program({"scene", "import", "ithor", folder_.at("void.json"), sound(), "--out", folder_.at("out"), "--json"});
   EXPECT_EQ(ended.code, 1) << ended.out << ended.err;
+  const auto json = Json::parse(ended.out, nullptr, false);
+  EXPECT_EQ(json["failed"].size(), 1U) << json;
+  EXPECT_EQ(SchemaChecker().check(json, "scene-importing.schema.json"), "");
   EXPECT_THAT(ended.err, HasSubstr("FloorPlan2: "));
   EXPECT_TRUE(fs::exists(folder_.at("out/FloorPlan9.scene.json.gz")));
   EXPECT_FALSE(fs::exists(folder_.at("out/FloorPlan2.scene.json.gz")));

@@ -42,6 +42,13 @@ TEST(Schemas, DescribeTheSettingsThatComeWithTheProgram) {
   }
 }
 
+constexpr const char* kGoalOfEveryKind =
+    "(or (at-end (forall (?m - (Mug :where (imply (dirty ?m) (held ?m)))) (exists (?t - (either Sofa Bread/slice))"
+    " (and (on ?m ?t) (not (= ?m ?t))))))"
+    " (before (sometime (count >= 2 (?o - object) (filled ?o water)))"
+    " (until (always (exists (?r - room) (in_room agent ?r))) (at-end"
+    " (count > (number (?c - Cup) (open ?c)) (number (?b - Bowl) (dirty ?b)))))))";
+
 /// What a command prints with --json, whatever it ends with.
 Json printed(std::vector<std::string> arguments) {
   arguments.emplace_back("--json");
@@ -71,6 +78,7 @@ TEST(Schemas, DescribeWhatCommandsPrintForPrograms) {
       {"template-why-not", {"template", "why-not", "place-one-inside", "--bind", "A=Fridge", "B=Mug"}},
       {"template-why-not", {"template", "why-not", "open-one", "--bind", "A=Fridge", "--try", "--homes", "1"}},
       {"coverage", {"template", "coverage", "--tries", "1", "--template", "open-one"}},
+      {"goal", {"goal", kGoalOfEveryKind}},
       {"knowledge-show", {"knowledge", "show", "ai2thor", "Mug"}},
       {"knowledge-show", {"knowledge", "show", "habitat"}},
       {"knowledge-why", {"knowledge", "why", "ai2thor", "Mug", "on:CounterTop"}},
