@@ -89,8 +89,9 @@ Clause ClauseReader::given(Clause part) {
 
 NounPhrase ClauseReader::condition() {
   NounPhrase there = words_.phrase();
-  if (there.determiner != Determiner::New) words_.fail("expected 'a …' before this");
-  be();
+  if (there.determiner != Determiner::New && there.determiner != Determiner::Any)
+    words_.fail("expected 'a …' or 'any …' before this");
+  if (be(false)) words_.fail("a condition is of something that is so");
   Clause said;
   words_.complements(said);
   if (said.any_complement) words_.fail("a condition says all of its object that it asks for");
@@ -116,20 +117,29 @@ Clause ClauseReader::statement_list() {
   return only;
 }
 
-void ClauseReader::be() {
+/// True for "must not be". "No mug may be there" forbids; "a mug may be there" asks for nothing.
+bool ClauseReader::be(bool forbids) {
+  if (words_.accept_one({"should not be", "must not be"}) >= 0) return true;
+  if (forbids && words_.accept("may be")) return false;
   if (words_.accept_one({"is", "are", "should be", "must be", "has to be", "have to be"}) < 0)
     words_.fail("expected 'is' or 'are'");
+  return false;
 }
 
 Clause ClauseReader::statement() {
   Clause clause;
   if (words_.accept("there")) {
-    be();
+    if (be(false)) words_.fail("expected how many there are to be, before 'not'");
     return comparison();
   }
   clause.subjects = words_.phrases(clause.any_subject);
-  be();
+  const bool forbids = std::all_of(clause.subjects.begin(), clause.subjects.end(), [](const NounPhrase& subject) {
+    return subject.determiner == Determiner::No || subject.determiner == Determiner::AtMost;
+  });
+  const bool denied = be(forbids);
   words_.complements(clause);
+  if (denied && clause.complements.size() > 1) words_.fail("expected one thing that is not so before this");
+  if (denied) clause.complements[0].negated = !clause.complements[0].negated;
   return clause;
 }
 

@@ -27,7 +27,7 @@ class ClauseReader {
  private:
   Clause given(Clause part);
   Clause statement_list();
-  void be();
+  bool be(bool forbids);
   Clause statement();
   Clause comparison();
   Clause reached();

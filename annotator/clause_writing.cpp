@@ -20,10 +20,33 @@ Place place_of(const Clause& clause) {
   return place;
 }
 
-std::string agreed(const std::string& be, bool plural) {
+bool forbids(const NounPhrase& subject) {
+  return subject.determiner == Determiner::No || subject.determiner == Determiner::AtMost;
+}
+
+/// "No mug has to be there" would forbid none: "no mug may be there".
+std::string agreed(const std::string& be, bool plural, bool forbidden = false) {
+  if (forbidden && (be == "must be" || be == "has to be")) return "may be";
   if (!plural) return be;
   if (be == "is") return "are";
   return be == "has to be" ? "have to be" : be;
+}
+
+bool speaks_of(const Clause& clause, const Domain& noun) {
+  const auto same = [&](const NounPhrase& phrase) { return phrase.noun == noun; };
+  const auto within = [&](const Complement& said) { return std::any_of(said.object.begin(), said.object.end(), same); };
+  return std::any_of(clause.subjects.begin(), clause.subjects.end(), same) ||
+         std::any_of(clause.complements.begin(), clause.complements.end(), within) ||
+         std::any_of(clause.parts.begin(), clause.parts.end(),
+                     [&](const Clause& part) { return speaks_of(part, noun); });
+}
+
+/// What is done to a thing wherever it stands: "open the drawer in the kitchen" is clear, "cook the egg on a table" is
+/// not.
+bool is_done_in_place(Predicate predicate) {
+  using P = Predicate;
+  return predicate == P::Open || predicate == P::Closed || predicate == P::PowerOn || predicate == P::PowerOff ||
+         predicate == P::Held;
 }
 
 /// "turn it off" rather than "turn off it"; no long object before "up".
@@ -81,12 +104,23 @@ std::optional<Words> ClauseWriter::subjects_of(const Clause& clause, Place place
   return Words{listed(texts, clause.any_subject ? "or" : "and"), plural};
 }
 
+/// "should not be dusty" rather than "should be not dusty".
+std::optional<std::string> ClauseWriter::denial(const Clause& clause, const std::string& be) {
+  const auto subjects = subjects_of(clause, {.outcome = true});
+  Complement denied = clause.complements[0];
+  denied.negated = false;
+  const Text said = subjects ? naming_.complement(denied, place_of(clause)) : std::nullopt;
+  if (!said) return std::nullopt;
+  return subjects->text + (be == "should be" ? " should not be " : " must not be ") + *said;
+}
+
 std::optional<std::string> ClauseWriter::statement(const Clause& clause, const std::string& be) {
   if (clause.kind == Clause::Kind::And || clause.kind == Clause::Kind::Or) {
     return joined_parts(clause, &be);
   }
   if (clause.kind == Clause::Kind::Compare) return comparison(clause, be);
-  const auto subjects = subjects_of(clause);
+  if (be != "is" && clause.complements.size() == 1 && clause.complements[0].negated) return denial(clause, be);
+  const auto subjects = subjects_of(clause, {.outcome = true});
   if (!subjects) return std::nullopt;
   std::vector<std::string> parts;
   for (const Complement& complement : clause.complements) {
@@ -95,7 +129,8 @@ std::optional<std::string> ClauseWriter::statement(const Clause& clause, const s
     parts.push_back(*said);
   }
   const std::string either = clause.any_complement && rng_.chance(0.6) ? "either " : "";
-  return subjects->text + " " + agreed(be, subjects->plural) + " " + either +
+  const bool forbidden = std::all_of(clause.subjects.begin(), clause.subjects.end(), forbids);
+  return subjects->text + " " + agreed(be, subjects->plural, forbidden) + " " + either +
          listed(parts, clause.any_complement ? "or" : "and");
 }
 
@@ -114,12 +149,13 @@ std::optional<std::string> ClauseWriter::joined_parts(const Clause& clause, cons
   return (either ? "either " : "") + listed(parts, either ? "or" : "and");
 }
 
-/// " if a fridge is open", or nothing.
+/// " if a fridge is open", or nothing. "Any fridge" where fridges are spoken of: "a fridge" would be the one.
 std::optional<std::string> ClauseWriter::given(const Clause& part) {
   std::string text;
   for (const NounPhrase& there : part.given) {
     NounPhrase bare = there;
     bare.modifiers.clear();
+    if (speaks_of(part, there.noun) && naming_.is_countable(there.noun)) bare.determiner = Determiner::Any;
     const auto subject = naming_.phrase(bare, {});
     if (!subject) return std::nullopt;
     std::vector<std::string> states;
@@ -212,7 +248,8 @@ std::optional<std::string> ClauseWriter::special_command(const Clause& clause, b
   return pick({"put ", "place "}) + moved->text + " either " + listed(places, "or");
 }
 
-/// "put the mug that is on a desk in a box" could be read as a desk in a box: "take … and put it in a box" cannot.
+/// "put the mug that is on a desk in a box" could be read as a desk in a box, "put something to toast on a table" as
+/// toasting there: "take … and put it in a box" cannot.
 std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
   const auto subject = naming_.phrase(clause.subjects[0], {});
   if (!subject || subject->plural) return std::nullopt;
@@ -222,15 +259,16 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
 
 bool ClauseWriter::described_by_place(const Clause& clause) const {
   const NounPhrase& subject = clause.subjects[0];
-  if (clause.subjects.size() != 1 || subject.modifiers.empty() || naming_.was_named(subject.variable)) return false;
-  if (subject.determiner != Determiner::New) return false;
-  return !subject.modifiers.back().object.empty() && !clause.complements[0].object.empty();
+  if (clause.subjects.size() != 1 || clause.complements[0].object.empty()) return false;
+  if (subject.determiner != Determiner::New || naming_.was_named(subject.variable)) return false;
+  if (naming_.names_by_use(subject.noun)) return true;
+  return !subject.modifiers.empty() && !subject.modifiers.back().object.empty();
 }
 
 std::optional<std::string> ClauseWriter::filled(const std::string& pattern, const Clause& clause) {
   if (described_by_place(clause) && !pattern.starts_with("attach")) return taken_first(clause);
   // Only where the reader expects no place: verbs that end with what they are done to.
-  const bool bare = clause.complements[0].object.empty() && pattern.ends_with(" {s}");
+  const bool bare = is_done_in_place(clause.complements[0].predicate) && pattern.ends_with(" {s}");
   const auto subjects = subjects_of(clause, {.bare = bare});
   if (!subjects) return std::nullopt;
   std::string text = smooth(pattern, subjects->text, clause.complements[0]);
@@ -238,6 +276,7 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
   if (!clause.complements[0].object.empty()) {
     const auto object = naming_.phrase(clause.complements[0].object[0], place_of(clause));
     if (!object) return std::nullopt;
+    if (object->text == "it") text = replace_all(text, "the floor of {o}", "its floor");
     text = replace_all(text, "{o}", object->text);
   }
   return replace_all(text, "{s}", subjects->text);

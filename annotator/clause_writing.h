@@ -32,6 +32,7 @@ class ClauseWriter {
  private:
   std::string pick(std::initializer_list<const char*> choices);
   std::optional<Words> subjects_of(const Clause& clause, Place place = {});
+  std::optional<std::string> denial(const Clause& clause, const std::string& be);
   /// Each part by `statement` with `be`, or, without it, by `command`.
   std::optional<std::string> joined_parts(const Clause& clause, const std::string* be);
   std::optional<std::string> comparison(const Clause& clause, const std::string& be);

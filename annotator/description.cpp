@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "annotator/naming.h"
 #include "annotator/state_words.h"
 #include "core/text.h"
@@ -67,7 +69,12 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
       description.is += (description.is.empty() ? "" : " and ") + *text;
     }
   }
-  if (!description.is.empty() && rng_.chance(0.3)) description.is.insert(0, "now ");
+  const bool lasting = std::any_of(rest.begin(), rest.end(), [](const Complement* one) {
+    return one->predicate == Predicate::Colour || one->predicate == Predicate::Material ||
+           one->predicate == Predicate::Size;
+  });
+  // "The mug that is in a sink is on a table" needs it.
+  if (!description.is.empty() && !lasting && (rng_.chance(0.3) || place.outcome)) description.is.insert(0, "now ");
   for (const Complement& done : said.done) {
     const auto object = phrase(done.object[0], {});
     if (!object) return std::nullopt;

@@ -42,16 +42,25 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
   return plural ? name.plural : name.singular;
 }
 
+bool Naming::is_countable(const Domain& noun) const {
+  return std::all_of(noun.members.begin(), noun.members.end(), [&](const Domain::Member& member) {
+    const auto* name = lexicon_.display(member.category);
+    return member.slice || (name != nullptr && name->countable);
+  });
+}
+
+std::vector<std::string> Naming::uses(const Domain& noun) const {
+  const bool wanted = style_ == "function" || (noun.members.size() > 1 && style_ != "alias");
+  return wanted && noun.kind == Domain::Kind::Categories ? lexicon_.functions(noun) : std::vector<std::string>();
+}
+
 std::optional<Naming::Noun> Naming::noun(const Domain& domain, bool exact) {
   if (domain.kind == Domain::Kind::Object) return Noun{"object", "objects"};
   if (domain.kind == Domain::Kind::Room) return Noun{"room", "rooms"};
   if (domain.kind == Domain::Kind::Agent) return exact ? std::optional(Noun{"agent", "agents"}) : std::nullopt;
-  if (!exact && (domain.members.size() > 1 || style_ == "function")) {
-    const auto phrases = lexicon_.functions(domain);
-    if (!phrases.empty() && style_ != "alias") {
-      const std::string text = rng_.pick(phrases);
-      return Noun{text, text, true, true};
-    }
+  if (const auto phrases = exact ? std::vector<std::string>() : uses(domain); !phrases.empty()) {
+    const std::string text = rng_.pick(phrases);
+    return Noun{text, text, true, true};
   }
   Noun noun;
   for (const Domain::Member& member : domain.members) {
@@ -74,7 +83,7 @@ std::optional<std::string> Naming::plural(const NounPhrase& phrase, Place place)
   if (!phrase.modifiers.empty()) return std::nullopt;
   const auto bare = noun(phrase.noun, place.exact);
   if (!bare || bare->function) return std::nullopt;
-  if (place.exact) named_.push_back({phrase.variable, phrase.noun, false});
+  if (place.exact) named_.push_back({phrase.variable, phrase.noun, false, ""});
   return bare->countable ? bare->plural : "pieces of " + bare->singular;
 }
 
@@ -102,6 +111,7 @@ std::optional<std::string> Naming::complement(const Complement& said, Place plac
   const auto object = phrase(said.object[0], place);
   const std::string preposition = before_object(said.predicate);
   if (!object || preposition.empty()) return std::nullopt;
+  if (said.predicate == Predicate::OnFloor && object->text == "it") return text + "on its floor";
   return text + preposition + " " + object->text;
 }
 
@@ -121,7 +131,7 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
 }
 
 std::optional<Words> Naming::bound(const NounPhrase& said, const Noun& noun, const Description& description) {
-  named_.push_back({said.variable, said.noun, said.noun.kind == Domain::Kind::Object});
+  named_.push_back({said.variable, said.noun, said.noun.kind == Domain::Kind::Object, ""});
   const std::string one = description.before + (noun.countable ? noun.singular : "piece of " + noun.singular);
   if (said.determiner == Determiner::New) return Words{"some " + one + description.tail(false)};
   if (said.determiner == Determiner::Every) return Words{pick({"every", "each"}) + " " + one + description.tail(false)};
@@ -132,14 +142,15 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
   std::vector<std::size_t> alike;
   std::size_t position = 0;
   const bool vague = noun.function;
+  std::string use;
   for (const Named& other : named_) {
-    const bool same = other.noun == said.noun;
-    const bool rival = vague && other.vague;
-    if (other.variable == said.variable) position = alike.size();
-    if (same || rival) alike.push_back(alike.size());
+    if (other.variable == said.variable) position = alike.size(), use = other.use;
+    if (other.noun == said.noun) alike.push_back(alike.size());
   }
   if (!place.exact && named_.size() == 1 && rng_.chance(0.7)) return Words{"it"};
-  const std::string word = vague ? "object" : noun.singular;
+  // "That object" is clear only where no other was named: "that thing to drink from".
+  const std::string word = !vague ? noun.singular : named_.size() == 1 ? "object" : named_again(use);
+  if (word.empty()) return std::nullopt;
   if (alike.size() > 1) {
     static constexpr std::array kOrdinals{"first",   "second", "third", "fourth", "fifth",    "sixth",
                                           "seventh", "eighth", "ninth", "tenth",  "eleventh", "twelfth"};
@@ -167,7 +178,8 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   const bool another = distinct > 0;
   // Inside a description the object is any of its kind and stays unnamed.
   if (!said.variable.empty())
-    named_.push_back({said.variable, said.noun, noun.function || said.noun.kind == Domain::Kind::Object});
+    named_.push_back({said.variable, said.noun, noun.function || said.noun.kind == Domain::Kind::Object,
+                      noun.function ? noun.singular : ""});
   if (noun.function) return another || place.beside_every ? std::nullopt : std::optional(Words{noun.singular});
   if (description.of_two) return Words{"the " + before + "of the two " + noun.plural + tail};
   if (another) {
@@ -188,7 +200,7 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   if (place.inside_description && rng_.chance(0.7)) return Words{with_article(before + noun.singular) + tail};
   const bool room = !said.noun.members.empty() && lexicon_.is_room_type(said.noun.members[0].category);
   // "The mug" would promise that there is one only; of rooms there mostly is.
-  if (room && alike == 0 && rng_.chance(0.7)) return Words{"the " + before + noun.singular + tail};
+  if (room && alike == 0 && !place.chosen && rng_.chance(0.7)) return Words{"the " + before + noun.singular + tail};
   if (rng_.chance(0.25)) return Words{"one " + before + noun.singular + tail};
   return Words{with_article(before + noun.singular) + tail};
 }

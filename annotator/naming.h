@@ -22,10 +22,12 @@ struct Place {
   bool beside_every = false;  // "put every mug on …": a bare "a table" would have two readings
   bool beside_none = false;   // "no mug is on …": nothing new can be named
   bool inside_description = false;
-  bool unique = false;  // the home has one only: "nearest to the sink"
-  bool wanted = false;  // some such thing, not one that is there: "someone wants a hot potato"
-  bool bare = false;    // no place follows that the phrase could be torn apart by: "open the drawer in the kitchen"
-  bool exact = false;   // within a proposition: what is bound has one name, "some mug … the mug", and is never "it"
+  bool unique = false;   // the home has one only: "nearest to the sink"
+  bool wanted = false;   // some such thing, not one that is there: "someone wants a hot potato"
+  bool bare = false;     // no place follows that the phrase could be torn apart by: "open the drawer in the kitchen"
+  bool chosen = false;   // "choose a kitchen": there may be several
+  bool outcome = false;  // of what will be so at the end: what describes it is so now
+  bool exact = false;    // within a proposition: what is bound has one name, "some mug … the mug", and is never "it"
 };
 
 /// Names the objects of one text as it goes: which were named before, and by which words.
@@ -38,9 +40,12 @@ class Naming {
   std::optional<Words> phrase(const NounPhrase& phrase, Place place);
   /// The bare noun, as "more mugs" has it; `exact`: what it binds can be named from here on.
   std::optional<std::string> plural(const NounPhrase& phrase, Place place = {});
+  bool is_countable(const Domain& noun) const;
   /// "clean", "on that table", "filled with water".
   std::optional<std::string> complement(const Complement& complement, Place place);
   bool was_named(const std::string& variable) const;
+  /// Whether such a thing is called by what it is for, when it is new.
+  bool names_by_use(const Domain& noun) const { return !uses(noun).empty(); }
   /// Ends an alternative: what it named cannot be named again.
   std::size_t named_count() const { return named_.size(); }
   void forget_after(std::size_t count) { named_.resize(count); }
@@ -54,7 +59,9 @@ class Naming {
     std::string variable;
     Domain noun;
     bool vague = false;  // "that object" may mean it
+    std::string use;     // "something to drink from", or ""
   };
+  std::vector<std::string> uses(const Domain& noun) const;
   std::optional<Noun> noun(const Domain& domain, bool exact);
   std::optional<std::string> name_of(const Domain::Member& member, bool plural, bool& countable);
   std::optional<Words> again(const NounPhrase& phrase, const Noun& noun, Place place);

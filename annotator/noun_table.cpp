@@ -68,6 +68,13 @@ std::string with_article(const std::string& noun) {
   return (vowel ? "an " : "a ") + noun;
 }
 
+std::string named_again(std::string_view use) {
+  for (const std::string_view article : {"a ", "an ", "the "})
+    if (use.starts_with(article)) return std::string(use.substr(article.size()));
+  constexpr std::string_view kSomething = "something ";
+  return use.starts_with(kSomething) ? "thing " + std::string(use.substr(kSomething.size())) : "";
+}
+
 NounTable::NounTable(const Knowledge& knowledge) {
   Names made;
   std::set<std::string> rooms, colours, materials;
@@ -99,6 +106,7 @@ NounTable::NounTable(const Knowledge& knowledge) {
     for (const std::string& category : categories) noun.members.push_back({category, false});
     functions_[text] = noun;
     add(phrases_, text, noun, true, false, false, 0);
+    add(repeats_, named_again(text), noun, true, false, false, 0);
   }
   if (rooms.empty()) rooms.insert(kUsualRooms.begin(), kUsualRooms.end());
   for (const std::string& room : rooms) {
@@ -166,10 +174,18 @@ std::vector<std::string> NounTable::functions(const Domain& noun) const {
 
 void NounTable::narrow(const std::string& phrase, const Domain& noun) {
   functions_[phrase] = noun;
-  for (auto& [word, entries] : phrases_)
-    for (Entry& entry : entries)
-      if (entry.words.size() == tokens_of(phrase).size() && says(tokens_of(phrase), join(entry.words, " ")))
-        entry.noun = noun;
+  narrow(phrases_, phrase, noun);
+  narrow(repeats_, named_again(phrase), noun);
+}
+
+void NounTable::narrow(Index& index, std::string_view words, const Domain& noun) {
+  const std::vector<Token> tokens = tokens_of(words);
+  if (tokens.empty()) return;
+  for (Entry& entry : index[tokens.front().text]) {
+    const bool same = std::equal(tokens.begin(), tokens.end(), entry.words.begin(), entry.words.end(),
+                                 [](const Token& token, const std::string& word) { return token.text == word; });
+    if (same) entry.noun = noun;
+  }
 }
 
 bool NounTable::is_room_type(const std::string& category) const {
@@ -244,6 +260,10 @@ bool NounTable::is_name(const std::string& text) const {
 
 NounTable::Reading NounTable::function_at(const std::vector<Token>& tokens, std::size_t at) const {
   return longest(phrases_, tokens, at);
+}
+
+NounTable::Reading NounTable::function_again_at(const std::vector<Token>& tokens, std::size_t at) const {
+  return longest(repeats_, tokens, at);
 }
 
 }  // namespace unietp

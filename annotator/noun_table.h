@@ -22,6 +22,10 @@ std::vector<Token> tokens_of(std::string_view text);
 /// Whether the words of `name` come in the text one after another.
 bool says(const std::vector<Token>& text, std::string_view name);
 
+/// How what was named by its use is named again, behind "that": "thing to drink from" for "something to drink from";
+/// "" for what has no singular, as "leaves for a salad".
+std::string named_again(std::string_view use);
+
 /// "a mug", "an apple", "an hour glass", "a utensil": by how the word starts when spoken.
 std::string with_article(const std::string& noun);
 
@@ -64,6 +68,8 @@ class NounTable {
   /// A category that is itself called "slice of bread" keeps that name; what slicing makes is then "freshly cut".
   Reading noun_at(const std::vector<Token>& tokens, std::size_t at) const;
   Reading function_at(const std::vector<Token>& tokens, std::size_t at) const;
+  /// Of a function phrase, what stands behind "that" when it is named again.
+  Reading function_again_at(const std::vector<Token>& tokens, std::size_t at) const;
 
  private:
   struct Entry {
@@ -75,6 +81,7 @@ class NounTable {
   using Index = std::unordered_map<std::string, std::vector<Entry>>;  // by first word, longest first
   static void add(Index& index, const std::string& text, const Domain& noun, bool singular, bool plural, bool mass,
                   int rank);
+  static void narrow(Index& index, std::string_view words, const Domain& noun);
   static Reading longest(const Index& index, const std::vector<Token>& tokens, std::size_t at);
 
   struct Names {  // never changed once made
@@ -86,7 +93,7 @@ class NounTable {
   };
   std::shared_ptr<const Names> fixed_;
   std::map<std::string, Domain, std::less<>> functions_;  // by text
-  Index phrases_;
+  Index phrases_, repeats_;                               // of function phrases: in full, and when named again
 };
 
 }  // namespace unietp

@@ -24,7 +24,8 @@ Phrasings phrasings_of(std::string_view text, const NounTable& nouns) {
   };
   for (std::size_t i = 0; i < words.size();) {
     const auto function = nouns.function_at(words, i);
-    const auto taken = function.length > 0 ? function.length : nouns.noun_at(words, i).length;
+    const auto named = std::max(nouns.noun_at(words, i).length, nouns.function_again_at(words, i).length);
+    const auto taken = function.length > 0 ? function.length : named;
     const bool mark = std::isalnum(static_cast<unsigned char>(words[i].text[0])) == 0;
     if (taken == 0 && !mark && !is_left_out(words[i].text)) add(words[i].text);
     i += taken > 0 ? taken : 1;

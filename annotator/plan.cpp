@@ -127,7 +127,14 @@ class Planner {
       case Op::Sometime: {
         const auto undone = std::find_if(finals.begin(), finals.end(),
                                          [&](const Formula& part) { return opposite(f.children[0], part); });
-        if (undone == finals.end() || rng_.chance(0.3)) return say(Kind::Sometime, {said(0)});
+        const auto meanwhile = [&](const Formula& part) {
+          return !(part == *undone) && mentions(part, f.children[0].terms[0].name);
+        };
+        if (undone == finals.end() || rng_.chance(0.3) || std::any_of(finals.begin(), finals.end(), meanwhile)) {
+          // What is taken out of an open fridge is said before the fridge is closed.
+          if (undone != finals.end()) std::rotate(undone, undone + 1, finals.end());
+          return say(Kind::Sometime, {said(0)});
+        }
         const bool found = say(Kind::Again, {said(0), clause(*undone)});
         if (found) finals.erase(undone);
         return found;

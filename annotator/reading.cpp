@@ -98,6 +98,14 @@ NounPhrase PhraseReader::phrase() {
     read.determiner = Determiner::It;
     return read;
   }
+  for (const auto& [article, length] : {std::pair{"that", 1U}, std::pair{"the same", 2U}, std::pair{"the", 1U}}) {
+    const auto use = comes(article) ? lexicon_.function_again_at(tokens_, at_ + length) : NounTable::Reading{};
+    if (use.length <= lexicon_.noun_at(tokens_, at_ + length).length) continue;
+    at_ += length + use.length;
+    read.determiner = Determiner::Known;
+    read.noun = use.nouns.front();
+    return read;
+  }
   const auto as = [&](Determiner determiner, bool plural = false) {
     read.determiner = determiner;
     return noun_after(read, plural);

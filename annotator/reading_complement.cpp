@@ -130,6 +130,12 @@ Complement PhraseReader::complement() {
   for (const StateWords& words : kSymbols)
     if (accept(words.words)) return {words.predicate, false, symbol(), {}};
   if (lexicon_.is_colour(peek())) return {P::Colour, false, tokens_[at_++].text, {}};
+  if (accept("on its floor")) {
+    NounPhrase room;
+    room.determiner = Determiner::It;
+    room.column = column();
+    return {P::OnFloor, false, "", {room}};
+  }
   if (const auto predicate = preposition()) return relation(*predicate);
   fail("expected a state or a place, such as 'clean' or 'on a table'");
   return {};

@@ -101,9 +101,9 @@ class Realiser {
     return asked(pick({"make sure that ", "see to it that ", "ensure that "}) + body, is_first);
   }
 
-  std::string asked(const std::string& command, bool is_first) {
-    if (nested_) return nested(command);
+  Text asked(const std::string& command, bool is_first) {
     const bool forbids = command.starts_with("do not ") || command.find(" do not ") != std::string::npos;
+    if (nested_) return forbids ? std::nullopt : Text(nested(command));
     if (forbids) return sentence((rng_.chance(0.3) ? "please " : "") + command, '.');  // "could you do not" is wrong
     if (rng_.chance(0.2)) return sentence(command, '.');
     const std::string before = is_first ? pick_from(kFirstFrames) : pick_from(kLaterFrames);
@@ -128,7 +128,7 @@ class Realiser {
       case Kind::Final:
         return conditional(clauses[0]);
       case Kind::Choose: {
-        const auto named = naming_.phrase(clauses[0].subjects[0], {});
+        const auto named = naming_.phrase(clauses[0].subjects[0], {.chosen = true});
         if (!named) return std::nullopt;
         return sentence("choose " + named->text, '.');
       }
@@ -187,7 +187,7 @@ class Realiser {
     std::string text;
     for (const NounPhrase& about : said.clauses[0].subjects) {
       if (naming_.was_named(about.variable)) continue;
-      const auto named = naming_.phrase(about, {});
+      const auto named = naming_.phrase(about, {.chosen = true});
       if (!named) return std::nullopt;
       text += sentence("choose " + named->text, '.') + " ";
     }
@@ -238,7 +238,9 @@ class Realiser {
 }  // namespace
 
 std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const std::string& style, Rng rng) {
-  return Realiser(plan, lexicon, style, rng).text();
+  auto text = Realiser(plan, lexicon, style, rng).text();
+  if (text && text->find(" that that ") != std::string::npos) return std::nullopt;  // right, and hard to read
+  return text;
 }
 
 }  // namespace unietp

@@ -54,7 +54,7 @@ std::vector<const char*> verbs(const Complement& said) {
     case P::Unplugged:
       return {"unplug {s}"};
     case P::Held:
-      return {"pick up {s}", "pick {s} up", "end up holding {s}"};
+      return {"pick up {s}", "pick {s} up", "hold {s}"};
     case P::SatOn:
       return {"sit on {s}", "sit down on {s}"};
     case P::LainOn:

@@ -15,9 +15,9 @@ namespace unietp {
 std::vector<std::string> form_faults(const std::string& text, const Specification& specification);
 
 /// Every category, symbol, number, state, relation, quantifier and order of the goal has a word in the text, and the
-/// text has no word for a category, colour, number, state, quantifier or order that the goal does not have. Words are
-/// held against the lexicon: one that misses a name of the goal by a letter is a slip of the pen. It sees no syntax, so
-/// it cannot tell who is put on whom; that is what reading back is for.
+/// text has no word for a category, colour, number, state, quantifier or order that the goal does not have. Where a
+/// name of the goal is missing, a word that is a letter off it is told as a slip of the pen. It sees no syntax, so it
+/// cannot tell who is put on whom; that is what reading back is for.
 std::vector<std::string> saying_faults(const std::string& text, const Specification& specification,
                                        const NounTable& nouns);
 

@@ -27,6 +27,7 @@ constexpr std::array kStyles = {
     StyleWords{"function", "name one thing by what it is for, with the very phrase of the wordings below"},
     StyleWords{"context", "begin with a sentence that gives the occasion and demands nothing"},
     StyleWords{"background", "begin with some sentences of background that demand nothing"},
+    StyleWords{"bystander", "name something that is around and ask for nothing with it ('never mind the bowl')"},
     StyleWords{"distractor", "mention what has to stay as it is the whole time"},
     StyleWords{"negation", "say a part by what must not be"},
     StyleWords{"relative-clause", "name a thing by what is done to it ('that you put a mug into')"},

@@ -117,13 +117,47 @@ TEST_F(LlmWriter, AJudgeThatGivesNoFormulaIsAskedOnceMore) {
   EXPECT_THAT(server.received()[2].user, HasSubstr("could not be read"));
 }
 
-TEST_F(LlmWriter, FallsBackToTheGrammarAfterGarbage) {
-  ChatServer server(answering({http("200 OK", "<html>"), saying("Fly to the moon."), saying("Put mug_3 away."),
-                               completion("{\"instruction\": 3}"), saying("Stelle einen Becher auf den Tisch."),
-                               completion("I am sorry, but I cannot help with that."), saying("")},
-                              judging(kJudged)));
-  expect_grammar(one(server), "");
+struct BadAnswer {
+  const char* name;
+  std::string http;
+};
+void PrintTo(const BadAnswer& answer, std::ostream* out) { *out << answer.name; }
+
+class LlmWriterAfter : public LlmWriter, public ::testing::WithParamInterface<BadAnswer> {};
+
+TEST_P(LlmWriterAfter, ABadAnswerIsRetriedAndABetterOneTaken) {
+  ChatServer server(answering({GetParam().http, saying("Put a mug on the table.")}, judging(kJudged)));
+  const auto written = one(server);
+  EXPECT_EQ(written.writer, "llm:tiny") << written.why;
+  EXPECT_EQ(server.count(), 3);  // the bad one, the good one, and its reading
 }
+
+TEST_P(LlmWriterAfter, NothingButBadAnswersTheGrammarStandsInAndSaysWhy) {
+  ChatServer server(answering({GetParam().http}, judging(kJudged)));
+  const auto written = one(server);
+  expect_grammar(written, "");
+  EXPECT_NE(written.why, "");
+  EXPECT_GE(server.count(), 3);  // --rewrites, or the attempts of a request
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Answers, LlmWriterAfter,
+    ::testing::Values(
+        BadAnswer{"Refusal", completion("I am sorry, but I cannot help with that.")},
+        BadAnswer{"RefusalAsJson", saying("I am sorry, but I cannot help with that.")},
+        BadAnswer{"RefusalField",
+                  http("200 OK", R"({"choices":[{"message":{"content":null,"refusal":"I cannot help."}}]})")},
+        BadAnswer{"Empty", saying("")}, BadAnswer{"EmptyBody", http("200 OK", "")},
+        BadAnswer{"CutText", saying("Put a mug on")},
+        BadAnswer{"CutObject", completion("{\"instruction\": \"Put a mug on the ta")},
+        BadAnswer{"CutBody", "HTTP/1.1 200 OK\r\nContent-Length: 500\r\n\r\n{\"choices\":[{\"mess"},
+        BadAnswer{"German", saying("Stelle einen Becher auf den Tisch.")},
+        BadAnswer{"Spanish", saying("Pon una taza sobre la mesa, por favor.")},
+        BadAnswer{"Html", http("200 OK", "<html>Log in</html>")}, BadAnswer{"NotJson", completion("put(mug, table)")},
+        BadAnswer{"WrongField", completion("{\"text\": \"Put a mug on the table.\"}")},
+        BadAnswer{"WrongType", completion("{\"instruction\": 3}")},
+        BadAnswer{"AnotherGoal", saying("Fly to the moon.")}, BadAnswer{"LeakedId", saying("Put mug_3 on the table.")}),
+    [](const auto& answer) { return std::string(answer.param.name); });
 
 TEST_F(LlmWriter, FallsBackToTheGrammarWhenNothingComes) {
   for (const std::string& answer :

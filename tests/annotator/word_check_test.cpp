@@ -1,5 +1,6 @@
 #include "annotator/word_check.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "small_knowledge.h"
@@ -7,6 +8,8 @@
 namespace unietp {
 namespace {
 
+using ::testing::Contains;
+using ::testing::HasSubstr;
 using testing_support::asking;
 using testing_support::small_knowledge;
 
@@ -61,7 +64,15 @@ TEST(SayingFaults, AreWhatTheTextHasTooMuch) {
 TEST(SayingFaults, AreSlipsOfThePen) {
   constexpr const char* kFridge = "(exists (?b - Fridge) (at-end (open ?b)))";
   EXPECT_TRUE(said(kFridge, "Open a fridge.").empty());
-  EXPECT_FALSE(said(kFridge, "Open a frigde, that is the fridge.").empty());
+  EXPECT_THAT(said(kFridge, "Open a frigde."), Contains(HasSubstr("'frigde' looks like a slip for 'fridge'")));
+  EXPECT_TRUE(said(kFridge, "As soon as you can reach over the ridge, open a fridge.").empty());  // words of their own
+}
+
+TEST(SayingFaults, AreNotInWhatIsAskedForNothing) {
+  constexpr const char* kFridge = "(exists (?b - Fridge) (at-end (open ?b)))";
+  static const NounTable nouns(small_knowledge());
+  EXPECT_TRUE(saying_faults("Open a fridge. Never mind the mug.", asking(kFridge, "bystander"), nouns).empty());
+  EXPECT_FALSE(saying_faults("Open a fridge. Never touch the mug.", asking(kFridge, "bystander"), nouns).empty());
 }
 
 }  // namespace

@@ -217,6 +217,20 @@ TEST_F(AnnotateCommand, BatchFilesGoOnWhereTheAnswersEnded) {
   ended = by_batch();  // nothing has come: nothing is asked twice
   EXPECT_THAT(ended.out, HasSubstr(std::to_string(kCount) + " waiting, 0 failed, 0 new requests"));
 
+  // The service gave one up: that is told, and it is asked anew.
+  const auto given_up = split(*read_file(fs::path(folder_.at("batch")) / "requests-0001.jsonl"), '\n')[0];
+  const auto custom_id = nlohmann::json::parse(given_up)["custom_id"].get<std::string>();
+  const auto errors = fs::path(folder_.at("batch")) / "errors-0.jsonl";
+  ASSERT_TRUE(write_file(errors, "{\"custom_id\": \"" + custom_id +
+                                     "\", \"response\": null, \"error\": {\"code\": "
+                                     "\"batch_expired\", \"message\": \"out of time\"}}\n"));
+  ended = by_batch();
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.out, HasSubstr(std::to_string(kCount - 1) + " waiting, 1 failed, 1 new requests"));
+  EXPECT_THAT(ended.out, HasSubstr("1 failed: "));
+  EXPECT_THAT(ended.out, HasSubstr("out of time"));
+  EXPECT_TRUE(fs::exists(fs::path(folder_.at("batch")) / "requests-0002.jsonl"));
+
   serve_batch(model, "answers-1.jsonl", 2);  // of the wordings, two are missing
   ended = by_batch();
   EXPECT_EQ(ended.code, 1);

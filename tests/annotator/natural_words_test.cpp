@@ -1,0 +1,140 @@
+// What a native speaker would stumble over, or read otherwise than it is meant.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "annotator/meaning.h"
+#include "annotator/noun_table.h"
+#include "small_knowledge.h"
+#include "tests/generator/real_tables.h"
+
+namespace unietp {
+namespace {
+
+using ::testing::AnyOf;
+using ::testing::Contains;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing_support::asking;
+using testing_support::small_knowledge;
+
+/// Many texts of a goal, each of which reads back as it.
+std::vector<std::string> texts_of(const std::string& goal, const std::string& style = "direct",
+                                  const std::string& start = "") {
+  static const Knowledge knowledge = small_knowledge();
+  static const NounTable nouns(knowledge);
+  auto specification = asking(goal, style);
+  if (!start.empty()) specification.init = {*parse_formula("test", start, FormulaUse::State)};
+  std::vector<std::string> texts;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const auto written = write_instruction(specification, knowledge, nouns, {}, Rng(seed));
+    EXPECT_TRUE(written) << format(written.error());
+    if (!written) break;
+    EXPECT_EQ(written->style, style) << written->text;
+    texts.push_back(written->text);
+  }
+  return texts;
+}
+
+TEST(NaturalWords, ForbidWithMayAndNotWithHasTo) {
+  const auto none = texts_of("(at-end (forall (?c - Table) (forall (?y - Mug) (not (on ?y ?c)))))");
+  EXPECT_THAT(none, Contains(AnyOf(HasSubstr("no mug may be"), HasSubstr("no mugs may be"))));
+  EXPECT_THAT(none, Each(Not(AnyOf(HasSubstr("has to be"), HasSubstr("have to be"), HasSubstr("must be")))));
+  const auto few = texts_of("(exists (?b - Table) (at-end (count <= 1 (?a - Mug) (on ?a ?b))))");
+  EXPECT_THAT(few, Contains(HasSubstr("may be on")));
+}
+
+TEST(NaturalWords, DenyWithTheVerb) {
+  const auto texts = texts_of("(exists (?a - Mug) (at-end (not (covered ?a dust))))");
+  EXPECT_THAT(texts, Contains(HasSubstr("must not be covered with dust")));
+  EXPECT_THAT(texts, Each(Not(HasSubstr("be not"))));
+}
+
+TEST(NaturalWords, ChooseOneOfSeveralRooms) {
+  const auto texts = texts_of("(exists (?r - kitchen) (at-end (count = 0 (?a - Mug) (on_floor ?a ?r))))");
+  EXPECT_THAT(texts, Contains(AnyOf(HasSubstr("Choose a kitchen."), HasSubstr("Choose one kitchen."))));
+  EXPECT_THAT(texts, Contains(HasSubstr("on its floor")));
+  EXPECT_THAT(texts, Each(Not(AnyOf(HasSubstr("Choose the"), HasSubstr("floor of it")))));
+}
+
+TEST(NaturalWords, NameAThingByItsUseAgainWhereThatObjectCouldBeAnother) {
+  const auto texts = texts_of(
+      "(exists (?k - Knife) (exists (?a - (either Bowl Mug)) (exists (?b - Table) (at-end (and (inside ?k ?a) "
+      "(on ?a ?b))))))",
+      "function");
+  EXPECT_THAT(texts, Contains(HasSubstr("that thing to drink from")));
+  EXPECT_THAT(texts, Each(Not(HasSubstr("object"))));
+}
+
+TEST(NaturalWords, TakeAThingBeforeItsUseMeetsAPlace) {
+  const auto texts =
+      texts_of("(exists (?a - (either Bowl Mug)) (exists (?b - Table) (at-end (on ?a ?b))))", "function");
+  EXPECT_THAT(texts, Contains(HasSubstr("ake something to drink from and put it on")));
+  EXPECT_THAT(texts, Each(Not(HasSubstr("drink from on"))));
+}
+
+TEST(NaturalWords, TieToAnyOfAKindThatIsSpokenOf) {
+  const auto texts =
+      texts_of("(exists (?a - Mug) (at-end (clean ?a)))", "condition", "(count >= 1 (?m - Mug) (dirty ?m))");
+  EXPECT_THAT(texts, Each(HasSubstr("If any mug is dirty, ")));
+}
+
+TEST(NaturalWords, CloseAfterWhatIsTakenOut) {
+  const auto texts = texts_of(
+      "(exists (?b - Fridge) (and (sometime (open ?b)) (at-end (and (closed ?b) (count = 0 (?a - Mug) (inside ?a "
+      "?b))))))");
+  for (const std::string& text : texts) {
+    EXPECT_THAT(text, Not(HasSubstr("again")));
+    const auto closed = std::min({text.find("close"), text.find("Close"), text.find("shut"), text.find("Shut")});
+    EXPECT_GT(closed, text.find("mug")) << text;
+  }
+}
+
+TEST(NaturalWords, SayNowOfWhatWillChangeAndOfNothingElse) {
+  const auto placed = texts_of(
+      "(exists (?a - (Mug :where (exists (?b - Table) (on ?a ?b)))) (exists (?c - Fridge) (at-end (inside ?a ?c))))");
+  EXPECT_THAT(placed, Contains(HasSubstr("that is now on a table")));
+  EXPECT_THAT(placed, Each(Not(AnyOf(HasSubstr("that is on a table is"), HasSubstr("that is on a table should be")))));
+  EXPECT_THAT(texts_of("(exists (?a - (Mug :where (colour ?a red))) (at-end (clean ?a)))"),
+              Each(Not(HasSubstr("now"))));
+}
+
+TEST(NaturalWords, DescribeByAPlaceOnlyWhereItIsNotThePlaceOfTheWork) {
+  const auto texts = texts_of("(exists (?a - (Apple :where (exists (?b - Table) (on ?a ?b)))) (at-end (cooked ?a)))");
+  EXPECT_THAT(texts, Each(Not(HasSubstr("apple on"))));
+}
+
+TEST(NaturalWords, DoNotSayThatTwice) {
+  EXPECT_THAT(texts_of("(exists (?a - Bread) (exists (?b - Table) (at-end (and (cooked ?a) (on ?a ?b)))))"),
+              Each(Not(HasSubstr("that that"))));
+}
+
+TEST(ReadInstruction, TakesMayOnlyForWhatIsForbidden) {
+  const auto read = [](const char* text) { return parse_instruction(text, small_knowledge()); };
+  const auto none =
+      parse_formula("test", "(at-end (forall (?c - Table) (forall (?y - Mug) (not (on ?y ?c)))))", FormulaUse::Goal);
+  const auto text = read("At the end, no mug may be on any table.");
+  ASSERT_TRUE(text) << format(text.error());
+  EXPECT_TRUE(same_meaning(*text, *none));
+  EXPECT_FALSE(read("At the end, a mug may be on a table."));
+  EXPECT_FALSE(read("At the end, a mug must not be hot and dirty."));
+}
+
+TEST(FunctionStyle, IsNotClaimedForAPhraseThatFitsAnotherThing) {
+  // Mugs are something to drink coffee from, too: of cups alone it would ask for less than the goal.
+  const std::string phrase = "something to drink coffee from";
+  const auto& tables = real_tables(Simulator::Behavior);
+  const NounTable nouns(tables);
+  const auto said = [&](const std::string& things) {
+    const auto task = asking("(exists (?a - " + things + ") (at-end (filled ?a coffee)))", "function");
+    std::string texts;
+    for (std::uint64_t seed = 0; seed < 50; ++seed)
+      if (const auto text = write_instruction(task, tables, nouns, {}, Rng(seed))) texts += text->text + "\n";
+    return texts;
+  };
+  EXPECT_THAT(said("coffee_cup"), Not(HasSubstr(phrase)));
+  EXPECT_THAT(said("(either coffee_cup mug)"), HasSubstr(phrase));
+}
+
+}  // namespace
+}  // namespace unietp
