@@ -12,6 +12,15 @@ namespace unietp {
 /// What `demonstrate` shows, without looking: the actions of a plan, of which none can be missed, ending with `stop`.
 std::variant<std::vector<Action>, Rejection> find_plan(Rehearsal& rehearsal, const ExpertOptions& options);
 
+/// What was done and learnt so far by one whose plan did not go as it should.
+struct Beginning {
+  std::vector<Action> done;          // from the start; all of them succeed
+  std::vector<std::string> shunned;  // ids of what was not come to: others are taken where they will do
+};
+/// How to go on from there: the actions after those that were done, ending with `stop`; some may not be needed.
+std::variant<std::vector<Action>, Rejection> find_plan_from(Rehearsal& rehearsal, const Beginning& beginning,
+                                                            const ExpertOptions& options);
+
 /// Does the actions from the start as an agent of the mode would live them; what it cannot say is left out.
 Demonstration record(Rehearsal& rehearsal, Mode mode, const std::vector<Action>& actions);
 

@@ -14,7 +14,8 @@
 namespace unietp {
 namespace {
 
-constexpr std::array kHabits{Habits{false, false}, Habits{false, true}, Habits{true, false}, Habits{true, true}};
+constexpr std::array kHabits{Habits{}, Habits{.switch_before_placing = true}, Habits{.far_first = true},
+                             Habits{.far_first = true, .switch_before_placing = true}, Habits{.large_first = true}};
 constexpr double kPerHabit = 2;         // surcharge for each departure from the usual habits, in actions
 constexpr double kFailedLiteral = 100;  // surcharges that a failure teaches, in actions
 constexpr double kFailedThing = 30;
@@ -70,17 +71,19 @@ std::optional<Literal> carry_out(Attempt& attempt, Methods& methods, const Habit
   return bring_about(attempt, methods, alternative.end, habits);
 }
 
+void shun(Experience& experience, const Situation& situation, const std::string& id) {
+  for (EntityIndex entity = 0; entity < situation.first_imagined; ++entity) {
+    if (situation.entity(entity).id == id) experience.things.emplace_back(entity, kFailedThing);
+  }
+}
+
 void learn(Experience& experience, const Situation& situation, const Attempt& attempt, const Literal& failed) {
   experience.literals.emplace_back(failed, kFailedLiteral);
   if (situation.is_imagined(failed.subject)) {
     experience.things.emplace_back(situation.slice(failed.subject).whole, kFailedThing);
   }
   if (!attempt.trouble()) return;
-  for (const std::string& id : attempt.trouble()->action.args) {
-    for (EntityIndex entity = 0; entity < situation.first_imagined; ++entity) {
-      if (situation.entity(entity).id == id) experience.things.emplace_back(entity, kFailedThing);
-    }
-  }
+  for (const std::string& id : attempt.trouble()->action.args) shun(experience, situation, id);
 }
 
 std::string missing_after(Rehearsal& rehearsal, const std::vector<Action>& actions) {
@@ -96,15 +99,18 @@ std::string missing_after(Rehearsal& rehearsal, const std::vector<Action>& actio
 
 /// `lacked_room` becomes true when something failed for want of it.
 std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, const Situation& situation,
-                                                       const ExpertOptions& options, bool clears, bool& lacked_room) {
+                                                       const Beginning& beginning, const ExpertOptions& options,
+                                                       bool clears, bool& lacked_room) {
   const Formula& goal = rehearsal.goal();
   Experience experience;
+  for (const std::string& id : beginning.shunned) shun(experience, situation, id);
   std::set<std::string> tried;
   Rejection last{"expert", "no-plan", "no way to meet the goal with what the scene has: " + to_text(goal)};
   for (int plan = 0; plan < options.max_plans; ++plan) {
     const auto choice = next_choice(read_goal(goal, situation, experience), situation, tried);
     if (!choice) break;
     Attempt attempt(rehearsal, situation, choice->alternative, options);
+    for (const Action& action : beginning.done) attempt.act(action);
     Methods methods(attempt, categories_of(goal), clears);
     const auto failed = carry_out(attempt, methods, choice->habits);
     if (failed) {
@@ -120,6 +126,8 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
     }
     std::vector<Action> actions = attempt.actions();
     actions.push_back(Action{ActionType::Stop, {}});
+    if (!beginning.done.empty())
+      return std::vector(actions.begin() + static_cast<std::ptrdiff_t>(beginning.done.size()), actions.end());
     // Only an attempt that had to change its mind leaves detours longer than a step.
     auto needed = without_needless(rehearsal, Mode::M1, actions, attempt.failures() == 0 ? 1 : 6);
     if (needed) return std::move(*needed);
@@ -131,14 +139,19 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
 
 }  // namespace
 
-std::variant<std::vector<Action>, Rejection> find_plan(Rehearsal& rehearsal, const ExpertOptions& options) {
+std::variant<std::vector<Action>, Rejection> find_plan_from(Rehearsal& rehearsal, const Beginning& beginning,
+                                                            const ExpertOptions& options) {
   const Situation situation = look_around(rehearsal, options.mode);
   bool lacked_room = false;
-  auto plan = try_plans(rehearsal, situation, options, false, lacked_room);
+  auto plan = try_plans(rehearsal, situation, beginning, options, false, lacked_room);
   // What is in the way is carried away only where no other witness, place or tool will do.
   if (lacked_room && std::holds_alternative<Rejection>(plan))
-    plan = try_plans(rehearsal, situation, options, true, lacked_room);
+    plan = try_plans(rehearsal, situation, beginning, options, true, lacked_room);
   return plan;
+}
+
+std::variant<std::vector<Action>, Rejection> find_plan(Rehearsal& rehearsal, const ExpertOptions& options) {
+  return find_plan_from(rehearsal, {}, options);
 }
 
 std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const ExpertOptions& options) {

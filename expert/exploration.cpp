@@ -16,9 +16,9 @@ constexpr std::size_t kMostPoses = 5000;  // looked from
 constexpr std::size_t kMostLookouts = 5;
 constexpr double kElsewhere = 0.5;  // surcharge for looking from furniture that has nothing to do with the object
 
-constexpr std::array kMoves{ActionType::TurnLeft, ActionType::TurnRight,   ActionType::LookDown,
-                            ActionType::LookUp,   ActionType::MoveForward, ActionType::MoveBackward,
-                            ActionType::MoveLeft, ActionType::MoveRight};
+constexpr std::array kLooks{ActionType::TurnLeft, ActionType::TurnRight, ActionType::LookDown, ActionType::LookUp};
+constexpr std::array kSteps{ActionType::MoveForward, ActionType::MoveBackward, ActionType::MoveLeft,
+                            ActionType::MoveRight};
 
 /// Poses a centimetre or a degree apart are the same.
 Poses::Key key_of(const Agent& agent) {
@@ -29,18 +29,12 @@ Poses::Key key_of(const Agent& agent) {
 
 class Search {
  public:
-  Search(const ModeEpisode& episode, const Node& target, const Profile& profile, bool in_reach)
-      : episode_(episode), world_(episode.world()), target_(target), profile_(profile), in_reach_(in_reach) {}
+  Search(const ModeEpisode& episode, const Node& target, const Profile& profile, Standing standing)
+      : episode_(episode), world_(episode.world()), target_(target), profile_(profile), standing_(standing) {}
 
   std::optional<std::vector<Action>> run() {
     add({world_.agent(), 0, 0, {}});
-    if (const std::string room = world_.room_of(target_.id); !room.empty()) begin_with(room, 1);
-    if (in_reach_) begin_with(target_.id, 1);
-    double extra = 0;
-    for (const std::string& id : lookouts_for(world_, target_.id)) {
-      begin_with(id, 1 + extra);
-      extra = kElsewhere;
-    }
+    if (standing_ != Standing::Here) begin_elsewhere();
     while (const auto at = poses_.next()) {
       if (shows(poses_[*at].agent)) return poses_.steps_to(*at);
       if (poses_.size() < kMostPoses && poses_[*at].cost < kMostSteps) expand(*at);
@@ -49,6 +43,15 @@ class Search {
   }
 
  private:
+  void begin_elsewhere() {
+    if (const std::string room = world_.room_of(target_.id); !room.empty()) begin_with(room, 1);
+    if (standing_ == Standing::InReach) begin_with(target_.id, 1);
+    double extra = 0;
+    for (const std::string& id : lookouts_for(world_, target_.id)) {
+      begin_with(id, 1 + extra);
+      extra = kElsewhere;
+    }
+  }
   void add(ReachedPose pose) {
     const auto key = key_of(pose.agent);
     poses_.add(std::move(pose), key);
@@ -59,14 +62,17 @@ class Search {
     if (auto agent = world_.led_to(world_.agent(), action)) add({std::move(*agent), cost, 0, action});
   }
   void expand(std::size_t at) {
-    for (const ActionType type : kMoves) {
-      const Action action{type, {}};
-      const Agent from = poses_[at].agent;
-      if (auto agent = world_.led_to(from, action)) add({std::move(*agent), poses_[at].cost + 1, at, action});
-    }
+    for (const ActionType type : kLooks) go_on(at, type);
+    if (standing_ == Standing::Here) return;
+    for (const ActionType type : kSteps) go_on(at, type);
+  }
+  void go_on(std::size_t at, ActionType type) {
+    const Action action{type, {}};
+    const Agent from = poses_[at].agent;
+    if (auto agent = world_.led_to(from, action)) add({std::move(*agent), poses_[at].cost + 1, at, action});
   }
   bool shows(const Agent& agent) const {
-    if (in_reach_ && !world_.in_reach_from(agent.position, target_.id)) return false;
+    if (standing_ == Standing::InReach && !world_.in_reach_from(agent.position, target_.id)) return false;
     if (episode_.mode() == Mode::M2) {
       const Vec3 eye(agent.position.x(), agent.position.y(), profile_.camera_height_m);
       if ((target_.pose.position - eye).norm() > profile_.sight_m) return false;
@@ -79,7 +85,7 @@ class Search {
   const World& world_;
   const Node& target_;
   const Profile& profile_;
-  bool in_reach_;
+  Standing standing_;
   Poses poses_;
 };
 
@@ -104,10 +110,10 @@ std::vector<std::string> lookouts_for(const World& world, const std::string& id)
   return ids;
 }
 
-std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, bool in_reach) {
+std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, Standing standing) {
   const Node* target = episode.world().find(id);
   if (target == nullptr) return std::nullopt;
-  return Search(episode, *target, episode.world().profile(), in_reach).run();
+  return Search(episode, *target, episode.world().profile(), standing).run();
 }
 
 }  // namespace unietp

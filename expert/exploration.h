@@ -8,13 +8,20 @@
 
 namespace unietp {
 
+/// Where one may come to stand to see something.
+enum class Standing {
+  Anywhere,
+  InReach,  // where the arm reaches the object and nothing hides it from the hand
+  Here,     // only turning and tilting the camera
+};
+
 /// The cheapest steps known after which an object shows clearly in the picture, or in M2, where it is named by id, is
 /// near enough to be told of and shows at all; none when it is so already. From where the agent stands, or from a room,
 /// piece of furniture or object that the mode lets it go to in one step, it turns, tilts the camera and walks a little.
 /// It may know where to look: the search is made with the scene at hand, what is done of it an agent could have done.
-/// nullopt when nothing within the search shows the object. Deterministic. `in_reach`: the agent then stands where its
-/// arm reaches the object and nothing hides it from the hand.
-std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, bool in_reach = false);
+/// nullopt when nothing within the search shows the object. Deterministic.
+std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id,
+                                              Standing standing = Standing::Anywhere);
 
 /// Furniture to look from when the object itself cannot be found: what it lies on or in first, then what is nearest.
 std::vector<std::string> lookouts_for(const World& world, const std::string& id);

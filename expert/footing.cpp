@@ -17,16 +17,23 @@ constexpr std::size_t kMostBeginnings = 12;  // objects that are gone to first
 constexpr std::size_t kMostFootings = 800;   // looked at
 constexpr int kLongestWay = 10;              // of one way
 constexpr int kMostTrials = 16;              // poses from which the action is done
+constexpr int kMostDrops = 60;               // the same for letting fall
 
 constexpr std::array kFlatMoves{ActionType::MoveForward, ActionType::MoveLeft, ActionType::MoveRight,
                                 ActionType::MoveBackward};
 constexpr std::array kTurns{ActionType::TurnLeft, ActionType::TurnRight};  // what is dropped falls straight ahead
 
-/// Where one may begin to come to an object from another side: itself, then what is nearest; or in a room.
+/// Where one may begin to come to an object from another side: itself, then what is nearest; or in a room: that, then
+/// its furniture.
 std::vector<std::string> beginnings(const World& world, const std::string& about) {
   std::vector<std::string> ids{about};
   const Node* object = world.find(about);
-  if (object == nullptr) return ids;
+  if (object == nullptr) {
+    for (const Node& node : world.nodes()) {
+      if (!node.movable && world.room_of(node.id) == about && ids.size() < kMostBeginnings) ids.push_back(node.id);
+    }
+    return ids;
+  }
   const Node target = *object;
   std::vector<std::tuple<double, std::string>> found;
   const std::string room = world.room_of(about);
@@ -64,7 +71,7 @@ class FootingSearch {
       const Action go{ActionType::GoTo, {id}};
       if (auto agent = world_.led_to(world_.agent(), go)) add({std::move(*agent), 1, 0, go});
     }
-    while (trials_ < kMostTrials) {
+    while (trials_ < (drops() ? kMostDrops : kMostTrials)) {
       const auto at = poses_.next();
       if (!at) break;
       if (promises(poses_[*at].agent)) {

@@ -77,6 +77,9 @@ bool Methods::change_state(const Literal& literal) {
       case Way::Appliance:
         done = in_appliance(literal, way.needs);
         break;
+      case Way::FromVessel:
+        done = pour_from_vessel(literal);
+        break;
     }
     if (done && attempt_.holds(literal)) return true;
   }
@@ -110,6 +113,7 @@ bool Methods::with_held_tool(const Literal& literal, ActionType action, std::str
   if (rules.empty()) return false;
   if (attempt_.is_held(id) && !put_aside(id)) return false;
   for (const std::string& tool : nearest_of(rules, id)) {
+    if (action == ActionType::PourTo && !is(tool, Predicate::Filled)) continue;
     if (!hold(tool)) continue;
     if (do_at(action, id)) return true;
     if (attempt_.exhausted() || not_run_here(attempt_.trouble())) return false;
@@ -132,6 +136,35 @@ bool Methods::pour_away(EntityIndex vessel) {
   empty.predicate = Predicate::Empty;
   empty.subject = vessel;
   return change_state(empty) && put_aside(attempt_.id_of(vessel));
+}
+
+/// From what is filled so already, else from what can be, the nearest first.
+bool Methods::pour_from_vessel(const Literal& literal) {
+  const std::string id = attempt_.id_of(literal.subject);
+  const Situation& situation = attempt_.situation();
+  if (pours_ || !situation.knowledge->has(situation.entity(literal.subject).category, "fillable")) return false;
+  std::vector<std::tuple<bool, double, Literal>> vessels;
+  for (EntityIndex entity = 0; entity < situation.first_imagined; ++entity) {
+    const Node* node = attempt_.node(entity);
+    if (node == nullptr || !node->movable || node->id == id) continue;
+    if (!situation.knowledge->has(node->category, "fillable")) continue;
+    Literal filled = literal;
+    filled.subject = entity;
+    if (!achievable(filled, situation) && !attempt_.holds(filled)) continue;
+    vessels.emplace_back(!attempt_.holds(filled), attempt_.world().walking_distance(node->id), filled);
+  }
+  std::stable_sort(vessels.begin(), vessels.end(), [](const auto& a, const auto& b) {
+    return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
+  });
+  if (vessels.size() > kMostTools) vessels.resize(kMostTools);
+  for (const auto& [empty, away, filled] : vessels) {
+    pours_ = true;  // a vessel is not filled from another in its turn
+    const bool ready = attempt_.holds(filled) || change_state(filled);
+    pours_ = false;
+    if (ready && hold(attempt_.id_of(filled.subject)) && do_at(ActionType::PourTo, id)) return true;
+    if (attempt_.exhausted()) return false;
+  }
+  return false;
 }
 
 bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::string_view effect) {

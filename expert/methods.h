@@ -29,6 +29,7 @@ class Methods {
   bool change_state(const Literal& literal);
   bool with_held_tool(const Literal& literal, ActionType action, std::string_view effect);
   bool with_tool_on_held(const Literal& literal, ActionType action, std::string_view effect);
+  bool pour_from_vessel(const Literal& literal);
   bool in_appliance(const Literal& literal, std::string_view effect);
   bool place(const Literal& literal);
   bool place_in_room(const std::string& id, const std::string& room);
@@ -39,10 +40,18 @@ class Methods {
   bool put_shut(const std::string& id, ActionType action, const std::string& target);
   bool put_in_grasp(const std::string& id, ActionType action, const std::string& target);
   bool put_so_that(const std::string& id, const std::vector<Action>& then);
+  bool put_out_of_the_way(const std::string& id, const Action& action);
   bool make_room(const std::string& id, ActionType action, const std::string& target);
+  bool leave_room(const std::string& id, ActionType action, const std::string& target);
+  bool nest(const std::string& id, const std::string& target);
+  bool put_together(const std::string& id, const std::string& neighbour);
+  bool reopen(const std::string& id, ActionType action, const std::string& target);
+  std::vector<std::string> in_the_way_on(const std::string& target, const std::string& but) const;
+  std::string next_for(const std::string& target, const std::string& but) const;
   bool unblock(ActionType action, const std::string& id);
   std::vector<Action> ways_to_rid(const std::string& id, const std::string& room, const std::string& except) const;
   bool is_relevant(const Node& node) const;
+  bool is_named(const std::string& id) const;
   bool take_away(const Literal& literal);
 
   bool hold(const std::string& id);
@@ -64,6 +73,7 @@ class Methods {
   Attempt& attempt_;
   std::vector<std::string> relevant_;
   bool clears_;
+  bool pours_ = false;  // a vessel is being filled to be poured from
 };
 
 }  // namespace unietp

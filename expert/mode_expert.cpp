@@ -1,6 +1,7 @@
 #include "expert/mode_expert.h"
 
 #include <algorithm>
+#include <span>
 
 #include "expert/course.h"
 #include "expert/execution.h"
@@ -13,22 +14,41 @@ namespace {
 class Explorer {
  public:
   Explorer(Rehearsal& rehearsal, Mode mode) : course_(rehearsal, mode) {}
+  /// From now on it looks around from where it stands, also where it would see a thing sooner from elsewhere.
+  void stay() { stays_ = true; }
 
   bool carry_out(const Action& action) {
     const bool of_object = !action.args.empty() && world().find(action.args.front()) != nullptr;
     if (!of_object) return act(action);
     const std::string& id = action.args.front();
-    if (!can_say(action) && !see(id)) return unseen(id);
+    // Who has come to stand where something works had better look around without leaving.
+    const bool stays = stays_ && action.type != ActionType::GoTo;
+    if (!can_say(action) && !(stays && look(id, Standing::Here)) && !see(id)) return unseen(id);
     if (act(action)) return true;
     if (action.type == ActionType::GoTo) return false;
     // Perhaps from nearer by: where one is led to, or wherever the arm reaches it and the camera shows it.
     const Action approach{ActionType::GoTo, {id}};
     if ((can_say(approach) || see(id)) && act(approach) && can_say(action) && act(action)) return true;
-    return look(id, true) && act(action);
+    return look(id, Standing::InReach) && act(action);
+  }
+
+  /// Does what comes before `stop`; true when the goal is reached then, else `trouble` says why not.
+  bool follow(std::span<const Action> plan) {
+    lost_.clear();
+    for (const Action& action : plan.first(plan.size() - 1)) {
+      if (carry_out(action)) continue;
+      trouble_ = "for " + to_text(action) + ": " + trouble_;
+      if (!action.args.empty()) lost_ = action.args.front();
+      return false;
+    }
+    trouble_ = "done so, it does not reach the goal";
+    return course_.reaches_goal();
   }
 
   const std::vector<Action>& done() const { return course_.done(); }
   const std::string& trouble() const { return trouble_; }
+  const std::string& lost() const { return lost_; }  // what was not come to, or could not be used; or ""
+  bool over() const { return course_.episode().over(); }
 
  private:
   static constexpr int kMostDetours = 2;
@@ -44,8 +64,8 @@ class Explorer {
     if (!outcome.success) trouble_ = to_text(action) + ": " + outcome.feedback;
     return outcome.success;
   }
-  bool look(const std::string& id, bool in_reach = false) {
-    const auto way = way_to_see(course_.episode(), id, in_reach);
+  bool look(const std::string& id, Standing standing = Standing::Anywhere) {
+    const auto way = way_to_see(course_.episode(), id, standing);
     return way && std::all_of(way->begin(), way->end(), [this](const Action& step) { return act(step); });
   }
   /// Looks from here, from the room, and from furniture; furniture that is not in view itself is looked for first.
@@ -61,8 +81,36 @@ class Explorer {
   }
 
   Course course_;
-  std::string trouble_;
+  bool stays_ = false;
+  std::string trouble_, lost_;
 };
+
+/// Does a plan as the mode allows it. Where that does not go as planned, since who looks for things comes to stand
+/// elsewhere, the rest is planned anew from there; or all of it, with other things where others will do. Gives what was
+/// done, without `stop`.
+std::variant<std::vector<Action>, std::string> explore(Mode mode, Rehearsal& rehearsal, std::vector<Action> plan,
+                                                       const ExpertOptions& options) {
+  constexpr int kMostReplans = 4;
+  Explorer explorer(rehearsal, mode);
+  Beginning beginning;
+  for (int replans = 0; !explorer.follow(plan); ++replans) {
+    const std::string trouble = explorer.trouble();
+    if (replans == kMostReplans) return trouble;
+    if (!explorer.lost().empty()) beginning.shunned.push_back(explorer.lost());
+    const bool goes_on = replans % 2 == 0 && !explorer.over();
+    beginning.done = goes_on ? explorer.done() : std::vector<Action>{};
+    auto other = find_plan_from(rehearsal, beginning, options);
+    if (std::holds_alternative<Rejection>(other) && goes_on) {
+      beginning.done.clear();
+      other = find_plan_from(rehearsal, beginning, options);
+    }
+    if (std::holds_alternative<Rejection>(other)) return trouble;
+    plan = std::move(std::get<std::vector<Action>>(other));
+    if (beginning.done.empty()) explorer = Explorer(rehearsal, mode);
+    explorer.stay();
+  }
+  return explorer.done();
+}
 
 std::vector<Action> actions_of(const Demonstration& shown) {
   std::vector<Action> actions;
@@ -80,17 +128,18 @@ std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, Rehearsal& rehe
   const StepLimits limits = limits_of(mode);
   auto plan = actions_of(shown);
   const auto is_offered = [mode](const Action& action) { return offers(info(action.type), mode); };
+  const ExpertOptions options{.max_steps = limits.steps, .max_failures = limits.failures, .mode = mode};
   if (!std::all_of(plan.begin(), plan.end(), is_offered)) {
-    auto atomic = find_plan(rehearsal, {.max_steps = limits.steps, .max_failures = limits.failures, .mode = mode});
+    auto atomic = find_plan(rehearsal, options);
     if (const auto* why = std::get_if<Rejection>(&atomic)) return rejected(why->reason + ": " + why->detail);
     plan = std::move(std::get<std::vector<Action>>(atomic));
   }
 
-  Explorer explorer(rehearsal, mode);
-  for (const Action& action : plan) {
-    if (!explorer.carry_out(action)) return rejected("for " + to_text(action) + ": " + explorer.trouble());
-  }
-  const auto actions = without_needless(rehearsal, mode, explorer.done(), kLongestRun);
+  auto explored = explore(mode, rehearsal, std::move(plan), options);
+  if (const auto* why = std::get_if<std::string>(&explored)) return rejected(*why);
+  auto& done = std::get<std::vector<Action>>(explored);
+  done.push_back({ActionType::Stop, {}});
+  const auto actions = without_needless(rehearsal, mode, std::move(done), kLongestRun);
   if (!actions) return rejected("done so, it does not reach the goal");
   if (static_cast<int>(actions->size()) > limits.steps)
     return rejected("needs " + std::to_string(actions->size()) + " steps");

@@ -30,7 +30,8 @@ class Ranker {
     const Node* node = attempt_.node(literal.subject);
     double metres = node == nullptr || attempt_.is_held(node->id) ? 0 : attempt_.world().walking_distance(node->id);
     if (habits_.far_first) metres = -metres;
-    return std::tuple(stage(literal), depth(literal), metres, literal.subject, place_in_group(literal), literal);
+    const double room = habits_.large_first && node != nullptr ? -node->size.x() * node->size.y() : 0;
+    return std::tuple(stage(literal), depth(literal), room, metres, literal.subject, place_in_group(literal), literal);
   }
 
  private:

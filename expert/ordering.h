@@ -11,6 +11,7 @@ namespace unietp {
 struct Habits {
   bool far_first = false;              // else the nearest object first
   bool switch_before_placing = false;  // open or switch on a movable thing before it is put down, not after
+  bool large_first = false;            // what takes up most room, however far
 };
 
 /// Which of the literals that do not hold yet to bring about next; nullopt when all hold. Cutting comes first, then

@@ -8,8 +8,7 @@
 namespace unietp {
 namespace {
 
-constexpr std::size_t kMostSpots = 12;   // places tried for putting something down anywhere
-constexpr std::size_t kMostCleared = 5;  // things carried out of the way of one
+constexpr std::size_t kMostSpots = 12;  // places tried for putting something down anywhere
 
 /// As `next_to` is read, of boxes that may yet come down.
 bool side_by_side(const Bounds& a, const Bounds& b) {
@@ -18,26 +17,7 @@ bool side_by_side(const Bounds& a, const Bounds& b) {
   return std::max(dx, dy) > 0 && std::hypot(std::max(dx, 0.0), std::max(dy, 0.0)) <= kNextTo_m;
 }
 
-bool lacks_room(Failure failure) {
-  return failure == Failure::NoFreePlace || failure == Failure::DidNotRest || failure == Failure::NoStandingPlace;
-}
-
-/// The feedback names it.
-std::string blocker_named_in(const std::string& feedback) {
-  constexpr std::string_view kBy = " is blocked by ";
-  const auto at = feedback.find(kBy);
-  if (at == std::string::npos) return "";
-  const auto begin = at + kBy.size();
-  return feedback.substr(begin, feedback.find('.', begin) - begin);
-}
-
 }  // namespace
-
-bool Methods::lacked_room(const Attempt& attempt) {
-  if (!attempt.trouble()) return true;  // no way was found at all
-  const Failure failure = attempt.trouble()->failure;
-  return lacks_room(failure) || failure == Failure::Blocked || attempt.exhausted();
-}
 
 bool Methods::is_relevant(const Node& node) const {
   return std::find(relevant_.begin(), relevant_.end(), node.category) != relevant_.end();
@@ -93,15 +73,29 @@ std::vector<Action> Methods::ways_beside(const std::string& neighbour) const {
   return ways;
 }
 
-/// Where the neighbour is; or, where there is no room beside it, where it can be put with room beside it.
+/// Where the neighbour is; or, where there is no room beside it, where there is room for both.
 bool Methods::place_beside(const std::string& id, const std::string& neighbour) {
   if (attempt_.is_held(neighbour) && !put_aside(neighbour)) return false;
   if (!open_around(neighbour)) return false;
   if (hold(id) && set_beside(id, neighbour)) return true;
-  if (!clears_ || !find(neighbour)->movable) return false;
-  auto supports = attempt_.world().linked_from(neighbour, Predicate::On);
-  supports.emplace_back();  // when it is on nothing
-  return hold(neighbour) && put_aside(neighbour, supports.front()) && hold(id) && set_beside(id, neighbour);
+  return clears_ && find(neighbour)->movable && put_together(id, neighbour);
+}
+
+/// The neighbour first, to where the other comes to stand beside it.
+bool Methods::put_together(const std::string& id, const std::string& neighbour) {
+  if (!hold(neighbour)) return false;
+  const Aim aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbour); }, {}};
+  for (const Action& way : ways_to_rid(neighbour, "", "")) {
+    const std::vector<Action> steps{
+        {ActionType::GoTo, way.args}, way, {ActionType::GoTo, {id}}, {ActionType::PickUp, {id}}};
+    World trial = attempt_.world();
+    if (!std::all_of(steps.begin(), steps.end(), [&](const Action& step) { return trial.step(step).success; }))
+      continue;
+    if (!way_to_do(trial, way, neighbour, aim)) continue;
+    return std::all_of(steps.begin(), steps.end(), [this](const Action& step) { return attempt_.act(step); }) &&
+           from_elsewhere(way, neighbour, aim);
+  }
+  return false;
 }
 
 bool Methods::set_beside(const std::string& id, const std::string& neighbour) {
@@ -209,7 +203,13 @@ bool Methods::works_at(const Action& action) const {
 
 bool Methods::put(const std::string& id, ActionType action, const std::string& target) {
   if (attempt_.is_held(target) && !put_aside(target)) return false;
-  if (!hold(id)) return false;
+  if (!hold(id) || !reopen(id, action, target)) return false;
+  return leave_room(id, action, target) || do_at(action, target) || put_shut(id, action, target) ||
+         make_room(id, action, target) || (action == ActionType::PlaceIn && nest(id, target));
+}
+
+/// What the thing in the hand goes into is open afterwards.
+bool Methods::reopen(const std::string& id, ActionType action, const std::string& target) {
   const Node* into = find(target);
   const bool shut = action == ActionType::PlaceIn && into != nullptr && into->openable && !is(target, Predicate::Open);
   if (shut && !device(ActionType::Open, target)) {
@@ -217,15 +217,7 @@ bool Methods::put(const std::string& id, ActionType action, const std::string& t
     if (!trouble || trouble->failure != Failure::HandsFull || attempt_.exhausted()) return false;
     if (!put_aside(id) || !device(ActionType::Open, target)) return false;
   }
-  if (!hold(id)) return false;
-  return do_at(action, target) || put_shut(id, action, target) || make_room(id, action, target);
-}
-
-/// What is open takes more room than shut: a box with its lid up.
-bool Methods::put_shut(const std::string& id, ActionType action, const std::string& target) {
-  const auto& trouble = attempt_.trouble();
-  const bool may_help = trouble && !attempt_.exhausted() && lacks_room(trouble->failure) && is(id, Predicate::Open);
-  return may_help && device(ActionType::Close, id) && hold(id) && do_at(action, target);
+  return hold(id);
 }
 
 /// As `put`, where the hand can take it back.
@@ -235,63 +227,6 @@ bool Methods::put_in_grasp(const std::string& id, ActionType action, const std::
   if (!hold(id) || (shut && !device(ActionType::Open, target)) || !hold(id)) return put(id, action, target);
   const Aim aim{[&](const World& world) { return world.in_reach(id); }, {}};
   return from_elsewhere({action, {target}}, target, aim) || put(id, action, target);
-}
-
-/// After there was no free place on or in a target: what the goal does not speak of is carried away from there, the
-/// largest first.
-bool Methods::make_room(const std::string& id, ActionType action, const std::string& target) {
-  const auto crowded = [this] {
-    const auto& trouble = attempt_.trouble();
-    return trouble && !attempt_.exhausted() && lacks_room(trouble->failure);
-  };
-  if (!clears_ || !crowded()) return false;
-  std::vector<std::pair<double, std::string>> there;
-  for (const Node& node : attempt_.world().nodes()) {
-    if (!node.movable || node.id == id || is_relevant(node)) continue;
-    const bool rests = attempt_.world().linked(node.id, Predicate::On, target) ||
-                       attempt_.world().linked(node.id, Predicate::Inside, target);
-    if (rests) there.emplace_back(-node.size.x() * node.size.y(), node.id);
-  }
-  std::sort(there.begin(), there.end());
-  if (there.size() > kMostCleared) there.resize(kMostCleared);
-  for (const auto& [less, other] : there) {
-    if (!put_aside(id, target)) return false;
-    if (!hold(other)) continue;
-    if (!put_aside(other, target) || !hold(id)) return false;
-    if (do_at(action, target)) return true;
-    if (!crowded()) return false;
-  }
-  return false;
-}
-
-/// After something was in the way of a door or a lid: that is carried to where it is not; or, where it cannot be
-/// carried, the thing itself is.
-bool Methods::unblock(ActionType action, const std::string& id) {
-  if (!clears_) return false;
-  for (std::size_t cleared = 0; cleared < kMostCleared; ++cleared) {
-    const auto& trouble = attempt_.trouble();
-    if (!trouble || trouble->failure != Failure::Blocked || attempt_.exhausted()) return false;
-    const std::string blocker = blocker_named_in(trouble->text);
-    const Node* other = find(blocker);
-    if (other == nullptr || !other->movable || blocker == id) break;
-    if (!hold(blocker)) return false;
-    if (put_so_that(blocker, {{ActionType::GoTo, {id}}, {action, {id}}})) return true;
-    if (!put_aside(blocker) || attempt_.exhausted()) return false;
-    if (do_at(action, id)) return true;
-  }
-  const Node* self = find(id);
-  return self != nullptr && self->movable && hold(id) && put_so_that(id, {{action, {id}}});
-}
-
-/// Puts what is held where further steps can be done afterwards, and does them.
-bool Methods::put_so_that(const std::string& id, const std::vector<Action>& then) {
-  for (const Action& way : ways_to_rid(id, "", "")) {
-    std::vector<Action> steps{{ActionType::GoTo, way.args}, way};
-    steps.insert(steps.end(), then.begin(), then.end());
-    if (works(steps))
-      return std::all_of(steps.begin(), steps.end(), [this](const Action& step) { return attempt_.act(step); });
-  }
-  return false;
 }
 
 }  // namespace unietp

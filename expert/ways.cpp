@@ -38,10 +38,26 @@ constexpr std::array kWays{
     StateWay{Predicate::Burnt, Way::Appliance, ActionType::PlaceIn, "burns"},
     StateWay{Predicate::Clean, Way::Appliance, ActionType::PlaceIn, "washes"},
     StateWay{Predicate::Filled, Way::Appliance, ActionType::PlaceIn, "fills"},
+    StateWay{Predicate::Filled, Way::FromVessel, ActionType::PourTo, "fillable"},
 };
 
 /// What covers a thing comes off, whatever it is.
 constexpr StateWay kWipeOff{Predicate::Covered, Way::HeldToolOn, ActionType::Wipe, "wipes"};
+
+/// Something that can be poured from is filled so already, or can be.
+bool some_vessel(const Literal& literal, const Situation& situation) {
+  const auto& nodes = situation.start->nodes;
+  return std::any_of(nodes.begin(), nodes.end(), [&](const Node& node) {
+    if (&node == situation.nodes[literal.subject] || !node.movable) return false;
+    if (!situation.knowledge->has(node.category, "fillable")) return false;
+    if (node.states.has({Predicate::Filled, literal.symbol})) return true;
+    const auto ways = ways_to(Predicate::Filled, situation.profile);
+    return std::any_of(ways.begin(), ways.end(), [&](const StateWay& way) {
+      return way.way != Way::FromVessel &&
+             !rules_for(way, node.category, literal.symbol, nodes, *situation.knowledge).empty();
+    });
+  });
+}
 
 bool state_achievable(const Literal& literal, const Situation& situation) {
   const Node* node = situation.nodes[literal.subject];
@@ -50,6 +66,10 @@ bool state_achievable(const Literal& literal, const Situation& situation) {
   for (const StateWay& way : ways_to(literal.predicate, situation.profile)) {
     if (way.way == Way::Direct) {
       if (situation.knowledge->has(category, way.needs)) return true;
+      continue;
+    }
+    if (way.way == Way::FromVessel) {
+      if (situation.knowledge->has(category, way.needs) && some_vessel(literal, situation)) return true;
       continue;
     }
     const bool in_hand = way.way == Way::ToolOnHeld || way.way == Way::Appliance;

@@ -15,6 +15,7 @@ enum class Way {
   ToolOnHeld,  // done with a tool or place to the object in hand: wash_with(sink)
   HeldToolOn,  // done to the object with a tool in hand: slice(x) with a knife
   Appliance,   // the object is put into (or on) an appliance that is shut and switched on as the rule asks
+  FromVessel,  // poured over from a vessel that is filled first
 };
 
 struct StateWay {

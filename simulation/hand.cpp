@@ -6,10 +6,11 @@
 namespace unietp {
 namespace {
 
-constexpr int kMostSettles = 6;        // free spots on which it is tried to rest before giving up
-constexpr double kTouching_m = 0.003;  // bodies nearer than this may be leaning on one another
-constexpr double kSunk_m = 0.003;      // resting contacts sink by up to this much
-constexpr double kKnocked_m = 0.05;    // neighbours that move farther than this have been knocked over
+constexpr int kMostSettles = 6;           // free spots on which it is tried to rest before giving up
+constexpr std::size_t kMostHidden = 200;  // free spots that are passed over because the hand could not take it back
+constexpr double kTouching_m = 0.003;     // bodies nearer than this may be leaning on one another
+constexpr double kSunk_m = 0.003;         // resting contacts sink by up to this much
+constexpr double kKnocked_m = 0.05;       // neighbours that move farther than this have been knocked over
 
 Bounds group_bounds(const WorldState& state, const std::vector<std::size_t>& group) {
   Bounds all = state.physics().bounds(static_cast<BodyId>(group.front()));
@@ -89,6 +90,16 @@ bool free_at(const WorldState& state, const std::vector<std::size_t>& group, con
   });
 }
 
+/// Whether the hand could take a thing back from a pose, from where the agent stands.
+bool in_grasp(const WorldState& state, const std::vector<std::size_t>& group, const Pose& pose) {
+  const Vec2& place = state.agent().position;
+  Node thing = state.node(group.front());
+  thing.pose = pose;
+  if (reach_distance(thing, place, *state.profile) > state.profile->reach_m) return false;
+  const std::vector<BodyId> held(group.begin(), group.end());
+  return sees(thing, held.front(), state.physics(), *state.profile, place, held);
+}
+
 }  // namespace
 
 Outcome pick_up(WorldState& state, std::size_t i) {
@@ -152,13 +163,11 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
 
   int settles = 0;
   const std::size_t before = state.mark();
-  for (const Spot& spot : spots.spots) {
-    state.back_to(before);
-    const Pose motion = spot.pose * inverse(state.node(i).pose);
-    if (!free_at(state, group, motion)) continue;
-    if (++settles > kMostSettles) break;
+  const auto rests_at = [&](const Pose& pose) {
+    ++settles;
+    const Pose motion = pose * inverse(state.node(i).pose);
     for (const std::size_t member : group) {
-      state.move(member, member == i ? spot.pose : motion * state.node(member).pose);
+      state.move(member, member == i ? pose : motion * state.node(member).pose);
       state.lay(member);
     }
     look_at(state, state.node(i).pose.position);
@@ -168,16 +177,33 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
     loose.insert(loose.end(), beside.begin(), beside.end());
     const Settled settled = state.physics().settle(loose);
     const double knocked = apply(state, settled, beside);
-    if (!settled.calm || knocked > kKnocked_m) continue;
+    if (!settled.calm || knocked > kKnocked_m) return false;
     std::erase(state.edit_agent().held, id);
     const std::vector<std::size_t> changed(loose.begin(), loose.end());
     const Bounds touched[] = {let_go, group_bounds(state, changed)};
     state.refresh(touched, changed);
-    if (!state.linked(i, inside ? Predicate::Inside : Predicate::On, target)) continue;
-    if (within_grasp && out_of_hands_way(state, i)) continue;
+    if (!state.linked(i, inside ? Predicate::Inside : Predicate::On, target)) return false;
+    if (within_grasp && out_of_hands_way(state, i)) return false;
     if (attaches) state.attach(i, target);
     run_processes(state, target);
-    return succeeded();
+    return true;
+  };
+  // Behind the near wall of a basin a thing is out of sight, so such spots come last.
+  std::vector<const Pose*> hidden;
+  for (const Spot& spot : spots.spots) {
+    if (settles == kMostSettles) break;
+    state.back_to(before);
+    if (!free_at(state, group, spot.pose * inverse(state.node(i).pose))) continue;
+    if ((inside || within_grasp) && hidden.size() < kMostHidden && !in_grasp(state, group, spot.pose)) {
+      hidden.push_back(&spot.pose);
+    } else if (rests_at(spot.pose)) {
+      return succeeded();
+    }
+  }
+  for (const Pose* pose : hidden) {
+    if (within_grasp || settles == kMostSettles) break;
+    state.back_to(before);
+    if (rests_at(*pose)) return succeeded();
   }
   if (settles > 0) return failed(Failure::DidNotRest, id + " did not come to rest there.");
   return failed(Failure::NoFreePlace,

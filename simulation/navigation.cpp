@@ -355,14 +355,19 @@ std::vector<Vec3> sight_points(const Node& node) {
   return points;
 }
 
-bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Vec2& at, std::size_t node,
+bool sees(const Node& thing, BodyId body, const PhysicsWorld& world, const Profile& profile, const Vec2& at,
           std::span<const BodyId> ignore) {
   const Vec3 camera(at.x(), at.y(), profile.camera_height_m);
-  const std::vector<Vec3> points = sight_points(scene.nodes[node]);
+  const std::vector<Vec3> points = sight_points(thing);
   return std::any_of(points.begin(), points.end(), [&](const Vec3& point) {
     const auto hit = world.ray(camera, point, ignore);
-    return !hit || hit->body == node;
+    return !hit || hit->body == body;
   });
+}
+
+bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Vec2& at, std::size_t node,
+          std::span<const BodyId> ignore) {
+  return sees(scene.nodes[node], static_cast<BodyId>(node), world, profile, at, ignore);
 }
 
 std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const NavigationGrid& grid,

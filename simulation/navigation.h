@@ -82,6 +82,8 @@ std::vector<Vec3> sight_points(const Node& node);
 
 /// True when a ray from the camera standing at `at` meets the node before anything else; `ignore` are bodies in the
 /// agent's hands.
+bool sees(const Node& thing, BodyId body, const PhysicsWorld& world, const Profile& profile, const Vec2& at,
+          std::span<const BodyId> ignore = {});
 bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Vec2& at, std::size_t node,
           std::span<const BodyId> ignore = {});
 

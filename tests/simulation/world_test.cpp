@@ -146,6 +146,19 @@ TEST_F(InTheKitchen, WhatIsCooledIsPutWhereTheHandCanTakeItBack) {
   EXPECT_EQ(world.scene().agent.held, std::vector<std::string>{"mug_1"});
 }
 
+TEST_F(InTheKitchen, WhatIsPutIntoADeepBasinLiesWhereTheHandCanTakeItBack) {
+  Scene scene = testing::kitchen();
+  find_node(scene, "sink_1")->size = {0.7, 0.7, 1.1};  // its near wall hides what lies behind it
+  find_node(scene, "sink_1")->pose.position.z() = 0.55;
+  World world = start(scene);
+  expect(world, ActionType::GoTo, "knife_1");
+  expect(world, ActionType::PickUp, "knife_1");
+  expect(world, ActionType::GoTo, "sink_1");
+  expect(world, ActionType::PlaceIn, "sink_1");
+  EXPECT_TRUE(has_edge(world.scene(), Predicate::Inside, "knife_1", "sink_1"));
+  expect(world, ActionType::PickUp, "knife_1");
+}
+
 TEST_F(InTheKitchen, AMicrowaveRunsOnlyShutAndDoesNotOpenWhileItRuns) {
   World world = start();
   expect(world, ActionType::GoTo, "microwave_1");

@@ -1,0 +1,181 @@
+#include <algorithm>
+
+#include "expert/methods.h"
+
+// Room: for what is put down, and for doors and lids.
+namespace unietp {
+namespace {
+
+constexpr std::size_t kMostCleared = 5;  // things carried out of the way of one
+
+bool lacks_room(Failure failure) {
+  return failure == Failure::NoFreePlace || failure == Failure::DidNotRest || failure == Failure::NoStandingPlace;
+}
+
+/// The feedback names it.
+std::string blocker_named_in(const std::string& feedback) {
+  constexpr std::string_view kBy = " is blocked by ";
+  const auto at = feedback.find(kBy);
+  if (at == std::string::npos) return "";
+  const auto begin = at + kBy.size();
+  return feedback.substr(begin, feedback.find('.', begin) - begin);
+}
+
+}  // namespace
+
+bool Methods::lacked_room(const Attempt& attempt) {
+  if (!attempt.trouble()) return true;  // no way was found at all
+  const Failure failure = attempt.trouble()->failure;
+  return lacks_room(failure) || failure == Failure::Blocked || attempt.exhausted();
+}
+
+bool Methods::is_named(const std::string& id) const {
+  const auto names = [&](const Literal& literal) {
+    return attempt_.id_of(literal.subject) == id || attempt_.id_of(literal.object) == id;
+  };
+  const Alternative& alternative = attempt_.alternative();
+  return std::any_of(alternative.end.begin(), alternative.end.end(), names) ||
+         std::any_of(alternative.moments.begin(), alternative.moments.end(), [&](const Moment& moment) {
+           return std::any_of(moment.literals.begin(), moment.literals.end(), names);
+         });
+}
+
+/// What is open takes more room than shut: a box with its lid up.
+bool Methods::put_shut(const std::string& id, ActionType action, const std::string& target) {
+  const auto& trouble = attempt_.trouble();
+  const bool may_help = trouble && !attempt_.exhausted() && lacks_room(trouble->failure) && is(id, Predicate::Open);
+  return may_help && device(ActionType::Close, id) && hold(id) && do_at(action, target);
+}
+
+/// What lies on or in a target and the way to the goal does not speak of, the largest first.
+std::vector<std::string> Methods::in_the_way_on(const std::string& target, const std::string& but) const {
+  std::vector<std::pair<double, std::string>> there;
+  for (const Node& node : attempt_.world().nodes()) {
+    if (!node.movable || node.id == but || is_named(node.id)) continue;
+    const bool rests = attempt_.world().linked(node.id, Predicate::On, target) ||
+                       attempt_.world().linked(node.id, Predicate::Inside, target);
+    if (rests) there.emplace_back(-node.size.x() * node.size.y(), node.id);
+  }
+  std::sort(there.begin(), there.end());
+  if (there.size() > kMostCleared) there.resize(kMostCleared);
+  std::vector<std::string> ids;
+  for (auto& [less, id] : there) ids.push_back(std::move(id));
+  return ids;
+}
+
+/// After there was no free place on or in a target: what is in the way is carried away from there.
+bool Methods::make_room(const std::string& id, ActionType action, const std::string& target) {
+  const auto crowded = [this] {
+    const auto& trouble = attempt_.trouble();
+    return trouble && !attempt_.exhausted() && lacks_room(trouble->failure);
+  };
+  if (!clears_ || !crowded()) return false;
+  for (const std::string& other : in_the_way_on(target, id)) {
+    if (!put_aside(id, target)) return false;
+    if (!hold(other)) continue;
+    if (!put_aside(other, target) || !hold(id) || !reopen(id, action, target)) return false;
+    if (do_at(action, target)) return true;
+    if (!crowded()) return false;
+  }
+  return false;
+}
+
+/// The largest of the other things that are to come to the same place.
+std::string Methods::next_for(const std::string& target, const std::string& but) const {
+  std::string next;
+  double most = 0;
+  for (const Literal& literal : attempt_.alternative().end) {
+    const Node* node = attempt_.node(literal.subject);
+    if (node == nullptr || !node->movable || node->id == but || !literal.positive || attempt_.holds(literal)) continue;
+    if (literal.predicate != Predicate::On && literal.predicate != Predicate::Inside) continue;
+    const double room = node->size.x() * node->size.y();
+    if (attempt_.id_of(literal.object) != target || room <= most) continue;
+    most = room;
+    next = node->id;
+  }
+  return next;
+}
+
+/// Where several things share a place: this one so that the next still finds room, at need after carrying away what is
+/// in the way.
+bool Methods::leave_room(const std::string& id, ActionType action, const std::string& target) {
+  const std::string next = clears_ ? next_for(target, id) : "";
+  if (next.empty()) return false;
+  const Aim aim{[&](const World& world) {
+                  World later = world;
+                  return later.step({ActionType::GoTo, {next}}).success &&
+                         later.step({ActionType::PickUp, {next}}).success &&
+                         !later.free_spots(target, action == ActionType::PlaceIn).empty();
+                },
+                {}};
+  if (from_elsewhere({action, {target}}, target, aim)) return true;
+  for (const std::string& other : in_the_way_on(target, id)) {
+    if (attempt_.exhausted() || !put_aside(id, target)) return false;
+    if (!hold(other)) continue;
+    if (!put_aside(other, target) || !hold(id) || !reopen(id, action, target)) return false;
+    if (from_elsewhere({action, {target}}, target, aim)) return true;
+  }
+  return false;
+}
+
+/// On or into something that lies inside the target, so that it is inside that, too.
+bool Methods::nest(const std::string& id, const std::string& target) {
+  if (!clears_ || attempt_.exhausted() || !hold(id) || !reopen(id, ActionType::PlaceIn, target)) return false;
+  const Aim aim{[&](const World& world) { return world.linked(id, Predicate::Inside, target); }, {}};
+  std::vector<std::string> there;
+  for (const Node& node : attempt_.world().nodes()) {
+    if (node.movable && attempt_.world().linked(node.id, Predicate::Inside, target)) there.push_back(node.id);
+  }
+  for (const std::string& other : there) {
+    for (const ActionType way : {ActionType::PlaceIn, ActionType::PlaceOn}) {
+      if (from_elsewhere({way, {other}}, other, aim)) return true;
+    }
+  }
+  return false;
+}
+
+/// After something was in the way of a door or a lid: that is carried to where it is not; or, where it cannot be
+/// carried, the thing itself is.
+bool Methods::unblock(ActionType action, const std::string& id) {
+  if (!clears_) return false;
+  for (std::size_t cleared = 0; cleared < kMostCleared; ++cleared) {
+    const auto& trouble = attempt_.trouble();
+    if (!trouble || trouble->failure != Failure::Blocked || attempt_.exhausted()) return false;
+    const std::string blocker = blocker_named_in(trouble->text);
+    const Node* other = find(blocker);
+    if (other == nullptr || !other->movable || blocker == id) break;
+    if (!hold(blocker)) return false;
+    if (put_so_that(blocker, {{ActionType::GoTo, {id}}, {action, {id}}})) return true;
+    if (!put_out_of_the_way(blocker, {action, {id}}) && (!put_aside(blocker) || attempt_.exhausted())) return false;
+    if (do_at(action, id)) return true;
+  }
+  const Node* self = find(id);
+  return self != nullptr && self->movable && hold(id) && put_so_that(id, {{action, {id}}});
+}
+
+/// Puts what is held where further steps can be done afterwards, and does them.
+bool Methods::put_so_that(const std::string& id, const std::vector<Action>& then) {
+  for (const Action& way : ways_to_rid(id, "", "")) {
+    std::vector<Action> steps{{ActionType::GoTo, way.args}, way};
+    steps.insert(steps.end(), then.begin(), then.end());
+    if (works(steps))
+      return std::all_of(steps.begin(), steps.end(), [this](const Action& step) { return attempt_.act(step); });
+  }
+  return false;
+}
+
+/// Puts what is held where it is not what an action is blocked by; something else may be.
+bool Methods::put_out_of_the_way(const std::string& id, const Action& action) {
+  for (const Action& way : ways_to_rid(id, "", "")) {
+    const std::vector<Action> steps{{ActionType::GoTo, way.args}, way};
+    World trial = attempt_.world();
+    const auto works = [&trial](const Action& step) { return trial.step(step).success; };
+    if (!std::all_of(steps.begin(), steps.end(), works) || !works({ActionType::GoTo, action.args})) continue;
+    const Outcome outcome = trial.step(action);
+    if (outcome.failure != Failure::Blocked || blocker_named_in(outcome.feedback) == id) continue;
+    return std::all_of(steps.begin(), steps.end(), [this](const Action& step) { return attempt_.act(step); });
+  }
+  return false;
+}
+
+}  // namespace unietp
