@@ -121,43 +121,48 @@ struct BadAnswer {
   const char* name;
   std::string http;
 };
-void PrintTo(const BadAnswer& answer, std::ostream* out) { *out << answer.name; }
 
-class LlmWriterAfter : public LlmWriter, public ::testing::WithParamInterface<BadAnswer> {};
-
-TEST_P(LlmWriterAfter, ABadAnswerIsRetriedAndABetterOneTaken) {
-  ChatServer server(answering({GetParam().http, saying("Put a mug on the table.")}, judging(kJudged)));
-  const auto written = one(server);
-  EXPECT_EQ(written.writer, "llm:tiny") << written.why;
-  EXPECT_EQ(server.count(), 3);  // the bad one, the good one, and its reading
+/// Of no use for the goal of these tests, each in a way of its own.
+std::vector<BadAnswer> bad_answers() {
+  return {BadAnswer{"Refusal", completion("I am sorry, but I cannot help with that.")},
+          BadAnswer{"RefusalAsJson", saying("I am sorry, but I cannot help with that.")},
+          BadAnswer{"RefusalField",
+                    http("200 OK", R"({"choices":[{"message":{"content":null,"refusal":"I cannot help."}}]})")},
+          BadAnswer{"Empty", saying("")},
+          BadAnswer{"EmptyBody", http("200 OK", "")},
+          BadAnswer{"CutText", saying("Put a mug on")},
+          BadAnswer{"CutObject", completion("{\"instruction\": \"Put a mug on the ta")},
+          BadAnswer{"CutBody", "HTTP/1.1 200 OK\r\nContent-Length: 500\r\n\r\n{\"choices\":[{\"mess"},
+          BadAnswer{"German", saying("Stelle einen Becher auf den Tisch.")},
+          BadAnswer{"Spanish", saying("Pon una taza sobre la mesa, por favor.")},
+          BadAnswer{"Html", http("200 OK", "<html>Log in</html>")},
+          BadAnswer{"NotJson", completion("put(mug, table)")},
+          BadAnswer{"WrongField", completion("{\"text\": \"Put a mug on the table.\"}")},
+          BadAnswer{"WrongType", completion("{\"instruction\": 3}")},
+          BadAnswer{"AnotherGoal", saying("Fly to the moon.")},
+          BadAnswer{"LeakedId", saying("Put mug_3 on the table.")}};
 }
 
-TEST_P(LlmWriterAfter, NothingButBadAnswersTheGrammarStandsInAndSaysWhy) {
-  ChatServer server(answering({GetParam().http}, judging(kJudged)));
-  const auto written = one(server);
-  expect_grammar(written, "");
-  EXPECT_NE(written.why, "");
-  EXPECT_GE(server.count(), 3);  // --rewrites, or the attempts of a request
+TEST_F(LlmWriter, RetriesABadAnswerAndTakesABetterOne) {
+  for (const auto& bad : bad_answers()) {
+    SCOPED_TRACE(bad.name);
+    ChatServer server(answering({bad.http, saying("Put a mug on the table.")}, judging(kJudged)));
+    const auto written = one(server);
+    EXPECT_EQ(written.writer, "llm:tiny") << written.why;
+    EXPECT_EQ(server.count(), 3);  // the bad one, the good one, and its reading
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Answers, LlmWriterAfter,
-    ::testing::Values(
-        BadAnswer{"Refusal", completion("I am sorry, but I cannot help with that.")},
-        BadAnswer{"RefusalAsJson", saying("I am sorry, but I cannot help with that.")},
-        BadAnswer{"RefusalField",
-                  http("200 OK", R"({"choices":[{"message":{"content":null,"refusal":"I cannot help."}}]})")},
-        BadAnswer{"Empty", saying("")}, BadAnswer{"EmptyBody", http("200 OK", "")},
-        BadAnswer{"CutText", saying("Put a mug on")},
-        BadAnswer{"CutObject", completion("{\"instruction\": \"Put a mug on the ta")},
-        BadAnswer{"CutBody", "HTTP/1.1 200 OK\r\nContent-Length: 500\r\n\r\n{\"choices\":[{\"mess"},
-        BadAnswer{"German", saying("Stelle einen Becher auf den Tisch.")},
-        BadAnswer{"Spanish", saying("Pon una taza sobre la mesa, por favor.")},
-        BadAnswer{"Html", http("200 OK", "<html>Log in</html>")}, BadAnswer{"NotJson", completion("put(mug, table)")},
-        BadAnswer{"WrongField", completion("{\"text\": \"Put a mug on the table.\"}")},
-        BadAnswer{"WrongType", completion("{\"instruction\": 3}")},
-        BadAnswer{"AnotherGoal", saying("Fly to the moon.")}, BadAnswer{"LeakedId", saying("Put mug_3 on the table.")}),
-    [](const auto& answer) { return std::string(answer.param.name); });
+TEST_F(LlmWriter, FallsBackToTheGrammarAfterNothingButBadAnswers) {
+  for (const auto& bad : bad_answers()) {
+    SCOPED_TRACE(bad.name);
+    ChatServer server(answering({bad.http}, judging(kJudged)));
+    const auto written = one(server);
+    expect_grammar(written, "");
+    EXPECT_NE(written.why, "");
+    EXPECT_GE(server.count(), 3);  // tries of a text, or the attempts of a request
+  }
+}
 
 TEST_F(LlmWriter, FallsBackToTheGrammarWhenNothingComes) {
   for (const std::string& answer :

@@ -1,11 +1,13 @@
 // Chats for fine-tuning, held against what their three readers ask for. The rules were read in those readers:
 //  - LLaMA-Factory: data/converter.py (SharegptDatasetConverter), data/parser.py, data/mm_plugin.py;
 //  - TRL: data_utils.py (is_conversational, prepare_multimodal_messages), trainer/sft_trainer.py;
-//  - ms-swift: docs, "Custom dataset" (messages, images, <image>, loss).
+//  - ms-swift: docs, "Custom dataset" (messages, images, <image>, loss), llm/dataset/preprocessor/core.py;
+//  - all three load the lines with Hugging Face's datasets, whose tables have one type a column.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "core/files.h"
@@ -33,6 +35,47 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   return count;
 }
 
+/// Columns by which a reader would take a line for another kind of data.
+const std::set<std::string> kOtherKinds{"prompt",
+                                        "completion",
+                                        "chosen",
+                                        "rejected",
+                                        "label",
+                                        "system",
+                                        "conversation",
+                                        "conversations",
+                                        "query",
+                                        "response",
+                                        "text",
+                                        "system_prompt",
+                                        "instruction",
+                                        "input",
+                                        "output",
+                                        "rejected_messages",
+                                        "rejected_response",
+                                        "tools",
+                                        "objects",
+                                        "videos",
+                                        "audios"};
+
+/// What is at a path of several lines is of one type, or missing.
+void expect_one_type(const Json& value, const std::string& path, std::map<std::string, std::string>& types) {
+  const std::string type = value.is_number() ? "number" : value.type_name();
+  EXPECT_EQ(types.try_emplace(path, type).first->second, type) << path;
+  if (value.is_object())
+    for (const auto& [name, field] : value.items()) expect_one_type(field, path + "." + name, types);
+  if (value.is_array())
+    for (const Json& item : value) expect_one_type(item, path + "[]", types);
+}
+
+void expect_table(const std::vector<Json>& lines) {
+  std::map<std::string, std::string> types;
+  for (const Json& line : lines) {
+    expect_one_type(line, "", types);
+    for (const auto& [name, column] : line.items()) EXPECT_FALSE(kOtherKinds.contains(name)) << name;
+  }
+}
+
 /// As LLaMA-Factory and ms-swift read a line: texts, one mark a picture, user and assistant by turns.
 void expect_marked_chat(const Json& line, const fs::path& folder) {
   const Json& messages = line["messages"];
@@ -44,6 +87,10 @@ void expect_marked_chat(const Json& line, const fs::path& folder) {
       EXPECT_EQ(messages[i]["role"], i % 2 == 1 ? "user" : "assistant");
     }
     ASSERT_TRUE(messages[i]["content"].is_string());
+    EXPECT_FALSE(messages[i]["content"].get<std::string>().empty());
+    if (messages[i].contains("loss")) {
+      EXPECT_TRUE(messages[i]["loss"].is_boolean());
+    }
     EXPECT_EQ(messages[i].contains("loss"), messages[i]["role"] == "assistant");
     const auto here = count_of(messages[i]["content"], "<image>");
     EXPECT_TRUE(here == 0 || messages[i]["role"] == "user");
@@ -92,6 +139,7 @@ TEST(ExportSft, EpisodesAreChatsThatEachReaderTakes) {
     const std::string file = entry["file_name"];
     const auto lines = json_lines(out / file);
     EXPECT_EQ(lines.size(), static_cast<std::size_t>(kCountInAllModes));
+    expect_table(lines);
     for (const auto& line : lines) {
       SCOPED_TRACE(line["id"].get<std::string>());
       EXPECT_EQ(checker.check(line, "sft.schema.json"), "");
@@ -153,6 +201,8 @@ TEST(ExportSft, StepsOfM3ShowThePictureThatRenderDraws) {
   const auto trl = json_lines(out / "M3.trl.jsonl");
   ASSERT_EQ(trl.size(), lines.size());
   ASSERT_GT(lines.size(), 20U);
+  expect_table(lines);
+  expect_table(trl);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     EXPECT_EQ(checker.check(lines[i], "sft.schema.json"), "");
     EXPECT_EQ(checker.check(trl[i], "sft.schema.json"), "");
