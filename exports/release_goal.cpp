@@ -1,13 +1,11 @@
 #include "exports/release_goal.h"
 
 #include <algorithm>
-#include <set>
 
 #include <nlohmann/json.hpp>
 
+#include "exports/release_binder.h"
 #include "exports/release_words.h"
-#include "logic/evaluate.h"
-#include "scene/trace.h"
 
 namespace unietp {
 namespace {
@@ -17,29 +15,21 @@ using Op = Formula::Op;
 
 constexpr const char* kTheirAgent = "robot_agent";
 
-/// What a bound variable may stand for, in both vocabularies.
-struct Bound {
-  std::string name;
-  std::vector<std::string> ours;    // categories; of a slice those of the pieces
-  std::vector<std::string> theirs;  // the same in their words
-  bool room = false;
-  bool late = false;  // some are born only when something is cut
-};
-
 class ReleaseTranslator {
  public:
-  ReleaseTranslator(const Scene& start, const Knowledge& knowledge) : start_(start), knowledge_(knowledge) {}
+  ReleaseTranslator(const Scene& start, const Knowledge& knowledge)
+      : knowledge_(knowledge), binder_(start, knowledge) {}
 
   Result<ReleaseGoal> run(const Formula& goal) {
     const Json logic = node(goal);
-    if (why_.empty() && !referents_.empty()) check_referents();
-    if (!why_.empty()) return Error{Error::Kind::Unsatisfiable, "", {}, why_};
-    return ReleaseGoal{logic.dump(), referents_};
+    binder_.check_referents(for_all_ || compares_);
+    if (!binder_.why().empty()) return Error{Error::Kind::Unsatisfiable, "", {}, binder_.why()};
+    return ReleaseGoal{logic.dump(), binder_.referents()};
   }
 
  private:
   Json refuse(const std::string& why) {
-    if (why_.empty()) why_ = why;
+    binder_.refuse(why);
     return Json();
   }
 
@@ -112,19 +102,11 @@ class ReleaseTranslator {
     return f.comparison == Comparison::Equal ? "==" : std::string(symbol_of(f.comparison));
   }
 
-  /// Whether cutting what the home has makes more of a category.
-  bool born_later(const std::string& category) const {
-    return std::any_of(start_.nodes.begin(), start_.nodes.end(), [&](const Node& node) {
-      const auto cuts = knowledge_.effects_on(node.category, "slices");
-      return std::any_of(cuts.begin(), cuts.end(), [&](const Effect* cut) { return cut->gives == category; });
-    });
-  }
-
   /// What is born later is counted by them among what exists at the step at hand, so only at the end.
   Json quantified(const Formula& f) {
     const auto& members = f.domain.members;
     const bool late = std::any_of(members.begin(), members.end(), [&](const Domain::Member& member) {
-      return member.slice || born_later(member.category);
+      return member.slice || binder_.born_later(member.category);
     });
     if (f.op != Op::Exists && late && !at_end_ && f.children[0].op == Op::AtEnd) {
       Formula inner = f;
@@ -151,11 +133,12 @@ class ReleaseTranslator {
   Json counting(const Formula& f) { return within(f, "CountSatisfying", "condition"); }
 
   Json within(const Formula& f, const char* type, const char* body) {
-    auto bound = bind(f);
+    auto bound = binder_.bind(f);
     if (!bound) return Json();
     if (f.op != Op::Exists) {
       if (bound->late && !at_end_) return refuse("theirs ranges over the pieces that exist at the step at hand");
-      if (vanishes(*bound)) return refuse("theirs forgets what was cut, so a `forall` or count over it differs");
+      if (binder_.vanishes(*bound))
+        return refuse("theirs forgets what was cut, so a `forall` or count over it differs");
     }
     Json categories = bound->theirs;
     bound_.push_back(std::move(*bound));
@@ -165,117 +148,10 @@ class ReleaseTranslator {
     return json;
   }
 
-  std::optional<Bound> bind(const Formula& f) {
-    if (f.domain.kind != Domain::Kind::Categories) {
-      refuse("theirs ranges over all nodes, not over all objects, rooms or agents");
-      return std::nullopt;
-    }
-    Bound bound;
-    bound.name = f.variable;
-    for (const auto& member : f.domain.members) {
-      if (knowledge_.find(member.category) == nullptr) {
-        add_room(member.category, bound);
-      } else if (member.slice) {
-        add_pieces(member.category, bound);
-      } else {
-        add_category(member.category, bound);
-      }
-    }
-    if (!f.domain.where.empty()) add_referents(f, bound);
-    if (f.domain.where.empty()) plain_.insert(bound.theirs.begin(), bound.theirs.end());
-    return why_.empty() ? std::optional<Bound>(std::move(bound)) : std::nullopt;
-  }
-
-  void add_category(const std::string& category, Bound& bound) {
-    bound.late = bound.late || born_later(category);
-    bound.ours.push_back(category);
-    bound.theirs.push_back(their_category(category));
-  }
-
-  /// Their name for a category; OmniGibson's half_x is shown as xSliced.
-  std::string their_category(const std::string& category) const {
-    constexpr std::string_view kHalf = "half_";
-    if (knowledge_.simulator() == Simulator::Behavior && category.starts_with(kHalf))
-      return category.substr(kHalf.size()) + "Sliced";
-    return category;
-  }
-
-  void add_room(const std::string& type, Bound& bound) {
-    const auto name = release_room(knowledge_.simulator(), type);
-    if (!name) {
-      refuse("the categories of their rooms are not known for this simulator");
-      return;
-    }
-    for (const Room& room : start_.rooms) {
-      if (room.type != type && release_room(knowledge_.simulator(), room.type) == name)
-        refuse("their category " + *name + " is more than our " + type);
-    }
-    bound.room = true;
-    bound.ours.push_back(type);
-    bound.theirs.push_back(*name);
-  }
-
-  void add_pieces(const std::string& whole, Bound& bound) {
-    std::set<std::string> pieces;
-    for (const Effect* effect : knowledge_.effects_on(whole, "slices")) pieces.insert(effect->gives);
-    if (pieces.size() != 1 || pieces.begin()->empty()) {
-      refuse("the pieces of " + whole + " have no single category");
-      return;
-    }
-    const std::string& piece = *pieces.begin();
-    for (const Node& node : start_.nodes) {
-      const bool other_piece = node.category == piece && node.whole_category != whole;
-      const auto cuts = knowledge_.effects_on(node.category, "slices");
-      const bool other_whole = node.category != whole &&
-                               std::any_of(cuts.begin(), cuts.end(), [&](auto* cut) { return cut->gives == piece; });
-      if (other_piece || other_whole) refuse("pieces of " + whole + " cannot be told from other " + piece);
-    }
-    bound.late = true;
-    add_category(piece, bound);
-  }
-
-  void add_referents(const Formula& f, const Bound& bound) {
-    const Formula& where = f.domain.where.front();
-    const auto free = free_variables(where);
-    if (std::any_of(free.begin(), free.end(), [&](const auto& name) { return name != f.variable; })) {
-      refuse("what is meant depends on another object of the goal");
-      return;
-    }
-    if (bound.theirs.size() != 1 || bound.late || bound.room) {
-      refuse("theirs refers to objects of one category");
-      return;
-    }
-    const Trace trace = to_logic(start_, {}, true);
-    std::vector<std::string> ids;
-    for (const EntityIndex entity : members_of(f.domain, f.variable, trace)) ids.push_back(trace.entities[entity].id);
-    const auto [place, is_new] = referents_.emplace(bound.theirs[0], ids);
-    if (!is_new && place->second != ids) refuse("theirs refers to the same objects wherever a category is named");
-  }
-
-  void check_referents() {
-    if (for_all_ || compares_) refuse("theirs has no `forall` and no count beside a reference");
-    for (const auto& [category, ids] : referents_) {
-      if (plain_.contains(category)) refuse("theirs refers to the same objects wherever a category is named");
-      const Category* own = knowledge_.find(category);
-      const auto cuts = own == nullptr ? std::vector<const Effect*>() : knowledge_.effects_on(category, "slices");
-      for (const Effect* cut : cuts) {
-        if (plain_.contains(their_category(cut->gives))) refuse("theirs then refers to the pieces of these alone");
-      }
-    }
-  }
-
-  const Bound* bound(const Term& term) const {
+  const ReleaseBound* bound(const Term& term) const {
     const auto found =
-        std::find_if(bound_.rbegin(), bound_.rend(), [&](const Bound& one) { return one.name == term.name; });
+        std::find_if(bound_.rbegin(), bound_.rend(), [&](const ReleaseBound& one) { return one.name == term.name; });
     return found == bound_.rend() ? nullptr : &*found;
-  }
-
-  /// OmniGibson takes the whole away when it is cut.
-  bool vanishes(const Bound& bound) const {
-    if (knowledge_.simulator() != Simulator::Behavior) return false;
-    return std::any_of(bound.ours.begin(), bound.ours.end(), [&](const std::string& category) {
-      return knowledge_.find(category) != nullptr && !knowledge_.effects_on(category, "slices").empty();
-    });
   }
 
   Json atom(const Formula& f) {
@@ -301,7 +177,7 @@ class ReleaseTranslator {
 
   Json on_or_inside(const Formula& f) {
     const bool on = f.predicate == Predicate::On;
-    const Bound* place = bound(f.terms[1]);
+    const ReleaseBound* place = bound(f.terms[1]);
     if (place == nullptr) return refuse("a relation to something that is no object");
     for (const std::string& category : place->ours) {
       const bool has_other = knowledge_.has(category, on ? "container" : "receptacle");
@@ -313,10 +189,10 @@ class ReleaseTranslator {
 
   /// Their evaluator stops with an error when the first object of a relation does not exist.
   Json from_object(const char* name, const Formula& f) {
-    const Bound* first = bound(f.terms[0]);
+    const ReleaseBound* first = bound(f.terms[0]);
     if (first == nullptr) return refuse("a relation of something that is no object");
     if (first->late && !at_end_) return refuse("their relations fail for pieces that do not exist yet");
-    if (vanishes(*first)) return refuse("their relations fail for what was cut and is gone");
+    if (binder_.vanishes(*first)) return refuse("their relations fail for what was cut and is gone");
     return relation(name, word(f.terms[0]), word(f.terms[1]));
   }
 
@@ -343,14 +219,11 @@ class ReleaseTranslator {
 
   static std::string word(const Term& term) { return term.kind == Term::Kind::Agent ? kTheirAgent : "?" + term.name; }
 
-  const Scene& start_;
   const Knowledge& knowledge_;
-  std::vector<Bound> bound_;
+  ReleaseBinder binder_;
+  std::vector<ReleaseBound> bound_;
   bool at_end_ = false;  // the innermost temporal operator is AtEnd
   bool for_all_ = false, compares_ = false;
-  std::set<std::string> plain_;  // their categories of variables without a referring constraint
-  std::map<std::string, std::vector<std::string>> referents_;
-  std::string why_;  // the first reason
 };
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "pipeline/apply_review.h"
 
-#include <functional>
 #include <map>
 #include <optional>
-#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -13,10 +11,10 @@
 #include "core/text.h"
 #include "pipeline/configuration_json.h"
 #include "pipeline/dataset_writer.h"
-#include "pipeline/home_facts.h"
 #include "pipeline/instruction_json.h"
-#include "pipeline/person_text.h"
+#include "pipeline/review_rulings.h"
 #include "pipeline/task_lines.h"
+#include "validator/folder_reading.h"
 
 namespace unietp {
 namespace {
@@ -26,12 +24,6 @@ namespace fs = std::filesystem;
 
 const std::string kReviews = "reviews.jsonl", kPairs = "wordings.jsonl", kManifest = "manifest.json";
 
-/// What will stand in place of a task.
-struct Ruling {
-  const Review* review = nullptr;        // that is taken over
-  std::optional<Instruction> rewritten;  // of an edit
-};
-
 Result<Json> read_json(const fs::path& file) {
   const auto text = read_file(file);
   if (!text) return text.error();
@@ -40,22 +32,21 @@ Result<Json> read_json(const fs::path& file) {
   return json;
 }
 
-/// The lines of a file, "" for one that is not there; by the task that the field names.
-Result<std::map<std::string, std::string>> lines_by_task(const fs::path& file, const char* field) {
+/// The lines of a file, none of one that is not there; by the task that the field names.
+Result<std::map<std::string, std::string>> lines_by_task(const fs::path& folder, const std::string& name,
+                                                         const char* field) {
+  const auto file = LineFile::read(folder, name);
+  if (!file) return file.error();
   std::map<std::string, std::string> lines;
-  if (std::error_code code; !fs::exists(file, code)) return lines;
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  int number = 0;
-  for (const auto& line : split(*text, '\n')) {
-    ++number;
+  for (std::size_t i = 0; i < file->size(); ++i) {
+    const auto line = file->line(i);
     if (line.empty()) continue;
     const auto json = Json::parse(line, nullptr, false);
     const auto task = json.is_object() ? json.value(field, "") : std::string();
     if (task.empty())
       return Error{Error::Kind::Schema,
-                   file.string(),
-                   {number, 1},
+                   (folder / name).string(),
+                   {static_cast<int>(i) + 1, 1},
                    "expected an object with the field \"" + std::string(field) + "\""};
     lines[task] = line;
   }
@@ -75,87 +66,6 @@ Result<std::map<std::string, std::vector<Trait>>> traits_of_tasks(const fs::path
     return Error{Error::Kind::Io, file.string(), {}, std::string("cannot read its table trait: ") + reason.what()};
   }
 }
-
-/// Decides on each review; `seen` are the texts of each home, which stay different.
-class Judge {
- public:
-  Judge(const fs::path& folder, const std::vector<TaskLine>& tasks, const Resources& resources,
-        const ApplyOptions& options)
-      : folder_(folder), tasks_(tasks), resources_(resources), options_(options) {
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      at_[tasks[i].id] = i;
-      texts_.insert(key(tasks[i].layout, text_of(tasks[i])));
-    }
-  }
-
-  Result<std::vector<Ruling>> rulings(const std::vector<Review>& reviews,
-                                      const std::map<std::string, std::string>& judged_before, ApplyReport& report) {
-    std::vector<Ruling> rulings(tasks_.size());
-    for (const Review& review : reviews) {
-      const auto refuse = [&](std::string why) { report.refused.emplace_back(review.task, std::move(why)); };
-      const auto found = at_.find(review.task);
-      if (found == at_.end()) {
-        const auto before = judged_before.find(review.task);
-        const bool gone = review.judgement == Judgement::Reject && before != judged_before.end();
-        if (gone) continue;  // rejected, and taken out before
-        refuse("there is no such task");
-        continue;
-      }
-      const TaskLine& task = tasks_[found->second];
-      const std::string now = text_of(task);
-      const bool in_force = review.judgement == Judgement::Edit && now == review.text;
-      if (now != review.instruction && !in_force) {
-        refuse("its text is another one now: \"" + now + "\"");
-        continue;
-      }
-      Ruling& ruling = rulings[found->second];
-      if (review.judgement == Judgement::Edit && !in_force) {
-        auto text = rewritten(task, now, review.text, refuse);
-        if (!text) return text.error();
-        if (!*text) continue;
-        ruling.rewritten = std::move(*text);
-      }
-      ruling.review = &review;
-      ++(review.judgement == Judgement::Accept   ? report.accepted
-         : review.judgement == Judgement::Reject ? report.rejected
-                                                 : report.edited);
-    }
-    return rulings;
-  }
-
- private:
-  static std::string key(const std::string& layout, const std::string& text) {
-    return layout + "\n" + normalised_text(text);
-  }
-  static std::string text_of(const TaskLine& task) {
-    return Json::parse(task.text).at("instruction").at("text").get<std::string>();
-  }
-
-  /// nullopt when it was refused.
-  Result<std::optional<Instruction>> rewritten(const TaskLine& task, const std::string& now, const std::string& text,
-                                               const std::function<void(std::string)>& refuse) {
-    const auto scene = read_start(folder_, task);
-    if (!scene) return scene.error();
-    const auto checked =
-        check_person_text(text, task, resources_.backend(task.specification.simulator), categories_in(*scene));
-    if (!checked.faults.empty() && !options_.accept_unchecked) {
-      refuse("\"" + text + "\": " + join(checked.faults, "; "));
-      return std::optional<Instruction>();
-    }
-    if (normalised_text(text) != normalised_text(now) && !texts_.insert(key(task.layout, text)).second) {
-      refuse("\"" + text + "\": another task of this home has this text");
-      return std::optional<Instruction>();
-    }
-    return std::optional(checked.instruction);
-  }
-
-  const fs::path& folder_;
-  const std::vector<TaskLine>& tasks_;
-  const Resources& resources_;
-  const ApplyOptions& options_;
-  std::map<std::string, std::size_t> at_;
-  std::set<std::string> texts_;
-};
 
 std::string mark_of(const Review& review) {
   Json mark{{"format", "unietp-review-mark/1"}, {"task", review.task}, {"verdict", name_of(review.judgement)}};
@@ -215,21 +125,21 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
   if (!configuration) return configuration.error();
   const auto tasks = read_task_lines(folder);
   if (!tasks) return tasks.error();
-  auto marks = lines_by_task(folder / kReviews, "task");
+  auto marks = lines_by_task(folder, kReviews, "task");
   if (!marks) return marks.error();
-  const auto wordings = lines_by_task(folder / kPairs, "pair");
+  const auto wordings = lines_by_task(folder, kPairs, "pair");
   if (!wordings) return wordings.error();
   const auto traits = traits_of_tasks(folder / "dataset.sqlite");
   if (!traits) return traits.error();
   std::vector<std::map<std::string, std::string>> demonstrations;  // a mode each
   for (const Mode mode : kModes) {
-    auto lines = lines_by_task(folder / "demonstrations" / (std::string(name_of(mode)) + ".jsonl"), "task");
+    auto lines = lines_by_task(folder, demonstrations_file(mode), "task");
     if (!lines) return lines.error();
     demonstrations.push_back(std::move(*lines));
   }
 
   ApplyReport report;
-  const auto rulings = Judge(folder, *tasks, resources, options).rulings(reviews, *marks, report);
+  const auto rulings = rule_on(reviews, *tasks, {folder, resources, options, *marks}, report);
   if (!rulings) return rulings.error();
   auto copy = ChangedCopy::begin(folder, out, files_made_anew(folder));
   if (!copy) return copy.error();
@@ -258,7 +168,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
         record.demonstration += (record.demonstration.empty() ? "" : "\n") + line->second;
     }
     record.actions = actions_of(record.demonstration);
-    auto scene = read_file(folder / "scenes" / (task.scene + ".scene.json.gz"));
+    auto scene = read_file(folder / scene_file(task.scene));
     if (!scene) return scene.error();
     record.scene = std::move(*scene);
     if (const auto own = traits->find(task.id); own != traits->end()) record.traits = to_text(own->second);

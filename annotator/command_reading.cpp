@@ -1,0 +1,211 @@
+#include "annotator/clause_reading.h"
+
+namespace unietp {
+namespace {
+
+using P = Predicate;
+
+struct Verb {
+  std::string_view words, after;  // "cut … into slices"
+  Predicate predicate;
+};
+
+/// Verbs that make a state true. Where one starts another, the longer comes first.
+constexpr Verb kVerbs[] = {{"open up", "", P::Open},
+                           {"open", "", P::Open},
+                           {"close", "", P::Closed},
+                           {"shut", "", P::Closed},
+                           {"turn on", "", P::PowerOn},
+                           {"switch on", "", P::PowerOn},
+                           {"turn off", "", P::PowerOff},
+                           {"switch off", "", P::PowerOff},
+                           {"wash", "", P::Clean},
+                           {"clean", "", P::Clean},
+                           {"heat up", "", P::Hot},
+                           {"heat", "up?", P::Hot},
+                           {"cool down", "", P::Cool},
+                           {"cool", "down?", P::Cool},
+                           {"chill", "", P::Cool},
+                           {"cook", "", P::Cooked},
+                           {"burn", "", P::Burnt},
+                           {"freeze", "", P::Frozen},
+                           {"thaw", "", P::Thawed},
+                           {"defrost", "", P::Thawed},
+                           {"slice up", "", P::Sliced},
+                           {"slice", "", P::Sliced},
+                           {"cut", "into slices", P::Sliced},
+                           {"empty", "", P::Empty},
+                           {"pour out", "", P::Empty},
+                           {"soak", "", P::Soaked},
+                           {"dry", "", P::Dry},
+                           {"use up", "", P::UsedUp},
+                           {"break", "", P::Broken},
+                           {"fold up", "", P::Folded},
+                           {"fold", "", P::Folded},
+                           {"unfold", "", P::Unfolded},
+                           {"plug in", "", P::PluggedIn},
+                           {"plug", "in", P::PluggedIn},
+                           {"unplug", "", P::Unplugged},
+                           {"pick up", "", P::Held},
+                           {"pick", "up", P::Held},
+                           {"end up holding", "", P::Held},
+                           {"hold", "", P::Held},
+                           {"sit down on", "", P::SatOn},
+                           {"sit on", "", P::SatOn},
+                           {"lie down on", "", P::LainOn},
+                           {"lie on", "", P::LainOn},
+                           {"make", "dirty", P::Dirty}};
+
+}  // namespace
+
+/// One imperative, or several after "either".
+Clause ClauseReader::command() {
+  if (words_.comes("either")) {
+    words_.accept("either");
+    Clause either;
+    either.kind = Clause::Kind::Or;
+    do {
+      either.parts.push_back(given(command_list()));
+    } while (!words_.failed() && words_.accept_one({", or", "or"}) >= 0);
+    if (either.parts.size() < 2) words_.fail("expected 'or' after 'either'");
+    return either;
+  }
+  if (assurance_comes()) return statements();
+  if (words_.accept("go to")) return reached();
+  if (words_.accept("do not hold")) {
+    Clause clause;
+    clause.subjects.push_back(words_.phrase());
+    if (clause.subjects[0].determiner != Determiner::Any) words_.fail("expected 'any …' before this");
+    clause.subjects[0].determiner = Determiner::No;
+    clause.complements.push_back({P::Held, false, "", {}});
+    return clause;
+  }
+  const bool repeated = moving_ && words_.phrase_comes();  // "put a mug on a table and a bowl in a box"
+  moving_ = repeated || words_.accept_one({"put", "place", "set"}) >= 0;
+  if (moving_) return moved();
+  if (words_.accept_one({"remove", "take", "bring"}) >= 0) return taken();
+  if (words_.accept("fill")) return with_symbol(P::Filled);
+  if (words_.accept("cover")) return with_symbol(P::Covered);
+  if (words_.accept("spread")) return symbol_first(P::Covered, "over", false);
+  if (words_.accept("wipe the")) return symbol_first(P::Covered, "off", true);
+  if (words_.accept("attach")) {
+    Clause clause;
+    clause.subjects = words_.phrases(clause.any_subject);
+    words_.expect("to");
+    clause.complements.push_back({P::Attached, false, "", {words_.phrase()}});
+    return clause;
+  }
+  return changed();
+}
+
+Clause ClauseReader::command_list() {
+  Clause list;
+  list.kind = Clause::Kind::And;
+  list.parts.push_back(command());
+  while (!words_.failed() && words_.accept("and")) list.parts.push_back(command());
+  if (list.parts.size() > 1) return list;
+  Clause only = std::move(list.parts[0]);
+  return only;
+}
+
+Clause ClauseReader::reached() {
+  Clause clause;
+  NounPhrase you;
+  you.determiner = Determiner::Agent;
+  clause.subjects.push_back(you);
+  clause.complements.push_back({P::InRoom, false, "", {words_.phrase()}});
+  return clause;
+}
+
+Clause ClauseReader::moved() {
+  Clause clause;
+  clause.subjects = words_.phrases(clause.any_subject);
+  if (!words_.comes("either") && !words_.complement_comes()) words_.fail("expected a place, such as 'on a table'");
+  words_.complements(clause);
+  for (const Complement& complement : clause.complements)
+    if (complement.object.empty() || complement.negated) words_.fail("expected a place before this");
+  return clause;
+}
+
+/// "take every mug off the table" leaves none; "take a mug to the kitchen" brings one.
+Clause ClauseReader::taken() {
+  Clause clause;
+  clause.subjects = words_.phrases(clause.any_subject);
+  if (words_.accept_one({"and put it", "and place it"}) >= 0) {
+    if (clause.subjects.size() > 1) words_.fail("expected one object before 'and put it'");
+    words_.complements(clause);
+    return clause;
+  }
+  const int room = words_.accept_one({"to", "into"});
+  if (room >= 0) {
+    clause.complements.push_back({P::InRoom, false, "", {words_.phrase()}});
+    if (!is_room(clause.complements[0].object[0].noun)) words_.fail("expected a room before this");
+    return clause;
+  }
+  const bool inside = words_.accept("out of");
+  if (!inside && words_.accept_one({"off", "from"}) < 0) words_.fail("expected 'to', 'off' or 'out of'");
+  clause.removal = true;
+  for (NounPhrase& subject : clause.subjects) {
+    if (subject.determiner != Determiner::Every) words_.fail("expected 'every …' before this");
+    subject.determiner = Determiner::No;
+  }
+  clause.complements.push_back({inside ? P::Inside : P::On, false, "", {words_.phrase()}});
+  if (clause.complements[0].object[0].determiner == Determiner::New)
+    words_.fail("expected 'one …' or 'any …' before this");
+  return clause;
+}
+
+bool ClauseReader::is_room(const Domain& noun) const {
+  return noun.kind == Domain::Kind::Room || (!noun.members.empty() && lexicon_.is_room_type(noun.members[0].category));
+}
+
+Clause ClauseReader::with_symbol(Predicate predicate) {
+  Clause clause;
+  clause.subjects = words_.phrases(clause.any_subject);
+  words_.expect("with");
+  clause.complements.push_back({predicate, false, words_.symbol(), {}});
+  return clause;
+}
+
+Clause ClauseReader::symbol_first(Predicate predicate, std::string_view link, bool negated) {
+  Clause clause;
+  clause.complements.push_back({predicate, negated, words_.symbol(), {}});
+  words_.expect(link);
+  clause.subjects = words_.phrases(clause.any_subject);
+  return clause;
+}
+
+Clause ClauseReader::changed() {
+  Clause clause;
+  for (const bool on : {true, false}) {  // "turn the lamp on"
+    const std::size_t here = words_.position();
+    if (words_.accept_one({"turn", "switch"}) < 0) break;
+    if (words_.phrase_comes()) {
+      clause.subjects = words_.phrases(clause.any_subject);
+      const int which = words_.accept_one({"on", "off"});
+      if (which < 0) words_.fail("expected 'on' or 'off'");
+      clause.complements.push_back({which == 0 ? P::PowerOn : P::PowerOff, false, "", {}});
+      return clause;
+    }
+    words_.go_back(here);
+    if (!on) break;
+  }
+  for (const Verb& verb : kVerbs) {
+    if (!words_.accept(verb.words)) continue;
+    words_.set_bare_places(verb.after.empty());
+    clause.subjects = words_.phrases(clause.any_subject);
+    words_.set_bare_places(false);
+    const bool optional = verb.after.ends_with('?');
+    const std::string_view after = optional ? verb.after.substr(0, verb.after.size() - 1) : verb.after;
+    if (!after.empty() && !words_.accept(after) && !optional) words_.fail("expected '" + std::string(after) + "'");
+    for (const NounPhrase& subject : clause.subjects)
+      if (subject.determiner == Determiner::No || subject.determiner == Determiner::AtMost)
+        words_.fail("expected something to act on before this");
+    clause.complements.push_back({verb.predicate, false, "", {}});
+    return clause;
+  }
+  words_.fail("expected what to do, such as 'put' or 'open'");
+  return clause;
+}
+
+}  // namespace unietp
