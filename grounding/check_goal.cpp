@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "grounding/goal_places.h"
 #include "logic/evaluate.h"
 
 namespace unietp {
@@ -51,6 +52,8 @@ class Possible {
       case Op::Atom:
         return atom(formula);
       case Op::And:
+        return std::all_of(formula.children.begin(), formula.children.end(), [&](const auto& f) { return read(f); }) &&
+               find_room_together(formula);
       case Op::Before:
         return std::all_of(formula.children.begin(), formula.children.end(), [&](const auto& f) { return read(f); });
       case Op::Or:
@@ -63,7 +66,7 @@ class Possible {
       case Op::Exists:
         return at_least(formula, 1);
       case Op::Forall:
-        return at_least(formula, members(formula).size());
+        return at_least(formula, members(formula).size()) && find_room_together(formula);
       case Op::Count:
         if (formula.comparison == Comparison::Equal || formula.comparison == Comparison::AtLeast)
           return at_least(formula, static_cast<std::size_t>(std::max(0, formula.number)));
@@ -77,6 +80,8 @@ class Possible {
 
   /// The first truth that could not come about, in words.
   const std::string& missing() const { return missing_; }
+  /// The first place that does not take all that is to be there at once, in words; "" when there is none.
+  const std::string& crowded() const { return crowded_; }
   /// Id of the first thing that cannot be seen; "" when there is none.
   const std::string& unseen() const { return unseen_; }
 
@@ -86,8 +91,7 @@ class Possible {
   }
 
   bool at_least(const Formula& formula, std::size_t wanted) {
-    const auto& kinds = formula.domain.members;
-    if (std::any_of(kinds.begin(), kinds.end(), [](const auto& kind) { return kind.slice; })) return true;
+    if (makes_slices(formula.domain)) return true;
     std::size_t found = 0;
     const auto all = members(formula);
     if (all.size() < wanted && missing_.empty())
@@ -131,6 +135,41 @@ class Possible {
       missing_ += out_of_reach_ ? " is out of reach" : " has no spot, or no way to it";
     }
     return known_.emplace(key, possible).first->second;
+  }
+
+  /// What is to be on or in each place at the same time.
+  using Together = std::map<std::pair<std::size_t, bool>, std::vector<std::size_t>>;
+  void collect(const Formula& formula, Together& together) {
+    if (formula.op == Op::And || formula.op == Op::AtEnd) {
+      for (const Formula& child : formula.children) collect(child, together);
+    } else if (formula.op == Op::Forall && !makes_slices(formula.domain)) {
+      for (const EntityIndex member : members(formula)) {
+        names_.emplace_back(formula.variable, member);
+        collect(formula.children[0], together);
+        names_.pop_back();
+      }
+    } else if (formula.op == Op::Atom) {
+      const bool inside = formula.predicate == Predicate::Inside;
+      const auto subject = node_of(formula, 0), object = node_of(formula, 1);
+      if ((!inside && formula.predicate != Predicate::On) || !subject || !object || *subject == *object) return;
+      auto& things = together[{*object, inside}];
+      if (std::find(things.begin(), things.end(), *subject) == things.end()) things.push_back(*subject);
+    }
+  }
+  bool find_room_together(const Formula& formula) {
+    Together together;
+    collect(formula, together);
+    return std::all_of(together.begin(), together.end(), [this](const auto& one) {
+      const auto& [place, things] = one;
+      if (things.size() < 2) return true;
+      const auto known = known_together_.find(one);
+      if (known != known_together_.end()) return known->second;
+      const bool fits = reach_.room_for_all(things, place.first, place.second);
+      if (!fits && crowded_.empty())
+        crowded_ = start_.nodes[place.first].id + " has no room for " + std::to_string(things.size()) +
+                   " things such as " + start_.nodes[things.front()].id + " at once";
+      return known_together_.emplace(one, fits).first->second;
+    });
   }
 
   bool shows(std::size_t node) {
@@ -198,8 +237,9 @@ class Possible {
   Reach& reach_;
   Assignment names_;
   std::map<std::tuple<Predicate, std::size_t, std::size_t>, bool> known_;
+  std::map<Together::value_type, bool> known_together_;
   bool pictured_, out_of_reach_ = false;
-  std::string missing_, unseen_;
+  std::string missing_, unseen_, crowded_;
 };
 
 }  // namespace
@@ -211,6 +251,8 @@ std::optional<GroundingFailure> check_goal(const Specification& specification, c
   if (possible.read(specification.goal)) return std::nullopt;
   if (!possible.unseen().empty())
     return GroundingFailure{GroundingReason::NotSeen, possible.unseen() + " shows clearly from nowhere", {}};
+  if (possible.missing().empty() && !possible.crowded().empty())
+    return GroundingFailure{GroundingReason::NotTogether, possible.crowded(), {}};
   return GroundingFailure{GroundingReason::NoSpot, possible.missing(), {}};
 }
 

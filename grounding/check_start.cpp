@@ -22,10 +22,6 @@ constexpr double kCalm_m = 0.005;
 
 GroundingFailure failure(GroundingReason reason, std::string detail) { return {reason, std::move(detail), {}}; }
 
-bool makes_slices(const Domain& domain) {
-  return std::any_of(domain.members.begin(), domain.members.end(), [](const auto& member) { return member.slice; });
-}
-
 std::optional<GroundingFailure> check_formulas(const Specification& specification, const Trace& trace) {
   for (const Formula& constraint : specification.init) {
     if (!holds_in(constraint, trace, 0)) {

@@ -45,6 +45,10 @@ void collect(const Formula& formula, bool certain, std::vector<QuantifiedDomain>
 
 }  // namespace
 
+bool makes_slices(const Domain& domain) {
+  return std::any_of(domain.members.begin(), domain.members.end(), [](const auto& kind) { return kind.slice; });
+}
+
 GoalPlaces goal_places(const Formula& goal) {
   GoalPlaces places;
   Scope scope;

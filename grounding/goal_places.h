@@ -22,4 +22,7 @@ struct QuantifiedDomain {
 };
 std::vector<QuantifiedDomain> quantified_domains(const Formula& formula);
 
+/// Members of the domain come about by cutting.
+bool makes_slices(const Domain& domain);
+
 }  // namespace unietp

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "grounding/packing.h"
 #include "simulation/agent_moves.h"
 #include "simulation/navigation.h"
 #include "simulation/spots.h"
@@ -75,23 +76,46 @@ class Footholds {
   std::vector<Place> places_;
 };
 
-bool spot_in(const Scene& scene, const PhysicsWorld& world, const Walk& walk, const Profile& profile, std::size_t thing,
-             std::size_t target, bool inside) {
+/// What is asked about a thing and where it is to go.
+struct Errand {
+  std::size_t thing = 0, target = 0;
+  bool inside = false;
+};
+
+/// The spots, at most so many, that are free of what is fixed and within the arm's reach. On what can be carried itself
+/// only the size is asked for.
+std::vector<Pose> spots_for(const Scene& scene, const PhysicsWorld& world, const Walk& walk, const Profile& profile,
+                            const Errand& errand, std::size_t most) {
+  const auto& [thing, target, inside] = errand;
   const Node& node = scene.nodes[thing];
   const Node& receptacle = scene.nodes[target];
   const auto& collider = world.collider(static_cast<BodyId>(thing));
   const auto& shape = world.collider(static_cast<BodyId>(target)).shape;
-  if (receptacle.movable)
-    return for_each_spot(receptacle, shape, node.size, inside, true, [](const Pose&) { return false; }).any_fit;
   const auto loose =
       loose_near(scene, world, world.bounds(static_cast<BodyId>(target)), node.size.norm(), scene.nodes.size());
-  Footholds footholds(scene, world, walk, profile, target, thing);
-  bool found = false;
+  std::optional<Footholds> footholds;
+  if (!receptacle.movable) footholds.emplace(scene, world, walk, profile, target, thing);
+  std::vector<Pose> spots;
   for_each_spot(receptacle, shape, node.size, inside, true, [&](const Pose& pose) {
-    found = !world.overlap(collider, pose, loose) && footholds.reach(pose.position);
-    return !found;
+    const bool possible = !footholds || (!world.overlap(collider, pose, loose) && footholds->reach(pose.position));
+    if (possible) spots.push_back(pose);
+    return spots.size() < most;
   });
-  return found;
+  return spots;
+}
+
+constexpr std::size_t kMostSpots = 4000;  // looked at for one thing
+
+/// Things that take up less of the largest surface than this, together, are taken to find room.
+constexpr double kAmple = 0.25;
+
+bool is_ample(const Scene& scene, const Shape& shape, const std::vector<std::size_t>& things, bool inside) {
+  double largest = 0, taken = 0;
+  for (const Surface& surface : shape.surfaces) {
+    if ((surface.cavity >= 0) == inside) largest = std::max(largest, 4 * surface.half.x() * surface.half.y());
+  }
+  for (const std::size_t thing : things) taken += scene.nodes[thing].size.x() * scene.nodes[thing].size.y();
+  return taken <= kAmple * largest;
 }
 
 /// Straight at it, or with it near an edge or a corner of the picture, where a wide lens draws it larger.
@@ -177,14 +201,46 @@ bool Reach::stands_by(std::size_t index) {
   return reached;
 }
 
-bool Reach::spot_for(std::size_t thing, std::size_t target, bool inside) {
+std::vector<std::size_t> Reach::doors_before(std::size_t target, bool inside) const {
   std::vector<std::size_t> doors = shut_around(target);
   const Node& receptacle = scene_.nodes[target];
   if (inside && receptacle.openable && receptacle.opening < 0.5) doors.push_back(target);
-  if (doors.empty()) return spot_in(scene_, world_, *walk_, profile_, thing, target, inside);
+  return doors;
+}
+
+bool Reach::spot_for(std::size_t thing, std::size_t target, bool inside) {
+  const Errand errand{thing, target, inside};
+  const std::vector<std::size_t> doors = doors_before(target, inside);
+  if (doors.empty()) return !spots_for(scene_, world_, *walk_, profile_, errand, 1).empty();
   if (!std::all_of(doors.begin(), doors.end(), [this](std::size_t door) { return swings(door); })) return false;
   const Opened& opened = with_open(doors);
-  return spot_in(opened.scene, opened.world, *opened.walk, profile_, thing, target, inside);
+  return !spots_for(opened.scene, opened.world, *opened.walk, profile_, errand, 1).empty();
+}
+
+bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t target, bool inside) {
+  const auto collider = [this](std::size_t node) -> const Collider& {
+    return world_.collider(static_cast<BodyId>(node));
+  };
+  if (is_ample(scene_, collider(target).shape, things, inside)) return true;
+  const auto holds_others = [&](std::size_t thing) { return !collider(thing).shape.surfaces.empty(); };
+  if (inside && std::any_of(things.begin(), things.end(), holds_others)) return true;
+  const std::vector<std::size_t> doors = doors_before(target, inside);
+  const Opened* opened = doors.empty() ? nullptr : &with_open(doors);
+  const Scene& scene = opened != nullptr ? opened->scene : scene_;
+  const PhysicsWorld& world = opened != nullptr ? opened->world : world_;
+  const Walk& walk = opened != nullptr ? *opened->walk : *walk_;
+  std::vector<Spread> spreads;
+  for (const std::size_t thing : things) {
+    Spread spread{&collider(thing), spots_for(scene, world, walk, profile_, {thing, target, inside}, kMostSpots)};
+    if (spread.spots.size() == kMostSpots) return true;
+    const Predicate relation = inside ? Predicate::Inside : Predicate::On;
+    if (has_edge(scene_, relation, scene_.nodes[thing].id, scene_.nodes[target].id)) {
+      if (opened != nullptr) return true;  // it may lie in a drawer, which took it along
+      spread.spots.push_back(scene_.nodes[thing].pose);
+    }
+    spreads.push_back(std::move(spread));
+  }
+  return fit_together(spreads);
 }
 
 bool Reach::swings(std::size_t index) const {

@@ -32,6 +32,9 @@ class Reach {
   /// fixed, and a place to stand from which the arm gets there and the target is in reach and sight. Whatever can be
   /// carried away counts as gone; on a target that can be carried itself only the size is asked for.
   bool spot_for(std::size_t thing, std::size_t target, bool inside);
+  /// The same for several things at once, none of which is asked for alone: each has a spot of its own. True, too,
+  /// where they plainly find room, and inside where one of them could take another.
+  bool room_for_all(const std::vector<std::size_t>& things, std::size_t target, bool inside);
   /// A piece of furniture's door, lid or drawer can be moved all its way without meeting anything fixed. True for what
   /// can be carried, and for what has no joints.
   bool swings(std::size_t node) const;
@@ -46,6 +49,7 @@ class Reach {
   };
   bool stands_by(std::size_t index);
   std::vector<std::size_t> shut_around(std::size_t index) const;
+  std::vector<std::size_t> doors_before(std::size_t target, bool inside) const;
   Opened& with_open(const std::vector<std::size_t>& doors);
   void slide_along(Opened& opened, const std::vector<std::size_t>& doors, std::size_t index) const;
 

@@ -34,6 +34,8 @@ std::string name_of(GroundingReason reason) {
       return "not-calm";
     case GroundingReason::NoSpot:
       return "no-spot";
+    case GroundingReason::NotTogether:
+      return "no-room-together";
     case GroundingReason::NotSeen:
       return "not-seen";
   }

@@ -21,6 +21,7 @@ enum class GroundingReason {
   NotReachable,      // "not-reachable": the body cannot stand where it could reach and see something needed
   NotCalm,           // "not-calm": what was put in place does not stay there
   NoSpot,            // "no-spot": nothing could be put where the goal wants it, or its door meets something fixed
+  NotTogether,       // "no-room-together": each finds a spot, but not all of them at once
   NotSeen,           // "not-seen": too small or too hidden to show clearly in any picture
 };
 std::string name_of(GroundingReason reason);

@@ -8,7 +8,7 @@ namespace unietp {
 namespace {
 
 // By how a person would go about it: what to look at first in the template, else in the scene or the knowledge.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kHints{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kHints{{
     {"no-binding",
      "no home offers categories for all placeholders: loosen `constraints` or the affordances of `parameters`, or try "
      "more homes"},
@@ -18,6 +18,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kHints{{
     {"lacks-room", "the homes lack that type of room: give others with --scenes, or choose another room"},
     {"no-free-place", "there is no space left: demand fewer objects in `init`, or ask for more with (fits-on A B n)"},
     {"not-calm", "something does not come to rest where `init` wants it: another place or a smaller object"},
+    {"no-room-together", "what is to share a place is too large for it: fewer or smaller objects, or a larger place"},
     {"no-spot", "what the goal wants has no room in these homes: smaller objects, a larger place, or other homes"},
     {"not-seen", "it is too small for pictures: larger categories, or make tasks without --modes M3"},
     {"cannot-enforce", "`init` asks for something that this category cannot be or that the scene cannot be given"},

@@ -53,7 +53,7 @@ class CheckGoal : public ::testing::Test {
     const auto problem = check_goal(specification, home.scene, to_logic(home.scene, {}, true), style_->knowledge,
                                     style_->profile, reach, pictured_);
     if (problem) {
-      EXPECT_EQ(problem->reason, pictured_ ? GroundingReason::NotSeen : GroundingReason::NoSpot);
+      EXPECT_EQ(problem->reason, pictured_ ? GroundingReason::NotSeen : reason_);
     }
     return problem ? problem->detail : "";
   }
@@ -61,6 +61,7 @@ class CheckGoal : public ::testing::Test {
   std::optional<Surroundings> style_;
   Scene scene_;
   bool pictured_ = false;
+  GroundingReason reason_ = GroundingReason::NoSpot;
 };
 
 const std::string kMugOnCounter = "(exists (?a - Mug) (exists (?b - CounterTop) (at-end (on ?a ?b))))";
@@ -134,6 +135,28 @@ TEST_F(CheckGoal, OneOfSeveralIsEnoughWhereOneIsAskedForAndNotWhereAllAre) {
   EXPECT_EQ(refused("(at-end (forall (?a - Mug) (not (exists (?b - CounterTop) (on ?a ?b)))))"), "");
   EXPECT_EQ(refused("(at-end (count = 1 (?b - CounterTop) (exists (?a - Mug) (on ?a ?b))))"), "");
   EXPECT_NE(refused("(at-end (count >= 2 (?b - CounterTop) (exists (?a - Mug) (on ?a ?b))))"), "");
+}
+
+TEST_F(CheckGoal, WhatSharesAPlaceHasToFindRoomThereTogether) {
+  reason_ = GroundingReason::NotTogether;
+  scene_.nodes[1].pose.position = Vec3(1, 2.5, 0.061);
+  scene_.nodes[1].size = {0.3, 0.3, 0.12};
+  add("mug_2", "Mug", Archetype::Vessel, {0.3, 0.3, 0.12}, {1, 2, 0.061});
+  add("plate_1", "Plate", Archetype::Plate, {0.3, 0.3, 0.02}, {1.5, 2.5, 0.011});
+  Node& table = add("side_table_1", "SideTable", Archetype::Table, {0.4, 0.4, 0.6}, {2.5, 1, 0.3});
+  const std::string one = "(exists (?a - Mug) (exists (?t - SideTable) (at-end (on ?a ?t))))";
+  const std::string both =
+      "(exists (?t - SideTable) (exists (?a - Mug) (exists (?b - Plate) (at-end (and (on ?a ?t) (on ?b ?t))))))";
+  const std::string in_turn =
+      "(exists (?t - SideTable) (exists (?a - Mug) (exists (?b - Plate) (before (on ?a ?t) (on ?b ?t)))))";
+  const std::string all = "(exists (?t - SideTable) (at-end (forall (?a - Mug) (on ?a ?t))))";
+  EXPECT_EQ(refused(one), "");
+  EXPECT_EQ(refused(both), "side_table_1 has no room for 2 things such as mug_1 at once");
+  EXPECT_NE(refused(all), "");
+  EXPECT_EQ(refused(in_turn), "") << "the first may be gone when the second comes";
+  table.size = {0.8, 0.4, 0.6};
+  EXPECT_EQ(refused(both), "");
+  EXPECT_EQ(refused(all), "");
 }
 
 TEST_F(CheckGoal, WhatIsToBePointedAtInAPictureMustNotBeASpeck) {
