@@ -19,10 +19,15 @@ bool is_number(std::string_view word) {
   return !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
 }
 
+/// A name of the lexicon in a text.
+struct NameInText : NounTable::Reading {
+  std::string word;  // itself, when it has no other
+};
+
 /// The words of a text that are no part of a name of the lexicon, and the names.
 struct Sorted {
   Words plain;
-  std::vector<NounTable::Reading> nouns;
+  std::vector<NameInText> nouns;
   std::set<std::string> of_names;  // words that stand in a name
 };
 
@@ -46,7 +51,7 @@ Sorted sorted(const Words& words, const NounTable& nouns) {
     }
     for (std::size_t k = 0; k < taken.length; ++k) found.of_names.insert(words[i + k].text);
     if (taken.length == 1) found.plain.push_back(words[i]);  // "light" is a name and a verb
-    found.nouns.push_back(taken);
+    found.nouns.push_back({taken, taken.length == 1 ? words[i].text : ""});
     i += taken.length;
   }
   return found;
@@ -130,12 +135,10 @@ class Check {
     return names(noun, started);
   }
 
-  /// "on the floor of the kitchen": the name of something, and the word for a relation of the goal.
-  bool is_said_by(const NounTable::Reading& noun) const {
-    const std::string word = shown(noun.nouns.front());
-    return word.find(' ') == std::string::npos &&
-           std::any_of(goal_.predicates.begin(), goal_.predicates.end(),
-                       [&](P predicate) { return is_among(word, words_for(predicate)); });
+  /// "on the floor of the kitchen", "switch it on": the name of something, and the word for what the goal asks for.
+  bool is_said_by(const NameInText& noun) const {
+    return !noun.word.empty() && std::any_of(goal_.predicates.begin(), goal_.predicates.end(),
+                                             [&](P predicate) { return is_among(noun.word, words_for(predicate)); });
   }
 
   std::string shown(const std::string& category) const {

@@ -68,6 +68,16 @@ TEST(SayingFaults, AreSlipsOfThePen) {
   EXPECT_TRUE(said(kFridge, "As soon as you can reach over the ridge, open a fridge.").empty());  // words of their own
 }
 
+TEST(SayingFaults, AreNotInAVerbThatIsAlsoAName) {
+  auto tables = small_knowledge().categories();
+  tables.push_back(tables.front());
+  tables.back().name = "Switch", tables.back().display = "switch", tables.back().plural = "switches";
+  const NounTable nouns(Knowledge(Simulator::Ai2thor, tables, {}, {}, {}, {}));
+  EXPECT_TRUE(saying_faults("Switch a lamp on.", asking("(exists (?a - Lamp) (at-end (power_on ?a)))"), nouns).empty());
+  EXPECT_FALSE(
+      saying_faults("Wash a mug and a switch.", asking("(exists (?a - Mug) (at-end (clean ?a)))"), nouns).empty());
+}
+
 TEST(SayingFaults, AreNotInWhatIsAskedForNothing) {
   constexpr const char* kFridge = "(exists (?b - Fridge) (at-end (open ?b)))";
   static const NounTable nouns(small_knowledge());
