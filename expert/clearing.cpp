@@ -70,17 +70,24 @@ bool Methods::make_room(const std::string& id, ActionType action, const std::str
     return trouble && !attempt_.exhausted() && lacks_room(trouble->failure);
   };
   if (!clears_ || !crowded()) return false;
+  const std::vector<Action> again{
+      {ActionType::GoTo, {id}}, {ActionType::PickUp, {id}}, {ActionType::GoTo, {target}}, {action, {target}}};
+  bool cleared = false;
   for (const std::string& other : in_the_way_on(target, id)) {
-    if (!put_aside(id, target)) return false;
-    if (!hold(other)) continue;
-    if (!put_aside(other, target) || !hold(id) || !reopen(id, action, target)) return false;
-    if (do_at(action, target)) return true;
-    if (!crowded()) return false;
+    if (attempt_.exhausted()) return false;
+    if (!carry_away(other, id, target)) continue;
+    cleared = true;
+    if (works(again)) break;
   }
-  return false;
+  return cleared && hold(id) && reopen(id, action, target) && do_at(action, target);
 }
 
-/// The largest of the other things that are to come to the same place.
+/// `other` from the target to where it is not in the way; `id` is out of the hand then.
+bool Methods::carry_away(const std::string& other, const std::string& id, const std::string& target) {
+  return put_aside(id, target) && hold(other) && put_aside(other, target);
+}
+
+/// The largest of the other things that are to come to the same place and lie open.
 std::string Methods::next_for(const std::string& target, const std::string& but) const {
   std::string next;
   double most = 0;
@@ -90,6 +97,7 @@ std::string Methods::next_for(const std::string& target, const std::string& but)
     if (literal.predicate != Predicate::On && literal.predicate != Predicate::Inside) continue;
     const double room = node->size.x() * node->size.y();
     if (attempt_.id_of(literal.object) != target || room <= most) continue;
+    if (!attempt_.world().closed_around(node->id).empty()) continue;
     most = room;
     next = node->id;
   }
@@ -110,12 +118,16 @@ bool Methods::leave_room(const std::string& id, ActionType action, const std::st
                 {}};
   if (from_elsewhere({action, {target}}, target, aim)) return true;
   for (const std::string& other : in_the_way_on(target, id)) {
-    if (attempt_.exhausted() || !put_aside(id, target)) return false;
-    if (!hold(other)) continue;
-    if (!put_aside(other, target) || !hold(id) || !reopen(id, action, target)) return false;
-    if (from_elsewhere({action, {target}}, target, aim)) return true;
+    if (attempt_.exhausted()) return false;
+    if (!carry_away(other, id, target)) continue;
+    World trial = attempt_.world();
+    const bool back = trial.step({ActionType::GoTo, {id}}).success && trial.step({ActionType::PickUp, {id}}).success;
+    if (!back || !way_to_do(trial, {action, {target}}, target, aim)) continue;
+    return hold(id) && reopen(id, action, target) && from_elsewhere({action, {target}}, target, aim);
   }
-  return false;
+  // In vain: as if nothing was to come after it.
+  if (!hold(id)) return false;
+  return reopen(id, action, target) && do_at(action, target);
 }
 
 /// On or into something that lies inside the target, so that it is inside that, too.

@@ -42,6 +42,7 @@ class Methods {
   bool put_so_that(const std::string& id, const std::vector<Action>& then);
   bool put_out_of_the_way(const std::string& id, const Action& action);
   bool make_room(const std::string& id, ActionType action, const std::string& target);
+  bool carry_away(const std::string& other, const std::string& id, const std::string& target);
   bool leave_room(const std::string& id, ActionType action, const std::string& target);
   bool nest(const std::string& id, const std::string& target);
   bool put_together(const std::string& id, const std::string& neighbour);
