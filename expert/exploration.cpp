@@ -14,6 +14,8 @@ namespace {
 constexpr double kMostSteps = 16;         // of a search, from where it begins
 constexpr std::size_t kMostPoses = 5000;  // looked from
 constexpr std::size_t kMostLookouts = 5;
+constexpr std::size_t kMostNearby = 12;
+constexpr double kNearby_m = 2;
 constexpr double kElsewhere = 0.5;  // surcharge for looking from furniture that has nothing to do with the object
 
 constexpr std::array kLooks{ActionType::TurnLeft, ActionType::TurnRight, ActionType::LookDown, ActionType::LookUp};
@@ -32,7 +34,9 @@ class Search {
   Search(const ModeEpisode& episode, const Node& target, const Profile& profile, Standing standing)
       : episode_(episode), world_(episode.world()), target_(target), profile_(profile), standing_(standing) {}
 
-  std::optional<std::vector<Action>> run() {
+  /// `thorough`: also from small things nearby, where long steps and wide turns lead to few places.
+  std::optional<std::vector<Action>> run(bool thorough) {
+    if (thorough) begin_nearby();
     add({world_.agent(), 0, 0, {}});
     if (standing_ != Standing::Here) begin_elsewhere();
     while (const auto at = poses_.next()) {
@@ -60,6 +64,16 @@ class Search {
     const Action action{ActionType::GoTo, {place}};
     if (!episode_.said(action)) return;
     if (auto agent = world_.led_to(world_.agent(), action)) add({std::move(*agent), cost, 0, action});
+  }
+  void begin_nearby() {
+    std::vector<std::pair<double, std::string>> found;
+    for (const Node& node : world_.nodes()) {
+      const double away = (node.pose.position - target_.pose.position).norm();
+      if (node.movable && away < kNearby_m && node.id != target_.id) found.emplace_back(away, node.id);
+    }
+    std::sort(found.begin(), found.end());
+    if (found.size() > kMostNearby) found.resize(kMostNearby);
+    for (const auto& [away, id] : found) begin_with(id, 1 + kElsewhere);
   }
   void expand(std::size_t at) {
     for (const ActionType type : kLooks) go_on(at, type);
@@ -113,7 +127,11 @@ std::vector<std::string> lookouts_for(const World& world, const std::string& id)
 std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, Standing standing) {
   const Node* target = episode.world().find(id);
   if (target == nullptr) return std::nullopt;
-  return Search(episode, *target, episode.world().profile(), standing).run();
+  const auto search = [&](bool thorough) {
+    return Search(episode, *target, episode.world().profile(), standing).run(thorough);
+  };
+  auto way = search(false);
+  return way || standing == Standing::Here ? way : search(true);
 }
 
 }  // namespace unietp
