@@ -89,7 +89,15 @@ Result<std::size_t> BlockRun::next_batch() {
     begun_ = true;
     auto outlines = ledger_.outlines(block_.first(), static_cast<int>(block_.slots.size()));
     if (!outlines) return outlines.error();
-    for (auto& outline : *outlines) rounds_[static_cast<std::size_t>(outline.attempt)].push_back(std::move(outline));
+    for (auto& outline : *outlines) {
+      if (outline.attempt < 0 || outline.attempt >= configuration_.attempts)
+        return Error{Error::Kind::Schema,
+                     "ledger.sqlite",
+                     {},
+                     "is damaged: slot " + std::to_string(outline.slot) + " has an attempt " +
+                         std::to_string(outline.attempt) + " of " + std::to_string(configuration_.attempts)};
+      rounds_[static_cast<std::size_t>(outline.attempt)].push_back(std::move(outline));
+    }
     if (is_complete()) {  // by an earlier process: neither homes nor plans are needed again
       selection_.offer_all(this->outlines());
       return std::size_t{0};

@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "committed.h"
 #include "core/files.h"
+#include "pipeline/block_run.h"
 
 namespace unietp {
 namespace {
@@ -79,6 +81,22 @@ TEST_F(LedgerFile, SaysWhenTheFileIsNoLedger) {
   const auto ledger = Ledger::open(path_, "run");
   ASSERT_FALSE(ledger);
   EXPECT_EQ(ledger.error().kind, Error::Kind::Io);
+}
+
+TEST_F(LedgerFile, AnAttemptThatARunDoesNotMakeIsRefusedWhenTheRunGoesOn) {
+  auto ledger = Ledger::open(path_, "run 1");
+  ASSERT_TRUE(ledger) << format(ledger.error());
+  CandidateRecord record = full_record();
+  record.attempt = 1000;
+  ASSERT_TRUE(ledger->add(record, {}));
+  const RunConfiguration configuration;
+  const auto slots = plan_slots(configuration, committed());
+  ASSERT_TRUE(slots) << format(slots.error());
+  const auto blocks = blocks_of(configuration, committed(), *slots);
+  BlockRun run(configuration, committed(), blocks.front(), *ledger, {});
+  const auto batch = run.next_batch();
+  ASSERT_FALSE(batch);
+  EXPECT_THAT(format(batch.error()), HasSubstr("slot 3 has an attempt 1000 of 40"));
 }
 
 }  // namespace
