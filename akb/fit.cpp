@@ -115,7 +115,7 @@ bool fit_side_by_side(const Category& a, const Category& b, const Category& supp
   const auto room = room_of(support, "on");
   if (!room || std::max(a.size.z(), b.size.z()) + kMargin_m > room->clearance) return false;
   const auto as = std::minmax(a.size.x(), a.size.y()), bs = std::minmax(b.size.x(), b.size.y());
-  const auto [narrow, wide] = std::minmax(room->width, room->depth);
+  const double narrow = std::min(room->width, room->depth), wide = std::max(room->width, room->depth);
   // In a row along the wide side: each with its short side along it when its long side still fits across.
   const auto along = [&](double small, double large) { return large + kMargin_m <= narrow ? small : large; };
   const double a_along = along(as.first, as.second), b_along = along(bs.first, bs.second);

@@ -5,8 +5,10 @@ add_library(unietp_flags INTERFACE)
 target_compile_features(unietp_flags INTERFACE cxx_std_20)
 target_compile_options(unietp_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
                        -Werror -ffp-contract=off
-                       # In a batch the file before is no enclosing scope, and its classes are not a header's.
-                       $<IF:$<BOOL:${CMAKE_UNITY_BUILD}>,-Wshadow=local;-Wno-subobject-linkage,-Wshadow>
+                       # In a batch the file before is no enclosing scope, and its classes are not a header's; g++ can
+                       # be told so, clang++ cannot.
+                       $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>
+                       $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wshadow=local;-Wno-subobject-linkage>
                        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # g++ 12 warns falsely of "literal" + std::string
 target_include_directories(unietp_flags INTERFACE ${PROJECT_SOURCE_DIR})
 file(WRITE ${PROJECT_BINARY_DIR}/room_graph.txt "")

@@ -49,7 +49,8 @@ std::map<Colour, std::uint8_t> palette_of(std::span<const std::uint8_t> rgb, std
   most.resize(std::min(most.size(), kColours));
   for (const auto& [colour, count] : most) palette.insert(palette.end(), colour.begin(), colour.end());
   std::map<Colour, std::uint8_t> index;
-  for (const auto& [colour, count] : counts) {
+  for (const auto& seen : counts) {
+    const Colour& colour = seen.first;
     const auto nearest = std::min_element(most.begin(), most.end(), [&](const auto& a, const auto& b) {
       return distance(a.first, colour) < distance(b.first, colour);
     });
