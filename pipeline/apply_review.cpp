@@ -32,6 +32,12 @@ Result<Json> read_json(const fs::path& file) {
   return json;
 }
 
+/// "" for what is no object with such a text.
+std::string text_in(const Json& json, const std::string& field) {
+  const auto* text = json.is_object() && json.contains(field) ? json.at(field).get_ptr<const std::string*>() : nullptr;
+  return text == nullptr ? "" : *text;
+}
+
 /// The lines of a file, none of one that is not there; by the task that the field names.
 Result<std::map<std::string, std::string>> lines_by_task(const fs::path& folder, const std::string& name,
                                                          const char* field) {
@@ -41,8 +47,7 @@ Result<std::map<std::string, std::string>> lines_by_task(const fs::path& folder,
   for (std::size_t i = 0; i < file->size(); ++i) {
     const auto line = file->line(i);
     if (line.empty()) continue;
-    const auto json = Json::parse(line, nullptr, false);
-    const auto task = json.is_object() ? json.value(field, "") : std::string();
+    const auto task = text_in(Json::parse(line, nullptr, false), field);
     if (task.empty())
       return Error{Error::Kind::Schema,
                    (folder / name).string(),
@@ -114,7 +119,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
                                  const Resources& resources, const ApplyOptions& options) {
   const auto manifest = read_json(folder / kManifest);
   if (!manifest) return manifest.error();
-  if (manifest->value("knowledge_digest", "") != resources.digest)
+  if (text_in(*manifest, "knowledge_digest") != resources.digest)
     return Error{Error::Kind::Usage,
                  (folder / kManifest).string(),
                  {},

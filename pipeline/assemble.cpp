@@ -1,8 +1,30 @@
 #include "pipeline/assemble.h"
 
+#include <exception>
+#include <string>
+
 #include "pipeline/selection.h"
 
 namespace unietp {
+
+namespace {
+
+/// Errors: Schema, for texts that are not as the program writes them: the ledger is damaged.
+Result<Done> add_candidate(DatasetWriter& writer, const CandidateRecord& record, Selection::Verdict verdict) {
+  try {
+    if (verdict != Selection::Verdict::Taken)
+      return writer.add_rejection(repetition_line(record, verdict == Selection::Verdict::SameStart));
+    return record.accepted ? writer.add_task(record) : writer.add_rejection(record.rejection);
+  } catch (const std::exception& reason) {
+    return Error{Error::Kind::Schema,
+                 "ledger.sqlite",
+                 {},
+                 "candidate " + std::to_string(record.attempt) + " of slot " + std::to_string(record.slot) +
+                     " is damaged: " + reason.what()};
+  }
+}
+
+}  // namespace
 
 Result<Done> add_block(DatasetWriter& writer, const FilledBlock& block, int attempts) {
   const auto outlines = block.ledger->outlines(block.first, block.slots);
@@ -14,13 +36,7 @@ Result<Done> add_block(DatasetWriter& writer, const FilledBlock& block, int atte
     for (int attempt = 0; attempt <= (chosen < 0 ? attempts - 1 : chosen); ++attempt) {
       const auto record = block.ledger->read(slot, attempt);
       if (!record) return record.error();
-      const auto verdict = selection.verdict(slot, attempt);
-      const bool repeats = verdict != Selection::Verdict::Taken;
-      const auto added = repeats
-                             ? writer.add_rejection(repetition_line(*record, verdict == Selection::Verdict::SameStart))
-                         : record->accepted ? writer.add_task(*record)
-                                            : writer.add_rejection(record->rejection);
-      if (!added) return added.error();
+      if (auto added = add_candidate(writer, *record, selection.verdict(slot, attempt)); !added) return added.error();
     }
   }
   return Done{};

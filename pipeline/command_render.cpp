@@ -1,8 +1,6 @@
 #include <array>
 #include <memory>
 
-#include <nlohmann/json.hpp>
-
 #include "core/files.h"
 #include "core/png.h"
 #include "core/text.h"
@@ -14,6 +12,7 @@
 #include "simulation/picture.h"
 #include "simulation/solids.h"
 #include "simulation/view.h"
+#include "validator/task_record.h"
 
 namespace unietp {
 namespace {
@@ -41,16 +40,15 @@ using Legs = std::vector<std::vector<Vec2>>;
 Result<std::vector<Scene>> scenes_of(const std::filesystem::path& file, const std::string& task, const Scene& start) {
   const auto text = read_file(file);
   if (!text) return text.error();
+  int number = 0;
   for (const auto& line : split(*text, '\n')) {
-    if (line.empty()) continue;
-    const auto json = nlohmann::ordered_json::parse(line, nullptr, false);
-    if (!json.is_object() || json.value("task", "") != task) continue;
+    ++number;
+    if (line.find('"' + task + '"') == std::string::npos) continue;
+    const auto shown = read_demonstration(file.string(), number, line);
+    if (!shown) return shown.error();
+    if (shown->task != task) continue;
     std::vector<Scene> scenes{start};
-    for (const auto& step : json.value("steps", nlohmann::ordered_json::array())) {
-      const auto changes = delta_from_json(file.string(), step.value("changes", nlohmann::ordered_json::object()));
-      if (!changes) return changes.error();
-      scenes.push_back(apply(scenes.back(), *changes));
-    }
+    for (const StepRecord& step : shown->steps) scenes.push_back(apply(scenes.back(), step.changes));
     return scenes;
   }
   return Error{Error::Kind::Usage, file.string(), {}, "has no task \"" + task + "\"; tasks.jsonl lists the ids"};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "unietp-run/1";
+constexpr int kMostTasks = 1'000'000'000;
 
 template <class T>
 Json names_json(const std::vector<T>& values) {
@@ -43,10 +45,10 @@ class ConfigurationReader {
     if (const auto at = fields.required("format"); at && reader_.text(*at) != kFormat)
       reader_.fail(*at, "expected \"" + std::string(kFormat) + "\"");
     RunConfiguration configuration;
-    number(fields, "seed", 0, 9007199254740991, configuration.seed);
-    counted_ = number(fields, "count", 1, 1e9, configuration.count);
-    list(fields, "simulators", std::vector<Simulator>(kSimulators.begin(), kSimulators.end()),
-         configuration.simulators);
+    number(fields, "seed", 0, double{kLargestSeed}, configuration.seed);
+    counted_ = number(fields, "count", 1, kMostTasks, configuration.count);
+    list(fields, "simulators", std::vector<Simulator>(kSimulators.begin(), kSimulators.end()), configuration.simulators,
+         1);
     list(fields, "splits", all_splits(), configuration.splits);
     quotas(fields, configuration);
     if (const auto at = fields.optional("templates")) configuration.templates = reader_.texts(*at);
@@ -54,7 +56,8 @@ class ConfigurationReader {
     if (const auto at = fields.optional("extended")) configuration.extended = reader_.boolean(*at);
     if (const auto at = fields.optional("own")) configuration.own = reader_.texts(*at);
     binding(fields, configuration);
-    list(fields, "modes", std::vector<Mode>(kModes.begin(), kModes.end()), configuration.modes);
+    list(fields, "modes", std::vector<Mode>(kModes.begin(), kModes.end()), configuration.modes, 1);
+    if (configuration.modes.front() != Mode::M1) configuration.modes.insert(configuration.modes.begin(), Mode::M1);
     if (const auto at = fields.optional("phrasings"))
       configuration.phrasings = one_of(*at, std::vector<Phrasings>(kPhrasings.begin(), kPhrasings.end()));
     number(fields, "attempts", 1, 1024, configuration.attempts);
@@ -101,13 +104,16 @@ class ConfigurationReader {
     return reader_.error() ? known.front() : one_of(name, at, known);
   }
 
-  /// In the order of `known`, each once.
+  /// In the order of `known`, each once; `values` stay as they are where the list is left out or wrong.
   template <class T>
-  void list(JsonFields& fields, std::string_view field, const std::vector<T>& known, std::vector<T>& values) {
+  void list(JsonFields& fields, std::string_view field, const std::vector<T>& known, std::vector<T>& values,
+            std::size_t at_least = 0) {
     const auto at = fields.optional(field);
     if (!at) return;
     std::vector<T> asked;
     for (std::size_t i = 0; i < reader_.items(*at); ++i) asked.push_back(one_of(reader_.item(*at, i), known));
+    if (asked.size() < at_least) reader_.fail(*at, "expected at least one name");
+    if (reader_.error()) return;
     values.clear();
     for (const T value : known) {
       if (std::find(asked.begin(), asked.end(), value) != asked.end()) values.push_back(value);
@@ -124,7 +130,7 @@ class ConfigurationReader {
     for (const auto& [name, count] : at->json.items()) {
       const JsonAt item{count, &*at, name};
       const T value = one_of(std::string_view(name), item, known);
-      read.emplace_back(value, static_cast<int>(whole(item, 0, 1e9)));
+      read.emplace_back(value, static_cast<int>(whole(item, 0, kMostTasks)));
     }
     for (const T value : known) {
       for (const auto& one : read) {
@@ -142,17 +148,19 @@ class ConfigurationReader {
     shares(own, "simulators", std::vector<Simulator>(kSimulators.begin(), kSimulators.end()), quotas.simulators);
     own.finish();
     const auto sum = [](const auto& all) {
-      return std::accumulate(all.begin(), all.end(), 0,
-                             [](int so_far, const auto& one) { return so_far + one.second; });
+      return std::accumulate(all.begin(), all.end(), std::int64_t{0},
+                             [](std::int64_t so_far, const auto& one) { return so_far + one.second; });
     };
-    const int count = sum(quotas.splits);
+    const std::int64_t count = sum(quotas.splits);
+    if (count > kMostTasks) reader_.fail(*at, "ask for more than " + std::to_string(kMostTasks) + " tasks");
     if (count != sum(quotas.simulators) || count < 1)
       reader_.fail(*at, "splits ask for " + std::to_string(count) + " tasks and simulators for " +
                             std::to_string(sum(quotas.simulators)) + "; both are to ask for the same number, above 0");
     if (counted_ && configuration.count != count)
       reader_.fail(*at, "ask for " + std::to_string(count) + " tasks, but \"count\" says " +
                             std::to_string(configuration.count) + "; leave one of them out");
-    configuration.count = count;
+    if (reader_.error()) return;
+    configuration.count = static_cast<int>(count);
     configuration.simulators.clear();
     for (const auto& one : quotas.simulators) configuration.simulators.push_back(one.first);
     configuration.splits.clear();

@@ -57,8 +57,6 @@ Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, co
     return usage(shards.folders.front(),
                  "was made by another version or with other knowledge than this program has\n  it was:  " +
                      shards.identity + "\n  this is: " + identity);
-  auto work = RunFolder::enter(out, true);
-  if (!work) return work.error();
   std::vector<std::unique_ptr<Ledger>> ledgers;
   std::vector<FilledBlock> blocks;
   for (std::size_t i = 0; i < shards.records.size(); ++i) {
@@ -68,6 +66,16 @@ Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, co
     for (const auto& [first, slots] : shards.records[i].blocks) blocks.push_back({first, slots, ledgers.back().get()});
   }
   std::sort(blocks.begin(), blocks.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  int covered = 0;  // slots from the first on, each once
+  for (const FilledBlock& block : blocks) {
+    if (block.first != covered || block.slots < 1 || block.slots > shards.configuration.count - covered) break;
+    covered += block.slots;
+  }
+  if (covered != shards.configuration.count)
+    return usage(shards.folders.front(), "a shard.json is damaged: the blocks of the shards do not hold the run's " +
+                                             std::to_string(shards.configuration.count) + " tasks once each");
+  auto work = RunFolder::enter(out, true);
+  if (!work) return work.error();
   const auto folder = work->fresh_data_folder();
   if (!folder) return folder.error();
   if (auto written = assemble(*folder, shards.configuration, resources, licences, blocks); !written)

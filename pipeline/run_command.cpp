@@ -126,6 +126,9 @@ void add_run_options(CommandParser& app, RunCommand& command, const CommandLine&
 Exit make_data_set(RunCommand& command, const Resources& resources, const CommandLine& program) {
   spdlog::logger log("unietp", std::make_shared<spdlog::sinks::stderr_sink_mt>());
   log.set_pattern("%l: %v");
+  if (command.configuration.seed > kLargestSeed)
+    return refuse(
+        {Error::Kind::Usage, "--seed", {}, "expected a whole number from 0 to " + std::to_string(kLargestSeed)});
   if (!command.shard.empty()) {
     const auto shard = shard_of(command.shard);
     if (!shard) return refuse(shard.error());

@@ -6,6 +6,7 @@
 #include "pipeline/configuration_json.h"
 #include "scene/json_parse.h"
 #include "scene/json_reader.h"
+#include "validator/record_fields.h"
 
 namespace unietp {
 namespace {
@@ -14,8 +15,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "unietp-shard/1";
-
-int whole(JsonReader& reader, const JsonAt& at) { return static_cast<int>(reader.number(at)); }
 
 }  // namespace
 
@@ -34,20 +33,17 @@ Result<Done> write_shard(const fs::path& folder, const Shard& shard, const std::
   return write_file(folder / "shard.json", json.dump(2) + "\n");
 }
 
-Result<ShardRecord> read_shard(const fs::path& folder) {
-  const fs::path file = folder / "shard.json";
-  const auto text = read_file(file);
-  if (!text) return Error{Error::Kind::Usage, folder.string(), {}, "is no finished shard: " + text.error().message};
-  const auto json = parse_json(file.string(), *text);
+Result<ShardRecord> shard_from_json(std::string_view where, std::string_view text) {
+  const auto json = parse_json(where, text);
   if (!json) return json.error();
-  JsonReader reader(file.string());
+  JsonReader reader(where);
   const JsonAt root{*json};
   JsonFields fields(reader, root);
   ShardRecord record;
   if (const auto at = fields.required("format"); at && reader.text(*at) != kFormat)
     reader.fail(*at, "expected \"" + std::string(kFormat) + "\"");
-  if (const auto at = fields.required("shard")) record.shard.number = whole(reader, *at);
-  if (const auto at = fields.required("of")) record.shard.of = whole(reader, *at);
+  if (const auto at = fields.required("shard")) record.shard.number = read_whole(reader, *at);
+  if (const auto at = fields.required("of")) record.shard.of = read_whole(reader, *at);
   const auto run = fields.required("run");
   if (const auto at = fields.required("blocks")) {
     for (std::size_t i = 0; i < reader.items(*at); ++i) {
@@ -56,18 +52,28 @@ Result<ShardRecord> read_shard(const fs::path& folder) {
         reader.fail(block, "expected the first slot and the number of slots");
         break;
       }
-      record.blocks.emplace_back(whole(reader, reader.item(block, 0)), whole(reader, reader.item(block, 1)));
+      const int first = read_whole(reader, reader.item(block, 0));
+      record.blocks.emplace_back(first, read_whole(reader, reader.item(block, 1)));
     }
   }
   fields.finish();
+  if (!reader.error() && (record.shard.number < 1 || record.shard.number > record.shard.of))
+    reader.fail(root, "expected a shard from 1 to the number of shards");
   if (!reader.error() && !run->json.contains("configuration")) reader.fail(*run, "lacks the configuration");
   if (reader.error()) return *reader.error();
   record.identity = run->json.dump();
   auto configuration =
-      configuration_from_json(file.string() + "#/run/configuration", run->json.at("configuration").dump());
+      configuration_from_json(at_pointer(where, "/run/configuration"), run->json.at("configuration").dump());
   if (!configuration) return configuration.error();
   record.configuration = std::move(*configuration);
   return record;
+}
+
+Result<ShardRecord> read_shard(const fs::path& folder) {
+  const fs::path file = folder / "shard.json";
+  const auto text = read_file(file);
+  if (!text) return Error{Error::Kind::Usage, folder.string(), {}, "is no finished shard: " + text.error().message};
+  return shard_from_json(file.string(), *text);
 }
 
 }  // namespace unietp

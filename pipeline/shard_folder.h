@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/result.h"
@@ -22,7 +23,10 @@ struct ShardRecord {
 Result<Done> write_shard(const std::filesystem::path& folder, const Shard& shard, const std::string& identity,
                          const std::vector<FilledBlock>& blocks);
 
-/// Errors: Io; Parse and Schema, at the place in shard.json.
+/// The text of a shard.json. Errors: Parse with line and column; Schema with a JSON pointer.
+Result<ShardRecord> shard_from_json(std::string_view where, std::string_view text);
+
+/// Errors: as above; Usage when there is none.
 Result<ShardRecord> read_shard(const std::filesystem::path& folder);
 
 /// `<folder>/ledger.sqlite`

@@ -1,49 +1,45 @@
 #include "pipeline/task_lines.h"
 
-#include <nlohmann/json.hpp>
-
 #include "core/files.h"
 #include "core/text.h"
 #include "scene/scene_json.h"
+#include "validator/task_record.h"
 
 namespace unietp {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string text_at(const Json& json, const char* pointer) {
-  return json.at(Json::json_pointer(pointer)).get<std::string>();
-}
-
-Result<TaskLine> task_line(const std::string& where, const std::string& line) {
+Result<TaskLine> task_line(const std::string& where, int number, const std::string& line) {
+  auto record = read_task(where, number, line);
+  if (!record) return record.error();
+  const auto at_line = [&](Error error) {
+    error.pos = {number, error.pos.column};
+    return error;
+  };
+  const auto split = split_named(record->split);
+  const auto simulator = simulator_named(record->simulator);
+  if (!split || !simulator)
+    return Error{Error::Kind::Schema, where, {number, 1}, "names an unknown split or simulator"};
+  auto goal = parse_formula(where, record->goal_text, FormulaUse::Goal);
+  if (!goal) return at_line(goal.error());
   TaskLine task;
   task.text = line;
-  const Json json = Json::parse(line);
-  task.id = text_at(json, "/id");
-  task.scene = text_at(json, "/scene");
-  task.layout = text_at(json, "/layout");
-  const auto& seed = json.at("seed");
-  task.seed = seed.at("run").get<std::uint64_t>();
-  task.slot = seed.at("slot").get<int>();
-  task.attempt = seed.at("attempt").get<int>();
-
+  task.id = std::move(record->id);
+  task.scene = std::move(record->scene);
+  task.layout = std::move(record->layout);
+  task.seed = record->run;
+  task.slot = record->slot;
+  task.attempt = record->attempt;
   Specification& specification = task.specification;
-  specification.template_name = text_at(json, "/template");
-  specification.style = text_at(json, "/instruction/style");
-  specification.refinement = json.at("refinement").get<std::string>();
-  const auto split = split_named(text_at(json, "/split"));
-  const auto simulator = simulator_named(text_at(json, "/simulator"));
-  if (!split || !simulator) return Error{Error::Kind::Schema, where, {}, "names an unknown split or simulator"};
+  specification.template_name = std::move(record->template_name);
+  specification.style = std::move(record->style);
+  specification.refinement = std::move(record->refinement);
   specification.split = *split;
   specification.simulator = *simulator;
-  for (const auto& [placeholder, category] : json.at("bindings").items())
-    specification.binding.emplace_back(placeholder, category.get<std::string>());
-  auto goal = parse_formula(where, text_at(json, "/goal/text"), FormulaUse::Goal);
-  if (!goal) return goal.error();
+  specification.binding = std::move(record->bindings);
   specification.goal = std::move(*goal);
-  for (const auto& text : json.at(Json::json_pointer("/start/constraints"))) {
-    auto formula = parse_formula(where, text.get<std::string>(), FormulaUse::State);
-    if (!formula) return formula.error();
+  for (const std::string& text : record->start_constraints) {
+    auto formula = parse_formula(where, text, FormulaUse::State);
+    if (!formula) return at_line(formula.error());
     specification.init.push_back(std::move(*formula));
   }
   return task;
@@ -60,17 +56,9 @@ Result<std::vector<TaskLine>> read_task_lines(const std::filesystem::path& folde
   for (const auto& line : split(*text, '\n')) {
     ++number;
     if (line.empty()) continue;
-    try {
-      auto task = task_line(file.string(), line);
-      if (!task) {
-        Error error = task.error();
-        error.pos = {number, error.pos.column};
-        return error;
-      }
-      tasks.push_back(std::move(*task));
-    } catch (const Json::exception& reason) {
-      return Error{Error::Kind::Schema, file.string(), {number, 1}, std::string("expected a task: ") + reason.what()};
-    }
+    auto task = task_line(file.string(), number, line);
+    if (!task) return task.error();
+    tasks.push_back(std::move(*task));
   }
   return tasks;
 }

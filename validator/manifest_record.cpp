@@ -35,7 +35,7 @@ std::vector<Mode> read_modes(JsonReader& reader, const JsonAt& at) {
 void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
   JsonFields fields(reader, at);
   read_format(reader, fields, "unietp-run/1");
-  if (const auto f = fields.required("seed")) run.seed = static_cast<std::uint64_t>(reader.number(*f));
+  if (const auto f = fields.required("seed")) run.seed = read_seed(reader, *f);
   if (const auto f = fields.required("count")) run.count = read_whole(reader, *f);
   if (const auto f = fields.required("simulators")) run.simulators = reader.texts(*f);
   if (const auto f = fields.required("splits")) run.splits = reader.texts(*f);
@@ -132,7 +132,7 @@ Result<ManifestRecord> read_manifest(std::string_view where, std::string_view te
   if (const auto f = fields.required("configuration")) read_run(reader, *f, manifest.run);
   manifest.phrasings = manifest.run.phrasings;
   if (const auto f = fields.required("seed"); f && !reader.error()) {
-    if (static_cast<std::uint64_t>(reader.number(*f)) != manifest.run.seed)
+    if (read_seed(reader, *f) != manifest.run.seed && !reader.error())
       reader.fail(*f, "is not the seed of the configuration");
   }
   if (const auto f = fields.optional("instructions")) {

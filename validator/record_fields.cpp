@@ -31,12 +31,23 @@ std::string text_or_empty(JsonReader& reader, const JsonAt& at) {
   return text != nullptr && text->empty() ? std::string() : reader.text(at);
 }
 
-int read_whole(JsonReader& reader, const JsonAt& at) {
+namespace {
+
+/// 0 and an error for what is no whole number from 0 to `high`, written so in the message.
+double whole(JsonReader& reader, const JsonAt& at, double high, std::string_view high_text) {
   const double value = reader.number(at);
   if (reader.error()) return 0;
-  const bool fits = value >= 0 && value <= 1e9 && value == std::floor(value);
-  if (!fits) reader.fail(at, "expected a whole number from 0 to 1e9");
-  return fits ? static_cast<int>(value) : 0;
+  const bool fits = value >= 0 && value <= high && value == std::floor(value);
+  if (!fits) reader.fail(at, "expected a whole number from 0 to " + std::string(high_text));
+  return fits ? value : 0;
+}
+
+}  // namespace
+
+int read_whole(JsonReader& reader, const JsonAt& at) { return static_cast<int>(whole(reader, at, 1e9, "1e9")); }
+
+std::uint64_t read_seed(JsonReader& reader, const JsonAt& at) {
+  return static_cast<std::uint64_t>(whole(reader, at, 9007199254740991, "9007199254740991"));
 }
 
 Result<Done> read_line(std::string_view where, int line, std::string_view text, std::string_view format,
@@ -45,7 +56,8 @@ Result<Done> read_line(std::string_view where, int line, std::string_view text, 
   if (!json) return json.error();
   const auto name = std::string(where) + ":" + std::to_string(line);  // "tasks.jsonl:3"
   JsonReader reader(name);
-  JsonFields fields(reader, JsonAt{*json});
+  const JsonAt root{*json};  // the fields keep a reference to it
+  JsonFields fields(reader, root);
   read_format(reader, fields, format);
   read(reader, fields);
   fields.finish();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -21,7 +22,8 @@ Result<Done> read_line(std::string_view where, int line, std::string_view text, 
 
 /// Fields of records; problems go to the reader.
 void read_format(JsonReader& reader, JsonFields& fields, std::string_view expected);
-int read_whole(JsonReader& reader, const JsonAt& at);  // 0 to 1e9
+int read_whole(JsonReader& reader, const JsonAt& at);           // 0 to 1e9
+std::uint64_t read_seed(JsonReader& reader, const JsonAt& at);  // 0 to 2^53 - 1, which a double holds exactly
 std::string text_or_empty(JsonReader& reader, const JsonAt& at);
 
 }  // namespace unietp

@@ -50,10 +50,7 @@ void read_expert(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
 
 void read_seed(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields fields(reader, at);
-  if (const auto f = fields.required("run")) {
-    (void)reader.number(*f);
-    if (f->json.is_number_integer()) task.run = f->json.get<std::uint64_t>();  // a double would lose digits
-  }
+  if (const auto f = fields.required("run")) task.run = read_seed(reader, *f);
   if (const auto f = fields.required("slot")) task.slot = read_whole(reader, *f);
   if (const auto f = fields.required("attempt")) task.attempt = read_whole(reader, *f);
   fields.finish();

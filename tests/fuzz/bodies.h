@@ -16,6 +16,8 @@ bool override_body(std::string_view text);
 bool gzip_body(std::string_view text);
 /// What a language model's server answers when it is asked for facts.
 bool completion_body(std::string_view text);
+/// What a batch service hands back for texts and judgements, and what a server may say of when to ask again.
+bool answers_body(std::string_view text);
 /// A simulator's own JSON file.
 bool metadata_body(std::string_view text);
 
@@ -25,7 +27,10 @@ bool procthor_body(std::string_view text);
 bool virtualhome_body(std::string_view text);
 bool habitat_body(std::string_view text);
 bool behavior_body(std::string_view text);
+/// A table of the models that such homes name.
+bool models_body(std::string_view text);
 
+/// As one text, and by the lines that it has in common with others.
 bool scene_body(std::string_view text);
 bool delta_body(std::string_view text);
 bool action_body(std::string_view text);
@@ -41,6 +46,16 @@ bool statistics_body(std::string_view text);
 
 bool task_body(std::string_view text);
 bool demonstration_body(std::string_view text);
+bool wordings_body(std::string_view text);
+bool rejection_body(std::string_view text);
 bool manifest_body(std::string_view text);
+
+/// The settings of a run.
+bool configuration_body(std::string_view text);
+/// What a finished shard says of itself, and its database.
+bool shard_body(std::string_view text);
+bool ledger_body(std::string_view text);
+/// What the review page saves.
+bool review_body(std::string_view text);
 
 }  // namespace unietp::fuzz

@@ -8,8 +8,9 @@
 namespace unietp::fuzz {
 
 /// Any bytes are refused with a position, or give a formula that prints and parses to itself, has a stable normal form,
-/// and on which both evaluators agree on a small trace.
-inline void parse_formula_body(std::string_view text) {
+/// and on which both evaluators agree on a small trace. True when it is a goal.
+inline bool parse_formula_body(std::string_view text) {
+  bool goal = false;
   for (const FormulaUse use : {FormulaUse::Goal, FormulaUse::State}) {
     const auto parsed = parse_formula("fuzz", text, use);
     if (!parsed) {
@@ -19,6 +20,7 @@ inline void parse_formula_body(std::string_view text) {
     const auto again = parse_formula("fuzz", to_text(*parsed), use);
     require(static_cast<bool>(again));
     require(*again == *parsed);
+    goal |= use == FormulaUse::Goal;
     constexpr std::size_t kLongForAnOrder = 400;  // the normal form tries orders of quantifiers
     if (text.size() > kLongForAnOrder) continue;
     require(normal_form(normal_form(*parsed)) == normal_form(*parsed));
@@ -35,6 +37,7 @@ inline void parse_formula_body(std::string_view text) {
     require(monitor.satisfied() == holds(*parsed, trace));
     require((monitor.progress() == 1.0) == monitor.satisfied());
   }
+  return goal;
 }
 
 }  // namespace unietp::fuzz

@@ -4,6 +4,7 @@
 #include "fuzz_bodies.h"
 #include "interchange/formats.h"
 #include "interchange/import_scene.h"
+#include "interchange/scene_models.h"
 #include "support.h"
 
 namespace unietp::fuzz {
@@ -78,6 +79,16 @@ bool behavior_body(std::string_view text) {
   const auto scenes = read_behavior("fuzz", text, knowledge);
   if (!scenes) return check_error(scenes.error()), false;
   assembled(*scenes, knowledge);
+  return true;
+}
+
+bool models_body(std::string_view text) {
+  const auto models = read_scene_models("fuzz", text);
+  const auto inventory = read_behavior_inventory("fuzz", text);
+  require(static_cast<bool>(models) == static_cast<bool>(inventory));
+  if (!models) return check_error(models.error()), false;
+  require(models->size() == inventory->size());
+  for (const auto& [name, model] : *models) require(model.mass >= 0 && model.size.minCoeff() >= 0);
   return true;
 }
 

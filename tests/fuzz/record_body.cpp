@@ -6,6 +6,7 @@
 #include "support.h"
 #include "validator/manifest_record.h"
 #include "validator/task_record.h"
+#include "validator/wordings_record.h"
 
 namespace unietp::fuzz {
 
@@ -33,6 +34,27 @@ bool demonstration_body(std::string_view text) {
     const auto changes = delta_from_json("fuzz", nlohmann::ordered_json::parse(delta_to_json(step.changes)));
     require(changes && *changes == step.changes);
   }
+  return true;
+}
+
+bool wordings_body(std::string_view text) {
+  const auto wordings = read_wordings("fuzz", 1, text);
+  if (!wordings) {
+    check_error(wordings.error());
+    return false;
+  }
+  require(wordings->wordings.contains("direct"));
+  for (const auto& [kind, wording] : wordings->wordings) require(!wording.text.empty());
+  return true;
+}
+
+bool rejection_body(std::string_view text) {
+  const auto rejection = read_rejection("fuzz", 1, text);
+  if (!rejection) {
+    check_error(rejection.error());
+    return false;
+  }
+  require(rejection->slot >= 0 && rejection->attempt >= 0 && !rejection->reason.empty());
   return true;
 }
 

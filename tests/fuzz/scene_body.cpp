@@ -4,6 +4,7 @@
 #include "fuzz_bodies.h"
 #include "scene/json_parse.h"
 #include "scene/scene_json.h"
+#include "scene/scene_lines.h"
 #include "support.h"
 
 namespace unietp::fuzz {
@@ -40,7 +41,10 @@ std::optional<T> read_part(std::string_view text, Result<T> (*read)(std::string_
 }  // namespace
 
 bool scene_body(std::string_view text) {
+  static SceneLines known;  // of all scenes before: what it remembers must not matter
   const auto scene = scene_from_json("fuzz", text);
+  const auto by_lines = known.read("fuzz", text);
+  require(scene ? by_lines && *by_lines == *scene : !by_lines && by_lines.error() == scene.error());
   if (!scene) {
     check_error(scene.error());
     return false;

@@ -54,6 +54,12 @@ TEST(ConfigurationJson, ReadsBackWhatItWrites) {
   }
 }
 
+TEST(ConfigurationJson, M1ComesWithTheOtherModes) {
+  const auto read = configuration_from_json("my.json", R"({"format": "unietp-run/1", "modes": ["M3", "M2"]})");
+  ASSERT_TRUE(read) << format(read.error());
+  EXPECT_THAT(read->modes, ElementsAre(Mode::M1, Mode::M2, Mode::M3));
+}
+
 TEST(ConfigurationJson, TheBenchmarkHasThePublishedQuotas) {
   const auto read = read_configuration(runs() / "benchmark.json");
   ASSERT_TRUE(read) << format(read.error());
@@ -108,6 +114,11 @@ TEST(ConfigurationJson, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(refusal(R"("quotas": {"splits": {"atomik": 3}, "simulators": {"habitat": 3}})"),
               HasSubstr("did you mean \"atomic\""));
   EXPECT_THAT(refusal(R"("binding": ["Mug"])"), HasSubstr("PLACEHOLDER=CATEGORY"));
+  EXPECT_THAT(refusal(R"("simulators": [])"), HasSubstr("#/simulators: schema error: expected at least one name"));
+  EXPECT_THAT(refusal(R"("modes": [])"), HasSubstr("#/modes: schema error: expected at least one name"));
+  constexpr const char* kHuge = R"("splits": {"atomic": 1e9, "logical": 1e9, "linguistic": 1e9})";
+  EXPECT_THAT(refusal(R"("quotas": {)" + std::string(kHuge) + R"(, "simulators": {"habitat": 1}})"),
+              HasSubstr("ask for more than 1000000000 tasks"));
   const auto cut = configuration_from_json("my.json", "{\"format\": ");
   ASSERT_FALSE(cut);
   EXPECT_EQ(cut.error().pos.line, 1);

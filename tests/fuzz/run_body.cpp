@@ -1,0 +1,59 @@
+#include <nlohmann/json.hpp>
+
+#include "bodies.h"
+#include "fuzz_bodies.h"
+#include "pipeline/configuration_json.h"
+#include "pipeline/ledger.h"
+#include "pipeline/shard_folder.h"
+#include "support.h"
+
+namespace unietp::fuzz {
+
+bool configuration_body(std::string_view text) {
+  const auto read = configuration_from_json("fuzz", text);
+  if (!read) {
+    check_error(read.error());
+    return false;
+  }
+  require(read->count >= 1 && read->attempts >= 1 && read->block >= 1);
+  require(!read->simulators.empty() && !read->modes.empty() && read->modes.front() == Mode::M1);
+  const auto again = configuration_from_json("again", to_json(*read).dump());
+  require(again && *again == *read);
+  return true;
+}
+
+bool shard_body(std::string_view text) {
+  const auto read = shard_from_json("fuzz", text);
+  if (!read) {
+    check_error(read.error());
+    return false;
+  }
+  require(read->shard.number >= 1 && read->shard.number <= read->shard.of);
+  for (const auto& [first, slots] : read->blocks) require(first >= 0 && slots >= 0);
+  require(nlohmann::ordered_json::parse(read->identity).contains("configuration"));
+  return true;
+}
+
+bool ledger_body(std::string_view text) {
+  static const Folder folder("ledger");
+  folder.write("ledger.sqlite", text);
+  auto ledger = Ledger::read_only(folder.path() / "ledger.sqlite", "fuzz");
+  if (!ledger) {
+    check_error(ledger.error());
+    return false;
+  }
+  const auto outlines = ledger->outlines(0, 1000);
+  if (!outlines) {
+    check_error(outlines.error());
+    return false;
+  }
+  for (const CandidateRecord& outline : *outlines) {
+    const auto whole = ledger->read(outline.slot, outline.attempt);
+    if (whole) continue;
+    check_error(whole.error());
+    return false;
+  }
+  return true;
+}
+
+}  // namespace unietp::fuzz
