@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "expert/poses.h"
-#include "simulation/navigation.h"
+#include "simulation/standing.h"
 #include "simulation/spots.h"
 
 namespace unietp {

@@ -122,7 +122,7 @@ std::string rejection_of(Gate gate) {
 }
 std::string_view meaning_of(Gate gate) { return info(gate).meaning; }
 
-std::variant<Specification, GateRefusal> propose(const Template& source, const Knowledge& knowledge,
+std::variant<Specification, GateRefusal> fill_in(const Template& source, const Knowledge& knowledge,
                                                  const Binding& binding) {
   if (auto refusal = wrong_simulator(source, knowledge.simulator())) return *refusal;
   std::vector<NameBinding> names;
@@ -143,8 +143,16 @@ std::variant<Specification, GateRefusal> propose(const Template& source, const K
     (kind->split == Split::Linguistic ? specification.style : specification.refinement) = source.refinement;
   }
   demand_existence(specification, source);
-  if (auto refusal = refused_by(specification, knowledge)) return *refusal;
   return specification;
+}
+
+std::variant<Specification, GateRefusal> propose(const Template& source, const Knowledge& knowledge,
+                                                 const Binding& binding) {
+  auto filled = fill_in(source, knowledge, binding);
+  if (const auto* specification = std::get_if<Specification>(&filled)) {
+    if (auto refusal = refused_by(*specification, knowledge)) return *refusal;
+  }
+  return filled;
 }
 
 std::optional<GateRefusal> refused_by(const Specification& specification, const Knowledge& knowledge) {

@@ -42,8 +42,11 @@ struct GateRefusal {
   bool operator==(const GateRefusal&) const = default;
 };
 
-/// Fills a template in and sends it through all gates; the first that refuses answers. Deterministic. The start has, by
+/// Fills a template in and sends it through the gates before StateOfCategory, which cost little. The start has, by
 /// itself, something of every category that the binding names.
+std::variant<Specification, GateRefusal> fill_in(const Template& source, const Knowledge& knowledge,
+                                                 const Binding& binding);
+/// The same through all gates; the first that refuses answers. Deterministic.
 std::variant<Specification, GateRefusal> propose(const Template& source, const Knowledge& knowledge,
                                                  const Binding& binding);
 

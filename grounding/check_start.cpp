@@ -9,7 +9,7 @@
 #include "grounding/reach.h"
 #include "logic/evaluate.h"
 #include "scene/comparisons.h"
-#include "simulation/navigation.h"
+#include "simulation/standing.h"
 #include "simulation/physics.h"
 #include "simulation/relations.h"
 

@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/sort_unique.h"
 #include "simulation/relations.h"
 
 namespace unietp {
 namespace {
-
-template <class T>
-void sort_unique(std::vector<T>& all) {
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-}
 
 /// The edges that start at `from`, of a sorted list.
 std::vector<Edge> edges_from(const std::vector<Edge>& edges, const std::string& from) {

@@ -7,7 +7,7 @@
 
 #include "grounding/packing.h"
 #include "simulation/agent_moves.h"
-#include "simulation/navigation.h"
+#include "simulation/standing.h"
 #include "simulation/spots.h"
 #include "simulation/swing.h"
 

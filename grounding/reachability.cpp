@@ -1,6 +1,7 @@
 #include "grounding/reachability.h"
 
 #include "grounding/floor_plan.h"
+#include "simulation/standing.h"
 
 namespace unietp {
 namespace {

@@ -1,7 +1,9 @@
 #include "pipeline/layout_pool.h"
 
-#include <set>
+#include <algorithm>
+#include <string_view>
 
+#include "core/sort_unique.h"
 #include "scene/trace.h"
 
 namespace unietp {
@@ -113,18 +115,24 @@ const Result<Layout>& LayoutPool::layout(Simulator simulator, int index) {
 }
 
 std::vector<std::string> offered_categories(const Scene& scene, const Knowledge& knowledge) {
-  std::set<std::string> offered;
-  for (const auto& node : scene.nodes) offered.insert(node.category);
-  const std::set<std::string> present = offered;
-  for (const auto& receptacle : present) {
+  std::vector<std::string_view> offered;
+  for (const Node& node : scene.nodes) offered.push_back(node.category);
+  sort_unique(offered);
+  const std::vector<std::string_view> present = offered;
+  for (const std::string_view receptacle : present) {
     for (const char* relation : {"on", "inside"}) {
       for (const Placement* placement : knowledge.placements_at(receptacle, relation)) {
-        const Category* object = knowledge.find(placement->object);
-        if (object != nullptr && object->movable) offered.insert(placement->object);
+        offered.push_back(placement->object);
       }
     }
   }
-  for (const auto& room : scene.rooms) offered.insert(room.type);
+  sort_unique(offered);
+  std::erase_if(offered, [&](std::string_view name) {
+    const Category* category = knowledge.find(name);
+    return !std::binary_search(present.begin(), present.end(), name) && (category == nullptr || !category->movable);
+  });
+  for (const Room& room : scene.rooms) offered.push_back(room.type);
+  sort_unique(offered);
   return {offered.begin(), offered.end()};
 }
 

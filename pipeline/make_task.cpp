@@ -29,12 +29,15 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
     return Rejection{
         "generator", "no-binding",
         "no categories that " + layout.home.scene.id + " can offer meet the constraints of " + source.name};
-  auto proposed = propose(source, knowledge, *binding);
-  if (const auto* refusal = std::get_if<GateRefusal>(&proposed))
-    return Rejection{"generator", rejection_of(refusal->gate), to_text(*binding) + ": " + refusal->reason};
-  const auto* plain = std::get_if<Specification>(&proposed);
+  const auto refused = [&](const GateRefusal& refusal) {
+    return Rejection{"generator", rejection_of(refusal.gate), to_text(*binding) + ": " + refusal.reason};
+  };
+  auto filled = fill_in(source, knowledge, *binding);
+  if (const auto* refusal = std::get_if<GateRefusal>(&filled)) return refused(*refusal);
+  const auto* plain = std::get_if<Specification>(&filled);
   if (as_it_is && plain->split == Split::InstanceGrounding && !can_refer(*plain, knowledge, layout.offer))
     return Rejection{"generator", "no-referring-constraint", to_text(*binding)};
+  if (const auto refusal = refused_by(*plain, knowledge)) return refused(*refusal);
   if (plain->split == split) return *plain;  // also one that its template has refined
   if (split == Split::InstanceGrounding) {
     auto refined = refine_referring(*plain, knowledge, layout.offer, source.refinement, rng.fork("referring", 0));
@@ -122,6 +125,12 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
 
   task.episode.start.id = task.id;  // as its file will say; its text reads back to the same bits
 
+  timer.enter(Stage::Annotator);
+  auto instruction = instruct(specification, backend, {configuration.phrasings, categories_in(task.episode.start)},
+                              wording_stream(configuration.seed, slot.index, plan.attempt));
+  if (auto* why = std::get_if<Rejection>(&instruction)) return rejected(std::move(*why));
+  task.instruction = std::move(std::get<Instruction>(instruction));
+
   timer.enter(Stage::Expert);
   const Scene& start = task.episode.start;
   auto rehearsal =
@@ -134,12 +143,6 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   timer.enter(Stage::Mutations);
   const auto needless = needless_steps(*rehearsal, task.demonstration);
   if (!needless.empty()) return rejected({"expert", "mutation-succeeds", join(needless, "; ")});
-
-  timer.enter(Stage::Annotator);
-  auto instruction = instruct(specification, backend, {configuration.phrasings, categories_in(start)},
-                              wording_stream(configuration.seed, slot.index, plan.attempt));
-  if (auto* why = std::get_if<Rejection>(&instruction)) return rejected(std::move(*why));
-  task.instruction = std::move(std::get<Instruction>(instruction));
 
   timer.enter(Stage::OtherModes);
   for (const Mode mode : configuration.modes) {

@@ -4,34 +4,11 @@
 
 namespace unietp {
 
-Pose operator*(const Pose& a_from_b, const Pose& b_from_c) {
-  return {a_from_b * b_from_c.position, a_from_b.rotation * b_from_c.rotation};
-}
-
-Vec3 operator*(const Pose& a_from_b, const Vec3& point_b) { return a_from_b.position + a_from_b.rotation * point_b; }
-
-Pose inverse(const Pose& pose) {
-  const Quat back = pose.rotation.conjugate();
-  return {-(back * pose.position), back};
-}
-
 Pose upright(const Vec3& position, double yaw) { return {position, Quat(std::cos(yaw / 2), 0, 0, std::sin(yaw / 2))}; }
 
 double yaw_of(const Pose& pose) {
-  const Vec3 right = pose.rotation * Vec3::UnitX();
+  const Vec3 right = rotated(pose.rotation, Vec3::UnitX());
   return std::atan2(right.y(), right.x());
-}
-
-Bounds bounds_of(const Pose& pose, const Vec3& size) {
-  const Vec3 reach = pose.rotation.toRotationMatrix().cwiseAbs() * size / 2;
-  return {pose.position - reach, pose.position + reach};
-}
-
-bool overlap(const Bounds& a, const Bounds& b, double gap) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (a.low[axis] >= b.high[axis] + gap || b.low[axis] >= a.high[axis] + gap) return false;
-  }
-  return true;
 }
 
 bool contains(const std::vector<Vec2>& polygon, const Vec2& point) {

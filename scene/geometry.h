@@ -21,9 +21,22 @@ struct Pose {
   }
 };
 
-Pose operator*(const Pose& a_from_b, const Pose& b_from_c);
-Vec3 operator*(const Pose& a_from_b, const Vec3& point_b);
-Pose inverse(const Pose& pose);
+/// The same bits as Eigen's `rotation * v`, which the compiler does not inline.
+inline Vec3 rotated(const Quat& rotation, const Vec3& v) {
+  const Vec3 twice = 2 * rotation.vec().cross(v);
+  return v + rotation.w() * twice + rotation.vec().cross(twice);
+}
+
+inline Vec3 operator*(const Pose& a_from_b, const Vec3& point_b) {
+  return a_from_b.position + rotated(a_from_b.rotation, point_b);
+}
+inline Pose operator*(const Pose& a_from_b, const Pose& b_from_c) {
+  return {a_from_b * b_from_c.position, a_from_b.rotation * b_from_c.rotation};
+}
+inline Pose inverse(const Pose& pose) {
+  const Quat back = pose.rotation.conjugate();
+  return {-rotated(back, pose.position), back};
+}
 /// Upright pose turned by `yaw` radians about z.
 Pose upright(const Vec3& position, double yaw);
 double yaw_of(const Pose& pose);
@@ -34,8 +47,16 @@ struct Bounds {
   bool operator==(const Bounds& other) const { return low == other.low && high == other.high; }
 };
 /// The bounds of an oriented box with full extents `size` centred at `pose`.
-Bounds bounds_of(const Pose& pose, const Vec3& size);
-bool overlap(const Bounds& a, const Bounds& b, double gap = 0.0);
+inline Bounds bounds_of(const Pose& pose, const Vec3& size) {
+  const Vec3 reach = pose.rotation.toRotationMatrix().cwiseAbs() * size / 2;
+  return {pose.position - reach, pose.position + reach};
+}
+inline bool overlap(const Bounds& a, const Bounds& b, double gap = 0.0) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (a.low[axis] >= b.high[axis] + gap || b.low[axis] >= a.high[axis] + gap) return false;
+  }
+  return true;
+}
 
 /// True when the point lies in the polygon (counter-clockwise or clockwise, metres).
 bool contains(const std::vector<Vec2>& polygon, const Vec2& point);

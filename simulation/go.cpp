@@ -46,7 +46,7 @@ Outcome go_to(WorldState& state, const std::string& id) {
   if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand.");
   // What a closed container hides cannot be seen from anywhere: the agent goes to the container.
   const std::size_t target = state.closed_around(*node).value_or(*node);
-  const auto place = standing_place(state.scene(), state.physics(), state.grid(), state.walk(), *state.profile, target);
+  const auto place = state.standing_place(target);
   if (!place) return failed(Failure::NoStandingPlace, "There is no place to stand from which to reach " + id + ".");
   state.edit_agent().position = *place;
   look_at(state, state.node(target).pose.position);

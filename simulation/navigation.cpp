@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "simulation/walls.h"
@@ -13,79 +11,20 @@
 namespace unietp {
 namespace {
 
-constexpr double kDoorway_m = 0.2;    // to either side of an opening's line
-constexpr double kStepOver_m = 0.05;  // lower things on the floor do not stop a body
-constexpr double kLow_m = 0.15;       // movable things that start higher lie on furniture, which blocks the way itself
+constexpr double kDoorway_m = 0.2;  // to either side of an opening's line
 constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-std::optional<Shadow> shadow_of_part(const Pose& pose, const Vec3& size, double body_height) {
-  const Bounds bounds = bounds_of(pose, size);
-  if (bounds.high.z() < kStepOver_m || bounds.low.z() > body_height) return std::nullopt;
-  const Vec3 up = pose.rotation * Vec3::UnitZ();
-  if (std::abs(up.z()) > 0.999) {
-    const Vec3 x = pose.rotation * Vec3::UnitX();
-    return Shadow{pose.position.head<2>(), x.head<2>().normalized(), size.head<2>() / 2};
+Digest digest_of(std::size_t node, const std::vector<Shadow>& shadows) {
+  if (shadows.empty()) return {};
+  Digester digester;
+  digester.add(std::uint64_t{node});
+  for (const Shadow& shadow : shadows) {
+    for (const Vec2& part : {shadow.centre, shadow.along, shadow.half}) digester.add(part.x()).add(part.y());
   }
-  return Shadow{(bounds.low + bounds.high).head<2>() / 2, Vec2::UnitX(), (bounds.high - bounds.low).head<2>() / 2};
-}
-
-double distance_to(const Shadow& f, const Vec2& point) {
-  const Vec2 d = point - f.centre;
-  const Vec2 local(std::abs(d.dot(f.along)), std::abs(d.dot(Vec2(-f.along.y(), f.along.x()))));
-  return (local - f.half).cwiseMax(0.0).norm();
-}
-
-/// Lies in the other, and so adds nothing to it.
-bool covered(const Shadow& f, const Shadow& by) {
-  if (f.along != by.along) return false;
-  const Vec2 d = f.centre - by.centre;
-  const Vec2 local(std::abs(d.dot(by.along)), std::abs(d.dot(Vec2(-by.along.y(), by.along.x()))));
-  return ((local + f.half - by.half).array() <= 0).all();
-}
-
-std::vector<Shadow> shadows_of(const Node& node, const Shape& shape, double opening, double body_height,
-                               bool only_moving) {
-  std::vector<Shadow> all;
-  for (const Part& part : shape.parts) {
-    if (only_moving && part.joint < 0) continue;
-    const Pose pose = node.pose * joint_motion(shape, part.joint, opening) * part.pose;
-    const auto f = shadow_of_part(pose, part.size, body_height);
-    if (!f || std::any_of(all.begin(), all.end(), [&](const Shadow& other) { return covered(*f, other); })) continue;
-    std::erase_if(all, [&](const Shadow& other) { return covered(other, *f); });
-    all.push_back(*f);
-  }
-  return all;
-}
-
-/// What of a node stands in the way of a body.
-std::vector<Shadow> shadow_of(const Node& node, const Shape& shape, double body_height) {
-  if (node.movable && !stands_low(bounds_of(node.pose, node.size))) return {};
-  return shadows_of(node, shape, node.opening, body_height, false);
-}
-
-/// All that the moving parts sweep, in steps.
-std::vector<Shadow> door_way(const Node& node, const Shape& shape, const Profile& profile) {
-  std::vector<Shadow> way;
-  if (!node.openable) return way;
-  for (const double opening : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-    const auto parts = shadows_of(node, shape, opening, profile.body_height_m, true);
-    way.insert(way.end(), parts.begin(), parts.end());
-  }
-  return way;
-}
-
-bool within(const std::vector<Shadow>& footprints, const Vec2& at, double radius) {
-  return std::any_of(footprints.begin(), footprints.end(),
-                     [&](const Shadow& f) { return distance_to(f, at) < radius; });
+  return digester.digest();
 }
 
 }  // namespace
-
-bool stands_low(const Bounds& bounds) { return bounds.low.z() < kLow_m; }
-
-bool in_door_way(const Node& node, const Vec2& at, const Profile& profile) {
-  return within(door_way(node, shape_of(node), profile), at, profile.body_radius_m);
-}
 
 NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
     : body_radius_(profile.body_radius_m), body_height_(profile.body_height_m), shadows_(scene.nodes.size()) {
@@ -131,7 +70,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
     }
   }
   for (const WallPiece& piece : walls_of(scene)) {
-    if (const auto f = shadow_of_part(piece.pose, piece.size, body_height_)) count(*f, 1);
+    if (const auto f = shadow_of_box(piece.pose, piece.size, body_height_)) count(*f, 1);
   }
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
@@ -165,8 +104,9 @@ void NavigationGrid::update(std::size_t i, const Node* node, const Shape* shape)
   if (shadow == shadows_[i]) return;
   for (const Shadow& f : shadows_[i]) count(f, -1);
   for (const Shadow& f : shadow) count(f, 1);
+  digest_ -= digest_of(i, shadows_[i]);
+  digest_ += digest_of(i, shadow);
   shadows_[i] = std::move(shadow);
-  ++version_;
 }
 
 bool NavigationGrid::free(Cell cell) const {
@@ -277,157 +217,6 @@ std::vector<Vec2> NavigationGrid::walk(const Vec2& from, const Vec2& to) const {
     points.push_back(at + 1 == cells.size() ? to : centre(cells[at]));
   }
   return points;
-}
-
-namespace {
-
-/// Distances of many points from one node: from the body's vertical segment at a point to the node's box.
-class Reach {
- public:
-  Reach(const Node& node, const Profile& profile) : half_(node.size / 2), height_(profile.body_height_m) {
-    const Vec3 up = node.pose.rotation * Vec3::UnitZ();
-    upright_ = std::abs(up.z()) > 1 - 1e-9;
-    if (upright_) {  // as most things are: a rectangle and an interval of heights
-      const Vec3 x = node.pose.rotation * Vec3::UnitX();
-      rectangle_ = {node.pose.position.head<2>(), x.head<2>(), half_.head<2>()};
-      const double low = node.pose.position.z() - half_.z(), high = low + node.size.z();
-      above_ = std::max({0.0, low - height_, -high});
-    } else {
-      to_node_ = inverse(node.pose);
-    }
-  }
-
-  /// Whether it is certainly more than `limit`, at a fraction of the cost; false says nothing.
-  bool beyond(const Vec2& at, double limit) const {
-    constexpr double kSlack = 1e-9;
-    if (!upright_) return false;
-    const Vec2 d = at - rectangle_.centre;
-    const double out_u = std::max(0.0, std::abs(d.dot(rectangle_.along)) - rectangle_.half.x());
-    const double out_v =
-        std::max(0.0, std::abs(d.y() * rectangle_.along.x() - d.x() * rectangle_.along.y()) - rectangle_.half.y());
-    return out_u * out_u + out_v * out_v + above_ * above_ > limit * limit + kSlack;
-  }
-
-  double operator()(const Vec2& at) const {
-    if (upright_) return std::hypot(distance_to(rectangle_, at), above_);
-    const auto distance = [&](double z) {
-      const Vec3 local = to_node_ * Vec3(at.x(), at.y(), z);
-      return (local.cwiseAbs() - half_).cwiseMax(0.0).norm();
-    };
-    double low = 0, high = height_;  // the distance is convex along the segment
-    for (int i = 0; i < 40; ++i) {
-      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-      if (distance(a) <= distance(b)) {
-        high = b;
-      } else {
-        low = a;
-      }
-    }
-    return distance((low + high) / 2);
-  }
-
- private:
-  Vec3 half_;
-  double height_ = 0, above_ = 0;
-  bool upright_ = false;
-  Shadow rectangle_;
-  Pose to_node_;
-};
-
-}  // namespace
-
-double reach_distance(const Node& node, const Vec2& at, const Profile& profile) { return Reach(node, profile)(at); }
-
-std::vector<Vec3> sight_points(const Node& node) {
-  constexpr double kInside = 0.9;  // of the way from the centre to a face
-  std::vector<Vec3> points{node.pose.position};
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double side : {1.0, -1.0}) {
-      Vec3 local = Vec3::Zero();
-      local[axis] = side * kInside * node.size[axis] / 2;
-      points.push_back(node.pose * local);
-    }
-  }
-  for (int i = 7; i >= 0; --i) {  // upper corners first: they are the likelier to be seen
-    const Vec3 side((i & 1) ? 1 : -1, (i & 2) ? 1 : -1, (i & 4) ? 1 : -1);
-    points.push_back(node.pose * (kInside / 2 * side.cwiseProduct(node.size)));
-  }
-  return points;
-}
-
-bool sees(const Node& thing, BodyId body, const PhysicsWorld& world, const Profile& profile, const Vec2& at,
-          std::span<const BodyId> ignore) {
-  const Vec3 camera(at.x(), at.y(), profile.camera_height_m);
-  const std::vector<Vec3> points = sight_points(thing);
-  return std::any_of(points.begin(), points.end(), [&](const Vec3& point) {
-    const auto hit = world.ray(camera, point, ignore);
-    return !hit || hit->body == body;
-  });
-}
-
-bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Vec2& at, std::size_t node,
-          std::span<const BodyId> ignore) {
-  return sees(scene.nodes[node], static_cast<BodyId>(node), world, profile, at, ignore);
-}
-
-std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const NavigationGrid& grid,
-                                   const std::vector<std::int32_t>& walk_from_agent, const Profile& profile,
-                                   std::size_t node, std::span<const BodyId> ignore) {
-  constexpr double kReachReserve_m = 0.02;
-  constexpr double kFrontWeight_m = 0.5;  // standing behind costs as much as standing this much farther away, twice
-  constexpr double kAsideWeight = 2;
-  constexpr int kMostChecked = 80;
-  const Node& target = scene.nodes[node];
-  const auto body = static_cast<BodyId>(node);
-  const std::vector<Shadow> way =
-      door_way(target, world.has(body) ? world.collider(body).shape : shape_of(target), profile);
-  const Reach reach(target, profile);
-  const Vec3 front = target.pose.rotation * -Vec3::UnitY();
-  const Pose to_target = inverse(target.pose);
-  struct Candidate {
-    double cost;
-    NavigationGrid::Cell cell;
-    bool operator>(const Candidate& other) const {
-      return std::tie(cost, cell.y, cell.x) > std::tie(other.cost, other.cell.y, other.cell.x);
-    }
-  };
-  std::vector<Candidate> candidates;
-  const Bounds bounds = bounds_of(target.pose, target.size);
-  const Vec2 span = Vec2::Constant(profile.reach_m), middle = target.pose.position.head<2>();
-  const auto from = grid.cell_at(bounds.low.head<2>() - span), to = grid.cell_at(bounds.high.head<2>() + span);
-  for (int y = from.y; y <= to.y; ++y) {
-    for (int x = from.x; x <= to.x; ++x) {
-      const NavigationGrid::Cell cell{x, y};
-      if (!grid.free(cell) || walk_from_agent[grid.index({x, y})] < 0) continue;
-      const Vec2 at = grid.centre(cell);
-      if (reach.beyond(at, profile.reach_m - kReachReserve_m)) continue;
-      const double distance = reach(at);
-      if (distance > profile.reach_m - kReachReserve_m) continue;
-      double cost = distance;
-      if (!target.movable && (at - middle).norm() > 1e-9) {
-        cost += kFrontWeight_m * (1 - (at - middle).normalized().dot(front.head<2>()));
-      }
-      if (target.openable && !target.movable) {  // where one can look into it once it is open: squarely before it
-        const Vec3 local = to_target * Vec3(at.x(), at.y(), target.pose.position.z());
-        const double aside = std::max(0.0, std::abs(local.x()) - target.size.x() / 2);
-        cost += kAsideWeight * aside + (local.y() > -target.size.y() / 2 ? kAsideWeight : 0);
-      }
-      candidates.push_back({cost, cell});
-    }
-  }
-  // One of the first few mostly does, so the others need no order.
-  std::make_heap(candidates.begin(), candidates.end(), std::greater<>());
-  int checked = 0;
-  while (!candidates.empty()) {
-    std::pop_heap(candidates.begin(), candidates.end(), std::greater<>());
-    const Candidate candidate = candidates.back();
-    candidates.pop_back();
-    const Vec2 at = grid.centre(candidate.cell);
-    if (within(way, at, profile.body_radius_m)) continue;
-    if (++checked > kMostChecked) break;
-    if (sees(scene, world, profile, at, node, ignore)) return at;
-  }
-  return std::nullopt;
 }
 
 }  // namespace unietp

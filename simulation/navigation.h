@@ -2,22 +2,14 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "scene/scene.h"
-#include "simulation/physics.h"
+#include "simulation/digest.h"
 #include "simulation/profile.h"
+#include "simulation/shadow.h"
 
 namespace unietp {
-
-/// A solid seen from above: a rectangle turned by its yaw, or its bounds when it does not stand upright.
-struct Shadow {
-  Vec2 centre = Vec2::Zero(), along = Vec2::UnitX(), half = Vec2::Zero();  // `along`: unit, the rectangle's own x
-  bool operator==(const Shadow& other) const {
-    return centre == other.centre && along == other.along && half == other.half;
-  }
-};
 
 /// Where a body of the profile's radius can stand: a grid of kCell_m over the rooms' bounds. A cell is free when a disc
 /// of the body's radius around its centre meets no wall and no solid between 5 cm and the body's height.
@@ -32,8 +24,8 @@ class NavigationGrid {
   NavigationGrid(const Scene& scene, const Profile& profile);
   /// Node i is now as given, with that shape; or, with nullptr, no longer there. The same as a new grid.
   void update(std::size_t i, const Node* node, const Shape* shape);
-  /// Another number whenever the free cells may be others.
-  std::uint64_t version() const { return version_; }
+  /// Of all that is counted: grids of one home with the same one have the same free cells.
+  const Digest& digest() const { return digest_; }
 
   bool free(Cell cell) const;
   Cell cell_at(const Vec2& point) const;
@@ -63,35 +55,7 @@ class NavigationGrid {
   double body_radius_ = 0, body_height_ = 0;
   std::vector<std::uint16_t> blockers_;       // by cell: solids over it, and 1 outside of all rooms
   std::vector<std::vector<Shadow>> shadows_;  // by node: what of it is counted
-  std::uint64_t version_ = 0;
+  Digest digest_;                             // the sum over nodes
 };
-
-/// Distance from the agent's body axis (a vertical segment from the floor to the body's height at `at`) to the box of a
-/// node, metres.
-double reach_distance(const Node& node, const Vec2& at, const Profile& profile);
-
-/// Whether a movable thing with these bounds is in the way of walking: it is on or near the floor.
-bool stands_low(const Bounds& bounds);
-
-/// True when a body standing at `at` would be hit by the node's door, lid or drawer somewhere on its way.
-bool in_door_way(const Node& node, const Vec2& at, const Profile& profile);
-
-/// Points that rays go to when it is asked whether a node can be seen: the box's centre, one inside each face and each
-/// corner, W.
-std::vector<Vec3> sight_points(const Node& node);
-
-/// True when a ray from the camera standing at `at` meets the node before anything else; `ignore` are bodies in the
-/// agent's hands.
-bool sees(const Node& thing, BodyId body, const PhysicsWorld& world, const Profile& profile, const Vec2& at,
-          std::span<const BodyId> ignore = {});
-bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Vec2& at, std::size_t node,
-          std::span<const BodyId> ignore = {});
-
-/// A place to stand from which the node is in reach and in sight and, when it can be opened, out of its door's way:
-/// the best (nearest to the front and to the object) among the cells that the body can walk to from `start`; nullopt
-/// when there is none.
-std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const NavigationGrid& grid,
-                                   const std::vector<std::int32_t>& walk_from_agent, const Profile& profile,
-                                   std::size_t node, std::span<const BodyId> ignore = {});
 
 }  // namespace unietp

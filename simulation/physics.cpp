@@ -17,10 +17,10 @@ struct Body {
   Pose pose;
   double mass = 0;
   Bounds bounds;
-  mutable std::vector<Convex> placed;  // made when first asked for
+  mutable std::shared_ptr<const std::vector<Convex>> placed;  // made when first asked for; copies share it
   const std::vector<Convex>& parts() const {
-    if (placed.empty()) placed = collider->placed(pose);
-    return placed;
+    if (placed == nullptr) placed = std::make_shared<const std::vector<Convex>>(collider->placed(pose));
+    return *placed;
   }
 };
 
@@ -138,7 +138,7 @@ void PhysicsWorld::set(BodyId id, std::shared_ptr<const Collider> collider, cons
   const std::size_t place = Impl::place_of(id);
   if (place >= list.size()) list.resize(place + 1);
   const Bounds bounds = collider->bounds(pose);
-  list[place] = {std::move(collider), pose, mass, bounds, {}};
+  list[place] = {std::move(collider), pose, mass, bounds, nullptr};
   if (impl_->grid) impl_->grid->insert(id, bounds);
 }
 
@@ -151,7 +151,7 @@ void PhysicsWorld::move(BodyId id, const Pose& pose) {
   if (impl_->grid) impl_->grid->erase(id, body.bounds);
   body.pose = pose;
   body.bounds = body.collider->bounds(pose);
-  body.placed.clear();
+  body.placed.reset();
   if (impl_->grid) impl_->grid->insert(id, body.bounds);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/sort_unique.h"
 #include "simulation/walls.h"
 
 namespace unietp {
@@ -95,11 +96,6 @@ void add_agent(const Scene& scene, std::vector<Edge>& edges) {
 
 void add_links(const Scene& scene, const PhysicsWorld& world, std::size_t i, std::vector<Edge>& edges) {
   for (const Link& link : links_of(scene, world, i)) edges.push_back(edge_of(scene, i, link));
-}
-
-void sort_unique(std::vector<Edge>& edges) {
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
 void add_walls(const Scene& scene, PhysicsWorld& world) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "simulation/navigation.h"
 #include "simulation/relations.h"
+#include "simulation/standing.h"
 #include "simulation/world_state.h"
 
 namespace unietp {

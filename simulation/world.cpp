@@ -151,7 +151,7 @@ std::optional<Vec2> World::standing_place_for(std::string_view id) const {
   const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);
   if (!node || state.held(id)) return std::nullopt;
-  return standing_place(state.scene(), state.physics(), state.grid(), state.walk(), *state.profile, *node);
+  return state.standing_place(*node);
 }
 
 bool World::can_stand_at(std::string_view id) const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,15 +11,17 @@
 
 #include "akb/knowledge.h"
 #include "core/result.h"
+#include "core/sort_unique.h"
 #include "scene/action.h"
 #include "scene/scene.h"
 #include "scene/trace.h"
 #include "simulation/digest.h"
+#include "simulation/floods.h"
 #include "simulation/known_start.h"
-#include "simulation/navigation.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
 #include "simulation/relations.h"
+#include "simulation/standing.h"
 #include "simulation/world.h"
 
 namespace unietp {
@@ -102,10 +103,12 @@ class WorldState {
 
   /// Where the body can walk now.
   const NavigationGrid& grid() const;
-  /// Which cells the agent can walk to (>= 0), by the grid's index.
+  /// Which cells the agent can walk to (>= 0), by the grid's index; valid until more is asked about ways.
   const std::vector<std::int32_t>& walk() const;
   /// The steps from the agent to every cell, -1 where it cannot walk.
   const std::vector<std::int32_t>& steps() const;
+  /// Where the agent would stand to reach a node that it does not hold, as standing_place of simulation/standing.h.
+  std::optional<Vec2> standing_place(std::size_t i) const;
 
   // Changes. A position in the log marks a moment; going back to it takes back what came after.
   Agent& edit_agent();
@@ -172,19 +175,9 @@ class WorldState {
 
   mutable std::optional<NavigationGrid> grid_;
   mutable std::vector<std::size_t> moved_;  // nodes that the grid has not seen to yet
-  struct Steps {
-    std::vector<std::int32_t> to;
-    std::uint64_t grid_version = 0;
-    NavigationGrid::Cell from;
-  };
-  mutable Steps walk_, steps_;
+  mutable Floods floods_;
+  mutable std::unordered_map<Digest, StandingCells, DigestHash> standing_;  // by all that decides them
 };
-
-template <class T>
-void sort_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 inline Outcome succeeded() { return {true, Failure::None, ""}; }
 inline Outcome failed(Failure failure, std::string feedback) { return {false, failure, std::move(feedback)}; }

@@ -25,22 +25,28 @@ NavigationGrid::Cell cell_of(const Agent& agent, const NavigationGrid& grid) {
 }  // namespace
 
 const std::vector<std::int32_t>& WorldState::walk() const {
-  const NavigationGrid& now = grid();
-  const auto from = cell_of(agent(), now);
-  // Who can be walked to from a cell can be walked to from all its neighbours.
-  const bool known =
-      !walk_.to.empty() && walk_.grid_version == now.version() && now.free(from) && walk_.to[now.index(from)] >= 0;
-  if (!known) walk_ = {now.distances(from), now.version(), from};
-  return walk_.to;
+  return floods_.around(grid(), cell_of(agent(), grid())).to;
 }
 
-const std::vector<std::int32_t>& WorldState::steps() const {
-  const NavigationGrid& now = grid();
-  const auto from = cell_of(agent(), now);
-  if (steps_.to.empty() || steps_.grid_version != now.version() || steps_.from != from) {
-    steps_ = {now.distances(from), now.version(), from};
+const std::vector<std::int32_t>& WorldState::steps() const { return floods_.from(grid(), cell_of(agent(), grid())).to; }
+
+std::optional<Vec2> WorldState::standing_place(std::size_t i) const {
+  constexpr std::size_t kMostRemembered = 256;
+  const Node& target = node(i);
+  const Flood& walk = floods_.around(grid(), cell_of(agent(), grid()));
+  Digester key;
+  key.add(walk.number).add(collider(i).digest.a).add(collider(i).digest.b);
+  for (const double part : target.size) key.add(part);
+  for (const double part : target.pose.position) key.add(part);
+  for (const double part : target.pose.rotation.coeffs()) key.add(part);
+  key.add(std::uint64_t{target.movable} * 2 + std::uint64_t{target.openable});
+  if (standing_.size() >= kMostRemembered) standing_.clear();
+  auto known = standing_.find(key.digest());
+  if (known == standing_.end()) {
+    StandingCells cells(target, collider(i).shape, grid(), walk.to, *profile);
+    known = standing_.emplace(key.digest(), std::move(cells)).first;
   }
-  return steps_.to;
+  return unietp::standing_place(scene_, physics_, *profile, i, known->second);
 }
 
 }  // namespace unietp

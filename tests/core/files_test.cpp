@@ -113,6 +113,14 @@ TEST(Gunzip, RefusesWhatIsCutCorruptOrTooLarge) {
   const auto large = gunzip("f.gz", packed, 1000);
   ASSERT_FALSE(large);
   EXPECT_EQ(large.error().message, "unpacks to more than 1000 bytes");
+  EXPECT_FALSE(gunzip("f.gz", packed + "more"));
+}
+
+TEST(Gunzip, ReadsMembersInARowAsOneFile) {
+  const std::string first(300000, 'a'), second = "and the end";
+  EXPECT_EQ(*gunzip("f.gz", gzip(first) + gzip(second)), first + second);
+  EXPECT_EQ(*gunzip("f.gz", gzip(first) + gzip("") + gzip(second), first.size() + second.size()), first + second);
+  EXPECT_FALSE(gunzip("f.gz", gzip(first) + gzip(second), first.size() + second.size() - 1));
 }
 
 }  // namespace

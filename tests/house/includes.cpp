@@ -22,7 +22,7 @@ std::set<std::string> reachable(const RoomGraph& graph, const std::string& room)
 
 /// `<vector>`, `<unistd.h>`: no folder. Ours and the third parties' headers stand in one.
 bool is_third_party(std::string_view name) {
-  static const std::set<std::string_view> kWithoutFolder{"sqlite3.h", "zlib.h", "btBulletDynamicsCommon.h",
+  static const std::set<std::string_view> kWithoutFolder{"sqlite3.h", "libdeflate.h", "btBulletDynamicsCommon.h",
                                                          "btBulletCollisionCommon.h"};
   const bool posix = name.starts_with("sys/");
   return (name.find('/') != std::string_view::npos && !posix) || kWithoutFolder.count(name) > 0;

@@ -1,0 +1,176 @@
+#include "simulation/standing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <tuple>
+
+#include "simulation/shadow.h"
+
+namespace unietp {
+namespace {
+
+constexpr double kReachReserve_m = 0.02;
+constexpr double kFrontWeight_m = 0.5;  // standing behind costs as much as standing this much farther away, twice
+constexpr double kAsideWeight = 2;
+constexpr std::size_t kMostChecked = 80;
+
+/// Distances of many points from one node: from the body's vertical segment at a point to the node's box.
+class Reach {
+ public:
+  Reach(const Node& node, const Profile& profile) : half_(node.size / 2), height_(profile.body_height_m) {
+    const Vec3 up = node.pose.rotation * Vec3::UnitZ();
+    upright_ = std::abs(up.z()) > 1 - 1e-9;
+    if (upright_) {  // as most things are: a rectangle and an interval of heights
+      const Vec3 x = node.pose.rotation * Vec3::UnitX();
+      rectangle_ = {node.pose.position.head<2>(), x.head<2>(), half_.head<2>()};
+      const double low = node.pose.position.z() - half_.z(), high = low + node.size.z();
+      above_ = std::max({0.0, low - height_, -high});
+    } else {
+      to_node_ = inverse(node.pose);
+    }
+  }
+
+  /// Whether it is certainly more than `limit`, at a fraction of the cost; false says nothing.
+  bool beyond(const Vec2& at, double limit) const {
+    constexpr double kSlack = 1e-9;
+    if (!upright_) return false;
+    const Vec2 d = at - rectangle_.centre;
+    const double out_u = std::max(0.0, std::abs(d.dot(rectangle_.along)) - rectangle_.half.x());
+    const double out_v =
+        std::max(0.0, std::abs(d.y() * rectangle_.along.x() - d.x() * rectangle_.along.y()) - rectangle_.half.y());
+    return out_u * out_u + out_v * out_v + above_ * above_ > limit * limit + kSlack;
+  }
+
+  double operator()(const Vec2& at) const {
+    if (upright_) {
+      const double aside = distance_to(rectangle_, at);
+      return above_ > 0 ? std::hypot(aside, above_) : aside;
+    }
+    const auto distance = [&](double z) {
+      const Vec3 local = to_node_ * Vec3(at.x(), at.y(), z);
+      return (local.cwiseAbs() - half_).cwiseMax(0.0).norm();
+    };
+    double low = 0, high = height_;  // the distance is convex along the segment
+    for (int i = 0; i < 40; ++i) {
+      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+      if (distance(a) <= distance(b)) {
+        high = b;
+      } else {
+        low = a;
+      }
+    }
+    return distance((low + high) / 2);
+  }
+
+ private:
+  Vec3 half_;
+  double height_ = 0, above_ = 0;
+  bool upright_ = false;
+  Shadow rectangle_;
+  Pose to_node_;
+};
+
+}  // namespace
+
+double reach_distance(const Node& node, const Vec2& at, const Profile& profile) { return Reach(node, profile)(at); }
+
+std::vector<Vec3> sight_points(const Node& node) {
+  constexpr double kInside = 0.9;  // of the way from the centre to a face
+  std::vector<Vec3> points{node.pose.position};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {1.0, -1.0}) {
+      Vec3 local = Vec3::Zero();
+      local[axis] = side * kInside * node.size[axis] / 2;
+      points.push_back(node.pose * local);
+    }
+  }
+  for (int i = 7; i >= 0; --i) {  // upper corners first: they are the likelier to be seen
+    const Vec3 side((i & 1) ? 1 : -1, (i & 2) ? 1 : -1, (i & 4) ? 1 : -1);
+    points.push_back(node.pose * (kInside / 2 * side.cwiseProduct(node.size)));
+  }
+  return points;
+}
+
+bool sees(const Node& thing, BodyId body, const PhysicsWorld& world, const Profile& profile, const Vec2& at,
+          std::span<const BodyId> ignore) {
+  const Vec3 camera(at.x(), at.y(), profile.camera_height_m);
+  const std::vector<Vec3> points = sight_points(thing);
+  return std::any_of(points.begin(), points.end(), [&](const Vec3& point) {
+    const auto hit = world.ray(camera, point, ignore);
+    return !hit || hit->body == body;
+  });
+}
+
+bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Vec2& at, std::size_t node,
+          std::span<const BodyId> ignore) {
+  return sees(scene.nodes[node], static_cast<BodyId>(node), world, profile, at, ignore);
+}
+
+StandingCells::StandingCells(const Node& target, const Shape& shape, const NavigationGrid& grid,
+                             const std::vector<std::int32_t>& walk, const Profile& profile)
+    : way_(door_way(target, shape, profile)), body_radius_(profile.body_radius_m) {
+  const Reach reach(target, profile);
+  const double limit = profile.reach_m - kReachReserve_m;
+  const Vec3 front = target.pose.rotation * -Vec3::UnitY();
+  const Pose to_target = inverse(target.pose);
+  const Bounds bounds = bounds_of(target.pose, target.size);
+  const Vec2 span = Vec2::Constant(profile.reach_m), middle = target.pose.position.head<2>();
+  const auto from = grid.cell_at(bounds.low.head<2>() - span), to = grid.cell_at(bounds.high.head<2>() + span);
+  for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
+    for (int x = std::max(0, from.x); x <= std::min(grid.width() - 1, to.x); ++x) {
+      const NavigationGrid::Cell cell{x, y};
+      if (walk[grid.index(cell)] < 0) continue;
+      const Vec2 at = grid.centre(cell);
+      if (reach.beyond(at, limit)) continue;
+      const double distance = reach(at);
+      if (distance > limit) continue;
+      double cost = distance;
+      if (!target.movable && (at - middle).norm() > 1e-9) {
+        cost += kFrontWeight_m * (1 - (at - middle).normalized().dot(front.head<2>()));
+      }
+      if (target.openable && !target.movable) {  // where one can look into it once it is open: squarely before it
+        const Vec3 local = to_target * Vec3(at.x(), at.y(), target.pose.position.z());
+        const double aside = std::max(0.0, std::abs(local.x()) - target.size.x() / 2);
+        cost += kAsideWeight * aside + (local.y() > -target.size.y() / 2 ? kAsideWeight : 0);
+      }
+      open_.push_back({cost, cell, at});
+    }
+  }
+  std::make_heap(open_.begin(), open_.end(), std::greater<>());
+}
+
+bool StandingCells::Candidate::operator>(const Candidate& other) const {
+  return std::tie(cost, cell.y, cell.x) > std::tie(other.cost, other.cell.y, other.cell.x);
+}
+
+const Vec2* StandingCells::best(std::size_t k) {
+  while (best_.size() <= k && !open_.empty()) {
+    std::pop_heap(open_.begin(), open_.end(), std::greater<>());
+    if (!within(way_, open_.back().at, body_radius_)) best_.push_back(open_.back().at);
+    open_.pop_back();
+  }
+  return k < best_.size() ? &best_[k] : nullptr;
+}
+
+std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const Profile& profile,
+                                   std::size_t node, StandingCells& cells) {
+  for (std::size_t k = 0; k < kMostChecked; ++k) {
+    const Vec2* at = cells.best(k);
+    if (at == nullptr) break;
+    if (sees(scene, world, profile, *at, node)) return *at;
+  }
+  return std::nullopt;
+}
+
+std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const NavigationGrid& grid,
+                                   const std::vector<std::int32_t>& walk_from_agent, const Profile& profile,
+                                   std::size_t node) {
+  const auto body = static_cast<BodyId>(node);
+  StandingCells cells(scene.nodes[node], world.has(body) ? world.collider(body).shape : shape_of(scene.nodes[node]),
+                      grid, walk_from_agent, profile);
+  return standing_place(scene, world, profile, node, cells);
+}
+
+}  // namespace unietp
