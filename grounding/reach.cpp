@@ -7,8 +7,8 @@
 
 #include "grounding/packing.h"
 #include "simulation/agent_moves.h"
-#include "simulation/standing.h"
 #include "simulation/spots.h"
+#include "simulation/standing.h"
 #include "simulation/swing.h"
 
 namespace unietp {
@@ -229,18 +229,18 @@ bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t tar
   const Scene& scene = opened != nullptr ? opened->scene : scene_;
   const PhysicsWorld& world = opened != nullptr ? opened->world : world_;
   const Walk& walk = opened != nullptr ? *opened->walk : *walk_;
-  std::vector<Spread> spreads;
+  std::vector<ThingWithSpots> fitting;
   for (const std::size_t thing : things) {
-    Spread spread{&collider(thing), spots_for(scene, world, walk, profile_, {thing, target, inside}, kMostSpots)};
-    if (spread.spots.size() == kMostSpots) return true;
+    ThingWithSpots one{&collider(thing), spots_for(scene, world, walk, profile_, {thing, target, inside}, kMostSpots)};
+    if (one.spots.size() == kMostSpots) return true;
     const Predicate relation = inside ? Predicate::Inside : Predicate::On;
     if (has_edge(scene_, relation, scene_.nodes[thing].id, scene_.nodes[target].id)) {
       if (opened != nullptr) return true;  // it may lie in a drawer, which took it along
-      spread.spots.push_back(scene_.nodes[thing].pose);
+      one.spots.push_back(scene_.nodes[thing].pose);
     }
-    spreads.push_back(std::move(spread));
+    fitting.push_back(std::move(one));
   }
-  return fit_together(spreads);
+  return fit_together(fitting);
 }
 
 bool Reach::swings(std::size_t index) const {
