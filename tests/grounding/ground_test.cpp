@@ -292,7 +292,21 @@ TEST_F(Ground, FurnitureGetsANeighbourSetDownBesideIt) {
       {"(count = 1 (?b - SideTable) (exists (?c - Box) (next_to ?b ?c)))",
        "(count >= 1 (?b - SideTable) (not (exists (?c - Box) (next_to ?b ?c))))", "(exists (?a - Mug) (and))",
        "(forall (?a - Mug) (not (exists (?b - SideTable) (on ?a ?b))))"});
-  for (std::uint64_t seed = 0; seed < 3; ++seed) sound(spec, seed);
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const Episode episode = sound(spec, seed);
+    const auto is = [&](const std::string& id, std::string_view category) {
+      const Node* node = find_node(episode.start, id);
+      return node != nullptr && node->category == category;
+    };
+    std::set<std::string> beside;  // side tables that a box stands next to
+    for (const Edge& edge : episode.start.edges) {
+      if (edge.relation != Predicate::NextTo) continue;
+      if (is(edge.from, "SideTable") && is(edge.to, "Box")) beside.insert(edge.from);
+      if (is(edge.to, "SideTable") && is(edge.from, "Box")) beside.insert(edge.to);
+    }
+    EXPECT_EQ(beside.size(), 1U);
+    EXPECT_GE(count(episode.start, "SideTable"), 2);
+  }
 }
 
 TEST(GroundTheLibrary, FindsStartsForMostTemplatesOnEverySimulator) {
