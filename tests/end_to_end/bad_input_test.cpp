@@ -149,6 +149,7 @@ TEST(BadInput, UnknownNamesAreToldWithTheNearestKnownOne) {
       {{"--templates", "open-one"}, "`--template open-one` chooses one by its name"},
       {{"--templates", folder.at("none")}, "is no file or folder"},
       {{"--count", "none"}, "--count"},
+      {{"--seed", "9007199254740992"}, "from 0 to 9007199254740991"},
       {{"--rooms", "1"}, "--rooms"},
       {{"--frobnicate"}, "--frobnicate"},
       {{"--data", folder.at("nowhere")}, "--data"},

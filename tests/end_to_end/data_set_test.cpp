@@ -99,6 +99,17 @@ TEST(DataSet, ATaskIsDrawnFromAbove) {
   const auto unknown = run_program({"render", small_data_set().string(), "nobody", "--out", folder.at("no.svg")});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_FALSE(fs::exists(folder.at("no.svg")));
+
+  // A demonstration that is not as it should be is refused at its line.
+  const fs::path spoilt = folder.path() / "spoilt";
+  fs::create_directories(spoilt / "demonstrations");
+  fs::copy(small_data_set() / "scenes", spoilt / "scenes");
+  const std::string line = R"({"task":")" + task + R"(","steps":[7]})";
+  ASSERT_TRUE(write_file(spoilt / "demonstrations" / "M1.jsonl", "{}\n" + line + "\n"));
+  const auto refused = run_program({"render", spoilt.string(), task, "--out", folder.at("no.svg")});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("M1.jsonl:2"));
+  EXPECT_FALSE(fs::exists(folder.at("no.svg")));
 }
 
 }  // namespace

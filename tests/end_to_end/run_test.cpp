@@ -69,6 +69,14 @@ TEST_F(QuotaRun, ShardsPutTogetherAreTheBytesOfOneProcess) {
   const auto twice = run_program({"merge", scratch_.at("first"), scratch_.at("first"), "--out", scratch_.at("half")});
   EXPECT_EQ(twice.code, 2);
   EXPECT_THAT(twice.err, HasSubstr("was given before"));
+  const auto says = scratch_.path() / "first" / "shard.json";
+  auto record = nlohmann::ordered_json::parse(*read_file(says));  // what names the run keeps its order
+  record["blocks"][0][1] = 5;                                     // one task less than it has
+  ASSERT_TRUE(write_file(says, record.dump()));
+  const auto damaged =
+      run_program({"merge", scratch_.at("first"), scratch_.at("second"), "--out", scratch_.at("half")});
+  EXPECT_EQ(damaged.code, 2);
+  EXPECT_THAT(damaged.err, HasSubstr("do not hold the run's 18 tasks once each"));
   EXPECT_FALSE(std::filesystem::exists(scratch_.at("half")));
 }
 
