@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "expert/poses.h"
-#include "simulation/standing.h"
 #include "simulation/spots.h"
+#include "simulation/standing.h"
 
 namespace unietp {
 namespace {

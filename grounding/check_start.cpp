@@ -9,9 +9,9 @@
 #include "grounding/reach.h"
 #include "logic/evaluate.h"
 #include "scene/comparisons.h"
-#include "simulation/standing.h"
 #include "simulation/physics.h"
 #include "simulation/relations.h"
+#include "simulation/standing.h"
 
 namespace unietp {
 namespace {
