@@ -168,11 +168,16 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
       json["instruction"] = instruction_to_json(*ruling.rewritten);
       record.task = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
-    for (const auto& lines : demonstrations) {
-      if (const auto line = lines.find(task.id); line != lines.end())
-        record.demonstration += (record.demonstration.empty() ? "" : "\n") + line->second;
+    for (std::size_t mode = 0; mode < demonstrations.size(); ++mode) {
+      const auto line = demonstrations[mode].find(task.id);
+      if (line == demonstrations[mode].end()) continue;
+      const auto actions =
+          actions_of_line((folder / demonstrations_file(kModes[mode])).string() + ", " + task.id, line->second);
+      if (!actions) return actions.error();
+      const char* gap = record.demonstration.empty() ? "" : "\n";
+      record.demonstration += gap + line->second;
+      record.actions += gap + *actions;
     }
-    record.actions = actions_of(record.demonstration);
     auto scene = read_file(folder / scene_file(task.scene));
     if (!scene) return scene.error();
     record.scene = std::move(*scene);

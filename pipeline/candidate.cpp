@@ -159,9 +159,8 @@ std::string start_key(const Task& task, std::string_view scene) {
 
 }  // namespace
 
-std::string actions_of(const std::string& demonstration) {
-  std::vector<std::string> lines;
-  for (const auto& line : split(demonstration, '\n')) {
+Result<std::string> actions_of_line(std::string_view where, std::string_view line) {
+  try {
     const auto whole = Json::parse(line);
     Json steps = Json::array();
     for (const auto& step : whole.at("steps")) {
@@ -169,9 +168,10 @@ std::string actions_of(const std::string& demonstration) {
       for (const char* part : {"action", "args", "success", "failure"}) done[part] = step.at(part);
       steps.push_back(std::move(done));
     }
-    lines.push_back(line_of({{"mode", whole.at("mode")}, {"steps", std::move(steps)}}));
+    return line_of({{"mode", whole.at("mode")}, {"steps", std::move(steps)}});
+  } catch (const Json::exception& reason) {
+    return Error{Error::Kind::Parse, std::string(where), {}, std::string("is no demonstration: ") + reason.what()};
   }
-  return join(lines, "\n");
 }
 
 std::string rejection_line(const RejectedCandidate& candidate) {

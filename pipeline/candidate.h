@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 
+#include "core/result.h"
 #include "pipeline/make_task.h"
 
 namespace unietp {
@@ -28,8 +30,9 @@ struct CandidateRecord {
 /// Pure; no clock, no order that depends on threads.
 CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate);
 
-/// `CandidateRecord::actions` of demonstrations that were written already.
-std::string actions_of(const std::string& demonstration);
+/// `CandidateRecord::actions` of a demonstration's line that was written already. Errors: Parse, naming `where`, when
+/// it is none.
+Result<std::string> actions_of_line(std::string_view where, std::string_view line);
 
 std::string rejection_line(const RejectedCandidate& candidate);
 /// The same for a candidate that was accepted, and then turned out to repeat a task.

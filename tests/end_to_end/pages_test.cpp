@@ -255,5 +255,18 @@ TEST_F(Pages, AVerdictOnAnotherTextIsRefused) {
   EXPECT_EQ(apply(bad).code, 2);
 }
 
+TEST_F(Pages, ASpoiltDemonstrationIsNamedAndNothingChanges) {
+  const auto file = data() / "demonstrations/M1.jsonl";
+  auto text = *read_file(file);
+  const auto steps = text.find("\"steps\":");
+  ASSERT_NE(steps, std::string::npos);
+  ASSERT_TRUE(write_file(file, text.replace(steps, 8, "\"stops\":")));
+  const auto before = bytes_below(data());
+  const auto ended = apply(review({verdict(1, "accept")}));
+  EXPECT_EQ(ended.code, 2) << ended.out << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("M1.jsonl, " + tasks(made())[0]["id"].get<std::string>() + ": parse error"));
+  EXPECT_EQ(bytes_below(data()), before);
+}
+
 }  // namespace
 }  // namespace unietp
