@@ -72,10 +72,11 @@ void TraceDraft::collect(const Formula& formula) {
   for (const Domain::Member& member : formula.domain.members) rooms_.insert(member.category);
 }
 
-void TraceDraft::add(Entity entity, int copies) {
+void TraceDraft::add(const Entity& entity, int copies) {
   for (int i = 0; i < copies; ++i) {
-    entities_.push_back(entity);
-    entities_.back().id += std::to_string(entities_.size());
+    Entity numbered = entity;
+    numbered.id += std::to_string(entities_.size() + 1);
+    entities_.push_back(std::move(numbered));
   }
 }
 

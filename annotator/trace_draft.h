@@ -40,7 +40,7 @@ class TraceDraft {
 
   void collect(const Formula& formula);
   void add_entities(const Formula& formula);
-  void add(Entity entity, int copies);
+  void add(const Entity& entity, int copies);
   void fill();
   Fact random_fact();
   void set(std::size_t position, const Fact& fact, bool value);
@@ -59,7 +59,7 @@ class TraceDraft {
   std::set<Kind> kinds_;
   std::set<std::string> rooms_;  // categories that stand where a room is asked for
   int most_ = 2;                 // largest number that a count names
-  std::vector<Entity> entities_;
+  EntityList entities_;
   std::vector<std::set<Fact>> states_;
   std::vector<std::size_t> since_;  // position from which an entity exists; slices may appear late
 };

@@ -73,8 +73,7 @@ bool Attempt::act(Action action) {
   const Outcome outcome = rehearsal_->step(world_, action);
   if (outcome.success) {
     trace_.states.push_back(rehearsal_->facts(world_));
-    const auto& entities = rehearsal_->entities();
-    for (std::size_t e = trace_.entities.size(); e < entities.size(); ++e) trace_.entities.push_back(entities[e]);
+    trace_.entities.follow(rehearsal_->entities());
     if (keeps_hold()) {
       mark_moments();
       actions_.push_back(std::move(action));

@@ -56,7 +56,7 @@ bool Rehearsal::reaches_goal(std::vector<std::uint32_t> moments) {
   const auto differ = std::mismatch(judged_.begin(), judged_.end(), moments.begin(), moments.end());
   trace_.states.resize(static_cast<std::size_t>(differ.first - judged_.begin()));
   for (auto moment = differ.second; moment != moments.end(); ++moment) trace_.states.push_back(*facts_[*moment]);
-  for (std::size_t e = trace_.entities.size(); e < entities().size(); ++e) trace_.entities.push_back(entities()[e]);
+  trace_.entities.follow(entities());
   judged_ = std::move(moments);
   return holds(*goal_, trace_);
 }

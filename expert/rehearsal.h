@@ -34,7 +34,7 @@ class Rehearsal {
   const World& world() const { return world_; }  // at the start
 
   /// All things that were there in any branch, those of the start first.
-  const std::vector<Entity>& entities() const { return reader_.entities(); }
+  const EntityList& entities() const { return reader_.entities(); }
   std::optional<EntityIndex> find(std::string_view id) const { return reader_.find(id); }
 
   /// Does the action in a world that goes back to this start by steps of this rehearsal.

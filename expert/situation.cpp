@@ -73,7 +73,7 @@ Situation look_around(const Rehearsal& rehearsal, Mode mode) {
   const std::size_t before_nodes = 1 + situation.start->rooms.size();
   const std::size_t count = before_nodes + situation.start->nodes.size();
   const auto& entities = rehearsal.entities();
-  situation.trace.entities.assign(entities.begin(), entities.begin() + static_cast<std::ptrdiff_t>(count));
+  for (std::size_t e = 0; e < count; ++e) situation.trace.entities.push_back(entities[e]);
   situation.first_imagined = static_cast<EntityIndex>(count);
   situation.walked_m_.resize(count);
   situation.nodes.resize(count, nullptr);

@@ -3,7 +3,6 @@
 
 #include "grounding/make_node.h"
 #include "grounding/scene_editor.h"
-#include "simulation/relations.h"
 #include "simulation/shape.h"
 
 namespace unietp {
@@ -88,11 +87,12 @@ bool SceneEditor::open_or_close(const std::string& id, double opening) {
   const Shape shape = shape_of(before);
   // What lies in a drawer rides along.
   std::vector<std::string> riders;
+  const auto carried = workspace_.carried_by(*index_of(id));
   for (const Cavity& cavity : shape.cavities) {
     if (cavity.joint < 0) continue;
     const Pose from = before.pose * joint_motion(shape, cavity.joint, before.opening);
     const Pose to = before.pose * joint_motion(shape, cavity.joint, opening);
-    for (const std::string& rider : carried_by(workspace_.scene(), id)) {
+    for (const std::string& rider : carried) {
       const Node& node = workspace_.scene().nodes[*index_of(rider)];
       const Vec3 local = inverse(from) * node.pose.position - cavity.centre;
       if ((local.cwiseAbs() - cavity.half).maxCoeff() > 0) continue;

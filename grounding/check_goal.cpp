@@ -43,9 +43,15 @@ bool needs(const Effect& effect, std::string_view need) {
 
 class Possible {
  public:
-  Possible(const Scene& start, const Trace& trace, const Knowledge& knowledge, const Profile& profile, Reach& reach,
-           bool pictured)
-      : start_(start), trace_(trace), knowledge_(knowledge), profile_(profile), reach_(reach), pictured_(pictured) {}
+  Possible(const Scene& start, const NodeIndex& places, const Trace& trace, const Knowledge& knowledge,
+           const Profile& profile, Reach& reach, bool pictured)
+      : start_(start),
+        places_(places),
+        trace_(trace),
+        knowledge_(knowledge),
+        profile_(profile),
+        reach_(reach),
+        pictured_(pictured) {}
 
   bool read(const Formula& formula) {
     switch (formula.op) {
@@ -116,8 +122,7 @@ class Possible {
     if (atom.terms.size() <= term) return std::nullopt;
     const auto entity = entity_of(atom.terms[term]);
     if (!entity || trace_.entities[*entity].kind != Entity::Kind::Object) return std::nullopt;
-    const Node* node = find_node(start_, trace_.entities[*entity].id);
-    return node == nullptr ? std::nullopt : std::optional(static_cast<std::size_t>(node - start_.nodes.data()));
+    return places_.find(trace_.entities[*entity].id);
   }
 
   bool atom(const Formula& formula) {
@@ -201,10 +206,9 @@ class Possible {
     if (profile_.offers(ActionType::Drop)) return true;
     for (const Edge& edge : start_.edges) {
       if (edge.relation != Predicate::InRoom || edge.to != room) continue;
-      const auto* node = find_node(start_, edge.from);
-      if (node == nullptr || node->movable) continue;
-      const auto place = static_cast<std::size_t>(node - start_.nodes.data());
-      if (reach_.spot_for(subject, place, false) || reach_.spot_for(subject, place, true)) return true;
+      const auto place = places_.find(edge.from);
+      if (!place || start_.nodes[*place].movable) continue;
+      if (reach_.spot_for(subject, *place, false) || reach_.spot_for(subject, *place, true)) return true;
     }
     return false;
   }
@@ -221,8 +225,7 @@ class Possible {
         any_rule = true;
         const bool inside = needs(*effect, "inside") || needs(*effect, "under_tap");
         const bool on = !inside && !needs(*effect, "held") && name != "wipes";
-        for (std::size_t tool = 0; tool < start_.nodes.size(); ++tool) {
-          if (start_.nodes[tool].category != effect->tool) continue;
+        for (const std::size_t tool : places_.of(effect->tool)) {
           if ((!inside && !on) || reach_.spot_for(subject, tool, inside)) return true;
         }
       }
@@ -231,6 +234,7 @@ class Possible {
   }
 
   const Scene& start_;
+  const NodeIndex& places_;
   const Trace& trace_;
   const Knowledge& knowledge_;
   const Profile& profile_;
@@ -244,10 +248,10 @@ class Possible {
 
 }  // namespace
 
-std::optional<GroundingFailure> check_goal(const Specification& specification, const Scene& start, const Trace& trace,
-                                           const Knowledge& knowledge, const Profile& profile, Reach& reach,
-                                           bool pictured) {
-  Possible possible(start, trace, knowledge, profile, reach, pictured);
+std::optional<GroundingFailure> check_goal(const Specification& specification, const Scene& start,
+                                           const NodeIndex& places, const Trace& trace, const Knowledge& knowledge,
+                                           const Profile& profile, Reach& reach, bool pictured) {
+  Possible possible(start, places, trace, knowledge, profile, reach, pictured);
   if (possible.read(specification.goal)) return std::nullopt;
   if (!possible.unseen().empty())
     return GroundingFailure{GroundingReason::NotSeen, possible.unseen() + " shows clearly from nowhere", {}};

@@ -7,6 +7,7 @@
 #include "grounding/reach.h"
 #include "grounding/reasons.h"
 #include "logic/trace.h"
+#include "scene/node_index.h"
 
 namespace unietp {
 
@@ -14,9 +15,10 @@ namespace unietp {
 /// one, by geometry alone. What is to be put somewhere needs a spot there (Reach::spot_for), a door one that swings, a
 /// change by an appliance a spot in one of those that the home has. Nothing is done and nothing is planned, so what
 /// passes may still be impossible; what is refused nobody could do. With `pictured`, what can be carried has to show
-/// clearly, too (Reach::shows). `trace`: the start in the logic.
-std::optional<GroundingFailure> check_goal(const Specification& specification, const Scene& start, const Trace& trace,
-                                           const Knowledge& knowledge, const Profile& profile, Reach& reach,
-                                           bool pictured);
+/// clearly, too (Reach::shows). `places`: of the start's nodes; `trace`: the start in the
+/// logic.
+std::optional<GroundingFailure> check_goal(const Specification& specification, const Scene& start,
+                                           const NodeIndex& places, const Trace& trace, const Knowledge& knowledge,
+                                           const Profile& profile, Reach& reach, bool pictured);
 
 }  // namespace unietp

@@ -77,8 +77,8 @@ std::size_t needed(const QuantifiedDomain& one, std::size_t members) {
   return one.op == Op::Exists ? std::min<std::size_t>(1, members) : members;
 }
 
-std::optional<GroundingFailure> check_reach(const Specification& specification, const Scene& start, const Trace& trace,
-                                            Reach& reach) {
+std::optional<GroundingFailure> check_reach(const Specification& specification, const Scene& start,
+                                            const NodeIndex& places, const Trace& trace, Reach& reach) {
   const auto check = [&](const QuantifiedDomain& one, std::size_t wanted,
                          const std::vector<EntityIndex>& members) -> std::optional<GroundingFailure> {
     std::size_t reached = 0;
@@ -89,7 +89,7 @@ std::optional<GroundingFailure> check_reach(const Specification& specification, 
       bool near = thing.kind == Entity::Kind::Agent;
       if (thing.kind == Entity::Kind::Room) near = reach.room(*find_room(start, thing.id));
       if (thing.kind == Entity::Kind::Object) {
-        near = reach.object(static_cast<std::size_t>(find_node(start, thing.id) - start.nodes.data()));
+        near = reach.object(places.find(thing.id).value());
       }
       if (near) {
         ++reached;
@@ -129,11 +129,16 @@ std::optional<GroundingFailure> check_reach(const Specification& specification, 
   return std::nullopt;
 }
 
-std::optional<GroundingFailure> check_calm(const Scene& start, const std::set<std::string>& touched,
-                                           const PhysicsWorld& world) {
-  for (std::size_t i = 0; i < start.nodes.size(); ++i) {
+std::optional<GroundingFailure> check_calm(const Scene& start, const NodeIndex& places,
+                                           const std::set<std::string>& touched, const PhysicsWorld& world) {
+  std::vector<std::size_t> there;
+  for (const std::string& id : touched) {
+    if (const auto place = places.find(id)) there.push_back(*place);
+  }
+  std::sort(there.begin(), there.end());
+  for (const std::size_t i : there) {
     const Node& node = start.nodes[i];
-    if (!node.movable || !touched.contains(node.id)) continue;
+    if (!node.movable) continue;
     const BodyId loose[] = {static_cast<BodyId>(i)};
     const Settled settled = world.settle(loose);
     const double moved = (settled.bodies.front().pose.position - node.pose.position).norm();
@@ -150,20 +155,23 @@ std::optional<GroundingFailure> check_calm(const Scene& start, const std::set<st
 std::optional<GroundingFailure> check_start(const Specification& specification, const Home& home, const Scene& start,
                                             const std::set<std::string>& touched, const Knowledge& knowledge,
                                             const Profile& profile, bool pictured) {
-  const PhysicsWorld world = physics_of(home, start);
-  const GrownScene read = read_grown(home, start, world);
-  if (read.edges != start.edges)
+  const Differences changed = differences(home, start);
+  const PhysicsWorld world = physics_of(home, start, changed);
+  GrownScene read = read_grown(home, start, changed, world);
+  if (!read.edges.leads(home.scene.edges, start.edges))
     return failure(GroundingReason::StartNotMet, "the relations of the start are not those that physics shows");
   Compared compared;
   compared.add(specification.goal);
   for (const Formula& constraint : specification.init) compared.add(constraint);
-  const Trace trace = compared.none() ? read.now : read_state(start, compared);
+  const Trace& trace = read.now;
+  Facts& facts = read.now.states.front();
+  if (!compared.none()) facts = with_comparisons(facts, start, read.reader, compared);
   if (auto problem = check_formulas(specification, trace)) return problem;
   if (auto problem = check_referring(specification, trace)) return problem;
-  if (auto problem = check_calm(start, touched, world)) return problem;
-  Reach reach(home, start, world, profile);
-  if (auto problem = check_reach(specification, start, trace, reach)) return problem;
-  return check_goal(specification, start, trace, knowledge, profile, reach, pictured);
+  if (auto problem = check_calm(start, read.places, touched, world)) return problem;
+  Reach reach(home, start, changed, read.places, world, profile);
+  if (auto problem = check_reach(specification, start, read.places, trace, reach)) return problem;
+  return check_goal(specification, start, read.places, trace, knowledge, profile, reach, pictured);
 }
 
 }  // namespace unietp

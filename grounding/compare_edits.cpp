@@ -44,9 +44,9 @@ bool SceneEditor::give_box(const std::string& id, const Vec3& size, const std::s
   }
   if (!clear_off(id)) return false;
   refresh();
-  for (const Edge& edge : std::vector<Edge>(workspace_.scene().edges)) {
+  for (const Edge& edge : workspace_.present().edges_from(id)) {
     const bool holds = edge.relation == Predicate::On || edge.relation == Predicate::Inside;
-    if (edge.from != id || !holds || !index_of(edge.to)) continue;
+    if (!holds || !index_of(edge.to)) continue;
     Node after = before;
     after.size = size;
     after.asset = asset;
@@ -71,8 +71,9 @@ bool SceneEditor::resize(const std::string& id, const std::string& size, bool tr
     return workspace_.scene().nodes[*index_of(other)].size.prod();
   };
   std::vector<std::string> rivals;
-  for (const Node& other : workspace_.scene().nodes) {
-    if (other.category == name && other.id != id) rivals.push_back(other.id);
+  for (const std::size_t i : workspace_.places().of(name)) {
+    const Node& other = workspace_.scene().nodes[i];
+    if (other.id != id) rivals.push_back(other.id);
   }
   auto boxes = boxes_of(*category, workspace_.knowledge());
   std::stable_sort(boxes.begin(), boxes.end(), [&](const SizeChoice& a, const SizeChoice& b) {
@@ -110,8 +111,9 @@ bool SceneEditor::bring_near(const std::string& id, const std::string& other) {
   const auto away = [&](const Node& node) { return (node.pose.position - aim).norm(); };
   const Node node = workspace_.scene().nodes[*index_of(id)];
   std::optional<double> rival;
-  for (const Node& one : workspace_.scene().nodes) {
-    if (one.category != node.category || one.id == id || one.id == other) continue;
+  for (const std::size_t i : workspace_.places().of(node.category)) {
+    const Node& one = workspace_.scene().nodes[i];
+    if (one.id == id || one.id == other) continue;
     rival = std::min(rival.value_or(away(one)), away(one));
   }
   auto hosts = hosts_for(workspace_, node);
@@ -147,8 +149,8 @@ bool SceneEditor::place_near(const std::string& id, const std::string& other) {
     area.high.head<2>().array() += gap;
     return area;
   };
-  for (const Edge& edge : workspace_.scene().edges) {
-    if (edge.from != other || (edge.relation != Predicate::On && edge.relation != Predicate::Inside)) continue;
+  for (const Edge& edge : workspace_.present().edges_from(other)) {
+    if (edge.relation != Predicate::On && edge.relation != Predicate::Inside) continue;
     const auto host = index_of(edge.to);
     if (!host) continue;
     const auto place = find_place(workspace_, object, *index_of(id), edge.relation, *host,

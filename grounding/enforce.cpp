@@ -1,10 +1,8 @@
 #include "grounding/enforce.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <map>
-#include <set>
 #include <string_view>
 
 namespace unietp {
@@ -48,8 +46,7 @@ const Trace& Enforcer::now() {
   const Trace& plain = workspace.present().now();
   if (compared_.none()) return plain;
   if (read_ != workspace.reading()) {
-    trace_.entities.insert(trace_.entities.end(), plain.entities.begin() + std::ssize(trace_.entities),
-                           plain.entities.end());
+    trace_.entities.follow(plain.entities);
     trace_.states = {
         with_comparisons(plain.states.front(), workspace.scene(), workspace.present().reader(), compared_)};
   }
@@ -79,12 +76,10 @@ std::vector<std::string> Enforcer::ids_of(const std::vector<EntityIndex>& entiti
   std::vector<std::string> ids;
   for (const EntityIndex entity : entities) ids.push_back(trace.entities[entity].id);
   if (compared_.none() || ids.size() < 2) return ids;
-  const std::set<std::string_view> wanted(ids.begin(), ids.end());
-  std::vector<std::string> in_order;
-  for (const Node& node : editor_.workspace().scene().nodes) {
-    if (wanted.contains(node.id)) in_order.push_back(node.id);
-  }
-  return in_order.size() == ids.size() ? in_order : ids;  // rooms keep their order
+  const auto place_of = [&](const std::string& id) { return editor_.workspace().places().find(id); };
+  if (!std::all_of(ids.begin(), ids.end(), place_of)) return ids;  // rooms keep their order
+  std::sort(ids.begin(), ids.end(), [&](const auto& a, const auto& b) { return *place_of(a) < *place_of(b); });
+  return ids;
 }
 
 std::vector<std::string> Enforcer::members(const Formula& quantifier, const Names& names) {
@@ -320,11 +315,15 @@ bool Enforcer::make_atom(const Formula& formula, const Names& names, bool truth)
   const std::string other = id_of(formula.terms[1], names);
   if (subject == "agent" && predicate == InRoom) return editor_.move_agent(other, truth);
   const Scene& scene = editor_.workspace().scene();
-  const Node* host = find_node(scene, other);
+  const auto node_of = [&](const std::string& id) {
+    const auto place = editor_.workspace().places().find(id);
+    return place ? &scene.nodes[*place] : nullptr;
+  };
+  const Node* host = node_of(other);
   const Room* room = find_room(scene, other);
   if (truth) {
     if (predicate == Nearest && host != nullptr) return editor_.bring_near(subject, other);
-    const Node* moved = find_node(scene, subject);
+    const Node* moved = node_of(subject);
     if (predicate == NextTo && host != nullptr && moved != nullptr && !moved->movable && host->movable) {
       return editor_.put(other, NextTo, subject);
     }
@@ -343,14 +342,14 @@ bool Enforcer::make_atom(const Formula& formula, const Names& names, bool truth)
   } else if (predicate == InRoom && room != nullptr) {
     const std::string type = room->type;
     return editor_.relocate(subject, [&](const Node& there) {
-      const Room* around = room_at(editor_.workspace().scene(), there.pose.position.head<2>());
+      const Room* around = editor_.workspace().room_of(*editor_.workspace().places().find(there.id));
       return around != nullptr && around->type != type;
     });
   } else if (predicate == Nearest && host != nullptr) {
     const Vec3 from = host->pose.position;
     return editor_.relocate(subject, [&](const Node& there) { return (there.pose.position - from).norm() > kFar_m; });
-  } else if (predicate == NextTo && host != nullptr && host->movable && find_node(scene, subject) != nullptr &&
-             !find_node(scene, subject)->movable) {
+  } else if (predicate == NextTo && host != nullptr && host->movable && node_of(subject) != nullptr &&
+             !node_of(subject)->movable) {
     return editor_.relocate(other, [&](const Node& there) { return there.id != subject; });
   } else if (predicate == OnFloor || predicate == NextTo || predicate == Under) {
     return editor_.relocate(subject, [&](const Node& there) { return there.id != other; });

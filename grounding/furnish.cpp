@@ -16,7 +16,8 @@ const double kFromWall_m = Scene().wall_thickness / 2 + 0.012;  // of a back fro
 constexpr double kGap_m = 0.01;                                 // between pieces
 constexpr double kPassage_m = 2.0;                              // height that keep-outs reach to
 constexpr double kDoorwayDepth_m = 0.8;
-constexpr double kAisle_m = 0.75;  // around what stands free
+constexpr double kFarthestKeepOut_m = 3;  // from a piece's body, more than any front or door has
+constexpr double kAisle_m = 0.75;         // around what stands free
 constexpr double kRestGap_m = 0.002;
 constexpr double kWallMargin_m = 0.02;
 constexpr double kUnderCeiling_m = 0.01;
@@ -70,13 +71,20 @@ std::optional<Pose> at_wall(const Bounds& room, const WallStretch& wall, double 
 std::vector<std::size_t> hosts_in(const Workspace& workspace, std::size_t room, const std::string& category) {
   std::vector<std::size_t> hosts;
   const Scene& scene = workspace.scene();
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const Node& node = scene.nodes[i];
-    if (node.category == category && contains(scene.rooms[room].polygon, node.pose.position.head<2>())) {
-      hosts.push_back(i);
-    }
+  for (const std::size_t i : workspace.places().of(category)) {
+    if (contains(scene.rooms[room].polygon, scene.nodes[i].pose.position.head<2>())) hosts.push_back(i);
   }
   return hosts;
+}
+
+/// Nodes with their bodies in a room or at most so far from it, ascending.
+std::vector<std::size_t> nodes_near(const Workspace& workspace, std::size_t room, double gap) {
+  const Scene& scene = workspace.scene();
+  std::vector<std::size_t> nodes;
+  for (const BodyId body : workspace.physics().near(room_bounds(scene.rooms[room], scene.wall_height), gap)) {
+    if (body < scene.nodes.size()) nodes.push_back(body);
+  }
+  return nodes;
 }
 
 /// Pose in the host's frame for what stands on it: anywhere along it, its back near the host's back.
@@ -106,7 +114,7 @@ Pose beside(const Node& host, const Node& node, Rng& rng) {
 std::optional<std::size_t> draw_row_mate(const Workspace& workspace, std::size_t room, Rng& rng) {
   std::vector<std::size_t> mates;
   const Scene& scene = workspace.scene();
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+  for (const std::size_t i : nodes_near(workspace, room, 0)) {
     const Node& node = scene.nodes[i];
     const bool in_rows = node.archetype == Archetype::Block || node.archetype == Archetype::Cabinet ||
                          node.archetype == Archetype::Drawers || node.archetype == Archetype::Basin;
@@ -274,9 +282,9 @@ bool fits(const Workspace& workspace, const Bounds& room, const Node& node, cons
 
 }  // namespace
 
-std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptions& options) {
+std::vector<KeepOut> keep_outs_at_openings(const Scene& scene) {
   std::vector<KeepOut> keep_outs;
-  for (const Opening& opening : workspace.scene().openings) {
+  for (const Opening& opening : scene.openings) {
     const Vec2 low = opening.from.cwiseMin(opening.to), high = opening.from.cwiseMax(opening.to);
     const bool along_x = high.x() - low.x() > high.y() - low.y();
     const Vec2 depth = along_x ? Vec2(0.05, kDoorwayDepth_m) : Vec2(kDoorwayDepth_m, 0.05);
@@ -284,8 +292,13 @@ std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptio
         {{{low.x() - depth.x(), low.y() - depth.y(), 0}, {high.x() + depth.x(), high.y() + depth.y(), opening.height}},
          std::nullopt});
   }
+  return keep_outs;
+}
+
+std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptions& options, std::size_t room) {
   const Scene& scene = workspace.scene();
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+  std::vector<KeepOut> keep_outs = keep_outs_at_openings(scene);
+  for (const std::size_t i : nodes_near(workspace, room, kFarthestKeepOut_m)) {
     if (scene.nodes[i].movable) continue;
     // The front of what stands free is not known to be needed: only pieces with their back near a wall keep it.
     const bool front = scene.nodes[i].openable || scene.nodes[i].archetype == Archetype::Block;

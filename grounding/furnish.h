@@ -22,8 +22,10 @@ struct KeepOut {
   std::optional<std::size_t> owner;  // node it belongs to
 };
 
-/// Keep-outs of a furnished scene: openings, fronts and sweeps.
-std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptions& options);
+/// Space before the openings of a scene.
+std::vector<KeepOut> keep_outs_at_openings(const Scene& scene);
+/// All keep-outs of a furnished scene that what stands in a room may come into: openings, fronts and sweeps.
+std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptions& options, std::size_t room);
 
 /// Sets a piece down in a room (index) as `where` says; its pose is overwritten. Back to the wall, front free, doors
 /// free to open, no keep-out touched; free by FCL. Adds its own keep-outs. False when no draw fits.

@@ -103,7 +103,7 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
     keep_standing(workspace, home);
     editor.refresh();
     problem =
-        check_start(specification, home, workspace.scene(), editor.touched(), knowledge, profile, options.pictured);
+        check_start(specification, home, workspace.whole(), editor.touched(), knowledge, profile, options.pictured);
     if (!problem) break;
     // What stands out of reach or unsteadily gets another place, then all is checked again.
     const bool misplaced =

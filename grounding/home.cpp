@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/sort_unique.h"
 #include "simulation/relations.h"
 #include "simulation/shape.h"
 
@@ -49,12 +50,15 @@ Home prepare_home(Scene scene, const Profile& profile) {
     solids.set(static_cast<BodyId>(i), shape, node.pose, node.opening);
     home.bounds.push_back(bounds_of(shape, node.pose, node.opening));
     home.sweeps.push_back(node.movable ? std::nullopt : sweep_of(node));
+    home.rooms.push_back(room_number(scene, node.pose.position.head<2>()));
   }
   home.solids = PlacementChecker::shared(std::move(solids));
   home.walk = std::make_shared<const Walk>(walk_in(scene, profile));
   home.unreached = unreached_room(scene, *home.walk);
   home.now.states.push_back(home.reader.read(scene));
+  home.reader.share();
   home.now.entities = home.reader.entities();
+  home.places = NodeIndex(scene.nodes);
   home.scene = std::move(scene);
   return home;
 }
@@ -72,8 +76,11 @@ Differences differences(const Home& home, const Scene& scene) {
 }
 
 PhysicsWorld physics_of(const Home& home, const Scene& scene) {
+  return physics_of(home, scene, differences(home, scene));
+}
+
+PhysicsWorld physics_of(const Home& home, const Scene& scene, const Differences& changed) {
   PhysicsWorld physics = home.physics;
-  const Differences changed = differences(home, scene);
   for (const std::size_t i : changed.gone) {
     if (i >= scene.nodes.size()) physics.remove(static_cast<BodyId>(i));
   }
@@ -85,10 +92,10 @@ PhysicsWorld physics_of(const Home& home, const Scene& scene) {
 }
 
 KnownStart known_start(const Home& home, const Scene& scene) {
-  KnownStart known{physics_of(home, scene), std::nullopt, std::nullopt};
+  const Differences changed = differences(home, scene);
+  KnownStart known{physics_of(home, scene, changed), std::nullopt, std::nullopt};
   if (!scene.agent.held.empty() || !home.scene.agent.held.empty()) return known;
   const PhysicsWorld& physics = known.physics;
-  const Differences changed = differences(home, scene);
   auto& links = known.links.emplace(home.links);
   links.resize(scene.nodes.size());
   std::vector<Bounds> touched;
@@ -105,17 +112,22 @@ KnownStart known_start(const Home& home, const Scene& scene) {
 }
 
 std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene) {
+  return walk_of(home, scene, differences(home, scene));
+}
+
+std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const Differences& changed) {
   const auto& before = home.scene.nodes;
   const auto& after = scene.nodes;
-  std::vector<std::size_t> changed;
-  for (std::size_t i = 0; i < std::max(before.size(), after.size()); ++i) {
-    if (i < before.size() && i < after.size() && same_solids(before[i], after[i])) continue;
-    if ((i < before.size() && stops_a_body(before[i])) || (i < after.size() && stops_a_body(after[i])))
-      changed.push_back(i);
-  }
-  if (changed.empty() && scene.agent.position == home.scene.agent.position) return home.walk;
+  std::vector<std::size_t> places = changed.nodes;
+  places.insert(places.end(), changed.gone.begin(), changed.gone.end());
+  sort_unique(places);
+  std::erase_if(places, [&](std::size_t i) {
+    if (i < before.size() && i < after.size() && same_solids(before[i], after[i])) return true;
+    return !(i < before.size() && stops_a_body(before[i])) && !(i < after.size() && stops_a_body(after[i]));
+  });
+  if (places.empty() && scene.agent.position == home.scene.agent.position) return home.walk;
   auto walk = std::make_shared<Walk>(Walk{home.walk->grid, {}});
-  for (const std::size_t i : changed) {
+  for (const std::size_t i : places) {
     if (i < after.size()) {
       const Shape shape = shape_of(after[i]);
       walk->grid.update(i, &after[i], &shape);
@@ -125,6 +137,16 @@ std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene) {
   }
   walk->steps = walk->grid.distances(walk->grid.cell_at(scene.agent.position));
   return walk;
+}
+
+Scene without_edges(const Scene& scene) {
+  return {scene.id, scene.simulator, scene.rooms, scene.openings, scene.wall_height, scene.wall_thickness, scene.nodes,
+          {},       scene.agent};
+}
+
+std::int32_t room_number(const Scene& scene, const Vec2& point) {
+  const Room* room = room_at(scene, point);
+  return room == nullptr ? -1 : static_cast<std::int32_t>(room - scene.rooms.data());
 }
 
 }  // namespace unietp

@@ -8,6 +8,7 @@
 #include "akb/knowledge.h"
 #include "grounding/collision.h"
 #include "grounding/reachability.h"
+#include "scene/node_index.h"
 #include "scene/scene.h"
 #include "scene/trace.h"
 #include "simulation/known_start.h"
@@ -20,6 +21,8 @@ namespace unietp {
 /// changes and not what the home holds. Never changes; threads may share it.
 struct Home {
   Scene scene;                                     // its edges as physics shows them
+  NodeIndex places;                                // of its nodes
+  std::vector<std::int32_t> rooms;                 // by node: the place of the room around its middle, -1 for none
   PhysicsWorld physics;                            // of the scene; to be copied, since what it is asked it remembers
   std::vector<std::vector<Link>> links;            // of each node
   std::shared_ptr<const PlacementChecker> solids;  // of the scene
@@ -45,11 +48,17 @@ struct Differences {
 Differences differences(const Home& home, const Scene& scene);
 
 /// The bodies of such a scene, at the cost of the differences.
+PhysicsWorld physics_of(const Home& home, const Scene& scene, const Differences& changed);
 PhysicsWorld physics_of(const Home& home, const Scene& scene);
 /// What a world of such a scene need not work out again.
 KnownStart known_start(const Home& home, const Scene& scene);
 /// Where a body can walk in it: the home's own while nothing that a body bumps into has changed and the agent stands
 /// where it stood.
+std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const Differences& changed);
 std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene);
+/// A copy of all but the edges, most of which are two names each.
+Scene without_edges(const Scene& scene);
+/// The place of the room at a point in Scene::rooms, -1 for none.
+std::int32_t room_number(const Scene& scene, const Vec2& point);
 
 }  // namespace unietp

@@ -103,7 +103,7 @@ Furnished furnish(Workspace& workspace, const LayoutRecipe& recipe, const Knowle
                   const Rng& rng) {
   Furnished result;
   const FurnishOptions options;
-  auto keep_outs = keep_outs_of(workspace, options);
+  auto keep_outs = keep_outs_at_openings(workspace.scene());
   std::uint64_t piece = 0;
   for (const bool obligatory : {true, false}) {
     for (std::size_t room = 0; room < workspace.scene().rooms.size(); ++room) {

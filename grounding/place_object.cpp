@@ -46,31 +46,41 @@ double tilt_between(const Pose& a, const Pose& b) {
   return std::acos(std::clamp(c, -1.0, 1.0));
 }
 
-/// What physics reads of the body and of the movable things that may rest on or in it.
-std::vector<Edge> edges_around(const Workspace& workspace, BodyId body) {
-  const auto& nodes = workspace.scene().nodes;
+/// What rests on or in what.
+struct Rest {
+  Edge edge;
+  std::size_t thing = 0, host = 0;
+};
+
+/// What physics reads of the body and of the movable things that may rest on or in it, sorted by edge.
+std::vector<Rest> rests_around(const Workspace& workspace, BodyId body) {
+  const Scene& scene = workspace.scene();
   std::vector<std::size_t> around{body};
   for (const BodyId near : workspace.physics().near(workspace.physics().bounds(body), 0.02)) {
-    if (near != body && near < nodes.size() && nodes[near].movable) around.push_back(near);
+    if (near != body && near < scene.nodes.size() && scene.nodes[near].movable) around.push_back(near);
   }
-  return relations_from(workspace.scene(), workspace.physics(), around);
+  std::vector<Rest> rests;
+  for (const std::size_t thing : around) {
+    for (const Link& link : links_of(scene, workspace.physics(), thing)) {
+      if (carries(link) && (thing == body || link.to == body))
+        rests.push_back({edge_of(scene, thing, link), thing, link.to});
+    }
+  }
+  std::sort(rests.begin(), rests.end(), [](const Rest& a, const Rest& b) { return a.edge < b.edge; });
+  return rests;
 }
 
 /// The one thing wrong with where the node came to rest, or "".
 std::string misplaced(const Workspace& workspace, BodyId body, std::optional<Predicate> wanted,
-                      const std::string& receptacle) {
-  const Node& node = workspace.scene().nodes[body];
+                      std::optional<std::size_t> receptacle) {
+  const auto& nodes = workspace.scene().nodes;
   bool found = !wanted;
-  for (const Edge& edge : edges_around(workspace, body)) {
-    if (edge.relation != Predicate::On && edge.relation != Predicate::Inside) continue;
-    if (edge.from != node.id && edge.to != node.id) continue;
-    if (edge.from == node.id && wanted == edge.relation && edge.to == receptacle) {
+  for (const auto& [edge, thing, host] : rests_around(workspace, body)) {
+    if (thing == body && wanted == edge.relation && host == receptacle) {
       found = true;
       continue;  // it was asked for
     }
-    const Node* object = edge.from == node.id ? &node : find_node(workspace.scene(), edge.from);
-    const Node* other = edge.to == node.id ? &node : find_node(workspace.scene(), edge.to);
-    if (!allowed(workspace.knowledge(), *object, edge.relation, *other)) {
+    if (!allowed(workspace.knowledge(), nodes[thing], edge.relation, nodes[host])) {
       return edge.from + " would be " + std::string(info(edge.relation).name) + " " + edge.to;
     }
   }
@@ -139,7 +149,7 @@ std::optional<Pose> try_pose(Workspace& workspace, double opening, StandIn& tria
     return std::nullopt;
   }
   trial.move(*rest);
-  obstacle = misplaced(workspace, trial.body(), wanted, receptacle ? workspace.scene().nodes[*receptacle].id : "");
+  obstacle = misplaced(workspace, trial.body(), wanted, receptacle);
   if (!obstacle.empty()) return std::nullopt;
   return rest;
 }

@@ -1,44 +1,55 @@
 #pragma once
 
-#include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "grounding/edge_change.h"
 #include "grounding/home.h"
+#include "scene/node_index.h"
 #include "scene/trace.h"
 
 namespace unietp {
 
 /// What physics and the logic show of a scene that grew out of a home, kept up to date at the cost of what changed
-/// since it was last read; without comparisons (`nearest`, `size`).
+/// since it was last read; without comparisons (`nearest`, `size`). Relations are kept as facts; the scene's own edges
+/// are not looked at.
 class Present {
  public:
-  /// Of the home as it is.
+  /// Of the home as it is, which must outlive it.
   explicit Present(const Home& home);
 
   /// A node came, went or changed; `bounds`: of its body before, or now.
   void touch(const std::string& id, const Bounds& bounds);
-  /// Reads what can have changed. `edges` are those of the last reading, at first the home's; they become those that
-  /// physics shows of the scene now. The scene's own are not looked at.
-  void read(const Scene& scene, const PhysicsWorld& physics, std::vector<Edge>& edges);
+  /// Reads what can have changed. `places`: of the scene's nodes.
+  void read(const Scene& scene, const NodeIndex& places, const PhysicsWorld& physics);
 
   /// The state that was read last. Entities that are gone stay in the list and do not exist.
   const Trace& now() const { return trace_; }
   const FactReader& reader() const { return reader_; }  // that read it
+  /// The edges that start at a thing, sorted, as last read.
+  std::vector<Edge> edges_from(std::string_view id) const;
+  /// How the edges as last read differ from the home's.
+  EdgeChange since_home() const;
 
  private:
+  const Home* home_;
   FactReader reader_;
   Trace trace_;
   Agent agent_;
   std::vector<std::string> touched_;  // since the last reading
   std::vector<Bounds> bounds_;
+  std::set<EntityIndex> reread_;  // whose edges may differ from the home's
 };
 
 /// A scene that grew out of a home, compared with it and read at the cost of the differences.
 struct GrownScene {
-  std::vector<Edge> edges;  // as read_relations gives them
+  NodeIndex places;
+  EdgeChange edges;  // from the home's to those that read_relations gives
   Trace now;
+  FactReader reader;  // that read it
 };
-GrownScene read_grown(const Home& home, const Scene& scene, const PhysicsWorld& physics);
+GrownScene read_grown(const Home& home, const Scene& scene, const Differences& changed, const PhysicsWorld& physics);
 
 }  // namespace unietp

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "grounding/edge_change.h"
 #include "grounding/packing.h"
 #include "simulation/agent_moves.h"
 #include "simulation/spots.h"
@@ -49,10 +50,10 @@ std::vector<Vec2> places_by(const Node& node, const Walk& walk, const Profile& p
 /// Places to stand for work at a target, found as they are asked for.
 class Footholds {
  public:
-  Footholds(const Scene& scene, const PhysicsWorld& world, const Walk& walk, const Profile& profile, std::size_t target,
-            std::size_t held)
+  Footholds(const Scene& scene, const PhysicsWorld& world, const std::vector<Vec2>& places, const Profile& profile,
+            std::size_t target, std::size_t held)
       : scene_(scene), world_(world), profile_(profile), target_(target), held_{static_cast<BodyId>(held)} {
-    for (const Vec2& at : places_by(scene.nodes[target], walk, profile)) places_.push_back({at, std::nullopt});
+    for (const Vec2& at : places) places_.push_back({at, std::nullopt});
   }
   /// The arm gets to the spot from one of them from which the target is in sight.
   bool reach(const Vec3& spot) {
@@ -83,9 +84,9 @@ struct Errand {
 };
 
 /// The spots, at most so many, that are free of what is fixed and within the arm's reach. On what can be carried itself
-/// only the size is asked for.
-std::vector<Pose> spots_for(const Scene& scene, const PhysicsWorld& world, const Walk& walk, const Profile& profile,
-                            const Errand& errand, std::size_t most) {
+/// only the size is asked for. `places`: where the body stands by the target.
+std::vector<Pose> spots_for(const Scene& scene, const PhysicsWorld& world, const std::vector<Vec2>& places,
+                            const Profile& profile, const Errand& errand, std::size_t most) {
   const auto& [thing, target, inside] = errand;
   const Node& node = scene.nodes[thing];
   const Node& receptacle = scene.nodes[target];
@@ -94,7 +95,7 @@ std::vector<Pose> spots_for(const Scene& scene, const PhysicsWorld& world, const
   const auto loose =
       loose_near(scene, world, world.bounds(static_cast<BodyId>(target)), node.size.norm(), scene.nodes.size());
   std::optional<Footholds> footholds;
-  if (!receptacle.movable) footholds.emplace(scene, world, walk, profile, target, thing);
+  if (!receptacle.movable) footholds.emplace(scene, world, places, profile, target, thing);
   std::vector<Pose> spots;
   for_each_spot(receptacle, shape, node.size, inside, true, [&](const Pose& pose) {
     const bool possible = !footholds || (!world.overlap(collider, pose, loose) && footholds->reach(pose.position));
@@ -119,12 +120,12 @@ bool is_ample(const Scene& scene, const Shape& shape, const std::vector<std::siz
 }
 
 /// Straight at it, or with it near an edge or a corner of the picture, where a wide lens draws it larger.
-bool shows_in(const Scene& scene, const Walk& walk, const Profile& profile, std::size_t thing, Viewer& viewer) {
+bool shows_in(const Scene& scene, const std::vector<Vec2>& places, const Profile& profile, std::size_t thing,
+              Viewer& viewer) {
   constexpr double kToTheEdge = 0.8;
   const Node& node = scene.nodes[thing];
   const double down = kToTheEdge * profile.vertical_fov_deg * std::numbers::pi / 360;
   const double aside = std::atan(std::tan(down) * profile.image_width / profile.image_height);
-  const auto places = places_by(node, walk, profile);
   constexpr std::array<std::array<int, 2>, 6> kTurnAndTilt{{{0, 0}, {0, -1}, {1, 0}, {-1, 0}, {1, -1}, {-1, -1}}};
   for (const auto& [turn, tilt] : kTurnAndTilt) {
     const bool shown = std::any_of(places.begin(), places.end(), [&, turn = turn, tilt = tilt](const Vec2& at) {
@@ -143,8 +144,15 @@ bool shows_in(const Scene& scene, const Walk& walk, const Profile& profile, std:
 
 }  // namespace
 
-Reach::Reach(const Home& home, const Scene& scene, const PhysicsWorld& world, const Profile& profile)
-    : home_(home), scene_(scene), world_(world), profile_(profile), walk_(walk_of(home, scene)) {}
+Reach::Reach(const Home& home, const Scene& scene, const Differences& changed, const NodeIndex& places,
+             const PhysicsWorld& world, const Profile& profile)
+    : home_(home),
+      scene_(scene),
+      changed_(changed),
+      places_(places),
+      world_(world),
+      profile_(profile),
+      walk_(walk_of(home, scene, changed)) {}
 
 bool Reach::room(const Room& room) const {
   const NavigationGrid& grid = walk_->grid;
@@ -176,12 +184,13 @@ bool Reach::shows(std::size_t index) {
   const auto doors = shut_around(index);
   bool shown = false;
   if (doors.empty()) {
-    shown = shows_in(scene_, *walk_, profile_, index, viewer_);
+    shown = shows_in(scene_, standing_by(index), profile_, index, viewer_);
   } else {
     Opened& opened = with_open(doors);
     const Pose before = opened.scene.nodes[index].pose;
     slide_along(opened, doors, index);
-    shown = shows_in(opened.scene, *opened.walk, profile_, index, viewer_);
+    const auto places = places_by(opened.scene.nodes[index], *opened.walk, profile_);  // where it slid to
+    shown = shows_in(opened.scene, places, profile_, index, viewer_);
     place(opened.scene, opened.world, index, before);
   }
   return shown_.emplace(index, shown).first->second;
@@ -211,10 +220,10 @@ std::vector<std::size_t> Reach::doors_before(std::size_t target, bool inside) co
 bool Reach::spot_for(std::size_t thing, std::size_t target, bool inside) {
   const Errand errand{thing, target, inside};
   const std::vector<std::size_t> doors = doors_before(target, inside);
-  if (doors.empty()) return !spots_for(scene_, world_, *walk_, profile_, errand, 1).empty();
+  if (doors.empty()) return !spots_for(scene_, world_, standing_by(target), profile_, errand, 1).empty();
   if (!std::all_of(doors.begin(), doors.end(), [this](std::size_t door) { return swings(door); })) return false;
-  const Opened& opened = with_open(doors);
-  return !spots_for(opened.scene, opened.world, *opened.walk, profile_, errand, 1).empty();
+  Opened& opened = with_open(doors);
+  return !spots_for(opened.scene, opened.world, standing_by(opened, target), profile_, errand, 1).empty();
 }
 
 bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t target, bool inside) {
@@ -225,13 +234,14 @@ bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t tar
   const auto holds_others = [&](std::size_t thing) { return !collider(thing).shape.surfaces.empty(); };
   if (inside && std::any_of(things.begin(), things.end(), holds_others)) return true;
   const std::vector<std::size_t> doors = doors_before(target, inside);
-  const Opened* opened = doors.empty() ? nullptr : &with_open(doors);
+  Opened* opened = doors.empty() ? nullptr : &with_open(doors);
   const Scene& scene = opened != nullptr ? opened->scene : scene_;
   const PhysicsWorld& world = opened != nullptr ? opened->world : world_;
-  const Walk& walk = opened != nullptr ? *opened->walk : *walk_;
+  const auto& places = opened != nullptr ? standing_by(*opened, target) : standing_by(target);
   std::vector<ThingWithSpots> fitting;
   for (const std::size_t thing : things) {
-    ThingWithSpots one{&collider(thing), spots_for(scene, world, walk, profile_, {thing, target, inside}, kMostSpots)};
+    ThingWithSpots one{&collider(thing),
+                       spots_for(scene, world, places, profile_, {thing, target, inside}, kMostSpots)};
     if (one.spots.size() == kMostSpots) return true;
     const Predicate relation = inside ? Predicate::Inside : Predicate::On;
     if (has_edge(scene_, relation, scene_.nodes[thing].id, scene_.nodes[target].id)) {
@@ -256,25 +266,46 @@ bool Reach::swings(std::size_t index) const {
 
 std::vector<std::size_t> Reach::shut_around(std::size_t index) const {
   std::vector<std::size_t> doors;
-  for (const Edge& edge : scene_.edges) {
-    if (edge.relation != Predicate::Inside || edge.from != scene_.nodes[index].id) continue;
-    const Node* container = find_node(scene_, edge.to);
-    if (container != nullptr && container->openable && container->opening < 0.5)
-      doors.push_back(static_cast<std::size_t>(container - scene_.nodes.data()));
+  for (const Edge& edge : edges_from(scene_.edges, Predicate::Inside, scene_.nodes[index].id)) {
+    const auto container = places_.find(edge.to);
+    if (container && scene_.nodes[*container].openable && scene_.nodes[*container].opening < 0.5)
+      doors.push_back(*container);
   }
   return doors;
 }
 
 Reach::Opened& Reach::with_open(const std::vector<std::size_t>& doors) {
   if (opened_ && opened_->doors == doors) return *opened_;
-  opened_ = Opened{doors, scene_, world_, nullptr};
+  if (!opened_) opened_ = Opened{{}, without_edges(scene_), world_, nullptr, {}};
+  for (const std::size_t door : opened_->doors) {  // shut again
+    const Node& container = scene_.nodes[door];
+    const auto body = static_cast<BodyId>(door);
+    opened_->scene.nodes[door].opening = container.opening;
+    opened_->world.set(body, world_.share(body), container.pose, container.mass);
+  }
   for (const std::size_t door : doors) {
     const Node& container = scene_.nodes[door];
     opened_->scene.nodes[door].opening = 1;
     opened_->world.set(static_cast<BodyId>(door), shape_of(container), container.pose, 1, container.mass);
   }
-  opened_->walk = walk_of(home_, opened_->scene);
+  Differences changed = changed_;
+  changed.nodes.insert(changed.nodes.end(), doors.begin(), doors.end());
+  opened_->walk = walk_of(home_, opened_->scene, changed);
+  opened_->doors = doors;
+  opened_->places_by.clear();
   return *opened_;
+}
+
+const std::vector<Vec2>& Reach::standing_by(std::size_t index) {
+  const auto [known, fresh] = places_by_.try_emplace(index);
+  if (fresh) known->second = places_by(scene_.nodes[index], *walk_, profile_);
+  return known->second;
+}
+
+const std::vector<Vec2>& Reach::standing_by(Opened& opened, std::size_t index) const {
+  const auto [known, fresh] = opened.places_by.try_emplace(index);
+  if (fresh) known->second = places_by(opened.scene.nodes[index], *opened.walk, profile_);
+  return known->second;
 }
 
 /// Moves a thing with the drawer that it lies in.

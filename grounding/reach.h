@@ -19,7 +19,9 @@ namespace unietp {
 /// must outlive it.
 class Reach {
  public:
-  Reach(const Home& home, const Scene& scene, const PhysicsWorld& world, const Profile& profile);
+  /// `changed`: the scene's differences from the home; `places`: of its nodes; `world`: its bodies.
+  Reach(const Home& home, const Scene& scene, const Differences& changed, const NodeIndex& places,
+        const PhysicsWorld& world, const Profile& profile);
 
   /// The body can walk into it.
   bool room(const Room& room) const;
@@ -40,24 +42,32 @@ class Reach {
   bool swings(std::size_t node) const;
 
  private:
-  /// The scene with some doors open.
+  /// Where the body stands by each node, as far as asked for.
+  using PlacesBy = std::map<std::size_t, std::vector<Vec2>>;
+  /// The scene, without its edges, with some doors open.
   struct Opened {
     std::vector<std::size_t> doors;
     Scene scene;
     PhysicsWorld world;
     std::shared_ptr<const Walk> walk;
+    PlacesBy places_by;
   };
   bool stands_by(std::size_t index);
   std::vector<std::size_t> shut_around(std::size_t index) const;
   std::vector<std::size_t> doors_before(std::size_t target, bool inside) const;
+  const std::vector<Vec2>& standing_by(std::size_t index);
+  const std::vector<Vec2>& standing_by(Opened& opened, std::size_t index) const;
   Opened& with_open(const std::vector<std::size_t>& doors);
   void slide_along(Opened& opened, const std::vector<std::size_t>& doors, std::size_t index) const;
 
   const Home& home_;
   const Scene& scene_;
+  const Differences& changed_;
+  const NodeIndex& places_;
   const PhysicsWorld& world_;
   const Profile& profile_;
   std::shared_ptr<const Walk> walk_;
+  PlacesBy places_by_;
   std::optional<Opened> opened_;  // the last asked for
   std::map<std::size_t, bool> reached_, shown_;
   Viewer viewer_;

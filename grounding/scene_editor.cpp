@@ -8,7 +8,6 @@
 #include "grounding/place_object.h"
 #include "grounding/reachability.h"
 #include "grounding/small_objects.h"
-#include "simulation/relations.h"
 
 namespace unietp {
 namespace {
@@ -46,22 +45,17 @@ bool SceneEditor::fail(GroundingReason reason, std::string detail) {
   return false;
 }
 
-std::optional<std::size_t> SceneEditor::index_of(const std::string& id) const {
-  const auto& nodes = workspace_.scene().nodes;
-  const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const Node& node) { return node.id == id; });
-  if (found == nodes.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - nodes.begin());
-}
+std::optional<std::size_t> SceneEditor::index_of(const std::string& id) const { return workspace_.places().find(id); }
 
 Rng SceneEditor::next_rng() { return rng_.fork("edit", edit_number_++); }
 
 bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Node&)>& accept, std::string& where) {
   const Scene& scene = workspace_.scene();
   const auto avoided = avoid_.find(node.category);
-  const auto is_avoided = [&](const Node& host) {
+  const auto is_avoided = [&](std::size_t host) {
     if (avoided == avoid_.end()) return false;
-    if (avoided->second.contains(host.category)) return true;
-    const Room* room = room_at(scene, host.pose.position.head<2>());
+    if (avoided->second.contains(scene.nodes[host].category)) return true;
+    const Room* room = workspace_.room_of(host);
     return room != nullptr && avoided->second.contains(room->type);
   };
   std::vector<Host> hosts = hosts_for(workspace_, node);
@@ -75,7 +69,7 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
   std::string obstacle;
   for (const bool with_avoided : {false, true}) {
     std::vector<Host> left = hosts;
-    std::erase_if(left, [&](const Host& host) { return is_avoided(scene.nodes[host.node]) != with_avoided; });
+    std::erase_if(left, [&](const Host& host) { return is_avoided(host.node) != with_avoided; });
     for (int tried = 0; tried < kHostsTried && !left.empty(); ++tried) {
       std::vector<double> weights;
       for (const Host& host : left) {
@@ -150,7 +144,7 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
   }
   FurnishOptions options;
   options.draws = 2 * draws_;
-  auto keep_outs = keep_outs_of(workspace_, options);
+  auto keep_outs = keep_outs_of(workspace_, options, room);
   const auto places = usual_places(node);
   const bool placed = std::any_of(places.begin(), places.end(), [&](const Where& where) {
     return place_furniture(workspace_, keep_outs, room, node, where, options, next_rng());
@@ -173,10 +167,11 @@ bool SceneEditor::leaves_rooms_open() {
 
 bool SceneEditor::clear_off(const std::string& id) {
   // Two things of a home from a file may rest on each other: the one that is being cleared already is left alone.
-  if (!clearing_.insert(id).second) return true;
+  const auto index = index_of(id);
+  if (!index || !clearing_.insert(id).second) return true;
   refresh();
   bool cleared = true;
-  for (const std::string& carried : carried_by(workspace_.scene(), id)) {
+  for (const std::string& carried : workspace_.carried_by(*index)) {
     if (!index_of(carried)) continue;
     const bool moved = relocate(carried, [&](const Node& host) { return host.id != id; });
     cleared = moved || (!reserved_.contains(carried) && remove(carried));
@@ -246,7 +241,7 @@ bool SceneEditor::put(const std::string& id, Predicate relation, const std::stri
     // Make room: something there that nobody needs goes elsewhere.
     refresh();
     bool made_room = false;
-    for (const std::string& there : carried_by(workspace_.scene(), receptacle)) {
+    for (const std::string& there : workspace_.carried_by(*index_of(receptacle))) {
       if (there == id || reserved_.contains(there)) continue;
       made_room = relocate(there, [&](const Node& host) { return host.id != receptacle; });
       if (made_room) break;

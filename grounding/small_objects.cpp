@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 #include "grounding/make_node.h"
@@ -19,8 +18,8 @@ constexpr double kHeldByOthers = 0.5;  // things that a receptacle holds of whic
 constexpr int kReceptaclesPerTry = 3;
 constexpr double kMostOften = 1.5;  // times the number of a thing in real homes, when more things are asked for
 
-bool in_usual_room(const Workspace& workspace, const Category& category, const Node& host) {
-  const Room* room = room_at(workspace.scene(), host.pose.position.head<2>());
+bool in_usual_room(const Workspace& workspace, const Category& category, std::size_t host) {
+  const Room* room = workspace.room_of(host);
   return room != nullptr && std::find(category.rooms.begin(), category.rooms.end(), room->type) != category.rooms.end();
 }
 
@@ -179,21 +178,23 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
     double on = 0, inside = 0;  // how likely
     int nodes = 0;
   };
-  std::unordered_map<std::string_view, Receptacle> receptacles;  // never iterated
+  std::map<std::string_view, Receptacle> receptacles;
   for (const Placement* placement : knowledge.placements_of(object.category, "on"))
     receptacles[placement->receptacle].on = placement->likelihood;
   for (const Placement* placement : knowledge.placements_of(object.category, "inside"))
     receptacles[placement->receptacle].inside = placement->likelihood;
   const auto& nodes = workspace.scene().nodes;
   std::vector<std::pair<std::size_t, const Receptacle*>> usable;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto found = receptacles.find(nodes[i].category);
-    if (found == receptacles.end() || nodes[i].id == object.id) continue;
-    ++found->second.nodes;
-    usable.emplace_back(i, &found->second);
+  for (auto& [name, receptacle] : receptacles) {
+    for (const std::size_t i : workspace.places().of(name)) {
+      if (nodes[i].id == object.id) continue;
+      ++receptacle.nodes;
+      usable.emplace_back(i, &receptacle);
+    }
   }
+  std::sort(usable.begin(), usable.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [node, receptacle] : usable) {
-    const double usual = in_usual_room(workspace, *category, nodes[node]) ? kUsualRoomFactor : 1;
+    const double usual = in_usual_room(workspace, *category, node) ? kUsualRoomFactor : 1;
     for (const auto& [relation, likelihood] :
          {std::pair(Predicate::On, receptacle->on), std::pair(Predicate::Inside, receptacle->inside)}) {
       if (likelihood > 0) hosts.push_back({node, relation, likelihood / receptacle->nodes * usual});

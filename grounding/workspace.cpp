@@ -1,12 +1,12 @@
 #include "grounding/workspace.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "simulation/relations.h"
 #include "simulation/shape.h"
 
 namespace unietp {
-
 bool allowed(const Knowledge& knowledge, const Node& object, Predicate relation, const Node& receptacle) {
   return knowledge.placement(object.category, relation == Predicate::Inside ? "inside" : "on", receptacle.category) !=
          nullptr;
@@ -21,17 +21,21 @@ Workspace::Workspace(Scene scene, const Knowledge& knowledge)
     checker_.set(static_cast<BodyId>(i), shape, node.pose, node.opening);
     bounds_.push_back(bounds_of(shape, node.pose, node.opening));
     sweeps_.push_back(node.movable ? std::nullopt : sweep_of(node));
+    rooms_.push_back(room_number(scene_, node.pose.position.head<2>()));
   }
+  places_ = NodeIndex(scene_.nodes);
 }
 
 Workspace::Workspace(const Home& home, const Knowledge& knowledge)
-    : scene_(home.scene),
+    : scene_(without_edges(home.scene)),
       knowledge_(&knowledge),
       home_(&home),
       physics_(home.physics),
       checker_(home.solids),
       sweeps_(home.sweeps),
       bounds_(home.bounds),
+      places_(home.places),
+      rooms_(home.rooms),
       present_(home) {}
 
 void Workspace::note(std::size_t index) {
@@ -45,7 +49,13 @@ void Workspace::place(std::size_t index, Node node) {
   checker_.set(body, shape, node.pose, node.opening);
   bounds_[index] = bounds_of(shape, node.pose, node.opening);
   sweeps_[index] = node.movable ? std::nullopt : sweep_of(node);
-  scene_.nodes[index] = std::move(node);
+  rooms_[index] = room_number(scene_, node.pose.position.head<2>());
+  Node& here = scene_.nodes[index];
+  if (here.id != node.id || here.category != node.category) {
+    places_.remove(index, here);
+    places_.add(index, node);
+  }
+  here = std::move(node);
   note(index);
 }
 
@@ -54,6 +64,7 @@ std::size_t Workspace::add(Node node) {
   scene_.nodes.emplace_back();
   sweeps_.emplace_back();
   bounds_.emplace_back();
+  rooms_.emplace_back();
   place(index, std::move(node));
   return index;
 }
@@ -66,21 +77,61 @@ void Workspace::replace(std::size_t index, Node node) {
 void Workspace::remove(std::size_t index) {
   const std::size_t last = scene_.nodes.size() - 1;
   note(index);
-  if (index != last) place(index, std::move(scene_.nodes[last]));
+  Node moved = std::move(scene_.nodes[last]);
+  places_.remove(last, moved);
+  if (index != last) place(index, std::move(moved));
   physics_.remove(static_cast<BodyId>(last));
   checker_.remove(static_cast<BodyId>(last));
   scene_.nodes.pop_back();
   sweeps_.pop_back();
   bounds_.pop_back();
+  rooms_.pop_back();
 }
 
 void Workspace::read_edges() {
   ++reading_;
   if (present_) {
-    present_->read(scene_, physics_, scene_.edges);
+    present_->read(scene_, places_, physics_);
   } else {
     scene_.edges = read_relations(scene_, physics_);
   }
+}
+
+std::vector<std::string> Workspace::carried_by(std::size_t index) const {
+  constexpr double kNear_m = 0.02;  // more than what counts as touching
+  const FactReader& reader = present_->reader();
+  const Facts& facts = present_->now().states.front();
+  std::vector<std::size_t> found{index};
+  for (std::size_t at = 0; at < found.size(); ++at) {
+    const auto carrier = reader.find(scene_.nodes[found[at]].id);
+    if (!carrier) continue;
+    for (const BodyId near : physics_.near(physics_.bounds(static_cast<BodyId>(found[at])), kNear_m)) {
+      if (near >= scene_.nodes.size() || std::find(found.begin(), found.end(), near) != found.end()) continue;
+      const auto thing = reader.find(scene_.nodes[near].id);
+      const bool rests =
+          thing && (facts.holds(Predicate::On, *thing, *carrier) || facts.holds(Predicate::Inside, *thing, *carrier));
+      if (rests) found.push_back(near);
+    }
+  }
+  found.erase(found.begin());
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> ids;
+  for (const std::size_t i : found) ids.push_back(scene_.nodes[i].id);
+  return ids;
+}
+
+const Scene& Workspace::whole() {
+  if (present_) scene_.edges = present_->since_home().applied_to(home_->scene.edges);
+  return scene_;
+}
+
+Scene Workspace::take() && {
+  whole();
+  return std::move(scene_);
+}
+
+const Room* Workspace::room_of(std::size_t index) const {
+  return rooms_[index] < 0 ? nullptr : &scene_.rooms[static_cast<std::size_t>(rooms_[index])];
 }
 
 std::string Workspace::name_of(BodyId body) const {

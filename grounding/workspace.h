@@ -21,7 +21,10 @@ class Workspace {
   /// Begins as a home, of which it takes over what does not change. The home must outlive it.
   Workspace(const Home& home, const Knowledge& knowledge);
 
+  /// The scene; its edges may be older than its nodes.
   const Scene& scene() const { return scene_; }
+  /// With its edges, as last read.
+  const Scene& whole();
   const Knowledge& knowledge() const { return *knowledge_; }
   PhysicsWorld& physics() { return physics_; }
   const PhysicsWorld& physics() const { return physics_; }
@@ -34,19 +37,26 @@ class Workspace {
   void replace(std::size_t index, Node node);
   /// Takes a node out; the last one gets its place.
   void remove(std::size_t index);
-  /// Reads the edges anew from physics; of a home only those that can have changed, and the state in the logic.
+  /// Reads the relations anew from physics: the scene's edges; of a home only what can have changed, for `present`.
   void read_edges();
   /// The state of a workspace that began as a home, as last read.
   const Present& present() const { return *present_; }
+  /// Of such a one: ids of everything that rests on or in a thing, directly or through others, in scene order, as last
+  /// read.
+  std::vector<std::string> carried_by(std::size_t index) const;
   /// Another number after each reading.
   int reading() const { return reading_; }
-  Scene take() && { return std::move(scene_); }
+  Scene take() &&;  // whole
   Agent& agent() { return scene_.agent; }
 
   /// The space that the doors and drawers of furniture pass through, by node; empty bounds for nodes without.
   const std::vector<std::optional<Bounds>>& sweeps() const { return sweeps_; }
   /// The bounds of each node where it stands, by node.
   const std::vector<Bounds>& bounds() const { return bounds_; }
+  /// Where things stand in the scene's list. A trial is not in it.
+  const NodeIndex& places() const { return places_; }
+  /// The room around the middle of a node, nullptr for none.
+  const Room* room_of(std::size_t index) const;
   std::string name_of(BodyId body) const;  // node's id, "wall" or "floor"
 
  private:
@@ -61,7 +71,9 @@ class Workspace {
   PlacementChecker checker_;
   std::vector<std::optional<Bounds>> sweeps_;
   std::vector<Bounds> bounds_;
-  std::optional<Present> present_;  // when it began as a home
+  NodeIndex places_;
+  std::vector<std::int32_t> rooms_;  // by node: place of its room, -1 for none
+  std::optional<Present> present_;   // when it began as a home
   int reading_ = 0;
 };
 

@@ -132,11 +132,11 @@ class Reading {
     for (const auto& known : domains_) {
       if (known.domain->kind == domain.kind && known.domain->members == domain.members) return known.members;
     }
-    EntityIndex* list = array<EntityIndex>(trace_.entities.size());
+    const std::vector<EntityIndex> all = trace_.entities.of(domain);
+    EntityIndex* list = array<EntityIndex>(all.size());
     std::size_t size = 0;
-    const auto count = static_cast<EntityIndex>(trace_.entities.size());
-    for (EntityIndex e = 0; e < count; ++e) {
-      if (is_of(trace_.entities[e], domain) && exists_somewhere(e)) list[size++] = e;
+    for (const EntityIndex e : all) {
+      if (exists_somewhere(e)) list[size++] = e;
     }
     domains_.push_back({&domain, {list, size}});
     return domains_.back().members;

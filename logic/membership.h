@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "logic/entity_list.h"
 #include "logic/formula.h"
-#include "logic/trace.h"
 
 namespace unietp {
 

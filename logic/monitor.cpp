@@ -16,19 +16,19 @@ struct Monitor::Impl {
   Residuals residuals;
   Part root;
   Known known;
-  std::vector<Entity> entities;  // as last given, so that reports can name them
-  std::vector<bool> met;         // by entity: it has existed
-  std::size_t live = 0;          // residuals kept by the last clearing out
+  EntityList entities;    // as last given, so that reports can name them
+  std::vector<bool> met;  // by entity: it has existed
+  std::size_t live = 0;   // residuals kept by the last clearing out
   bool started = false;
 
-  void take_in(const std::vector<Entity>& given, const Facts& facts);
+  void take_in(const EntityList& given, const Facts& facts);
   void clear_out();
 };
 
 /// Sorts the entities that exist for the first time into the domains of the goal.
-void Monitor::Impl::take_in(const std::vector<Entity>& given, const Facts& facts) {
+void Monitor::Impl::take_in(const EntityList& given, const Facts& facts) {
   assert(given.size() >= entities.size());
-  entities.insert(entities.end(), given.begin() + static_cast<std::ptrdiff_t>(entities.size()), given.end());
+  entities.follow(given);
   met.resize(entities.size());
   known.members.resize(program.quantifiers.size());
   known.fresh_from.clear();
@@ -86,7 +86,7 @@ Monitor& Monitor::operator=(const Monitor& other) {
 Monitor& Monitor::operator=(Monitor&&) noexcept = default;
 Monitor::~Monitor() = default;
 
-void Monitor::observe(const std::vector<Entity>& entities, const Facts& facts) {
+void Monitor::observe(const EntityList& entities, const Facts& facts) {
   impl_->take_in(entities, facts);
   impl_->clear_out();
   Progression step(impl_->program, impl_->known, impl_->residuals);

@@ -23,7 +23,7 @@ class Monitor {
   ~Monitor();
 
   /// `entities` is the list so far: it starts with the entities of earlier calls, in the same order.
-  void observe(const std::vector<Entity>& entities, const Facts& facts);
+  void observe(const EntityList& entities, const Facts& facts);
 
   /// The goal holds if the trace ends with the last observed state.
   bool satisfied() const;

@@ -10,7 +10,7 @@ namespace unietp::monitoring {
 /// Reads the last state for people: how much of a goal is met, and in words what is missing.
 class Report {
  public:
-  Report(const Program& program, const Known& known, const std::vector<Entity>& entities, Residuals& residuals)
+  Report(const Program& program, const Known& known, const EntityList& entities, Residuals& residuals)
       : program_(program),
         known_(known),
         entities_(entities),
@@ -40,7 +40,7 @@ class Report {
 
   const Program& program_;
   const Known& known_;
-  const std::vector<Entity>& entities_;
+  const EntityList& entities_;
   Residuals& residuals_;
   Progression step_;
 };

@@ -166,6 +166,16 @@ bool Facts::holds(Predicate predicate, EntityIndex entity, std::string_view symb
   return false;
 }
 
+std::vector<std::pair<Predicate, EntityIndex>> Facts::relations(EntityIndex first) const {
+  std::vector<std::pair<Predicate, EntityIndex>> relations;
+  if (!exists(first)) return relations;
+  for (const Pair pair : pairs(first)) {
+    const auto second = static_cast<EntityIndex>(pair);
+    if (exists(second)) relations.emplace_back(static_cast<Predicate>(pair >> 32), second);
+  }
+  return relations;
+}
+
 bool Facts::operator==(const Facts& other) const {
   const auto same = [](const auto& a, const auto& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
   if (!same(significant(existing_), significant(other.existing_))) return false;

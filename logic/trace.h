@@ -6,24 +6,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "logic/entity_list.h"
 #include "logic/vocabulary.h"
 
 namespace unietp {
-
-/// Position in Trace::entities. Meaningless in another trace.
-using EntityIndex = std::uint32_t;
-
-/// Something that a variable can stand for.
-struct Entity {
-  enum class Kind : std::uint8_t { Object, Room, Agent };
-  Kind kind = Kind::Object;
-  std::string id;        // "mug_3"
-  std::string category;  // "Mug"; of a room its type ("Kitchen")
-  std::string slice_of;  // category of the whole that was cut, for `A/slice`; else empty
-  bool operator==(const Entity&) const = default;
-};
 
 /// The truths of one state: which entities exist and what holds of them. A word of bits per entity and sorted pairs, so
 /// that a goal is read in microseconds. Atoms about entities that do not exist here are false. A copy is cheap and
@@ -49,6 +38,9 @@ class Facts {
   bool holds(Predicate predicate, EntityIndex first, EntityIndex second) const;
   /// With the symbol `any`: for some symbol.
   bool holds(Predicate predicate, EntityIndex entity, std::string_view symbol) const;
+
+  /// The relations in which an entity is the first, to what exists, sorted.
+  std::vector<std::pair<Predicate, EntityIndex>> relations(EntityIndex first) const;
 
   /// Equal when the same was set.
   bool operator==(const Facts& other) const;
@@ -96,8 +88,8 @@ class Facts {
 
 /// A finite sequence of states over one list of entities: the start state, then the state after each action.
 struct Trace {
-  std::vector<Entity> entities;  // all that exist at any position
-  std::vector<Facts> states;     // never empty when a formula is read on it
+  EntityList entities;        // all that exist at any position
+  std::vector<Facts> states;  // never empty when a formula is read on it
 };
 
 }  // namespace unietp

@@ -120,11 +120,18 @@ FactReader::FactReader(bool with_comparisons) : with_comparisons_(with_compariso
 }
 
 std::optional<EntityIndex> FactReader::find(std::string_view id) const {
+  if (const auto shared = entities_.find_shared(id)) return shared;
   const auto found = by_id_.find(std::string(id));
   return found == by_id_.end() ? std::nullopt : std::optional(found->second);
 }
 
+void FactReader::share() {
+  entities_.share();
+  by_id_.clear();
+}
+
 EntityIndex FactReader::index_of(Entity entity) {
+  if (const auto shared = entities_.find_shared(entity.id)) return *shared;
   const auto [place, fresh] = by_id_.try_emplace(entity.id, static_cast<EntityIndex>(entities_.size()));
   if (fresh) entities_.push_back(std::move(entity));
   return place->second;
@@ -194,8 +201,8 @@ Facts FactReader::read(const Scene& scene) {
   return facts;
 }
 
-Facts FactReader::read(const Facts& before, const Delta& change) {
-  Facts facts = before;
+Facts FactReader::read(Facts before, const Delta& change) {
+  Facts& facts = before;
   const auto related = [&](const Edge& edge) -> std::optional<std::pair<EntityIndex, EntityIndex>> {
     const auto from = find(edge.from), to = find(edge.to);
     if (!from || !to) return std::nullopt;
@@ -237,7 +244,7 @@ Facts FactReader::read(const Facts& before, const Delta& change) {
       if (const auto held = find(id); held && facts.exists(*held)) facts.set(Predicate::Held, *held);
     }
   }
-  return facts;
+  return before;
 }
 
 Trace to_logic(const Scene& start, const std::vector<Delta>& deltas, bool with_comparisons) {

@@ -43,16 +43,18 @@ class FactReader {
   Facts read(const Scene& scene);
   /// The facts after a change, at the cost of the change: what `read` of the changed scene would give, but with the
   /// comparisons of the things as they were before.
-  Facts read(const Facts& before, const Delta& change);
-  const std::vector<Entity>& entities() const { return entities_; }
+  Facts read(Facts before, const Delta& change);
+  /// Copies made from now on have all entities up to here in common.
+  void share();
+  const EntityList& entities() const { return entities_; }
   std::optional<EntityIndex> find(std::string_view id) const;
 
  private:
   EntityIndex index_of(Entity entity);
   EntityIndex add_node(const Node& node, Facts& facts);
   bool with_comparisons_;
-  std::vector<Entity> entities_;
-  std::unordered_map<std::string, EntityIndex> by_id_;
+  EntityList entities_;
+  std::unordered_map<std::string, EntityIndex> by_id_;  // of those that are not shared
 };
 
 /// Whether a formula or one of its domains speaks of `size` or `nearest`.

@@ -201,7 +201,7 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
 namespace {
 
 /// Rooms, neighbours, colours, materials, and sizes and nearness from volumes and places along a line.
-void draw_comparisons(const std::vector<Entity>& entities, const Knowledge& knowledge, Rng& rng, Facts& facts) {
+void draw_comparisons(const EntityList& entities, const Knowledge& knowledge, Rng& rng, Facts& facts) {
   using enum Predicate;
   std::vector<int> volume, place;
   for (std::size_t i = 0; i < entities.size(); ++i) {

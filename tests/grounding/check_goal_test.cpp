@@ -49,9 +49,10 @@ class CheckGoal : public ::testing::Test {
     EXPECT_TRUE(formula) << format(formula.error());
     specification.goal = *formula;
     const Home home = prepare_home(scene_, style_->profile);
-    Reach reach(home, home.scene, home.physics, style_->profile);
-    const auto problem = check_goal(specification, home.scene, to_logic(home.scene, {}, true), style_->knowledge,
-                                    style_->profile, reach, pictured_);
+    const Differences none;
+    Reach reach(home, home.scene, none, home.places, home.physics, style_->profile);
+    const auto problem = check_goal(specification, home.scene, home.places, to_logic(home.scene, {}, true),
+                                    style_->knowledge, style_->profile, reach, pictured_);
     if (problem) {
       EXPECT_EQ(problem->reason, pictured_ ? GroundingReason::NotSeen : reason_);
     }

@@ -1,6 +1,7 @@
 #include "grounding/home.h"
 
 #include <algorithm>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -82,6 +83,16 @@ void expect_shows(const Trace& now, const Scene& scene, const std::vector<Edge>&
   }
 }
 
+/// Each id and each category is at the places where the scene has it.
+void expect_places(const NodeIndex& places, const Scene& scene) {
+  std::map<std::string, std::vector<std::size_t>> of;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    EXPECT_EQ(places.find(scene.nodes[i].id), i);
+    of[scene.nodes[i].category].push_back(i);
+  }
+  for (const auto& [category, there] : of) EXPECT_EQ(places.of(category), there) << category;
+}
+
 TEST(Home, WhatIsReadAtTheCostOfTheDifferenceIsWhatAWholeReadingGives) {
   for (const Simulator simulator : {Simulator::Ai2thor, Simulator::Behavior}) {
     const auto style = style_of(simulator);
@@ -92,9 +103,12 @@ TEST(Home, WhatIsReadAtTheCostOfTheDifferenceIsWhatAWholeReadingGives) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
       SCOPED_TRACE(seed);
       Scene scene = grown_out_of(home.scene, Rng(seed));
-      const PhysicsWorld physics = physics_of(home, scene);
-      const GrownScene grown = read_grown(home, scene, physics);
-      scene.edges = grown.edges;
+      const Differences changed = differences(home, scene);
+      const PhysicsWorld physics = physics_of(home, scene, changed);
+      const GrownScene grown = read_grown(home, scene, changed, physics);
+      scene.edges = grown.edges.applied_to(home.scene.edges);
+      EXPECT_TRUE(grown.edges.leads(home.scene.edges, scene.edges));
+      expect_places(grown.places, scene);
       ASSERT_EQ(texts(scene.edges), texts(read_relations(scene)));
       expect_shows(grown.now, scene, home.scene.edges);
 
@@ -122,7 +136,7 @@ TEST(Home, AWorkspaceThatIsEditedAndReadAgainAndAgainShowsWhatAWholeReadingGives
     Rng rng(seed);
     for (int edit = 0; edit < 12; ++edit) {
       SCOPED_TRACE(::testing::Message() << "seed " << seed << ", edit " << edit);
-      const std::vector<Edge> before = workspace.scene().edges;
+      const std::vector<Edge> before = workspace.whole().edges;
       const Scene next = grown_out_of(workspace.scene(), rng.fork("edit", static_cast<std::uint64_t>(edit)));
       while (workspace.scene().nodes.size() > next.nodes.size()) workspace.remove(workspace.scene().nodes.size() - 1);
       for (std::size_t i = 0; i < next.nodes.size(); ++i) {
@@ -134,8 +148,16 @@ TEST(Home, AWorkspaceThatIsEditedAndReadAgainAndAgainShowsWhatAWholeReadingGives
       }
       workspace.agent() = next.agent;
       workspace.read_edges();
-      ASSERT_EQ(texts(workspace.scene().edges), texts(read_relations(workspace.scene())));
-      expect_shows(workspace.present().now(), workspace.scene(), before);
+      const Scene& scene = workspace.whole();
+      ASSERT_EQ(texts(scene.edges), texts(read_relations(scene)));
+      expect_shows(workspace.present().now(), scene, before);
+      expect_places(workspace.places(), scene);
+      for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Room* room = workspace.room_of(i);
+        const Room* there = room_at(scene, scene.nodes[i].pose.position.head<2>());
+        EXPECT_EQ(room == nullptr ? "" : room->id, there == nullptr ? "" : there->id);
+        EXPECT_EQ(workspace.carried_by(i), carried_by(scene, scene.nodes[i].id));
+      }
     }
   }
 }

@@ -227,7 +227,7 @@ Trace prefix_of(const Trace& trace, std::size_t states) {
       if (facts.exists(e)) met = std::max<std::size_t>(met, e + std::size_t{1});
     }
   }
-  result.entities.assign(trace.entities.begin(), trace.entities.begin() + static_cast<std::ptrdiff_t>(met));
+  for (EntityIndex e = 0; e < met; ++e) result.entities.push_back(trace.entities[e]);
   return result;
 }
 

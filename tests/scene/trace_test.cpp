@@ -10,7 +10,7 @@
 namespace unietp {
 namespace {
 
-EntityIndex index_of(const std::vector<Entity>& entities, std::string_view id) {
+EntityIndex index_of(const EntityList& entities, std::string_view id) {
   for (EntityIndex i = 0; i < entities.size(); ++i) {
     if (entities[i].id == id) return i;
   }

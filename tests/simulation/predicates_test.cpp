@@ -131,7 +131,7 @@ Scene settled(Scene scene) {
   return scene;
 }
 
-bool holds(const std::string& text, const Facts& facts, const std::vector<Entity>& entities) {
+bool holds(const std::string& text, const Facts& facts, const EntityList& entities) {
   const auto words = split(text, ' ');
   const PredicateInfo& predicate = info(*predicate_named(words[0]));
   const auto entity = [&](const std::string& id) {
