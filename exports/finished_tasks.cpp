@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
-#include "scene/scene_json.h"
 
 namespace unietp {
 namespace {
@@ -23,6 +22,7 @@ Error not_readable(const fs::path& file) {
 Result<FinishedTasks> FinishedTasks::open(const fs::path& dataset, const std::vector<Mode>& modes) {
   FinishedTasks all;
   all.dataset_ = dataset;
+  all.homes_ = std::make_shared<HomeShelf>(dataset);
   all.tasks_.open(dataset / "tasks.jsonl");
   if (!all.tasks_) return not_readable(dataset / "tasks.jsonl");
   for (const Mode mode : modes) {
@@ -43,7 +43,8 @@ std::optional<TaskLines> FinishedTasks::next() {
 
 Result<FinishedTask> FinishedTasks::read(const TaskLines& lines) const {
   FinishedTask task;
-  auto record = read_task((dataset_ / "tasks.jsonl").string(), lines.number, lines.task);
+  const auto task_file = (dataset_ / "tasks.jsonl").string();
+  auto record = read_task(task_file, lines.number, lines.task);
   if (!record) return record.error();
   task.record = std::move(*record);
   for (const auto& [mode, line] : lines.shown) {
@@ -57,12 +58,10 @@ Result<FinishedTask> FinishedTasks::read(const TaskLines& lines) const {
                    "expected the demonstration of " + task.record.id + ", not of " + shown->task};
     task.shown[mode] = std::move(*shown);
   }
-  const auto file = dataset_ / "scenes" / (task.record.scene + ".scene.json.gz");
-  const auto text = read_maybe_gzip(file);
-  if (!text) return text.error();
-  auto scene = scene_from_json(file.string(), *text);
-  if (!scene) return scene.error();
-  task.start = std::move(*scene);
+  auto start = homes_->start(task_file + ":" + std::to_string(lines.number), task.record.layout, task.record.changes,
+                             task.record.scene);
+  if (!start) return start.error();
+  task.start = std::move(*start);
   return task;
 }
 

@@ -4,12 +4,14 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/result.h"
 #include "scene/scene.h"
+#include "validator/home_shelf.h"
 #include "validator/share_work.h"
 #include "validator/task_record.h"
 #include "validator/validate.h"
@@ -39,13 +41,14 @@ class FinishedTasks {
 
   /// The next task's lines; nullopt after the last.
   std::optional<TaskLines> next();
-  /// Reads lines strictly, with the scene that they name. Errors: those of read_task, read_demonstration and
-  /// scene_from_json; Schema when a demonstration is another task's. May be called from several threads.
+  /// Reads lines strictly, with the start that they make of a home. Errors: those of read_task, read_demonstration and
+  /// HomeShelf; Schema when a demonstration is another task's. May be called from several threads.
   Result<FinishedTask> read(const TaskLines& lines) const;
 
  private:
   FinishedTasks() = default;
   std::filesystem::path dataset_;
+  std::shared_ptr<HomeShelf> homes_;
   std::ifstream tasks_;
   std::map<Mode, std::ifstream> demonstrations_;
   int number_ = 0;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "generator/specification.h"
-#include "scene/scene.h"
+#include "scene/start.h"
 
 namespace unietp {
 
@@ -12,7 +12,8 @@ namespace unietp {
 struct Episode {
   Specification specification;
   std::string layout;              // id of the base scene
-  Scene start;                     // at rest, edges read
+  Delta changes;                   // from the base scene to the start
+  Scene start;                     // start_in(base scene, changes): at rest, edges read
   std::vector<std::string> edits;  // what was changed to meet the start, for people: "added Mug mug_4 on CounterTop_1"
 };
 

@@ -95,6 +95,7 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
   for (const Formula& constraint : constraints) compared.add(constraint);
   Enforcer enforcer(editor, std::move(compared), rng.fork("choices", 0));
   const auto parts = goal_parts(specification.goal);
+  Episode episode;
   std::optional<GroundingFailure> problem;
   for (int attempt = 0; attempt < kRepairs; ++attempt) {
     if (!within_rounds(enforcer, editor, constraints, parts, options.rounds)) {
@@ -102,8 +103,9 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
     }
     keep_standing(workspace, home);
     editor.refresh();
-    problem =
-        check_start(specification, home, workspace.whole(), editor.touched(), knowledge, profile, options.pictured);
+    episode.changes = changes_of(home.scene, workspace.whole());
+    episode.start = start_in(home.scene, episode.changes);  // in the order that it will be read in
+    problem = check_start(specification, home, episode.start, editor.touched(), knowledge, profile, options.pictured);
     if (!problem) break;
     // What stands out of reach or unsteadily gets another place, then all is checked again.
     const bool misplaced =
@@ -112,16 +114,14 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
     if (!misplaced || !editor.relocate(problem->subject, [](const Node&) { return true; })) break;
   }
   if (problem) return rejected(specification, home.scene, *problem);
-  const auto walk = walk_of(home, workspace.scene());
-  if (const auto room = walk == home.walk ? home.unreached : unreached_room(workspace.scene(), *walk)) {
+  const auto walk = walk_of(home, episode.start);
+  if (const auto room = walk == home.walk ? home.unreached : unreached_room(episode.start, *walk)) {
     return rejected(specification, home.scene,
                     {GroundingReason::NotReachable, *room + " cannot be walked to any more", *room});
   }
-  Episode episode;
   episode.specification = specification;
   episode.layout = home.scene.id;
   episode.edits = editor.edits();
-  episode.start = std::move(workspace).take();
   return episode;
 }
 

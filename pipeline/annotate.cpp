@@ -31,11 +31,11 @@ Rng stream_of(const TaskLine& task, const AnnotateOptions& options) {
   return wording_stream(options.seed.value_or(task.seed), task.slot, task.attempt);
 }
 
-Result<std::vector<WordingTask>> wording_tasks(const fs::path& folder, const std::vector<TaskLine>& lines,
+Result<std::vector<WordingTask>> wording_tasks(HomeShelf& homes, const std::vector<TaskLine>& lines,
                                                const Resources& resources, const AnnotateOptions& options) {
   std::vector<WordingTask> tasks;
   for (const TaskLine& line : lines) {
-    const auto scene = read_start(folder, line);
+    const auto scene = read_start(homes, line);
     if (!scene) return scene.error();
     const Backend& backend = resources.backend(line.specification.simulator);
     std::set<std::string> categories;
@@ -52,16 +52,16 @@ Result<std::vector<WordingTask>> wording_tasks(const fs::path& folder, const std
 }
 
 /// The categories of a task's start scene, for the one style that asks what is around.
-Result<std::vector<std::string>> around(const fs::path& folder, const TaskLine& task) {
+Result<std::vector<std::string>> around(HomeShelf& homes, const TaskLine& task) {
   if (task.specification.style != "bystander") return std::vector<std::string>();
-  const auto scene = read_start(folder, task);
+  const auto scene = read_start(homes, task);
   if (!scene) return scene.error();
   return categories_in(*scene);
 }
 
-Result<Instruction> by_grammar(const fs::path& folder, const TaskLine& task, const Resources& resources,
+Result<Instruction> by_grammar(HomeShelf& homes, const TaskLine& task, const Resources& resources,
                                const AnnotateOptions& options, const Rng& rng) {
-  const auto seen = around(folder, task);
+  const auto seen = around(homes, task);
   if (!seen) return seen.error();
   const Backend& backend = resources.backend(task.specification.simulator);
   return write_instruction(task.specification, backend.knowledge, backend.nouns, {options.llm.phrasings, *seen}, rng);
@@ -69,12 +69,13 @@ Result<Instruction> by_grammar(const fs::path& folder, const TaskLine& task, con
 
 Result<std::vector<Instruction>> written(const fs::path& folder, const std::vector<TaskLine>& lines,
                                          const Resources& resources, const AnnotateOptions& options) {
+  HomeShelf homes(folder);
   std::vector<Result<Instruction>> drafts;
   if (options.writer == Writer::Grammar) {
     for (const TaskLine& line : lines)
-      drafts.push_back(by_grammar(folder, line, resources, options, stream_of(line, options)));
+      drafts.push_back(by_grammar(homes, line, resources, options, stream_of(line, options)));
   } else {
-    const auto tasks = wording_tasks(folder, lines, resources, options);
+    const auto tasks = wording_tasks(homes, lines, resources, options);
     if (!tasks) return tasks.error();
     drafts = write_instructions_with_llm(*tasks, options.llm);
   }
@@ -88,7 +89,7 @@ Result<std::vector<Instruction>> written(const fs::path& folder, const std::vect
     for (std::uint64_t k = 1; draft && k <= kOthers && (repeats() || !in_style()); ++k) {
       const bool in_place = repeats() && options.writer != Writer::Grammar;
       std::string why = in_place ? "another task of this home has the model's text" : draft->why;
-      draft = by_grammar(folder, lines[i], resources, options, stream_of(lines[i], options).fork("another", k));
+      draft = by_grammar(homes, lines[i], resources, options, stream_of(lines[i], options).fork("another", k));
       if (draft) draft->why = std::move(why);
     }
     if (!draft) {
@@ -199,9 +200,7 @@ Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& 
   for (std::size_t i = 0; i < lines->size(); ++i) {
     const Instruction& instruction = (*instructions)[i];
     const TaskLine& line = (*lines)[i];
-    Json json = Json::parse(line.text);
-    json["instruction"] = instruction_to_json(instruction);
-    text += json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    text += reworded_line(line.text, instruction) + "\n";
     ++report.tasks;
     ++report.by_writer[instruction.writer];
     if (!instruction.why.empty()) report.stand_ins.emplace_back(line.id, instruction.why);
@@ -227,7 +226,8 @@ Result<std::vector<LlmRequest>> prompts_for(const fs::path& folder, const Resour
                                             const AnnotateOptions& options) {
   const auto lines = read_task_lines(folder);
   if (!lines) return lines.error();
-  const auto tasks = wording_tasks(folder, *lines, resources, options);
+  HomeShelf homes(folder);
+  const auto tasks = wording_tasks(homes, *lines, resources, options);
   if (!tasks) return tasks.error();
   return first_requests(*tasks, options.llm);
 }

@@ -96,7 +96,7 @@ std::string rejection_of(const TaskLine& task, const Review& review) {
 std::vector<std::string> files_made_anew(const fs::path& folder) {
   std::vector<std::string> names{"tasks.jsonl", "rejections.jsonl", "dataset.sqlite", "README.md", kManifest, kReviews,
                                  kPairs};
-  for (const char* part : {"scenes", "demonstrations"}) {
+  for (const char* part : {"homes", "demonstrations"}) {
     std::error_code code;
     for (const auto& entry : fs::directory_iterator(folder / part, code))
       names.push_back(std::string(part) + "/" + entry.path().filename().string());
@@ -150,6 +150,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
   if (!copy) return copy.error();
   auto writer = DatasetWriter::begin(copy->folder());
   if (!writer) return writer.error();
+  const auto home_of = [&folder](const std::string& layout) { return read_file(folder / home_file(layout)); };
   std::string kept_wordings;
   std::vector<std::string> rejections;
   for (std::size_t i = 0; i < tasks->size(); ++i) {
@@ -162,12 +163,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
       continue;
     }
     CandidateRecord record;
-    record.task = task.text;
-    if (ruling.rewritten) {
-      Json json = Json::parse(task.text);
-      json["instruction"] = instruction_to_json(*ruling.rewritten);
-      record.task = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    }
+    record.task = ruling.rewritten ? reworded_line(task.text, *ruling.rewritten) : task.text;
     for (std::size_t mode = 0; mode < demonstrations.size(); ++mode) {
       const auto line = demonstrations[mode].find(task.id);
       if (line == demonstrations[mode].end()) continue;
@@ -178,11 +174,8 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
       record.demonstration += gap + line->second;
       record.actions += gap + *actions;
     }
-    auto scene = read_file(folder / scene_file(task.scene));
-    if (!scene) return scene.error();
-    record.scene = std::move(*scene);
     if (const auto own = traits->find(task.id); own != traits->end()) record.traits = to_text(own->second);
-    if (auto done = writer->add_task(record); !done) return done.error();
+    if (auto done = writer->add_task(record, home_of); !done) return done.error();
     if (const auto line = wordings->find(task.id); line != wordings->end()) kept_wordings += line->second + "\n";
   }
   const auto old_rejections = read_file(folder / "rejections.jsonl");

@@ -10,11 +10,13 @@ namespace unietp {
 namespace {
 
 /// Errors: Schema, for texts that are not as the program writes them: the ledger is damaged.
-Result<Done> add_candidate(DatasetWriter& writer, const CandidateRecord& record, Selection::Verdict verdict) {
+Result<Done> add_candidate(DatasetWriter& writer, Ledger& ledger, const CandidateRecord& record,
+                           Selection::Verdict verdict) {
   try {
     if (verdict != Selection::Verdict::Taken)
       return writer.add_rejection(repetition_line(record, verdict == Selection::Verdict::SameStart));
-    return record.accepted ? writer.add_task(record) : writer.add_rejection(record.rejection);
+    if (!record.accepted) return writer.add_rejection(record.rejection);
+    return writer.add_task(record, [&ledger](const std::string& layout) { return ledger.home(layout); });
   } catch (const std::exception& reason) {
     return Error{Error::Kind::Schema,
                  "ledger.sqlite",
@@ -36,7 +38,8 @@ Result<Done> add_block(DatasetWriter& writer, const FilledBlock& block, int atte
     for (int attempt = 0; attempt <= (chosen < 0 ? attempts - 1 : chosen); ++attempt) {
       const auto record = block.ledger->read(slot, attempt);
       if (!record) return record.error();
-      if (auto added = add_candidate(writer, *record, selection.verdict(slot, attempt)); !added) return added.error();
+      if (auto added = add_candidate(writer, *block.ledger, *record, selection.verdict(slot, attempt)); !added)
+        return added.error();
     }
   }
   return Done{};

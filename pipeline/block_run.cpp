@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/files.h"
 #include "pipeline/make_task.h"
+#include "scene/scene_json.h"
 
 namespace unietp {
 
@@ -52,7 +54,13 @@ void BlockRun::draw_home(std::size_t which) {
   StageCosts costs;
   {
     const StageTimer timer(&costs, Stage::Homes);
-    (void)layouts_.layout(homes_[which].first, homes_[which].second);
+    const auto& layout = layouts_.layout(homes_[which].first, homes_[which].second);
+    if (layout) {
+      const Scene& home = layout->home.scene;
+      const auto kept = ledger_.keep_home(home.id, [&home] { return gzip(scene_to_json(home)); });
+      const std::scoped_lock lock(mutex_);
+      if (!kept) failure_ = kept.error();
+    }
   }
   news_.spent(costs);
 }

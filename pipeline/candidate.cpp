@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/digest.h"
-#include "core/files.h"
 #include "core/text.h"
 #include "pipeline/formula_json.h"
 #include "pipeline/instruction_json.h"
@@ -29,28 +28,52 @@ Json demonstration_summary(const Demonstration& demonstration) {
   return {{"steps", demonstration.steps.size()}, {"failures", failures}};
 }
 
-std::string task_line(const Task& task) {
+/// What the start must be, what was done to the home for it, and what is different there now.
+std::string start_text(const Task& task, const std::string& changes) {
+  Json constraints = Json::array();
+  for (const auto& formula : task.episode.specification.init) constraints.push_back(to_text(formula));
+  std::string text;
+  JsonText json(text);
+  json.open_object();
+  json.key("constraints");
+  json.raw(line_of(constraints));
+  json.key("edits");
+  json.raw(line_of(task.episode.edits));
+  json.key("changes");
+  json.raw(changes);
+  json.close_object();
+  return text;
+}
+
+std::string task_line(const Task& task, const std::string& changes) {
   const auto& specification = task.episode.specification;
-  Json init = Json::array();
-  for (const auto& formula : specification.init) init.push_back(to_text(formula));
   Json expert = Json::object();
   expert[std::string(name_of(task.demonstration.mode))] = demonstration_summary(task.demonstration);
   for (const auto& other : task.in_other_modes) expert[std::string(name_of(other.mode))] = demonstration_summary(other);
-  Json json{{"format", "unietp-task/1"},
-            {"id", task.id},
-            {"template", specification.template_name},
-            {"split", name_of(specification.split)},
-            {"simulator", name_of(specification.simulator)},
-            {"scene", task.episode.start.id},
-            {"layout", task.episode.layout},
-            {"bindings", binding_json(specification.binding)},
-            {"refinement", specification.refinement},
-            {"goal", {{"text", to_text(specification.goal)}, {"tree", formula_to_json(specification.goal)}}},
-            {"start", {{"constraints", std::move(init)}, {"edits", task.episode.edits}}},
-            {"instruction", instruction_to_json(task.instruction)},
-            {"expert", std::move(expert)},
-            {"seed", {{"run", task.seed}, {"slot", task.slot}, {"attempt", task.attempt}}}};
-  return line_of(json);
+  std::string line;
+  JsonText json(line);
+  const auto field = [&json](std::string_view name, const Json& value) {
+    json.key(name);
+    json.raw(line_of(value));
+  };
+  json.open_object();
+  field("format", "unietp-task/1");
+  field("id", task.id);
+  field("template", specification.template_name);
+  field("split", name_of(specification.split));
+  field("simulator", name_of(specification.simulator));
+  field("scene", task.episode.start.id);
+  field("layout", task.episode.layout);
+  field("bindings", binding_json(specification.binding));
+  field("refinement", specification.refinement);
+  field("goal", {{"text", to_text(specification.goal)}, {"tree", formula_to_json(specification.goal)}});
+  json.key("start");
+  json.raw(start_text(task, changes));
+  field("instruction", instruction_to_json(task.instruction));
+  field("expert", expert);
+  field("seed", {{"run", task.seed}, {"slot", task.slot}, {"attempt", task.attempt}});
+  json.close_object();
+  return line;
 }
 
 /// What was done and how it went, in an object that is left open.
@@ -149,12 +172,12 @@ std::string rejection_text(int slot, int attempt, std::string_view template_name
                   {"detail", rejection.detail}});
 }
 
-/// Key of what is done in which start, whatever the scene is called: `scene` is the start's text without its id.
-std::string start_key(const Task& task, std::string_view scene) {
+/// Key of what is done in which start: equal starts of a home have equal texts of their changes.
+std::string start_key(const Task& task, const std::string& changes) {
   const auto& specification = task.episode.specification;
   std::string key = specification.template_name + "\n" + line_of(binding_json(specification.binding)) + "\n" +
                     to_text(specification.goal) + "\n" + task.episode.layout + "\n";
-  return sha256(key.append(scene));
+  return sha256(key.append(changes));
 }
 
 }  // namespace
@@ -189,8 +212,7 @@ std::string repetition_line(const CandidateRecord& record, bool same_start) {
 }
 
 CandidateRecord outline_of(CandidateRecord record) {
-  for (auto* text : {&record.task, &record.demonstration, &record.actions, &record.scene, &record.rejection})
-    *text = {};
+  for (auto* text : {&record.task, &record.demonstration, &record.actions, &record.rejection}) *text = {};
   return record;
 }
 
@@ -220,13 +242,11 @@ CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate
   record.attempt = task.attempt;
   record.accepted = true;
   record.template_name = task.episode.specification.template_name;
-  record.task = task_line(task);
+  const std::string changes = delta_to_json(task.episode.changes);
+  record.task = task_line(task, changes);
   record.demonstration = demonstration_lines(task);
   record.actions = actions_lines(task);
-  const std::string scene = scene_to_json(task.episode.start);
-  record.scene = gzip(scene);
-  const auto id = scene.find(task.episode.start.id);
-  record.start_key = start_key(task, std::string_view(scene).substr(id + task.episode.start.id.size()));
+  record.start_key = start_key(task, changes);
   record.traits = to_text(task.traits);
   record.text_key = sha256(task.episode.layout + "\n" + normalised_text(task.instruction.text));
   return record;

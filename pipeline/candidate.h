@@ -18,7 +18,6 @@ struct CandidateRecord {
   std::string task;           // line of tasks.jsonl, without its end
   std::string demonstration;  // lines of demonstrations/<mode>.jsonl, one a mode, joined by line ends
   std::string actions;        // the same lines with mode and steps alone, and of steps what was done and how it went
-  std::string scene;          // gzip of the start scene's JSON
   std::string start_key;      // equal for equal (template, binding, start)
   std::string text_key;       // equal for equal (layout, normalised instruction)
   std::string traits;         // text of its traits (balance.h)

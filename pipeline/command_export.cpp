@@ -7,6 +7,7 @@
 #include "exports/pddl_files.h"
 #include "exports/release_files.h"
 #include "exports/sft.h"
+#include "exports/start_files.h"
 #include "pipeline/command_parser.h"
 #include "pipeline/commands.h"
 
@@ -20,6 +21,7 @@ constexpr const char* kHelp =
     "  unietp export out/first --format unietp-release --out out/release    as the paper's authors released theirs\n"
     "  unietp export out/first --format bddl --out out/bddl    BEHAVIOR's tasks as its own problem files\n"
     "  unietp export out/first --format pddl --out out/pddl    a domain per simulator, a problem and a plan per task\n"
+    "  unietp export out/first --format starts --out out/starts    the start scene of each task, whole\n"
     "\n"
     "What the format does not say is left out, with the reason, in a file of its own.";
 
@@ -34,7 +36,7 @@ using Backends = std::vector<ValidationBackend>;
 
 Exit tell(const Result<ExportedTasks>& made, const Options& options) {
   if (!made) return refuse(made.error());
-  std::printf("%zu problems in %s, %zu tasks left out\n", made->said, options.out.string().c_str(), made->left_out);
+  std::printf("%zu tasks in %s, %zu left out\n", made->said, options.out.string().c_str(), made->left_out);
   return Exit::Ok;
 }
 
@@ -81,6 +83,7 @@ Exit write_sft(const Options& options, const Backends& backends) {
 Exit export_dataset(const Options& options, const CommandLine& program) {
   if (std::error_code code; !std::filesystem::is_directory(options.dataset, code))
     return refuse({Error::Kind::Usage, options.dataset.string(), {}, "is no folder; a finished data set is expected"});
+  if (options.format == "starts") return tell(export_starts(options.dataset, options.out), options);
   DataFolders folders = program.folders;
   folders.extended_library = acted_wide(options.dataset);
   const auto reading = load_backends(folders);
@@ -99,9 +102,9 @@ void add_export_command(CommandParser& app, CommandLine& program) {
   options->sft.threads = program.processors;
   auto* command = app.add_subcommand("export", kHelp);
   command->add_option("dataset", options->dataset, "A finished data set")->required();
-  command->add_option("--format", options->format, "sft, unietp-release, bddl or pddl")
+  command->add_option("--format", options->format, "sft, unietp-release, bddl, pddl or starts")
       ->required()
-      ->one_of({"sft", "unietp-release", "bddl", "pddl"});
+      ->one_of({"sft", "unietp-release", "bddl", "pddl", "starts"});
   command->add_option("--out", options->out, "A folder that does not exist yet")->required();
   command->add_option("--unit", options->unit, "sft: a sample is a whole episode or one step")
       ->one_of({"episode", "step"})

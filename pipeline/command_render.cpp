@@ -7,12 +7,12 @@
 #include "grounding/scene_svg.h"
 #include "pipeline/command_parser.h"
 #include "pipeline/commands.h"
-#include "scene/scene_json.h"
 #include "simulation/navigation.h"
 #include "simulation/picture.h"
 #include "simulation/solids.h"
 #include "simulation/view.h"
-#include "validator/task_record.h"
+#include "validator/folder_reading.h"
+#include "validator/home_shelf.h"
 
 namespace unietp {
 namespace {
@@ -80,16 +80,26 @@ Result<std::string> seen(const Scene& scene, const Profile& profile, bool boxes)
   return png(picture.width, picture.height, picture.rgb);
 }
 
+Result<Scene> start_of(const std::filesystem::path& dataset, const std::string& task) {
+  const auto lines = LineFile::read(dataset, "tasks.jsonl");
+  if (!lines) return lines.error();
+  for (std::size_t i = 0; i < lines->size(); ++i) {
+    if (lines->line(i).find("\"" + task + "\"") == std::string_view::npos) continue;
+    const auto record = read_task(lines->name(), static_cast<int>(i) + 1, lines->line(i));
+    if (!record) return record.error();
+    if (record->id == task)
+      return HomeShelf(dataset).start(lines->at(i), record->layout, record->changes, record->scene);
+  }
+  return Error{Error::Kind::Usage, (dataset / "tasks.jsonl").string(), {}, "has no task \"" + task + "\""};
+}
+
 Exit render(const Options& options, const DataFolders& folders) {
   if (std::error_code code; !std::filesystem::is_directory(options.dataset, code))
     return refuse({Error::Kind::Usage,
                    options.dataset.string(),
                    {},
                    "is no folder; a data set is expected, and `unietp scene show` draws scene files"});
-  const auto scene_file = options.dataset / "scenes" / (options.task + ".scene.json.gz");
-  const auto text = read_maybe_gzip(scene_file);
-  if (!text) return refuse(text.error());
-  const auto scene = scene_from_json(scene_file.string(), *text);
+  const auto scene = start_of(options.dataset, options.task);
   if (!scene) return refuse(scene.error());
   const auto profile = load_profile(folders.profiles(), scene->simulator);
   if (!profile) return refuse(profile.error());

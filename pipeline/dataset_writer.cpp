@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "pipeline/dataset_card.h"
 #include "pipeline/manifest.h"
+#include "validator/home_shelf.h"
 
 namespace unietp {
 namespace {
@@ -26,7 +27,7 @@ DatasetWriter::DatasetWriter(fs::path folder, DatasetDatabase database)
 
 Result<DatasetWriter> DatasetWriter::begin(const fs::path& folder) {
   std::error_code code;
-  fs::create_directories(folder / "scenes", code);
+  fs::create_directories(folder / "homes", code);
   if (!code) fs::create_directories(folder / "demonstrations", code);
   if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot make this folder: " + code.message()};
   auto database = DatasetDatabase::begin(folder / "dataset.sqlite");
@@ -34,7 +35,7 @@ Result<DatasetWriter> DatasetWriter::begin(const fs::path& folder) {
   return DatasetWriter(folder, std::move(*database));
 }
 
-Result<Done> DatasetWriter::add_task(const CandidateRecord& record) {
+Result<Done> DatasetWriter::add_task(const CandidateRecord& record, const HomeSource& homes) {
   const auto task = nlohmann::ordered_json::parse(record.task);
   tasks_ << record.task << '\n';
   if (!tasks_) return io_error(folder_);
@@ -46,9 +47,7 @@ Result<Done> DatasetWriter::add_task(const CandidateRecord& record) {
     auto added = add_demonstration(demonstrations.back().at("mode").get<std::string>(), line);
     if (!added) return added;
   }
-  const auto scene = task.at("scene").get<std::string>();
-  if (auto written = write_file(folder_ / "scenes" / (scene + ".scene.json.gz"), record.scene); !written)
-    return written.error();
+  if (auto added = add_home(task.at("layout").get<std::string>(), homes); !added) return added;
   ++counts_.tasks;
   ++counts_.by_split[task.at("split").get<std::string>()];
   ++counts_.by_simulator[task.at("simulator").get<std::string>()];
@@ -56,6 +55,13 @@ Result<Done> DatasetWriter::add_task(const CandidateRecord& record) {
   const auto traits = traits_from(record.traits);
   counts_.traits.add(traits);
   return database_.add_task(task, demonstrations, traits);
+}
+
+Result<Done> DatasetWriter::add_home(const std::string& layout, const HomeSource& homes) {
+  if (!homes_.insert(layout).second) return Done{};
+  const auto home = homes(layout);
+  if (!home) return home.error();
+  return write_file(folder_ / home_file(layout), *home);
 }
 
 Result<Done> DatasetWriter::add_demonstration(const std::string& mode, const std::string& line) {

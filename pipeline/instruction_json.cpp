@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scene/json_text.h"
+
 namespace unietp {
 
 nlohmann::ordered_json instruction_to_json(const Instruction& instruction) {
@@ -11,6 +13,14 @@ nlohmann::ordered_json instruction_to_json(const Instruction& instruction) {
                               {"checks", instruction.checks}};
   if (!instruction.why.empty()) json["why"] = instruction.why;
   return json;
+}
+
+std::string reworded_line(const std::string& line, const Instruction& instruction) {
+  auto json = nlohmann::ordered_json::parse(line);
+  json["instruction"] = instruction_to_json(instruction);
+  std::string text;
+  JsonText(text).tree(json);
+  return text;
 }
 
 }  // namespace unietp

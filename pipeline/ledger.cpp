@@ -8,7 +8,7 @@ namespace unietp {
 namespace {
 
 // WAL with synchronous=NORMAL: a killed process loses nothing, and a commit costs no disk flush. The flushes when the
-// log is taken into the file, each 32 MB, make all threads wait. A candidate is some 50 KB: large pages are written in
+// log is taken into the file, each 32 MB, make all threads wait. A candidate is some 30 KB: large pages are written in
 // few calls.
 constexpr const char* kPragmas =
     "PRAGMA page_size=32768; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA wal_autocheckpoint=1024;";
@@ -19,8 +19,10 @@ std::string schema(const std::string& to) {
   return "CREATE TABLE IF NOT EXISTS " + to + ".run(identity TEXT NOT NULL);" + "CREATE TABLE IF NOT EXISTS " + to +
          R"(.candidate(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, accepted INTEGER NOT NULL,
   template TEXT NOT NULL, task TEXT NOT NULL, demonstration TEXT NOT NULL, actions TEXT NOT NULL,
-  scene TEXT NOT NULL, start_key TEXT NOT NULL, text_key TEXT NOT NULL, traits TEXT NOT NULL, rejection TEXT NOT NULL,
+  start_key TEXT NOT NULL, text_key TEXT NOT NULL, traits TEXT NOT NULL, rejection TEXT NOT NULL,
   cost TEXT NOT NULL, PRIMARY KEY(slot, attempt));
+CREATE TABLE IF NOT EXISTS )" +
+         to + R"(.home(layout TEXT PRIMARY KEY, scene TEXT NOT NULL);
 CREATE VIEW IF NOT EXISTS )" +
          to + R"(.outcome AS SELECT slot, attempt, template, accepted,
   CASE accepted WHEN 0 THEN json_extract(rejection, '$.stage') END AS stage,
@@ -98,8 +100,10 @@ Result<Done> Ledger::copy_to(const std::filesystem::path& path, bool with_costs)
     const std::string cost = with_costs ? "cost" : "'{}'";
     const std::string fill =
         "BEGIN; INSERT INTO copy.run SELECT identity FROM main.run; INSERT INTO copy.candidate SELECT slot, attempt, "
-        "accepted, template, task, demonstration, actions, scene, start_key, text_key, traits, rejection, " +
-        cost + " FROM main.candidate ORDER BY slot, attempt; COMMIT; DETACH copy;";
+        "accepted, template, task, demonstration, actions, start_key, text_key, traits, rejection, " +
+        cost +
+        " FROM main.candidate ORDER BY slot, attempt; INSERT INTO copy.home SELECT layout, scene FROM main.home ORDER "
+        "BY layout; COMMIT; DETACH copy;";
     file_.run(fill.c_str());
     return Done{};
   } catch (const std::exception& reason) {
@@ -111,12 +115,12 @@ Result<Done> Ledger::add(const CandidateRecord& record, const StageCosts& costs)
   const std::scoped_lock lock(*mutex_);
   try {
     const std::string cost = text_of(costs);
-    auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?)");
+    auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
     insert.bind(1, std::int64_t{record.slot});
     insert.bind(2, std::int64_t{record.attempt});
     insert.bind(3, std::int64_t{record.accepted});
     int column = 3;
-    for (const auto* text : {&record.template_name, &record.task, &record.demonstration, &record.actions, &record.scene,
+    for (const auto* text : {&record.template_name, &record.task, &record.demonstration, &record.actions,
                              &record.start_key, &record.text_key, &record.traits, &record.rejection})
       insert.bind(++column, std::string_view(*text));
     insert.bind(++column, std::string_view(cost));
@@ -124,6 +128,35 @@ Result<Done> Ledger::add(const CandidateRecord& record, const StageCosts& costs)
     return Done{};
   } catch (const std::exception& reason) {
     return failure("cannot keep a candidate", reason);
+  }
+}
+
+Result<Done> Ledger::keep_home(const std::string& layout, const std::function<std::string()>& packed) {
+  const std::scoped_lock lock(*mutex_);
+  try {
+    auto known = file_.prepare("SELECT 1 FROM home WHERE layout = ?");
+    known.bind(1, std::string_view(layout));
+    if (known.step()) return Done{};
+    const std::string scene = packed();
+    auto insert = file_.prepare("INSERT INTO home VALUES(?,?)");
+    insert.bind(1, std::string_view(layout));
+    insert.bind(2, std::string_view(scene));
+    insert.step();
+    return Done{};
+  } catch (const std::exception& reason) {
+    return failure("cannot keep a home", reason);
+  }
+}
+
+Result<std::string> Ledger::home(const std::string& layout) {
+  const std::scoped_lock lock(*mutex_);
+  try {
+    auto query = file_.prepare("SELECT scene FROM home WHERE layout = ?");
+    query.bind(1, std::string_view(layout));
+    if (!query.step()) return Error{Error::Kind::Io, "ledger.sqlite", {}, "lacks the home " + layout};
+    return std::string(query.text(0));
+  } catch (const std::exception& reason) {
+    return failure("cannot read a home", reason);
   }
 }
 
@@ -157,7 +190,7 @@ Result<CandidateRecord> Ledger::read(int slot, int attempt) {
   const std::scoped_lock lock(*mutex_);
   try {
     auto query = file_.prepare(
-        "SELECT accepted, template, task, demonstration, actions, scene, start_key, text_key, traits, rejection FROM "
+        "SELECT accepted, template, task, demonstration, actions, start_key, text_key, traits, rejection FROM "
         "candidate "
         "WHERE slot = ? AND attempt = ?");
     query.bind(1, std::int64_t{slot});
@@ -172,8 +205,8 @@ Result<CandidateRecord> Ledger::read(int slot, int attempt) {
     record.attempt = attempt;
     record.accepted = query.integer(0) != 0;
     int column = 0;
-    for (auto* text : {&record.template_name, &record.task, &record.demonstration, &record.actions, &record.scene,
-                       &record.start_key, &record.text_key, &record.traits, &record.rejection})
+    for (auto* text : {&record.template_name, &record.task, &record.demonstration, &record.actions, &record.start_key,
+                       &record.text_key, &record.traits, &record.rejection})
       *text = query.text(++column);
     return record;
   } catch (const std::exception& reason) {

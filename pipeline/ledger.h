@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -28,6 +29,11 @@ class Ledger {
 
   /// `costs`: what was spent on this candidate.
   Result<Done> add(const CandidateRecord& record, const StageCosts& costs);
+
+  /// Keeps the packed scene of a home unless it has it already.
+  Result<Done> keep_home(const std::string& layout, const std::function<std::string()>& packed);
+  /// The packed scene of a home. Errors: Io also when there is none.
+  Result<std::string> home(const std::string& layout);
 
   /// The candidates of `slots` slots from `first` on, in order of (attempt, slot), as outlines.
   Result<std::vector<CandidateRecord>> outlines(int first, int slots);

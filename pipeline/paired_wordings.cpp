@@ -79,13 +79,14 @@ Result<std::string> paired_wordings(const fs::path& folder, const std::vector<Ta
   const auto text = read_file(file);
   if (!text) return text.error();
   const auto demonstrations = split(*text, '\n');
+  HomeShelf homes(folder);
   std::string all;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (i >= demonstrations.size())
       return Error{Error::Kind::Schema, file.string(), {}, "has no demonstration of " + lines[i].id};
     const auto demonstration = read_demonstration(file.string(), static_cast<int>(i) + 1, demonstrations[i]);
     if (!demonstration) return demonstration.error();
-    auto start = read_start(folder, lines[i]);
+    auto start = read_start(homes, lines[i]);
     if (!start) return start.error();
     const Backend& backend = resources.backend(lines[i].specification.simulator);
     const auto pair = PairWriter(lines[i], std::move(*start), *demonstration, backend, options).pair();

@@ -70,7 +70,8 @@ class Judge {
   /// nullopt when it was refused.
   Result<std::optional<Instruction>> rewritten(const TaskLine& task, const std::string& now, const std::string& text,
                                                const std::function<void(std::string)>& refuse) {
-    const auto scene = read_start(context_.folder, task);
+    HomeShelf homes(context_.folder);
+    const auto scene = read_start(homes, task);
     if (!scene) return scene.error();
     const auto checked =
         check_person_text(text, task, context_.resources.backend(task.specification.simulator), categories_in(*scene));

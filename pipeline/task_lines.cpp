@@ -2,7 +2,6 @@
 
 #include "core/files.h"
 #include "core/text.h"
-#include "scene/scene_json.h"
 #include "validator/task_record.h"
 
 namespace unietp {
@@ -26,6 +25,7 @@ Result<TaskLine> task_line(const std::string& where, int number, const std::stri
   task.id = std::move(record->id);
   task.scene = std::move(record->scene);
   task.layout = std::move(record->layout);
+  task.changes = std::move(record->changes);
   task.seed = record->run;
   task.slot = record->slot;
   task.attempt = record->attempt;
@@ -63,11 +63,8 @@ Result<std::vector<TaskLine>> read_task_lines(const std::filesystem::path& folde
   return tasks;
 }
 
-Result<Scene> read_start(const std::filesystem::path& folder, const TaskLine& task) {
-  const auto file = folder / "scenes" / (task.scene + ".scene.json.gz");
-  const auto text = read_maybe_gzip(file);
-  if (!text) return text.error();
-  return scene_from_json(file.string(), *text);
+Result<Scene> read_start(HomeShelf& homes, const TaskLine& task) {
+  return homes.start("tasks.jsonl, " + task.id, task.layout, task.changes, task.scene);
 }
 
 }  // namespace unietp

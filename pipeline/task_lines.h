@@ -6,7 +6,8 @@
 
 #include "core/result.h"
 #include "generator/specification.h"
-#include "scene/scene.h"
+#include "scene/trace.h"
+#include "validator/home_shelf.h"
 
 namespace unietp {
 
@@ -15,6 +16,7 @@ struct TaskLine {
   std::string text;
   Specification specification;
   std::string id, scene, layout;
+  Delta changes;           // of the home, which make the start
   std::uint64_t seed = 0;  // of the run
   int slot = 0, attempt = 0;
 };
@@ -22,7 +24,7 @@ struct TaskLine {
 /// All tasks of a data set's folder, in order. Errors: Io; Parse and Schema with file and line.
 Result<std::vector<TaskLine>> read_task_lines(const std::filesystem::path& folder);
 
-/// The start scene of a task. Errors: Io, Parse, Schema.
-Result<Scene> read_start(const std::filesystem::path& folder, const TaskLine& task);
+/// The start scene of a task of the folder whose homes these are. Errors: those of HomeShelf::start.
+Result<Scene> read_start(HomeShelf& homes, const TaskLine& task);
 
 }  // namespace unietp

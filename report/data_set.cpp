@@ -6,6 +6,7 @@
 #include "core/files.h"
 #include "core/sqlite_file.h"
 #include "validator/folder_reading.h"
+#include "validator/home_shelf.h"
 #include "validator/share_work.h"
 
 namespace unietp {
@@ -68,10 +69,7 @@ Result<FinishedSet> read_finished_set(const fs::path& folder) {
 }
 
 Result<Scene> read_start_scene(const fs::path& folder, const TaskRecord& task) {
-  const auto file = folder / scene_file(task.scene);
-  const auto packed = read_file(file);
-  if (!packed) return packed.error();
-  return unpack_scene(file.string(), *packed);
+  return HomeShelf(folder).start("tasks.jsonl, " + task.id, task.layout, task.changes, task.scene);
 }
 
 Result<Done> read_demonstrations(const FinishedSet& set, Mode mode, int threads,

@@ -54,6 +54,29 @@ void JsonText::value(int number) {
   text_ += std::to_string(number);
 }
 
+void JsonText::tree(const nlohmann::ordered_json& json) {
+  if (json.is_object()) {
+    open_object();
+    for (const auto& [name, member] : json.items()) {
+      value(name);
+      text_ += ':';
+      first_ = true;
+      tree(member);
+    }
+    close_object();
+  } else if (json.is_array()) {
+    open_list();
+    for (const auto& item : json) tree(item);
+    close_list();
+  } else if (json.is_number_float()) {
+    value(json.get<double>());
+  } else if (json.is_string()) {
+    value(json.get_ref<const std::string&>());
+  } else {
+    raw(json.dump());
+  }
+}
+
 void JsonText::raw(std::string_view json) {
   separate();
   text_ += json;

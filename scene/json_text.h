@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace unietp {
 
 /// Appends compact JSON to a text, value by value: no tree is built. Numbers are the shortest that read back to the
@@ -23,6 +25,8 @@ class JsonText {
   void value(double number);  // one that is not finite becomes null, which no reader takes
   void value(bool truth);
   void value(int number);
+  /// A tree, its numbers as above: text of this class that was read and is written again stays as it was.
+  void tree(const nlohmann::ordered_json& json);
   /// JSON that is written already.
   void raw(std::string_view json);
 

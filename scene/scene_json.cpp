@@ -12,7 +12,6 @@
 #include "scene/json_reader.h"
 #include "scene/json_text.h"
 #include "scene/node_json.h"
-#include "scene/scene_lines.h"
 
 namespace unietp {
 namespace {

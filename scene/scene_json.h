@@ -21,6 +21,10 @@ std::string scene_to_json(const Scene& scene);
 /// type, an unknown name, a duplicate id, an edge to nowhere, a size that is not positive. No input makes it throw.
 Result<Scene> scene_from_json(std::string_view where, std::string_view text);
 
+/// What a scene must be beyond its parts: no id twice, nothing that speaks of what is not there, no edge twice.
+/// Sorts the edges. Errors: Schema with a JSON pointer.
+Result<Scene> check_whole(std::string_view where, Scene scene);
+
 /// data/schemas/delta.schema.json and action.schema.json. Empty parts of a delta are left out. Errors: Schema, as
 /// above; an action with the wrong number of arguments is one.
 std::string delta_to_json(const Delta& delta);

@@ -104,12 +104,14 @@ Scene apply(Scene before, const Delta& delta) {
       std::sort(edges.begin(), edges.end());
       return edges;
     };
+    const auto among = [](const std::vector<Edge>& edges, const Edge& edge) {
+      return std::binary_search(edges.begin(), edges.end(), edge);
+    };
     const std::vector<Edge> removed = sorted(delta.edges_removed), added = sorted(delta.edges_added);
-    std::vector<Edge> kept, edges;
-    std::set_difference(scene.edges.begin(), scene.edges.end(), removed.begin(), removed.end(),
-                        std::back_inserter(kept));
-    std::set_union(kept.begin(), kept.end(), added.begin(), added.end(), std::back_inserter(edges));
-    scene.edges = std::move(edges);
+    std::erase_if(scene.edges, [&](const Edge& edge) { return among(removed, edge) || among(added, edge); });
+    const auto kept = static_cast<std::ptrdiff_t>(scene.edges.size());
+    std::unique_copy(added.begin(), added.end(), std::back_inserter(scene.edges));
+    std::inplace_merge(scene.edges.begin(), scene.edges.begin() + kept, scene.edges.end());
   }
   if (delta.agent) scene.agent = *delta.agent;
   return before;

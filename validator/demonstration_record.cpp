@@ -28,16 +28,6 @@ std::vector<VisibleObject> read_visible(JsonReader& reader, const JsonAt& at) {
   return visible;
 }
 
-/// A value of scene/ with a reader of its own; its error gets the way to it.
-template <class T>
-T read_part(JsonReader& reader, const JsonAt& at, Result<T> (*read)(std::string_view, const Json&), const Json& json) {
-  auto value = read("", json);
-  if (value) return std::move(*value);
-  const auto& inner = value.error().where;
-  reader.fail(at.pointer() + (inner.empty() || inner[0] != '#' ? "" : inner.substr(1)), value.error().message);
-  return {};
-}
-
 void check_command(JsonReader& reader, const JsonAt& action, const JsonAt& args, const Command& command) {
   if (reader.error()) return;
   const auto type = action_named(command.action);

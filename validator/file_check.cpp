@@ -41,25 +41,22 @@ FileCheck::FileCheck(fs::path folder, const ManifestRecord& manifest)
   }
 }
 
-std::vector<Problem> FileCheck::of(const std::string& path, std::string_view bytes) const {
-  const auto file = manifest_.files.find(path);
-  if (file == manifest_.files.end()) return {};
-  const auto length = static_cast<double>(bytes.size());
-  if (length != file->second.bytes)
-    return {problem_in(
-        ProblemKind::ChangedFile, path,
-        "has " + number_text(length) + " bytes, the manifest vouches for " + number_text(file->second.bytes))};
-  if (sha256(bytes) != file->second.sha256)
+std::vector<Problem> FileCheck::of(const std::string& path) const {
+  const auto bytes = read_file(folder_ / path);
+  if (!bytes) {
+    Problem problem{ProblemKind::Unreadable, "", bytes.error()};
+    return {std::move(problem)};
+  }
+  const auto& vouched = manifest_.files.at(path);
+  const auto length = static_cast<double>(bytes->size());
+  if (length != vouched.bytes)
+    return {
+        problem_in(ProblemKind::ChangedFile, path,
+                   "has " + number_text(length) + " bytes, the manifest vouches for " + number_text(vouched.bytes))};
+  if (sha256(*bytes) != vouched.sha256)
     return {
         problem_in(ProblemKind::ChangedFile, path, "its bytes differ from those the manifest vouches for (SHA-256)")};
   return {};
-}
-
-std::vector<Problem> FileCheck::of(const std::string& path) const {
-  const auto bytes = read_file(folder_ / path);
-  if (bytes) return of(path, *bytes);
-  Problem problem{ProblemKind::Unreadable, "", bytes.error()};
-  return {std::move(problem)};
 }
 
 }  // namespace unietp

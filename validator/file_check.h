@@ -16,11 +16,9 @@ class FileCheck {
 
   /// Files that are missing, or there without being listed.
   const std::vector<Problem>& listing() const { return listing_; }
-  /// What is wrong with the bytes of a file, when it is listed; empty when nothing is.
-  std::vector<Problem> of(const std::string& path, std::string_view bytes) const;
   /// The listed files that are there, in order of path.
   const std::vector<std::string>& files() const { return files_; }
-  /// Reads a file and checks it. Problems that keep it from being read are its own.
+  /// What is wrong with the bytes of a listed file, also that they cannot be read; empty when nothing is.
   std::vector<Problem> of(const std::string& path) const;
 
  private:

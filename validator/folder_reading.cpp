@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/files.h"
-#include "scene/scene_json.h"
 
 namespace unietp {
 namespace {
@@ -72,8 +71,6 @@ void find_strays(const FolderReading& set, Mode mode, const LineOfTask& lines,
 
 std::string demonstrations_file(Mode mode) { return "demonstrations/" + std::string(name_of(mode)) + ".jsonl"; }
 
-std::string scene_file(const std::string& scene) { return "scenes/" + scene + ".scene.json.gz"; }
-
 Result<LineFile> LineFile::read(const fs::path& folder, std::string name) {
   LineFile file;
   file.name_ = std::move(name);
@@ -140,12 +137,6 @@ Result<FolderReading> read_folder(const fs::path& folder, std::vector<Problem>& 
   }
   for (const Mode mode : kModes) find_strays(set, mode, lines[static_cast<std::size_t>(mode)], by_name, problems);
   return set;
-}
-
-Result<Scene> unpack_scene(const std::string& file, std::string_view packed) {
-  const auto text = gunzip(file, packed);
-  if (!text) return text.error();
-  return scene_from_json(file, *text);
 }
 
 }  // namespace unietp

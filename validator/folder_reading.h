@@ -11,7 +11,6 @@
 
 #include "core/result.h"
 #include "scene/action.h"
-#include "scene/scene.h"
 #include "validator/problem.h"
 #include "validator/task_record.h"
 
@@ -42,8 +41,7 @@ struct TaskReading {
   std::array<std::optional<std::size_t>, kModes.size()> shown;  // lines of demonstrations/<mode>.jsonl, by mode
 };
 
-std::string demonstrations_file(Mode mode);        // "demonstrations/M1.jsonl"
-std::string scene_file(const std::string& scene);  // "scenes/<scene>.scene.json.gz"
+std::string demonstrations_file(Mode mode);  // "demonstrations/M1.jsonl"
 
 /// A finished data set's tasks, and its demonstrations by line: what everyone who reads such a folder begins with.
 struct FolderReading {
@@ -59,8 +57,5 @@ struct FolderReading {
 /// What cannot be read is a problem of its task; demonstrations are found by the task that their line names. Errors: Io
 /// when there is no tasks.jsonl or a file cannot be read.
 Result<FolderReading> read_folder(const std::filesystem::path& folder, std::vector<Problem>& problems);
-
-/// A start scene from its packed bytes. Errors: Parse, Schema; the file named.
-Result<Scene> unpack_scene(const std::string& file, std::string_view packed);
 
 }  // namespace unietp

@@ -34,7 +34,7 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::StrayDemonstration, "stray-demonstration",
                 "a demonstration is of no task, of a mode that its task does not name, or there twice"},
     ProblemInfo{Kind::StepCount, "step-count", "a task counts other steps or failures than its demonstration has"},
-    ProblemInfo{Kind::SceneName, "scene-name", "a scene's id or simulator is not its task's"},
+    ProblemInfo{Kind::SceneName, "scene-name", "a home is of another simulator than its task"},
     ProblemInfo{Kind::Unbuildable, "unbuildable", "physics cannot rebuild the scene"},
     ProblemInfo{Kind::Relations, "relations", "the scene's relations are not those that physics shows"},
     ProblemInfo{Kind::Unrest, "unrest", "something is not at rest at the start"},

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "core/files.h"
 #include "core/text.h"
 #include "logic/evaluate.h"
-#include "scene/scene_json.h"
+#include "scene/start.h"
 #include "simulation/known_start.h"
 #include "simulation/relations.h"
 #include "validator/must_fail.h"
@@ -25,7 +24,7 @@ bool speaks_of_comparisons(const std::string& text) {
 class TaskProver {
  public:
   TaskProver(const TaskReading& reading, const ProofTools& tools)
-      : reading_(reading), task_(*reading.record), tools_(tools), scene_file_(scene_file(task_.scene)) {}
+      : reading_(reading), task_(*reading.record), tools_(tools) {}
 
   TaskProof prove() {
     read_goal();
@@ -68,27 +67,16 @@ class TaskProver {
     if (!simulator)
       found(ProblemKind::SceneName, reading_.where,
             "unknown simulator \"" + task_.simulator + "\"; accepted are ai2thor, virtualhome, habitat, behavior");
-    if (task_.scene.find('/') != std::string::npos) {  // would lead out of the data set
-      found(ProblemKind::SceneName, reading_.where, "a scene's name has no '/'");
+    const auto home = tools_.homes.home(task_.layout);
+    auto start = home ? start_in(reading_.where, **home, task_.changes, task_.scene) : Result<Scene>(home.error());
+    if (!start) {
+      found(ProblemKind::Unreadable, start.error());
       return false;
     }
-    const auto packed = read_file(tools_.folder.folder / scene_file_);
-    if (!packed) {
-      found(ProblemKind::Unreadable, Error{Error::Kind::Io, scene_file_, {}, packed.error().message});
-      return false;
-    }
-    if (tools_.files != nullptr) found(tools_.files->of(scene_file_, *packed));
-    const auto text = gunzip(scene_file_, *packed);
-    auto scene = text ? tools_.scenes.read(scene_file_, *text) : Result<Scene>(text.error());
-    if (!scene) {
-      found(ProblemKind::Unreadable, scene.error());
-      return false;
-    }
-    start_ = std::move(*scene);
-    if (start_.id != task_.scene)
-      found(ProblemKind::SceneName, scene_file_, "is called \"" + start_.id + "\", not \"" + task_.scene + "\"");
+    home_ = *home;
+    start_ = std::move(*start);
     if (simulator && start_.simulator != *simulator)
-      found(ProblemKind::SceneName, scene_file_,
+      found(ProblemKind::SceneName, home_file(task_.layout),
             "is of " + std::string(name_of(start_.simulator)) + ", the task of " + task_.simulator);
     if (!simulator) return false;
     backend_ = &tools_.backends[static_cast<std::size_t>(*simulator)];
@@ -99,16 +87,16 @@ class TaskProver {
     std::map<Mode, DemonstrationRecord> shown;
     for (const Mode mode : kModes) read_demonstration(mode, shown);
     const auto in_m1 = shown.find(Mode::M1);
-    proof_.facts = facts_of(task_, start_, in_m1 == shown.end() ? nullptr : &in_m1->second);
+    proof_.facts = facts_of(task_, *home_, start_, in_m1 == shown.end() ? nullptr : &in_m1->second);
     auto physics = physics_of(start_);
     std::vector<std::vector<Link>> links;
     for (std::size_t i = 0; i < start_.nodes.size(); ++i) links.push_back(links_of(start_, physics, i));
-    found(prove_start(start_, physics, links, tools_.rest, scene_file_));
+    found(prove_start(start_, physics, links, tools_.rest, reading_.where));
     prove_instruction();
     KnownStart known{std::move(physics), std::nullopt, std::nullopt};
     if (start_.agent.held.empty()) known.links = std::move(links);  // what is held has others once it is in the hand
     const auto world = World::create(start_, *backend_->knowledge, *backend_->profile, std::move(known));
-    if (!world) return found(ProblemKind::Unbuildable, scene_file_, "cannot be rebuilt: " + world.error().message);
+    if (!world) return found(ProblemKind::Unbuildable, reading_.where, "cannot be rebuilt: " + world.error().message);
     const bool compares =
         (goal_ && reads_comparisons(*goal_)) ||
         std::any_of(task_.start_constraints.begin(), task_.start_constraints.end(), speaks_of_comparisons);
@@ -217,7 +205,7 @@ class TaskProver {
   const TaskReading& reading_;
   const TaskRecord& task_;
   const ProofTools& tools_;
-  std::string scene_file_;
+  std::shared_ptr<const Scene> home_;
   Scene start_;
   std::optional<Formula> goal_;
   std::vector<Formula> constraints_;

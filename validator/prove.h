@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "validator/file_check.h"
 #include "validator/folder_reading.h"
+#include "validator/home_shelf.h"
 #include "validator/rest.h"
-#include "validator/scene_reading.h"
 #include "validator/task_facts.h"
 #include "validator/validate.h"
 #include "validator/wordings_record.h"
@@ -18,11 +17,10 @@ namespace unietp {
 /// What all proofs of a data set share. Read by several threads.
 struct ProofTools {
   const FolderReading& folder;
-  const FileCheck* files = nullptr;  // none when the manifest does not read
   const std::vector<ValidationBackend>& backends;
   const ValidationOptions& options;
   RestCheck& rest;
-  SceneReading& scenes;
+  HomeShelf& homes;
   std::string phrasings = "all";                   // of the instructions
   std::map<std::string, WordingsRecord> wordings;  // by task
 };

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -25,5 +26,16 @@ void read_format(JsonReader& reader, JsonFields& fields, std::string_view expect
 int read_whole(JsonReader& reader, const JsonAt& at);           // 0 to 1e9
 std::uint64_t read_seed(JsonReader& reader, const JsonAt& at);  // 0 to 2^53 - 1, which a double holds exactly
 std::string text_or_empty(JsonReader& reader, const JsonAt& at);
+
+/// A value of scene/ with a reader of its own; its error gets the way to it.
+template <class T>
+T read_part(JsonReader& reader, const JsonAt& at, Result<T> (*read)(std::string_view, const nlohmann::ordered_json&),
+            const nlohmann::ordered_json& json) {
+  auto value = read("", json);
+  if (value) return std::move(*value);
+  const auto& inner = value.error().where;
+  reader.fail(at.pointer() + (inner.empty() || inner[0] != '#' ? "" : inner.substr(1)), value.error().message);
+  return {};
+}
 
 }  // namespace unietp

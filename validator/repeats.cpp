@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "core/files.h"
+#include "validator/home_shelf.h"
 #include "validator/manifest_record.h"
 #include "validator/share_work.h"
 
@@ -45,6 +46,7 @@ Result<SetPrint> print_of(const std::filesystem::path& folder, int threads) {
   std::vector<Problem> problems;
   const auto set = read_folder(folder, problems);
   if (!set) return set.error();
+  HomeShelf homes(folder);
   std::mutex mutex;
   std::map<std::size_t, Error> failed;  // by task, so that the first is told whatever the threads do
   share_work(threads, set->tasks.size(), [&](std::size_t i) {
@@ -54,11 +56,9 @@ Result<SetPrint> print_of(const std::filesystem::path& folder, int threads) {
       failed.emplace(i, std::move(error));
     };
     if (!task.record) return fail(task.record.error());
-    const auto packed = read_file(folder / scene_file(task.record->scene));
-    if (!packed) return fail(packed.error());
-    const auto start = unpack_scene(scene_file(task.record->scene), *packed);
-    if (!start) return fail(start.error());
-    auto key = home_key_of(*start);
+    const auto home = homes.home(task.record->layout);
+    if (!home) return fail(home.error());
+    auto key = home_key_of(**home);
     const std::scoped_lock lock(mutex);
     print.layouts.insert(task.record->layout);
     print.words.insert(plain_words(task.record->instruction));

@@ -10,15 +10,15 @@ namespace {
 
 std::string text_of(const Digest& digest) { return std::to_string(digest.a) + "." + std::to_string(digest.b); }
 
-void add(Digester& digest, const Vec3& v) { digest.add(v.x()).add(v.y()).add(v.z()); }
+void add_point(Digester& digest, const Vec3& v) { digest.add(v.x()).add(v.y()).add(v.z()); }
 
 /// Everything of a start that a task can begin with, but what it is called.
 std::string content_of(const Scene& start) {
   Digester digest;
   for (const Node& node : start.nodes) {
     digest.add(node.id).add(node.category).add(node.opening).add(node.mass);
-    add(digest, node.size);
-    add(digest, node.pose.position);
+    add_point(digest, node.size);
+    add_point(digest, node.pose.position);
     const Quat& turn = node.pose.rotation;
     digest.add(turn.w()).add(turn.x()).add(turn.y()).add(turn.z());
     for (const State& state : node.states.all())
@@ -52,26 +52,26 @@ std::string plain_words(std::string_view text) {
   return words;
 }
 
-std::string home_key_of(const Scene& start) {
+std::string home_key_of(const Scene& home) {
   Digester digest;
-  for (const Room& room : start.rooms) {
+  for (const Room& room : home.rooms) {
     digest.add(room.type);
     for (const Vec2& corner : room.polygon) digest.add(corner.x()).add(corner.y());
   }
-  for (const Opening& opening : start.openings)
+  for (const Opening& opening : home.openings)
     digest.add(opening.from.x()).add(opening.from.y()).add(opening.to.x()).add(opening.to.y());
-  for (const Node& node : start.nodes) {
+  for (const Node& node : home.nodes) {
     if (node.movable) continue;
     digest.add(node.category).add(node.pose.position.x()).add(node.pose.position.y()).add(node.pose.position.z());
   }
   return text_of(digest.digest());
 }
 
-TaskFacts facts_of(const TaskRecord& task, const Scene& start, const DemonstrationRecord* shown) {
+TaskFacts facts_of(const TaskRecord& task, const Scene& home, const Scene& start, const DemonstrationRecord* shown) {
   TaskFacts facts;
   facts.start_key = start_key_of(task, start);
   facts.text_key = task.layout + "\n" + plain_words(task.instruction);
-  facts.home_key = home_key_of(start);
+  facts.home_key = home_key_of(home);
   std::set<std::string> handled;
   if (shown != nullptr) {
     for (const auto& step : shown->steps) {

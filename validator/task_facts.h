@@ -21,10 +21,10 @@ struct TaskFacts {
 std::string plain_words(std::string_view text);
 
 /// Rooms, openings, and where what never moves stands; whatever they are called.
-std::string home_key_of(const Scene& start);
+std::string home_key_of(const Scene& home);
 
-/// `shown`: the demonstration in M1, whose handled things tell which rooms the task is in; nullptr when there is none
-/// that reads.
-TaskFacts facts_of(const TaskRecord& task, const Scene& start, const DemonstrationRecord* shown);
+/// `home` as its file has it, `start` as the task makes it. `shown`: the demonstration in M1, whose handled things tell
+/// which rooms the task is in; nullptr when there is none that reads.
+TaskFacts facts_of(const TaskRecord& task, const Scene& home, const Scene& start, const DemonstrationRecord* shown);
 
 }  // namespace unietp

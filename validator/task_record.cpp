@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/json_reader.h"
+#include "scene/scene_json.h"
 #include "validator/record_fields.h"
 #include "validator/tree_reader.h"
 
@@ -20,6 +21,7 @@ void read_start(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields fields(reader, at);
   if (const auto f = fields.required("constraints")) task.start_constraints = reader.texts(*f);
   if (const auto f = fields.required("edits")) task.edits = reader.texts(*f);
+  if (const auto f = fields.required("changes")) task.changes = read_part(reader, *f, delta_from_json, f->json);
   fields.finish();
 }
 

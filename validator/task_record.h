@@ -23,6 +23,7 @@ struct TaskRecord {
   std::string goal_text;
   Formula goal_tree;
   std::vector<std::string> start_constraints, edits;
+  Delta changes;  // of the home, which make the start
   std::string instruction, writer, style;
   std::vector<std::string> checks;  // names of those that the text passed
   std::string fallback;             // why the grammar wrote where a model was asked; "" when it was not

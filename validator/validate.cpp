@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/files.h"
+#include "validator/file_check.h"
 #include "validator/prove.h"
 #include "validator/recount.h"
 #include "validator/repeats.h"
@@ -31,18 +32,9 @@ std::optional<ManifestRecord> manifest_in(const fs::path& folder, std::string_vi
   return std::move(*manifest);
 }
 
-/// The files that are not start scenes of tasks, which are checked when they are read.
-std::vector<Problem> check_other_files(const FileCheck& files, const FolderReading& folder, int threads) {
-  std::set<std::string> of_tasks;
-  for (const TaskReading& task : folder.tasks) {
-    if (task.record) of_tasks.insert(scene_file(task.record->scene));
-  }
-  std::vector<std::string> others;
-  for (const auto& file : files.files()) {
-    if (!of_tasks.contains(file)) others.push_back(file);
-  }
-  std::vector<std::vector<Problem>> found(others.size());
-  share_work(threads, others.size(), [&](std::size_t i) { found[i] = files.of(others[i]); });
+std::vector<Problem> check_files(const FileCheck& files, int threads) {
+  std::vector<std::vector<Problem>> found(files.files().size());
+  share_work(threads, found.size(), [&](std::size_t i) { found[i] = files.of(files.files()[i]); });
   std::vector<Problem> problems;
   for (auto& own : found) append(problems, std::move(own));
   return problems;
@@ -101,18 +93,6 @@ std::vector<Problem> check_as_a_whole(const FolderReading& folder, const Manifes
   return problems;
 }
 
-/// A file that is missing or surplus is its task's own problem when it belongs to one task alone.
-void blame(std::vector<Problem>& problems, const FolderReading& folder) {
-  std::map<std::string, const TaskReading*> owner;
-  for (const TaskReading& task : folder.tasks) {
-    if (task.record) owner.emplace(scene_file(task.record->scene), &task);
-  }
-  for (Problem& problem : problems) {
-    const auto found = owner.find(problem.error.where);
-    if (problem.task.empty() && found != owner.end()) problem.task = found->second->name;
-  }
-}
-
 /// Folder-wide problems first, then task by task; within each as they were found.
 void sort_by_task(std::vector<Problem>& problems, const FolderReading& folder) {
   std::map<std::string_view, std::size_t> place{{"", 0}};
@@ -152,12 +132,12 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
   if (manifest) {
     files.emplace(folder, *manifest);
     append(problems, files->listing());
-    append(problems, check_other_files(*files, *reading, options.threads));
+    append(problems, check_files(*files, options.threads));
   }
 
   RestCheck rest(options.rest_m);
-  SceneReading scenes;
-  ProofTools tools{*reading, files ? &*files : nullptr, backends, options, rest, scenes, "all", {}};
+  HomeShelf homes(folder);
+  ProofTools tools{*reading, backends, options, rest, homes, "all", {}};
   if (manifest) tools.phrasings = manifest->phrasings;
   tools.wordings = wordings_in(*reading, problems);
   const auto count = reading->tasks.size();
@@ -172,7 +152,6 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
     append(problems, std::move(proof.problems));
   }
   if (manifest) append(problems, check_as_a_whole(*reading, *manifest, facts, options));
-  blame(problems, *reading);
   sort_by_task(problems, *reading);
 
   std::set<std::string_view> wrong;

@@ -192,8 +192,7 @@ TEST(ExportBddl, EachGoalHasTheTruthOfOursAfterEveryStep) {
     ++problems;
     const auto problem = read_problem(*read_file(file));
     const auto task = *read_task("tasks.jsonl", 1, tasks[i].dump());
-    const auto scene_file = of_behavior() / "scenes" / (task.scene + ".scene.json.gz");
-    Scene scene = *scene_from_json(scene_file.string(), *read_maybe_gzip(scene_file));
+    Scene scene = start_of(of_behavior(), tasks[i]);
     const Scene start = scene;
     std::vector<Delta> changes;
     const auto shown = *read_demonstration("M1.jsonl", 1, demonstrations[i].dump());

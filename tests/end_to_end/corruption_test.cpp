@@ -12,6 +12,7 @@
 #include "core/text.h"
 #include "data_set.h"
 #include "spoilt_task.h"
+#include "validator/home_shelf.h"
 
 namespace unietp {
 namespace {
@@ -26,15 +27,15 @@ std::vector<SpoiltTask> tasks_of(const SpoiltCopy& copy) {
   std::map<std::string, Json> demonstrations;
   for (const auto& line : json_lines(copy.folder() / "demonstrations/M1.jsonl")) demonstrations[line["task"]] = line;
   for (const auto& task : json_lines(copy.folder() / "tasks.jsonl"))
-    tasks.push_back({task, demonstrations[task["id"]], Json::parse(copy.read_scene(task["scene"])), "", false});
+    tasks.push_back({task, demonstrations[task["id"]],
+                     Json::parse(*read_maybe_gzip(copy.folder() / home_file(task["layout"]))),
+                     start_json(copy.folder(), task), "", false});
   return tasks;
 }
 
-void write(const SpoiltCopy& copy, const std::string& scene, const SpoiltTask& spoilt, std::string& tasks,
-           std::string& demonstrations) {
-  tasks += (spoilt.task_line.empty() ? spoilt.task.dump() : spoilt.task_line) + "\n";
+void write(const SpoiltTask& spoilt, std::string& tasks, std::string& demonstrations) {
+  tasks += (spoilt.task_line.empty() ? spoilt.line().dump() : spoilt.task_line) + "\n";
   if (!spoilt.without_demonstration) demonstrations += spoilt.demonstration.dump() + "\n";
-  copy.write_scene(scene, spoilt.scene.dump());
 }
 
 /// Each task of a data set spoilt in a way of its own, as far as there are ways that fit, and what is said of all that.
@@ -78,7 +79,7 @@ const Outcome& outcome() {
         }
       }
       std::string lines, shown;
-      for (const auto& task : tasks) write(copy, task.task["scene"], task, lines, shown);
+      for (const auto& task : tasks) write(task, lines, shown);
       copy.write("tasks.jsonl", lines);
       copy.write("demonstrations/M1.jsonl", shown);
       copy.vouch();
@@ -129,7 +130,7 @@ std::set<std::pair<std::string, std::string>> told(const Verdict& verdict) {
 TEST(Corruption, WhatConcernsTheFolderIsNamed) {
   SpoiltCopy copy;
   const auto first = Json::parse(split(copy.read("tasks.jsonl"), '\n').at(0));
-  const std::string task = first["id"], scene = "scenes/" + first["scene"].get<std::string>() + ".scene.json.gz";
+  const std::string home = home_file(first["layout"]);
   const Json given_up{{"format", "unietp-rejection/1"},
                       {"slot", first["seed"]["slot"]},
                       {"attempt", first["seed"]["attempt"]},
@@ -153,18 +154,18 @@ TEST(Corruption, WhatConcernsTheFolderIsNamed) {
   manifest["counts"]["balance"][0]["effective"] = 3.5;
   manifest["configuration"]["count"] = kSmallCount + 1;
   copy.write("manifest.json", manifest.dump());
-  auto bytes = copy.read(scene);
+  auto bytes = copy.read(home);
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
-  copy.write(scene, bytes);
+  copy.write(home, bytes);
   copy.write("notes.txt", "mine");
   std::filesystem::remove(copy.folder() / "README.md");
   const auto verdict = validate(copy.folder());
   EXPECT_EQ(verdict.code, 1);
   const auto kinds = told(verdict);
   for (const char* kind :
-       {"other-knowledge", "counts", "balance", "quota", "rejections", "unlisted-file", "missing-file"})
+       {"other-knowledge", "counts", "balance", "quota", "rejections", "unlisted-file", "missing-file", "changed-file"})
     EXPECT_THAT(kinds, Contains(std::pair(std::string(kind), std::string()))) << kind;
-  EXPECT_THAT(kinds, Contains(std::pair(std::string("changed-file"), task)));
+  EXPECT_THAT(kinds, Contains(std::pair(std::string("unreadable"), first["id"].get<std::string>())));
   const std::string second = Json::parse(split(copy.read("tasks.jsonl"), '\n').at(1))["id"];
   EXPECT_THAT(kinds, Contains(std::pair(std::string("database"), second)));
   const std::string third = Json::parse(split(copy.read("tasks.jsonl"), '\n').at(2))["id"];
@@ -176,12 +177,8 @@ TEST(Corruption, RepeatedTasksAreNamed) {
   auto lines = split(copy.read("tasks.jsonl"), '\n');
   auto shown = split(copy.read("demonstrations/M1.jsonl"), '\n');
   auto twin = Json::parse(lines.at(0));
-  const std::string of = twin["id"];
   // The first task once more under another name, in place of the second; and the fourth has the name of the third.
   const std::string other = Json::parse(lines.at(1))["id"];
-  auto scene = Json::parse(copy.read_scene(of));
-  scene["id"] = other;
-  copy.write_scene(other, scene.dump());
   twin["id"] = twin["scene"] = other;
   lines.at(1) = twin.dump();
   auto demonstration = Json::parse(shown.at(0));

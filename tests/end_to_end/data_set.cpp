@@ -5,7 +5,9 @@
 #include "core/digest.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "scene/scene_json.h"
 #include "schema_checker.h"
+#include "validator/home_shelf.h"
 
 namespace unietp {
 namespace {
@@ -74,6 +76,18 @@ std::vector<Json> json_lines(const std::filesystem::path& file) {
   return lines;
 }
 
+Scene start_of(const std::filesystem::path& folder, const Json& task) {
+  const auto changes = delta_from_json("changes", task["start"]["changes"]);
+  EXPECT_TRUE(changes) << format(changes.error());
+  const auto start = HomeShelf(folder).start("changes", task["layout"], *changes, task["scene"]);
+  EXPECT_TRUE(start) << format(start.error());
+  return start ? *start : Scene();
+}
+
+Json start_json(const std::filesystem::path& folder, const Json& task) {
+  return Json::parse(scene_to_json(start_of(folder, task)));
+}
+
 SpoiltCopy::SpoiltCopy() : folder_(scratch_.at("copy")) {
   std::filesystem::copy(small_data_set(), folder_, std::filesystem::copy_options::recursive);
 }
@@ -82,16 +96,6 @@ std::string SpoiltCopy::read(const std::string& file) const { return bytes_of(fo
 
 void SpoiltCopy::write(const std::string& file, const std::string& bytes) const {
   EXPECT_TRUE(write_file(folder_ / file, bytes));
-}
-
-std::string SpoiltCopy::read_scene(const std::string& scene) const {
-  const auto text = read_maybe_gzip(folder_ / "scenes" / (scene + ".scene.json.gz"));
-  EXPECT_TRUE(text);
-  return text ? *text : std::string();
-}
-
-void SpoiltCopy::write_scene(const std::string& scene, const std::string& text) const {
-  write("scenes/" + scene + ".scene.json.gz", gzip(text));
 }
 
 void SpoiltCopy::vouch() const {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.h"
+#include "scene/scene.h"
 
 namespace unietp {
 
@@ -32,6 +33,9 @@ struct Verdict {
 Verdict validate(const std::filesystem::path& folder, const std::vector<std::string>& more = {});
 
 std::vector<nlohmann::ordered_json> json_lines(const std::filesystem::path& file);
+/// The start of a task of a folder: the home's file with the changes of the task's line.
+Scene start_of(const std::filesystem::path& folder, const nlohmann::ordered_json& task);
+nlohmann::ordered_json start_json(const std::filesystem::path& folder, const nlohmann::ordered_json& task);
 
 /// A copy of the small data set in which things can be spoilt. `vouch` makes the manifest's checksums true again, so
 /// that only what the files mean is left to find.
@@ -41,8 +45,6 @@ class SpoiltCopy {
   const std::filesystem::path& folder() const { return folder_; }
   std::string read(const std::string& file) const;
   void write(const std::string& file, const std::string& bytes) const;
-  std::string read_scene(const std::string& scene) const;
-  void write_scene(const std::string& scene, const std::string& text) const;
   void vouch() const;
 
  private:

@@ -42,7 +42,7 @@ TEST(DataSet, EveryFileFollowsItsSchema) {
   const auto manifest = read_file(small_data_set() / "manifest.json");
   ASSERT_TRUE(manifest);
   EXPECT_EQ(checker.check(Json::parse(*manifest), "manifest.schema.json"), "");
-  for (const auto& entry : fs::directory_iterator(small_data_set() / "scenes")) {
+  for (const auto& entry : fs::directory_iterator(small_data_set() / "homes")) {
     const auto scene = read_maybe_gzip(entry.path());
     ASSERT_TRUE(scene);
     EXPECT_EQ(checker.check(Json::parse(*scene), "scene.schema.json"), "");
@@ -103,7 +103,8 @@ TEST(DataSet, ATaskIsDrawnFromAbove) {
   // A demonstration that is not as it should be is refused at its line.
   const fs::path spoilt = folder.path() / "spoilt";
   fs::create_directories(spoilt / "demonstrations");
-  fs::copy(small_data_set() / "scenes", spoilt / "scenes");
+  fs::copy(small_data_set() / "homes", spoilt / "homes");
+  fs::copy(small_data_set() / "tasks.jsonl", spoilt / "tasks.jsonl");
   const std::string line = R"({"task":")" + task + R"(","steps":[7]})";
   ASSERT_TRUE(write_file(spoilt / "demonstrations" / "M1.jsonl", "{}\n" + line + "\n"));
   const auto refused = run_program({"render", spoilt.string(), task, "--out", folder.at("no.svg")});

@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <map>
 
+#include "core/files.h"
 #include "data_set.h"
 #include "program.h"
+#include "scene/scene_json.h"
 #include "schema_checker.h"
 #include "tests/pddl/reader.h"
 
@@ -51,6 +53,25 @@ TEST(ExportPddl, EveryDemonstrationIsAPlanOfItsProblem) {
 
   const auto again = run_program({"export", "--format", "pddl", small_data_set().string(), "--out", out});
   EXPECT_EQ(again.code, 2) << "a folder that is there is not written over";
+}
+
+TEST(ExportStarts, EachStartIsWrittenWhole) {
+  const ScratchFolder folder;
+  const auto out = folder.at("starts");
+  const auto ended = run_program({"export", "--format", "starts", small_data_set().string(), "--out", out});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto tasks = json_lines(small_data_set() / "tasks.jsonl");
+  SchemaChecker checker;
+  for (const auto& task : tasks) {
+    const auto file = fs::path(out) / (task["scene"].get<std::string>() + ".scene.json.gz");
+    const auto text = read_maybe_gzip(file);
+    ASSERT_TRUE(text) << format(text.error());
+    EXPECT_EQ(checker.check(nlohmann::ordered_json::parse(*text), "scene.schema.json"), "");
+    const auto scene = scene_from_json(file.string(), *text);
+    ASSERT_TRUE(scene) << format(scene.error());
+    EXPECT_EQ(*scene, start_of(small_data_set(), task));
+  }
+  EXPECT_EQ(bytes_below(out).size(), tasks.size() + 1);  // and left_out.jsonl
 }
 
 }  // namespace

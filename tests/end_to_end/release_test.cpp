@@ -57,8 +57,7 @@ std::map<std::string, Shown> shown() {
   for (const auto& line : json_lines(small_data_set() / "tasks.jsonl")) {
     Shown one;
     one.task = *read_task("tasks.jsonl", 1, line.dump());
-    const auto file = small_data_set() / "scenes" / (one.task.scene + ".scene.json.gz");
-    one.start = *scene_from_json(file.string(), *read_maybe_gzip(file));
+    one.start = start_of(small_data_set(), line);
     all[one.task.id] = std::move(one);
   }
   for (const auto& line : json_lines(small_data_set() / "demonstrations" / "M1.jsonl")) {

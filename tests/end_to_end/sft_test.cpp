@@ -162,8 +162,7 @@ TEST(ExportSft, APromptTellsWhatTheModeKnowsAndOffers) {
   const fs::path out = scratch.at("sft");
   export_sft(out, {"--unit", "step"});
   for (const auto& task : json_lines(data_set_in_all_modes() / "tasks.jsonl")) {
-    const auto file = data_set_in_all_modes() / "scenes" / (task["scene"].get<std::string>() + ".scene.json.gz");
-    const auto scene = Json::parse(*read_maybe_gzip(file));
+    const auto scene = start_json(data_set_in_all_modes(), task);
     for (const std::string mode : {"M1", "M2"}) {
       const auto lines = json_lines(out / (mode + ".jsonl"));
       const auto wanted = task["id"].get<std::string>() + "/" + mode + "/1";
@@ -229,10 +228,12 @@ TEST(ExportSft, ReasonsNameOnlyWhatTheAgentHasBeenToldOrHasSeen) {
   const fs::path out = scratch.at("sft");
   export_sft(out, {"--modes", "M2", "--reasoning"});
   std::size_t reasons = 0;
+  std::map<std::string, Json> scenes;  // by task
+  for (const auto& task : json_lines(data_set_in_all_modes() / "tasks.jsonl"))
+    scenes[task["id"]] = start_json(data_set_in_all_modes(), task);
   for (const auto& line : json_lines(out / "M2.jsonl")) {
     const std::string id = line["id"];
-    const auto file = data_set_in_all_modes() / "scenes" / (id.substr(0, id.find('/')) + ".scene.json.gz");
-    const auto scene = Json::parse(*read_maybe_gzip(file));
+    const Json& scene = scenes.at(id.substr(0, id.find('/')));
     std::string told;
     for (const auto& message : line["messages"]) {
       const std::string content = message["content"];

@@ -18,6 +18,28 @@ Json* SpoiltTask::last_step(std::initializer_list<const char*> actions) {
   return nullptr;
 }
 
+Json SpoiltTask::line() const {
+  const auto among = [](const Json& list, const auto& is_it) { return std::any_of(list.begin(), list.end(), is_it); };
+  Json changes = Json::object();
+  for (const auto& node : scene["nodes"]) {
+    if (!among(home["nodes"], [&](const Json& one) { return one == node; })) changes["nodes"].push_back(node);
+  }
+  for (const auto& node : home["nodes"]) {
+    if (!among(scene["nodes"], [&](const Json& one) { return one["id"] == node["id"]; }))
+      changes["removed"].push_back(node["id"]);
+  }
+  for (const auto& edge : scene["edges"]) {
+    if (!among(home["edges"], [&](const Json& one) { return one == edge; })) changes["edges_added"].push_back(edge);
+  }
+  for (const auto& edge : home["edges"]) {
+    if (!among(scene["edges"], [&](const Json& one) { return one == edge; })) changes["edges_removed"].push_back(edge);
+  }
+  if (scene["agent"] != home["agent"]) changes["agent"] = scene["agent"];
+  Json changed = task;
+  changed["start"]["changes"] = changes;
+  return changed;
+}
+
 std::string SpoiltTask::category_of(const std::string& id) const {
   for (const auto& node : scene["nodes"]) {
     if (node["id"] == id) return node["category"];
@@ -246,9 +268,14 @@ const std::vector<Corruption> kCorruptions{
        s.set_goal("(or " + s.goal() + " (before (exists (?z - object) (held ?z)) (exists (?z - object) (held ?z))))");
        return true;
      }},
-    {"ASceneOfAnotherName", "scene-name",
+    {"ATaskInAHomeThatIsNotThere", "unreadable",
      [](SpoiltTask& s) {
-       s.scene["id"] = "elsewhere";
+       s.task["layout"] = "elsewhere";
+       return true;
+     }},
+    {"AChangeOfSomethingThatIsNotThere", "unreadable",
+     [](SpoiltTask& s) {
+       s.home["nodes"].push_back({{"id", "unicorn_1"}});
        return true;
      }},
     {"ATaskOnAnotherSimulator", "scene-name",

@@ -53,6 +53,10 @@ bool ledger_body(std::string_view text) {
     check_error(whole.error());
     return false;
   }
+  if (const auto home = ledger->home("h"); !home) {
+    check_error(home.error());
+    return false;
+  }
   return true;
 }
 

@@ -4,7 +4,7 @@
 #include "fuzz_bodies.h"
 #include "scene/json_parse.h"
 #include "scene/scene_json.h"
-#include "scene/scene_lines.h"
+#include "scene/start.h"
 #include "support.h"
 
 namespace unietp::fuzz {
@@ -41,10 +41,7 @@ std::optional<T> read_part(std::string_view text, Result<T> (*read)(std::string_
 }  // namespace
 
 bool scene_body(std::string_view text) {
-  static SceneLines known;  // of all scenes before: what it remembers must not matter
   const auto scene = scene_from_json("fuzz", text);
-  const auto by_lines = known.read("fuzz", text);
-  require(scene ? by_lines && *by_lines == *scene : !by_lines && by_lines.error() == scene.error());
   if (!scene) {
     check_error(scene.error());
     return false;
@@ -61,8 +58,15 @@ bool scene_body(std::string_view text) {
 
 bool delta_body(std::string_view text) {
   const auto delta = read_part<Delta>(text, delta_from_json, delta_to_json);
-  if (delta) (void)apply(Scene{}, *delta);
-  return delta.has_value();
+  if (!delta) return false;
+  const Scene whole = apply(Scene{}, *delta);
+  const auto start = start_in("fuzz", whole, *delta, "start");
+  if (start) {
+    require(start->nodes.size() + delta->removed.size() == whole.nodes.size());
+  } else {
+    check_error(start.error());
+  }
+  return true;
 }
 
 bool action_body(std::string_view text) {

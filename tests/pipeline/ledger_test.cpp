@@ -36,7 +36,6 @@ CandidateRecord full_record() {
   record.task = "{\"id\":\"x\"}";
   record.demonstration = "{}";
   record.actions = "[]";
-  record.scene = gzip(std::string("a\0b\xff", 4));  // bytes of all kinds
   record.start_key = "start";
   record.text_key = "text";
   return record;
@@ -58,6 +57,30 @@ TEST_F(LedgerFile, GivesBackWhatItWasGivenAfterReopening) {
   ASSERT_EQ(outlines->size(), 1U);
   EXPECT_EQ(outlines->front().text_key, "text");
   EXPECT_EQ(outlines->front().task, "");
+}
+
+TEST_F(LedgerFile, KeepsAHomeOnce) {
+  const std::string packed = gzip(std::string("a\0b\xff", 4));  // bytes of all kinds
+  int asked = 0;
+  const auto pack = [&] {
+    ++asked;
+    return packed;
+  };
+  {
+    auto ledger = Ledger::open(path_, "run 1");
+    ASSERT_TRUE(ledger) << format(ledger.error());
+    ASSERT_TRUE(ledger->keep_home("home 1", pack));
+    ASSERT_TRUE(ledger->keep_home("home 1", pack));
+  }
+  EXPECT_EQ(asked, 1);
+  auto ledger = Ledger::open(path_, "run 1");
+  ASSERT_TRUE(ledger) << format(ledger.error());
+  const auto home = ledger->home("home 1");
+  ASSERT_TRUE(home) << format(home.error());
+  EXPECT_EQ(*home, packed);
+  const auto none = ledger->home("home 2");
+  ASSERT_FALSE(none);
+  EXPECT_THAT(format(none.error()), HasSubstr("lacks the home home 2"));
 }
 
 TEST_F(LedgerFile, RefusesAnotherRunAndNamesBoth) {

@@ -19,6 +19,15 @@ std::string text_of(const Value& value) {
   return text;
 }
 
+TEST(JsonText, ATreeThatWasReadIsWrittenAsItStood) {
+  for (const std::string text :
+       {R"({"a":[],"b":{},"c":[1,-2,1e-04,1e-05,1e+22,-0.0,5.0],"d":{"e":null,"f":[true,{"g":"x\"y"}]}})", "[]", "7"}) {
+    std::string again;
+    JsonText(again).tree(nlohmann::ordered_json::parse(text));
+    EXPECT_EQ(again, text);
+  }
+}
+
 TEST(JsonText, PutsCommasBetweenAndNowhereElse) {
   std::string text;
   JsonText json(text);

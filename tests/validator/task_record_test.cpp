@@ -16,7 +16,7 @@ Json sound_task() {
     "refinement":"","goal":{"text":"(at-end (exists (?a - Fridge) (open ?a)))","tree":{"op":"at-end","parts":[
       {"op":"exists","variable":"a","domain":{"categories":[{"category":"Fridge"}]},"body":
         {"op":"atom","predicate":"open","terms":[{"variable":"a"}]}}]}},
-    "start":{"constraints":[],"edits":[]},
+    "start":{"constraints":[],"edits":[],"changes":{}},
     "instruction":{"text":"Open a fridge.","writer":"grammar","style":"direct","checks":["parses-back"]},
     "expert":{"M1":{"steps":3,"failures":0},"M3":{"steps":30,"failures":2}},"seed":{"run":1,"slot":0,"attempt":0}})text");
 }

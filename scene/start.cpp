@@ -1,0 +1,68 @@
+#include "scene/start.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/json_parse.h"
+#include "scene/scene_json.h"
+
+namespace unietp {
+namespace {
+
+std::string said(const Edge& edge) {
+  return std::string(info(edge.relation).name) + " from " + in_quotes(edge.from) + " to " + in_quotes(edge.to);
+}
+
+/// What of a change cannot be done to the home; "" when all can.
+std::string misfit(const Scene& home, const Delta& changes) {
+  for (const std::string& id : changes.removed) {
+    if (find_node(home, id) == nullptr) return "no object " + in_quotes(id) + " in the home that could be gone";
+  }
+  const auto in_home = [&](const Edge& edge) { return std::binary_search(home.edges.begin(), home.edges.end(), edge); };
+  for (const Edge& edge : changes.edges_removed) {
+    if (!in_home(edge)) return "the home has no edge " + said(edge) + " that could be gone";
+  }
+  for (const Edge& edge : changes.edges_added) {
+    if (in_home(edge)) return "the home has the edge " + said(edge) + " already";
+  }
+  return "";
+}
+
+void sort_by_id(std::vector<Node>& nodes) {
+  std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.id < b.id; });
+}
+
+}  // namespace
+
+Delta changes_of(const Scene& home, const Scene& scene) {
+  Delta changes = difference(home, scene);
+  sort_by_id(changes.nodes);
+  return changes;
+}
+
+Scene start_in(Scene home, const Delta& changes) {
+  Delta but_for_the_gone = changes;
+  but_for_the_gone.removed.clear();
+  sort_by_id(but_for_the_gone.nodes);
+  Scene start = apply(std::move(home), but_for_the_gone);
+  for (const std::string& id : changes.removed) {
+    Node* gone = find_node(start, id);
+    if (gone != &start.nodes.back()) *gone = std::move(start.nodes.back());
+    start.nodes.pop_back();
+  }
+  return start;
+}
+
+Result<Scene> start_in(std::string_view where, const Scene& home, const Delta& changes, const std::string& id) {
+  if (const auto wrong = misfit(home, changes); !wrong.empty())
+    return Error{Error::Kind::Schema, std::string(where), {}, "its changes do not fit its home: " + wrong};
+  Scene start = start_in(home, changes);
+  start.id = id;
+  auto whole = check_whole(where, std::move(start));
+  if (whole) return whole;
+  Error error = whole.error();
+  error.message = "its changes do not fit its home: " + error.message;
+  return error;
+}
+
+}  // namespace unietp
