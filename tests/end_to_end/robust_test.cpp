@@ -165,6 +165,7 @@ TEST(Robust, ASecondRunOnTheSameFolderIsRefused) {
   options.emplace_back("--resume");
   RunningProgram first(options);
   wait_for_ledger(first, folder.path());
+  first.send(SIGSTOP);  // so that it is still at it, however quick it is
   const auto second = run_program(options);
   EXPECT_EQ(second.code, 2);
   EXPECT_THAT(second.err, HasSubstr("another run"));
