@@ -150,6 +150,35 @@ std::vector<std::string> all_names(const Parameter& parameter, const Knowledge& 
   return sorted_unique(std::move(names));
 }
 
+/// What a parameter asks of a category; its words are read once for many categories.
+class Wish {
+ public:
+  explicit Wish(const Parameter& parameter) {
+    for (const auto& affordance : parameter.affordances) {
+      if (affordance == "furniture")
+        furniture_ = true;
+      else if (affordance == "movable")
+        movable_ = true;
+      else if (affordance == "countable")
+        countable_ = true;
+      else if (affordance != "any")
+        affordances_.push_back(affordance);
+    }
+  }
+  bool met_by(const std::string& category, const Knowledge& knowledge) const {
+    const auto* known = knowledge.find(category);
+    if (known == nullptr || (furniture_ && known->movable) || (movable_ && !known->movable) ||
+        (countable_ && !known->countable))
+      return false;
+    return std::all_of(affordances_.begin(), affordances_.end(),
+                       [&](std::string_view affordance) { return knowledge.has(category, affordance); });
+  }
+
+ private:
+  bool furniture_ = false, movable_ = false, countable_ = false;
+  std::vector<std::string_view> affordances_;  // of the knowledge base
+};
+
 bool usual_holds(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
   const auto* name = bound_to(binding, constraint.arguments[0]);
   const auto* room = bound_to(binding, constraint.arguments[1]);
@@ -199,15 +228,7 @@ bool affords(const Parameter& parameter, const std::string& category, const Know
     });
   }
   if (is_value(parameter)) return is_word_for(parameter, category, knowledge);
-  const auto* known = knowledge.find(category);
-  if (known == nullptr) return false;
-  return std::all_of(parameter.affordances.begin(), parameter.affordances.end(), [&](const std::string& affordance) {
-    if (affordance == "any") return true;
-    if (affordance == "furniture") return !known->movable;
-    if (affordance == "movable") return known->movable;
-    if (affordance == "countable") return known->countable;
-    return knowledge.has(category, affordance);
-  });
+  return Wish(parameter).met_by(category, knowledge);
 }
 
 bool is_value(const Parameter& parameter) {
@@ -280,12 +301,15 @@ std::vector<std::string> candidates_for(const Parameter& parameter, const std::v
     if (speaks_of(constraint, parameter.name) && (distinct || is_complete(constraint, trial)))
       own.push_back(&constraint);
   }
-  const auto types = is_room(parameter) ? room_types(knowledge) : std::vector<std::string>{};
+  const bool room = is_room(parameter), value = is_value(parameter);
+  const auto types = room ? room_types(knowledge) : std::vector<std::string>{};
+  const Wish wish(parameter);
   std::vector<std::string> fitting;
   for (const auto& name : base ? *base : *among) {
     if (base && among != nullptr && !std::binary_search(among->begin(), among->end(), name)) continue;
-    const bool offers =
-        is_room(parameter) ? std::binary_search(types.begin(), types.end(), name) : affords(parameter, name, knowledge);
+    const bool offers = room    ? std::binary_search(types.begin(), types.end(), name)
+                        : value ? is_word_for(parameter, name, knowledge)
+                                : wish.met_by(name, knowledge);
     if (!offers) continue;
     trial.back().second = name;
     const bool fits =

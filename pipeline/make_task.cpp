@@ -37,19 +37,17 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
   const auto* plain = std::get_if<Specification>(&filled);
   if (as_it_is && plain->split == Split::InstanceGrounding && !can_refer(*plain, knowledge, layout.offer))
     return Rejection{"generator", "no-referring-constraint", to_text(*binding)};
+  // What cannot be refined need not pass the gates, which cost more.
+  auto specified = std::optional(*plain);  // also one that its template has refined
+  if (plain->split != split && split == Split::InstanceGrounding) {
+    specified = refine_referring(*plain, knowledge, layout.offer, source.refinement, rng.fork("referring", 0));
+    if (!specified) return Rejection{"generator", "no-referring-constraint", to_text(*binding)};
+  } else if (plain->split != split && split == Split::Linguistic) {
+    specified = refine_linguistic(*plain, knowledge, source.refinement, rng.fork("linguistic", 0));
+    if (!specified) return Rejection{"generator", "no-wording", to_text(*binding)};
+  }
   if (const auto refusal = refused_by(*plain, knowledge)) return refused(*refusal);
-  if (plain->split == split) return *plain;  // also one that its template has refined
-  if (split == Split::InstanceGrounding) {
-    auto refined = refine_referring(*plain, knowledge, layout.offer, source.refinement, rng.fork("referring", 0));
-    if (!refined) return Rejection{"generator", "no-referring-constraint", to_text(*binding)};
-    return *refined;
-  }
-  if (split == Split::Linguistic) {
-    auto refined = refine_linguistic(*plain, knowledge, source.refinement, rng.fork("linguistic", 0));
-    if (!refined) return Rejection{"generator", "no-wording", to_text(*binding)};
-    return *refined;
-  }
-  return *plain;
+  return std::move(*specified);
 }
 
 /// Most categories cannot be referred to in every home, nor said in every style: a few further bindings, with what is
@@ -57,7 +55,7 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
 std::variant<Specification, Rejection> specify(const Template& source, const Layout& layout, const Knowledge& knowledge,
                                                const std::optional<Binding>& planned, const Binding& fixed, Split split,
                                                const CategoryWeight& weight, const Rng& rng) {
-  constexpr std::uint64_t kBindings = 32;
+  constexpr std::uint64_t kBindings = 8;  // of those that 32 let through, 98 % are among the first 8
   auto specified = specify_once(source, layout, knowledge, planned, split, true, rng);
   for (std::uint64_t i = 1; i < kBindings; ++i) {
     const auto* why = std::get_if<Rejection>(&specified);

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double kTogether_m = 0.02;  // loose things nearer than this are let go together
 
-/// Two seconds, or a fifth of a second in which nothing moves, half a second where something lies near an edge.
+/// Two seconds, or a tenth of a second in which nothing moves, half a second where something lies near an edge.
 SettleOptions watched() {
   SettleOptions options;
   options.max_steps = static_cast<int>(std::lround(2.0 / options.step_s));
-  options.calm_steps = options.max_steps / 10;
+  options.calm_steps = options.max_steps / 20;
   options.edge_calm_steps = options.max_steps / 4;
   return options;
 }
