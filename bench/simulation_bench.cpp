@@ -39,7 +39,7 @@ struct Fixture {
   Profile profile = testing::kitchen_profile();
   Scene scene;
   PhysicsWorld physics = physics_of(scene);
-  KnownStart known() const { return {physics, std::nullopt, std::nullopt}; }
+  KnownStart known() const { return {.physics = physics}; }
 };
 
 void BuildAllBodies(benchmark::State& state) {

@@ -50,11 +50,9 @@ bool Methods::put_shut(const std::string& id, ActionType action, const std::stri
 /// What lies on or in a target and the way to the goal does not speak of, the largest first.
 std::vector<std::string> Methods::in_the_way_on(const std::string& target, const std::string& but) const {
   std::vector<std::pair<double, std::string>> there;
-  for (const Node& node : attempt_.world().nodes()) {
-    if (!node.movable || node.id == but || is_named(node.id)) continue;
-    const bool rests = attempt_.world().linked(node.id, Predicate::On, target) ||
-                       attempt_.world().linked(node.id, Predicate::Inside, target);
-    if (rests) there.emplace_back(-node.size.x() * node.size.y(), node.id);
+  for (const std::string& id : attempt_.world().resting_at(target)) {
+    const Node& node = *find(id);
+    if (node.movable && id != but && !is_named(id)) there.emplace_back(-node.size.x() * node.size.y(), id);
   }
   std::sort(there.begin(), there.end());
   if (there.size() > kMostCleared) there.resize(kMostCleared);
@@ -135,8 +133,8 @@ bool Methods::nest(const std::string& id, const std::string& target) {
   if (!clears_ || attempt_.exhausted() || !hold(id) || !reopen(id, ActionType::PlaceIn, target)) return false;
   const Aim aim{[&](const World& world) { return world.linked(id, Predicate::Inside, target); }, {}};
   std::vector<std::string> there;
-  for (const Node& node : attempt_.world().nodes()) {
-    if (node.movable && attempt_.world().linked(node.id, Predicate::Inside, target)) there.push_back(node.id);
+  for (const std::string& other : attempt_.world().resting_at(target)) {
+    if (find(other)->movable && attempt_.world().linked(other, Predicate::Inside, target)) there.push_back(other);
   }
   for (const std::string& other : there) {
     for (const ActionType way : {ActionType::PlaceIn, ActionType::PlaceOn}) {

@@ -72,9 +72,7 @@ std::optional<Literal> carry_out(Attempt& attempt, Methods& methods, const Habit
 }
 
 void shun(Experience& experience, const Situation& situation, const std::string& id) {
-  for (EntityIndex entity = 0; entity < situation.first_imagined; ++entity) {
-    if (situation.entity(entity).id == id) experience.things.emplace_back(entity, kFailedThing);
-  }
+  if (const auto entity = situation.find(id)) experience.things.emplace_back(*entity, kFailedThing);
 }
 
 void learn(Experience& experience, const Situation& situation, const Attempt& attempt, const Literal& failed) {

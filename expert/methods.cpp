@@ -1,6 +1,7 @@
 #include "expert/methods.h"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 #include "expert/ways.h"
@@ -88,12 +89,16 @@ bool Methods::change_state(const Literal& literal) {
 
 std::vector<std::string> Methods::nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const {
   std::vector<std::tuple<bool, double, std::string>> found;
-  for (const Node& node : attempt_.world().nodes()) {
-    const bool fits =
-        std::any_of(rules.begin(), rules.end(), [&node](const Effect* rule) { return rule->tool == node.category; });
-    if (!fits || node.id == except) continue;
-    const bool held = attempt_.is_held(node.id);
-    found.emplace_back(!held, held ? 0.0 : attempt_.world().walking_distance(node.id), node.id);
+  const World& world = attempt_.world();
+  std::set<std::string_view> categories;
+  for (const Effect* rule : rules) categories.insert(rule->tool);
+  for (const std::string_view category : categories) {
+    for (const std::size_t place : world.places().of(category)) {
+      const std::string& id = world.nodes()[place].id;
+      if (id == except) continue;
+      const bool held = attempt_.is_held(id);
+      found.emplace_back(!held, held ? 0.0 : world.walking_distance(id), id);
+    }
   }
   std::sort(found.begin(), found.end());
   std::vector<std::string> ids;
@@ -108,7 +113,7 @@ bool Methods::with_held_tool(const Literal& literal, ActionType action, std::str
   const StateWay way{literal.predicate, Way::HeldToolOn, action, effect};
   const Node* node = find(id);
   const auto rules = node == nullptr ? std::vector<const Effect*>()
-                                     : rules_for(way, node->category, literal.symbol, attempt_.world().nodes(),
+                                     : rules_for(way, node->category, literal.symbol, attempt_.world().places(),
                                                  *attempt_.situation().knowledge);
   if (rules.empty()) return false;
   if (attempt_.is_held(id) && !put_aside(id)) return false;
@@ -173,7 +178,7 @@ bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::
   const Node* node = find(id);
   if (node == nullptr) return false;
   const auto rules =
-      rules_for(way, node->category, literal.symbol, attempt_.world().nodes(), *attempt_.situation().knowledge);
+      rules_for(way, node->category, literal.symbol, attempt_.world().places(), *attempt_.situation().knowledge);
   if (rules.empty() || !hold(id)) return false;
   for (const std::string& tool : nearest_of(rules, id)) {
     if (do_at(action, tool)) return true;
@@ -199,7 +204,7 @@ bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
   if (node == nullptr || !node->movable) return false;
   const StateWay way{literal.predicate, Way::Appliance, ActionType::PlaceIn, effect};
   for (const Effect* rule :
-       rules_for(way, node->category, literal.symbol, attempt_.world().nodes(), *attempt_.situation().knowledge)) {
+       rules_for(way, node->category, literal.symbol, attempt_.world().places(), *attempt_.situation().knowledge)) {
     const auto needs = [rule](std::string_view need) {
       return std::find(rule->needs.begin(), rule->needs.end(), need) != rule->needs.end();
     };
@@ -225,6 +230,8 @@ bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
 
 /// From a seat nothing can be done but to leave it.
 bool Methods::stand_up() {
+  const Profile& profile = attempt_.situation().profile;
+  if (!profile.offers(ActionType::SitOn) && !profile.offers(ActionType::LieOn)) return true;
   const auto& nodes = attempt_.world().nodes();
   const bool seated = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) {
     return node.states.has(Predicate::SatOn) || node.states.has(Predicate::LainOn);

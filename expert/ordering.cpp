@@ -36,7 +36,7 @@ class Ranker {
 
  private:
   bool movable(EntityIndex entity) const {
-    const Node* node = attempt_.situation().nodes[entity];
+    const Node* node = attempt_.situation().node(entity);
     return node != nullptr && node->movable;
   }
 

@@ -9,6 +9,7 @@ namespace unietp {
 namespace {
 
 constexpr std::size_t kMostSpots = 12;  // places tried for putting something down anywhere
+constexpr double kBesides = 2.5;        // reaches between a piece's sphere and where walks to it are counted to end
 
 /// As `next_to` is read, of boxes that may yet come down.
 bool side_by_side(const Bounds& a, const Bounds& b) {
@@ -157,22 +158,33 @@ std::vector<Action> Methods::ways_to_rid(const std::string& id, const std::strin
   const World& world = attempt_.world();
   const Knowledge& knowledge = *attempt_.situation().knowledge;
   const Node* thing = find(id);
-  std::vector<std::tuple<bool, bool, bool, double, std::string, ActionType>> spots;
+  const Room* within = room.empty() ? nullptr : world.find_room(room);
+  // By the least that a walk there can be: when the list is full of better ones, the rest need not be asked for.
+  std::vector<std::pair<double, const Node*>> furniture;
   for (const Node& node : world.nodes()) {
-    if (node.movable || node.id == except || !world.closed_around(node.id).empty()) continue;
-    if (!room.empty() && world.room_of(node.id) != room) continue;
-    const double walk = world.walking_distance(node.id);
+    if (node.movable || node.id == except) continue;
+    if (within != nullptr && !contains(within->polygon, node.pose.position.head<2>())) continue;
+    const double away = (node.pose.position.head<2>() - world.agent().position).norm();
+    furniture.emplace_back(std::max(0.0, away - node.size.norm() / 2 - kBesides * world.profile().reach_m), &node);
+  }
+  std::stable_sort(furniture.begin(), furniture.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  using Spot = std::tuple<bool, bool, bool, double, std::string, ActionType>;
+  std::vector<Spot> spots;  // the best, sorted
+  for (const auto& [least, node] : furniture) {
+    if (spots.size() == kMostSpots && spots.back() < Spot(false, false, least > 0, least, "", ActionType())) break;
+    if (!world.closed_around(node->id).empty() || (!room.empty() && world.room_of(node->id) != room)) continue;
+    const double walk = world.walking_distance(node->id);
     if (walk >= Situation::kFar_m) continue;
-    const auto add = [&](const char* relation, ActionType action) {
-      const bool usual = thing != nullptr && knowledge.placement(thing->category, relation, node.category) != nullptr;
-      if (usual || knowledge.has(node.category, "receptacle"))
-        spots.emplace_back(is_relevant(node), !usual, !world.in_reach(node.id), walk, node.id, action);
+    const auto add = [&, &piece = *node](const char* relation, ActionType action) {
+      const bool usual = thing != nullptr && knowledge.placement(thing->category, relation, piece.category) != nullptr;
+      if (!usual && !knowledge.has(piece.category, "receptacle")) return;
+      const Spot spot(is_relevant(piece), !usual, !world.in_reach(piece.id), walk, piece.id, action);
+      spots.insert(std::lower_bound(spots.begin(), spots.end(), spot), spot);
+      if (spots.size() > kMostSpots) spots.pop_back();
     };
     add("on", ActionType::PlaceOn);
-    if (!room.empty() && (!node.openable || is(node.id, Predicate::Open))) add("inside", ActionType::PlaceIn);
+    if (!room.empty() && (!node->openable || is(node->id, Predicate::Open))) add("inside", ActionType::PlaceIn);
   }
-  std::sort(spots.begin(), spots.end());
-  if (spots.size() > kMostSpots) spots.resize(kMostSpots);
   std::vector<Action> ways;
   for (const auto& spot : spots) ways.push_back({std::get<5>(spot), {std::get<4>(spot)}});
   return ways;

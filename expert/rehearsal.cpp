@@ -1,6 +1,7 @@
 #include "expert/rehearsal.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "logic/evaluate.h"
 #include "simulation/relations.h"
@@ -9,30 +10,41 @@ namespace unietp {
 
 Result<Rehearsal> Rehearsal::of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                                 const Profile& profile) {
-  return of(goal, start, knowledge, profile, {physics_of(start), std::nullopt, std::nullopt});
+  return of(goal, start, knowledge, profile, {.physics = physics_of(start)});
 }
 
 Result<Rehearsal> Rehearsal::of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                                 const Profile& profile, KnownStart known) {
+  if (!known.places) known.places = NodeIndex(start.nodes);
+  NodeIndex places = *known.places;
+  auto read = std::exchange(known.read, std::nullopt);
   auto world = World::create(start, knowledge, profile, std::move(known));
   if (!world) return world.error();
-  return Rehearsal(goal, start, knowledge, profile, std::move(*world));
+  return Rehearsal(goal, start, knowledge, profile, std::move(places), std::move(read), std::move(*world));
 }
 
 Rehearsal::Rehearsal(const Formula& goal, const Scene& start, const Knowledge& knowledge, const Profile& profile,
-                     World world)
+                     NodeIndex places, std::optional<ReadScene> read, World world)
     : goal_(&goal),
       start_(&start),
       knowledge_(&knowledge),
       profile_(&profile),
+      places_(std::move(places)),
       world_(std::move(world)),
       compares_later_(reads_later_comparisons(goal)) {
   compared_.add(goal);
-  facts_.emplace_back(read(start));
+  if (read) {
+    reader_ = std::move(read->reader);
+    facts_.emplace_back(compared(std::move(read->facts), start));
+  } else {
+    facts_.emplace_back(this->read(start));
+  }
+  at_start_ = reader_.entities();
 }
 
-Facts Rehearsal::read(const Scene& scene) {
-  Facts facts = reader_.read(scene);
+Facts Rehearsal::read(const Scene& scene) { return compared(reader_.read(scene), scene); }
+
+Facts Rehearsal::compared(Facts facts, const Scene& scene) const {
   return compared_.none() ? facts : with_comparisons(facts, scene, reader_, compared_);
 }
 

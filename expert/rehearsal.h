@@ -32,8 +32,12 @@ class Rehearsal {
   const Knowledge& knowledge() const { return *knowledge_; }
   const Profile& profile() const { return *profile_; }
   const World& world() const { return world_; }  // at the start
+  /// Of the start's nodes.
+  const NodeIndex& places() const { return places_; }
+  /// The things of the start and, where that grew out of a home, those of the home that are gone.
+  const EntityList& entities_at_start() const { return at_start_; }
 
-  /// All things that were there in any branch, those of the start first.
+  /// All things that were there in any branch, those at the start first.
   const EntityList& entities() const { return reader_.entities(); }
   std::optional<EntityIndex> find(std::string_view id) const { return reader_.find(id); }
 
@@ -48,15 +52,19 @@ class Rehearsal {
   bool reaches_goal(std::vector<std::uint32_t> moments);
 
  private:
-  Rehearsal(const Formula& goal, const Scene& start, const Knowledge& knowledge, const Profile& profile, World world);
+  Rehearsal(const Formula& goal, const Scene& start, const Knowledge& knowledge, const Profile& profile,
+            NodeIndex places, std::optional<ReadScene> read, World world);
   Facts read(const Scene& scene);
+  Facts compared(Facts facts, const Scene& scene) const;
 
   const Formula* goal_;
   const Scene* start_;
   const Knowledge* knowledge_;
   const Profile* profile_;
+  NodeIndex places_;
   World world_;
   FactReader reader_;
+  EntityList at_start_;
   Compared compared_;
   bool compares_later_;
   std::deque<std::optional<Facts>> facts_;  // by moment

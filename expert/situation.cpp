@@ -1,6 +1,7 @@
 #include "expert/situation.h"
 
 #include <algorithm>
+#include <map>
 
 namespace unietp {
 namespace {
@@ -13,22 +14,22 @@ bool ranges_over_slices(const Formula& formula) {
 }
 
 /// The first rule by which something in the scene cuts the category; nullptr when nothing does.
-const Effect* slicing_of(const Node& node, const Scene& scene, const Knowledge& knowledge) {
-  for (const Effect* effect : knowledge.effects_on(node.category, "slices")) {
-    for (const Node& tool : scene.nodes) {
-      if (tool.category == effect->tool) return effect;
-    }
+const Effect* slicing_of(const std::string& category, const Situation& situation) {
+  for (const Effect* effect : situation.knowledge->effects_on(category, "slices")) {
+    if (!situation.places().of(effect->tool).empty()) return effect;
   }
   return nullptr;
 }
 
 void imagine_slices(Situation& situation) {
   Facts later = situation.facts();
-  const std::size_t real = situation.trace.entities.size();
-  for (EntityIndex whole = 0; whole < real; ++whole) {
-    const Node* node = situation.nodes[whole];
+  std::map<std::string_view, const Effect*> slicing;  // of each category
+  for (EntityIndex whole = 0; whole < situation.first_imagined; ++whole) {
+    const Node* node = situation.node(whole);
     if (node == nullptr || node->states.has(Predicate::Sliced)) continue;
-    const Effect* effect = slicing_of(*node, *situation.start, *situation.knowledge);
+    const auto [known, fresh] = slicing.try_emplace(node->category, nullptr);
+    if (fresh) known->second = slicing_of(node->category, situation);
+    const Effect* effect = known->second;
     if (effect == nullptr) continue;
     // The first piece keeps the whole's identity, so that a goal can still speak of it; the others are new.
     for (int ordinal = 0; ordinal < std::max(2, effect->amount) - 1; ++ordinal) {
@@ -36,8 +37,6 @@ void imagine_slices(Situation& situation) {
       situation.trace.entities.push_back(Entity{
           Entity::Kind::Object, node->id + "/slice_" + std::to_string(ordinal + 1), effect->gives, node->category});
       situation.imagined.push_back({whole, ordinal});
-      situation.nodes.push_back(node);
-      situation.shut_in.push_back(situation.shut_in[whole]);
       later.set_exists(slice);
       later.set(Predicate::SliceOf, slice, whole);
     }
@@ -53,15 +52,38 @@ bool has_operator(const Formula& formula, std::initializer_list<Formula::Op> ope
                      [operators](const Formula& part) { return has_operator(part, operators); });
 }
 
-double Situation::walk_m(EntityIndex index) const {
-  if (is_imagined(index)) return walk_m(slice(index).whole);
-  std::optional<double>& known = walked_m_[index];
-  if (!known) known = nodes[index] == nullptr ? 0.0 : std::min(world_.walking_distance(entity(index).id), kFar_m);
+const Node* Situation::node(EntityIndex index) const {
+  if (is_imagined(index)) return node(slice(index).whole);
+  auto& known = nodes_[index];
+  if (!known) {
+    const auto place = places().find(entity(index).id);
+    known = place ? &start->nodes[*place] : nullptr;
+  }
   return *known;
 }
 
+EntityIndex Situation::shut_in(EntityIndex index) const {
+  if (is_imagined(index)) return shut_in(slice(index).whole);
+  auto& known = shut_in_[index];
+  if (!known) known = find(rehearsal_->world().closed_around(entity(index).id)).value_or(kNobody);
+  return *known;
+}
+
+double Situation::walk_m(EntityIndex index) const {
+  if (is_imagined(index)) return walk_m(slice(index).whole);
+  std::optional<double>& known = walked_m_[index];
+  if (!known)
+    known = node(index) == nullptr ? 0.0 : std::min(rehearsal_->world().walking_distance(entity(index).id), kFar_m);
+  return *known;
+}
+
+std::optional<EntityIndex> Situation::find(std::string_view id) const {
+  const auto found = rehearsal_->find(id);
+  return found && *found < first_imagined ? found : std::nullopt;
+}
+
 Situation look_around(const Rehearsal& rehearsal, Mode mode) {
-  Situation situation(rehearsal.world());
+  Situation situation(rehearsal);
   situation.start = &rehearsal.start();
   situation.knowledge = &rehearsal.knowledge();
   situation.profile = rehearsal.profile();
@@ -69,20 +91,12 @@ Situation look_around(const Rehearsal& rehearsal, Mode mode) {
     if (!offers(action, mode)) situation.profile.actions[static_cast<std::size_t>(action.type)] = false;
   }
   situation.trace.states.push_back(rehearsal.facts(rehearsal.world()));
-  // The agent, the rooms and the nodes of the start; others were there in branches that were tried before.
-  const std::size_t before_nodes = 1 + situation.start->rooms.size();
-  const std::size_t count = before_nodes + situation.start->nodes.size();
-  const auto& entities = rehearsal.entities();
-  for (std::size_t e = 0; e < count; ++e) situation.trace.entities.push_back(entities[e]);
+  situation.trace.entities = rehearsal.entities_at_start();
+  const std::size_t count = situation.trace.entities.size();
   situation.first_imagined = static_cast<EntityIndex>(count);
   situation.walked_m_.resize(count);
-  situation.nodes.resize(count, nullptr);
-  situation.shut_in.resize(count, kNobody);
-  for (std::size_t i = before_nodes; i < count; ++i) {
-    situation.nodes[i] = &situation.start->nodes[i - before_nodes];
-    const std::string around = rehearsal.world().closed_around(entities[i].id);
-    if (!around.empty()) situation.shut_in[i] = rehearsal.find(around).value_or(kNobody);
-  }
+  situation.nodes_.resize(count);
+  situation.shut_in_.resize(count);
   if (ranges_over_slices(rehearsal.goal())) imagine_slices(situation);
   return situation;
 }

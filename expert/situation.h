@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "expert/rehearsal.h"
@@ -26,10 +27,14 @@ struct Situation {
   Trace trace;      // the start, then an imagined state in which all slices exist too
   EntityIndex first_imagined = 0;
   std::vector<ImaginedSlice> imagined;
-  std::vector<const Node*> nodes;    // by entity; of an imagined slice its whole's; nullptr for rooms and the agent
-  std::vector<EntityIndex> shut_in;  // by entity: the closed container around it, or kNobody
   static constexpr double kFar_m = 100;
 
+  /// Of the start; of an imagined slice its whole's; nullptr for rooms, the agent and what is gone.
+  const Node* node(EntityIndex index) const;
+  /// The closed container around it, or kNobody; of an imagined slice the one around its whole.
+  EntityIndex shut_in(EntityIndex index) const;
+  const NodeIndex& places() const { return rehearsal_->places(); }
+  std::optional<EntityIndex> find(std::string_view id) const;
   /// From where the agent stands, capped at kFar_m; of an imagined slice its whole's.
   double walk_m(EntityIndex index) const;
   const Facts& facts() const { return trace.states.front(); }
@@ -39,9 +44,12 @@ struct Situation {
 
  private:
   friend Situation look_around(const Rehearsal& rehearsal, Mode mode);
-  explicit Situation(const World& at_start) : world_(at_start) {}
-  World world_;
-  mutable std::vector<std::optional<double>> walked_m_;  // by entity, as far as asked for
+  explicit Situation(const Rehearsal& rehearsal) : rehearsal_(&rehearsal) {}
+  const Rehearsal* rehearsal_;
+  // By entity, as far as asked for.
+  mutable std::vector<std::optional<double>> walked_m_;
+  mutable std::vector<std::optional<const Node*>> nodes_;
+  mutable std::vector<std::optional<EntityIndex>> shut_in_;
 };
 
 /// The start for one who plans with the actions of a mode. The rehearsal must outlive the situation.

@@ -38,8 +38,8 @@ void insert_once(std::vector<EntityIndex>& list, EntityIndex entity) {
 }
 
 double metres_between(const Situation& situation, EntityIndex a, EntityIndex b) {
-  const Node* from = situation.nodes[a];
-  const Node* to = b == kNobody ? nullptr : situation.nodes[b];
+  const Node* from = situation.node(a);
+  const Node* to = b == kNobody ? nullptr : situation.node(b);
   if (from == nullptr || to == nullptr) return 0;
   return (from->pose.position - to->pose.position).head<2>().norm();
 }
@@ -133,7 +133,7 @@ double estimate(const Alternative& alternative, const Situation& situation, cons
     if (holds_in(literal, situation.facts())) continue;
     insert_once(visited, literal.subject);
     insert_once(visited, literal.object);
-    insert_once(doors, situation.shut_in[literal.subject]);
+    insert_once(doors, situation.shut_in(literal.subject));
     if (situation.is_imagined(literal.subject)) insert_once(cut, situation.slice(literal.subject).whole);
     const bool placement = is_placement(literal.predicate);
     if (placement || literal.predicate == Predicate::Held || changes_in_hand(literal.predicate)) {
@@ -144,7 +144,7 @@ double estimate(const Alternative& alternative, const Situation& situation, cons
       if (changes_in_hand(literal.predicate)) cost += 1;
     } else if (literal.positive) {
       cost += 2 + kActionsPerMetre * metres_between(situation, literal.subject, literal.object);
-      insert_once(doors, situation.shut_in[literal.object]);
+      insert_once(doors, situation.shut_in(literal.object));
       const bool shut =
           literal.predicate == Predicate::Inside && situation.facts().holds(Predicate::Closed, literal.object);
       if (shut) insert_once(doors, literal.object);

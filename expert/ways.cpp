@@ -48,19 +48,19 @@ constexpr StateWay kWipeOff{Predicate::Covered, Way::HeldToolOn, ActionType::Wip
 bool some_vessel(const Literal& literal, const Situation& situation) {
   const auto& nodes = situation.start->nodes;
   return std::any_of(nodes.begin(), nodes.end(), [&](const Node& node) {
-    if (&node == situation.nodes[literal.subject] || !node.movable) return false;
+    if (&node == situation.node(literal.subject) || !node.movable) return false;
     if (!situation.knowledge->has(node.category, "fillable")) return false;
     if (node.states.has({Predicate::Filled, literal.symbol})) return true;
     const auto ways = ways_to(Predicate::Filled, situation.profile);
     return std::any_of(ways.begin(), ways.end(), [&](const StateWay& way) {
       return way.way != Way::FromVessel &&
-             !rules_for(way, node.category, literal.symbol, nodes, *situation.knowledge).empty();
+             !rules_for(way, node.category, literal.symbol, situation.places(), *situation.knowledge).empty();
     });
   });
 }
 
 bool state_achievable(const Literal& literal, const Situation& situation) {
-  const Node* node = situation.nodes[literal.subject];
+  const Node* node = situation.node(literal.subject);
   if (node == nullptr) return false;
   const std::string& category = situation.entity(literal.subject).category;
   for (const StateWay& way : ways_to(literal.predicate, situation.profile)) {
@@ -74,7 +74,7 @@ bool state_achievable(const Literal& literal, const Situation& situation) {
     }
     const bool in_hand = way.way == Way::ToolOnHeld || way.way == Way::Appliance;
     if (in_hand && !node->movable) continue;
-    if (!rules_for(way, category, literal.symbol, situation.start->nodes, *situation.knowledge).empty()) return true;
+    if (!rules_for(way, category, literal.symbol, situation.places(), *situation.knowledge).empty()) return true;
   }
   return false;
 }
@@ -90,13 +90,11 @@ std::vector<StateWay> ways_to(Predicate predicate, const Profile& profile) {
 }
 
 std::vector<const Effect*> rules_for(const StateWay& way, std::string_view category, std::string_view symbol,
-                                     const std::vector<Node>& nodes, const Knowledge& knowledge) {
+                                     const NodeIndex& places, const Knowledge& knowledge) {
   std::vector<const Effect*> rules;
   for (const Effect* effect : knowledge.effects_on(category, way.needs)) {
     if (!symbol.empty() && symbol != "any" && effect->gives != symbol) continue;
-    const bool present =
-        std::any_of(nodes.begin(), nodes.end(), [effect](const Node& node) { return node.category == effect->tool; });
-    if (present) rules.push_back(effect);
+    if (!places.of(effect->tool).empty()) rules.push_back(effect);
   }
   return rules;
 }
@@ -123,7 +121,7 @@ bool changes_in_hand(Predicate predicate) {
 
 bool achievable(const Literal& literal, const Situation& situation) {
   if (literal.subject == literal.object) return false;
-  const Node* node = situation.nodes[literal.subject];
+  const Node* node = situation.node(literal.subject);
   if (literal.predicate == Predicate::InRoom && literal.positive &&
       situation.entity(literal.subject).kind == Entity::Kind::Agent) {
     return true;
@@ -133,8 +131,7 @@ bool achievable(const Literal& literal, const Situation& situation) {
   }
   if (literal.positive) return state_achievable(literal, situation);
   return literal.predicate == Predicate::Covered && node != nullptr && situation.profile.offers(kWipeOff.action) &&
-         !rules_for(kWipeOff, situation.entity(literal.subject).category, "", situation.start->nodes,
-                    *situation.knowledge)
+         !rules_for(kWipeOff, situation.entity(literal.subject).category, "", situation.places(), *situation.knowledge)
               .empty();
 }
 

@@ -30,7 +30,7 @@ std::vector<StateWay> ways_to(Predicate predicate, const Profile& profile);
 
 /// Effects in the knowledge base by which a tool that the scene has does this to the category (and leaves this symbol).
 std::vector<const Effect*> rules_for(const StateWay& way, std::string_view category, std::string_view symbol,
-                                     const std::vector<Node>& nodes, const Knowledge& knowledge);
+                                     const NodeIndex& places, const Knowledge& knowledge);
 
 bool is_placement(Predicate predicate);
 /// A state that changes while the object is in hand.

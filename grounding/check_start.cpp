@@ -171,7 +171,11 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   if (auto problem = check_calm(start, read.places, touched, world)) return problem;
   Reach reach(home, start, changed, read.places, world, profile);
   if (auto problem = check_reach(specification, start, read.places, trace, reach)) return problem;
-  return check_goal(specification, start, read.places, trace, knowledge, profile, reach, pictured);
+  if (auto problem = check_goal(specification, start, read.places, trace, knowledge, profile, reach, pictured))
+    return problem;
+  if (const auto room = reach.unreached())
+    return GroundingFailure{GroundingReason::NotReachable, *room + " cannot be walked to any more", *room};
+  return std::nullopt;
 }
 
 }  // namespace unietp

@@ -19,7 +19,8 @@ namespace unietp {
 /// has to bring about; no forall or count is about nothing; a referring constraint picks out something (and, where it
 /// is there to tell things apart, excludes something of the same category); what the goal and its constraints name can
 /// be reached; what was touched stays where it is (5 mm); the goal passes its geometric gates (check_goal, with
-/// `pictured`). The first failure, or nullopt when the start is sound. The start's edges must be those that are read.
+/// `pictured`); every room can be walked to. The first failure, or nullopt when the start is sound. The start's edges
+/// must be those that are read.
 std::optional<GroundingFailure> check_start(const Specification& specification, const Home& home, const Scene& start,
                                             const std::set<std::string>& touched, const Knowledge& knowledge,
                                             const Profile& profile, bool pictured = false);

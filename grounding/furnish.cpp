@@ -77,14 +77,14 @@ std::vector<std::size_t> hosts_in(const Workspace& workspace, std::size_t room, 
   return hosts;
 }
 
-/// Nodes with their bodies in a room or at most so far from it, ascending.
+/// Nodes in a room, in those at most so far from it and in none, ascending.
 std::vector<std::size_t> nodes_near(const Workspace& workspace, std::size_t room, double gap) {
   const Scene& scene = workspace.scene();
-  std::vector<std::size_t> nodes;
-  for (const BodyId body : workspace.physics().near(room_bounds(scene.rooms[room], scene.wall_height), gap)) {
-    if (body < scene.nodes.size()) nodes.push_back(body);
-  }
-  return nodes;
+  const Bounds bounds = room_bounds(scene.rooms[room], scene.wall_height);
+  std::vector<bool> rooms;
+  for (const Room& other : scene.rooms) rooms.push_back(overlap(room_bounds(other, scene.wall_height), bounds, gap));
+  rooms.push_back(true);  // what hangs in a wall
+  return workspace.nodes_in(rooms);
 }
 
 /// Pose in the host's frame for what stands on it: anywhere along it, its back near the host's back.
@@ -114,12 +114,14 @@ Pose beside(const Node& host, const Node& node, Rng& rng) {
 std::optional<std::size_t> draw_row_mate(const Workspace& workspace, std::size_t room, Rng& rng) {
   std::vector<std::size_t> mates;
   const Scene& scene = workspace.scene();
-  for (const std::size_t i : nodes_near(workspace, room, 0)) {
+  std::vector<bool> here(scene.rooms.size() + 1, false);
+  here[room] = true;
+  for (const std::size_t i : workspace.nodes_in(here)) {
     const Node& node = scene.nodes[i];
     const bool in_rows = node.archetype == Archetype::Block || node.archetype == Archetype::Cabinet ||
                          node.archetype == Archetype::Drawers || node.archetype == Archetype::Basin;
     if (!in_rows || node.movable || node.size.x() < 0.4 || node.pose.position.z() > node.size.z() / 2 + 0.01) continue;
-    if (contains(scene.rooms[room].polygon, node.pose.position.head<2>())) mates.push_back(i);
+    mates.push_back(i);
   }
   if (mates.empty()) return std::nullopt;
   return rng.pick(mates);

@@ -114,11 +114,6 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
     if (!misplaced || !editor.relocate(problem->subject, [](const Node&) { return true; })) break;
   }
   if (problem) return rejected(specification, home.scene, *problem);
-  const auto walk = walk_of(home, episode.start);
-  if (const auto room = walk == home.walk ? home.unreached : unreached_room(episode.start, *walk)) {
-    return rejected(specification, home.scene,
-                    {GroundingReason::NotReachable, *room + " cannot be walked to any more", *room});
-  }
   episode.specification = specification;
   episode.layout = home.scene.id;
   episode.edits = editor.edits();

@@ -91,26 +91,6 @@ PhysicsWorld physics_of(const Home& home, const Scene& scene, const Differences&
   return physics;
 }
 
-KnownStart known_start(const Home& home, const Scene& scene) {
-  const Differences changed = differences(home, scene);
-  KnownStart known{physics_of(home, scene, changed), std::nullopt, std::nullopt};
-  if (!scene.agent.held.empty() || !home.scene.agent.held.empty()) return known;
-  const PhysicsWorld& physics = known.physics;
-  auto& links = known.links.emplace(home.links);
-  links.resize(scene.nodes.size());
-  std::vector<Bounds> touched;
-  for (const std::size_t i : changed.gone) touched.push_back(home.physics.bounds(static_cast<BodyId>(i)));
-  for (const std::size_t i : changed.nodes) touched.push_back(physics.bounds(static_cast<BodyId>(i)));
-  for (const std::size_t i : affected_by(physics, touched, changed.nodes)) links[i] = links_of(scene, physics, i);
-  NavigationGrid& grid = known.grid.emplace(home.walk->grid);
-  for (const std::size_t i : changed.gone) {
-    if (i >= scene.nodes.size()) grid.update(i, nullptr, nullptr);
-  }
-  for (const std::size_t i : changed.nodes)
-    grid.update(i, &scene.nodes[i], &physics.collider(static_cast<BodyId>(i)).shape);
-  return known;
-}
-
 std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene) {
   return walk_of(home, scene, differences(home, scene));
 }

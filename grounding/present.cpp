@@ -42,11 +42,12 @@ void Present::read(const Scene& scene, const NodeIndex& places, const PhysicsWor
   for (const std::string& id : touched_) {
     if (const auto place = places.find(id)) {
       changed.push_back(*place);
-      change.nodes.push_back(scene.nodes[*place]);
     } else {
       change.removed.push_back(id);
     }
   }
+  std::sort(changed.begin(), changed.end());  // what is new is numbered as it stands in the scene
+  for (const std::size_t i : changed) change.nodes.push_back(scene.nodes[i]);
   EdgeChange edges;
   std::vector<std::string_view> reread(change.removed.begin(), change.removed.end());
   for (const std::size_t i : affected_by(physics, bounds_, changed)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "grounding/edge_change.h"
@@ -47,17 +48,27 @@ std::vector<Vec2> places_by(const Node& node, const Walk& walk, const Profile& p
   return places;
 }
 
+/// Where the body stands by a target; mostly it is the spot on it that is wanting, and this is not asked.
+using Standing = std::function<const std::vector<Vec2>&()>;
+
 /// Places to stand for work at a target, found as they are asked for.
 class Footholds {
  public:
-  Footholds(const Scene& scene, const PhysicsWorld& world, const std::vector<Vec2>& places, const Profile& profile,
+  Footholds(const Scene& scene, const PhysicsWorld& world, const Standing& standing, const Profile& profile,
             std::size_t target, std::size_t held)
-      : scene_(scene), world_(world), profile_(profile), target_(target), held_{static_cast<BodyId>(held)} {
-    for (const Vec2& at : places) places_.push_back({at, std::nullopt});
-  }
+      : scene_(scene),
+        world_(world),
+        standing_(standing),
+        profile_(profile),
+        target_(target),
+        held_{static_cast<BodyId>(held)} {}
   /// The arm gets to the spot from one of them from which the target is in sight.
   bool reach(const Vec3& spot) {
-    return std::any_of(places_.begin(), places_.end(), [&](Place& place) {
+    if (!places_) {
+      places_.emplace();
+      for (const Vec2& at : standing_()) places_->push_back({at, std::nullopt});
+    }
+    return std::any_of(places_->begin(), places_->end(), [&](Place& place) {
       if (arm_length(spot, place.at, profile_) > profile_.reach_m) return false;
       if (!place.sees) place.sees = sees(scene_, world_, profile_, place.at, target_, held_);
       return *place.sees;
@@ -71,10 +82,11 @@ class Footholds {
   };
   const Scene& scene_;
   const PhysicsWorld& world_;
+  const Standing& standing_;
   const Profile& profile_;
   std::size_t target_;
   std::array<BodyId, 1> held_;
-  std::vector<Place> places_;
+  std::optional<std::vector<Place>> places_;  // when first asked for
 };
 
 /// What is asked about a thing and where it is to go.
@@ -84,8 +96,8 @@ struct Errand {
 };
 
 /// The spots, at most so many, that are free of what is fixed and within the arm's reach. On what can be carried itself
-/// only the size is asked for. `places`: where the body stands by the target.
-std::vector<Pose> spots_for(const Scene& scene, const PhysicsWorld& world, const std::vector<Vec2>& places,
+/// only the size is asked for.
+std::vector<Pose> spots_for(const Scene& scene, const PhysicsWorld& world, const Standing& standing,
                             const Profile& profile, const Errand& errand, std::size_t most) {
   const auto& [thing, target, inside] = errand;
   const Node& node = scene.nodes[thing];
@@ -95,7 +107,7 @@ std::vector<Pose> spots_for(const Scene& scene, const PhysicsWorld& world, const
   const auto loose =
       loose_near(scene, world, world.bounds(static_cast<BodyId>(target)), node.size.norm(), scene.nodes.size());
   std::optional<Footholds> footholds;
-  if (!receptacle.movable) footholds.emplace(scene, world, places, profile, target, thing);
+  if (!receptacle.movable) footholds.emplace(scene, world, standing, profile, target, thing);
   std::vector<Pose> spots;
   for_each_spot(receptacle, shape, node.size, inside, true, [&](const Pose& pose) {
     const bool possible = !footholds || (!world.overlap(collider, pose, loose) && footholds->reach(pose.position));
@@ -154,6 +166,10 @@ Reach::Reach(const Home& home, const Scene& scene, const Differences& changed, c
       profile_(profile),
       walk_(walk_of(home, scene, changed)) {}
 
+std::optional<std::string> Reach::unreached() const {
+  return walk_ == home_.walk ? home_.unreached : unreached_room(scene_, *walk_);
+}
+
 bool Reach::room(const Room& room) const {
   const NavigationGrid& grid = walk_->grid;
   for (int y = 0; y < grid.height(); ++y) {
@@ -187,9 +203,10 @@ bool Reach::shows(std::size_t index) {
     shown = shows_in(scene_, standing_by(index), profile_, index, viewer_);
   } else {
     Opened& opened = with_open(doors);
+    const Walk& around = walk(opened);
     const Pose before = opened.scene.nodes[index].pose;
     slide_along(opened, doors, index);
-    const auto places = places_by(opened.scene.nodes[index], *opened.walk, profile_);  // where it slid to
+    const auto places = places_by(opened.scene.nodes[index], around, profile_);  // where it slid to
     shown = shows_in(opened.scene, places, profile_, index, viewer_);
     place(opened.scene, opened.world, index, before);
   }
@@ -202,10 +219,11 @@ bool Reach::stands_by(std::size_t index) {
   // Each door must be reachable shut, and the thing with all of them open.
   if (!std::all_of(doors.begin(), doors.end(), [&](std::size_t door) { return object(door); })) return false;
   Opened& opened = with_open(doors);
+  const Walk& around = walk(opened);
   const Pose before = opened.scene.nodes[index].pose;
   slide_along(opened, doors, index);
   const bool reached =
-      standing_place(opened.scene, opened.world, opened.walk->grid, opened.walk->steps, profile_, index).has_value();
+      standing_place(opened.scene, opened.world, around.grid, around.steps, profile_, index).has_value();
   place(opened.scene, opened.world, index, before);
   return reached;
 }
@@ -220,10 +238,12 @@ std::vector<std::size_t> Reach::doors_before(std::size_t target, bool inside) co
 bool Reach::spot_for(std::size_t thing, std::size_t target, bool inside) {
   const Errand errand{thing, target, inside};
   const std::vector<std::size_t> doors = doors_before(target, inside);
-  if (doors.empty()) return !spots_for(scene_, world_, standing_by(target), profile_, errand, 1).empty();
+  const auto here = [&]() -> const std::vector<Vec2>& { return standing_by(target); };
+  if (doors.empty()) return !spots_for(scene_, world_, here, profile_, errand, 1).empty();
   if (!std::all_of(doors.begin(), doors.end(), [this](std::size_t door) { return swings(door); })) return false;
   Opened& opened = with_open(doors);
-  return !spots_for(opened.scene, opened.world, standing_by(opened, target), profile_, errand, 1).empty();
+  const auto there = [&]() -> const std::vector<Vec2>& { return standing_by(opened, target); };
+  return !spots_for(opened.scene, opened.world, there, profile_, errand, 1).empty();
 }
 
 bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t target, bool inside) {
@@ -237,11 +257,13 @@ bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t tar
   Opened* opened = doors.empty() ? nullptr : &with_open(doors);
   const Scene& scene = opened != nullptr ? opened->scene : scene_;
   const PhysicsWorld& world = opened != nullptr ? opened->world : world_;
-  const auto& places = opened != nullptr ? standing_by(*opened, target) : standing_by(target);
+  const auto standing = [&]() -> const std::vector<Vec2>& {
+    return opened != nullptr ? standing_by(*opened, target) : standing_by(target);
+  };
   std::vector<ThingWithSpots> fitting;
   for (const std::size_t thing : things) {
     ThingWithSpots one{&collider(thing),
-                       spots_for(scene, world, places, profile_, {thing, target, inside}, kMostSpots)};
+                       spots_for(scene, world, standing, profile_, {thing, target, inside}, kMostSpots)};
     if (one.spots.size() == kMostSpots) return true;
     const Predicate relation = inside ? Predicate::Inside : Predicate::On;
     if (has_edge(scene_, relation, scene_.nodes[thing].id, scene_.nodes[target].id)) {
@@ -288,9 +310,7 @@ Reach::Opened& Reach::with_open(const std::vector<std::size_t>& doors) {
     opened_->scene.nodes[door].opening = 1;
     opened_->world.set(static_cast<BodyId>(door), shape_of(container), container.pose, 1, container.mass);
   }
-  Differences changed = changed_;
-  changed.nodes.insert(changed.nodes.end(), doors.begin(), doors.end());
-  opened_->walk = walk_of(home_, opened_->scene, changed);
+  opened_->walk.reset();
   opened_->doors = doors;
   opened_->places_by.clear();
   return *opened_;
@@ -304,8 +324,17 @@ const std::vector<Vec2>& Reach::standing_by(std::size_t index) {
 
 const std::vector<Vec2>& Reach::standing_by(Opened& opened, std::size_t index) const {
   const auto [known, fresh] = opened.places_by.try_emplace(index);
-  if (fresh) known->second = places_by(opened.scene.nodes[index], *opened.walk, profile_);
+  if (fresh) known->second = places_by(opened.scene.nodes[index], walk(opened), profile_);
   return known->second;
+}
+
+const Walk& Reach::walk(Opened& opened) const {
+  if (opened.walk == nullptr) {
+    Differences changed = changed_;
+    changed.nodes.insert(changed.nodes.end(), opened.doors.begin(), opened.doors.end());
+    opened.walk = walk_of(home_, opened.scene, changed);
+  }
+  return *opened.walk;
 }
 
 /// Moves a thing with the drawer that it lies in.

@@ -23,6 +23,8 @@ class Reach {
   Reach(const Home& home, const Scene& scene, const Differences& changed, const NodeIndex& places,
         const PhysicsWorld& world, const Profile& profile);
 
+  /// Id of a room that the agent cannot walk to, as unreached_room says.
+  std::optional<std::string> unreached() const;
   /// The body can walk into it.
   bool room(const Room& room) const;
   /// The body can stand where it reaches and sees the thing.
@@ -49,7 +51,7 @@ class Reach {
     std::vector<std::size_t> doors;
     Scene scene;
     PhysicsWorld world;
-    std::shared_ptr<const Walk> walk;
+    std::shared_ptr<const Walk> walk;  // when first asked for
     PlacesBy places_by;
   };
   bool stands_by(std::size_t index);
@@ -57,6 +59,7 @@ class Reach {
   std::vector<std::size_t> doors_before(std::size_t target, bool inside) const;
   const std::vector<Vec2>& standing_by(std::size_t index);
   const std::vector<Vec2>& standing_by(Opened& opened, std::size_t index) const;
+  const Walk& walk(Opened& opened) const;
   Opened& with_open(const std::vector<std::size_t>& doors);
   void slide_along(Opened& opened, const std::vector<std::size_t>& doors, std::size_t index) const;
 

@@ -121,7 +121,9 @@ std::vector<std::string> Workspace::carried_by(std::size_t index) const {
 }
 
 const Scene& Workspace::whole() {
-  if (present_) scene_.edges = present_->since_home().applied_to(home_->scene.edges);
+  if (present_ && (whole_ != reading_ || scene_.edges.empty()))
+    scene_.edges = present_->since_home().applied_to(home_->scene.edges);
+  whole_ = reading_;
   return scene_;
 }
 
@@ -132,6 +134,14 @@ Scene Workspace::take() && {
 
 const Room* Workspace::room_of(std::size_t index) const {
   return rooms_[index] < 0 ? nullptr : &scene_.rooms[static_cast<std::size_t>(rooms_[index])];
+}
+
+std::vector<std::size_t> Workspace::nodes_in(const std::vector<bool>& rooms) const {
+  std::vector<std::size_t> nodes;
+  for (std::size_t i = 0; i < rooms_.size(); ++i) {
+    if (rooms_[i] < 0 ? rooms.back() : rooms[static_cast<std::size_t>(rooms_[i])]) nodes.push_back(i);
+  }
+  return nodes;
 }
 
 std::string Workspace::name_of(BodyId body) const {

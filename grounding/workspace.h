@@ -57,6 +57,8 @@ class Workspace {
   const NodeIndex& places() const { return places_; }
   /// The room around the middle of a node, nullptr for none.
   const Room* room_of(std::size_t index) const;
+  /// The nodes with their middle in one of the rooms, ascending; the last of `rooms` says of those in no room.
+  std::vector<std::size_t> nodes_in(const std::vector<bool>& rooms) const;
   std::string name_of(BodyId body) const;  // node's id, "wall" or "floor"
 
  private:
@@ -74,7 +76,7 @@ class Workspace {
   NodeIndex places_;
   std::vector<std::int32_t> rooms_;  // by node: place of its room, -1 for none
   std::optional<Present> present_;   // when it began as a home
-  int reading_ = 0;
+  int reading_ = 0, whole_ = 0;      // of the last reading; of that which the scene's edges are of
 };
 
 /// While it lives, a node stands in the graph and in physics, but not in FCL, in place of the one at `index` or as one

@@ -73,8 +73,25 @@ Facts::Own& Facts::make_own(EntityIndex entity) {
   if (at != own_.end() && at->entity == entity) return *at;
   const auto pairs_here = pairs(entity);
   const auto symbols_here = symbols(entity);
-  return *own_.insert(at,
-                      Own{entity, {pairs_here.begin(), pairs_here.end()}, {symbols_here.begin(), symbols_here.end()}});
+  return *own_.insert(
+      at,
+      Own{entity, states(entity), {pairs_here.begin(), pairs_here.end()}, {symbols_here.begin(), symbols_here.end()}});
+}
+
+Facts::States Facts::states(EntityIndex entity) const {
+  if (const Own* mine = own_.empty() ? nullptr : own(entity)) return mine->states;
+  return ground_ == nullptr || entity >= ground_->states.size() ? 0 : ground_->states[entity];
+}
+
+void Facts::set_states(EntityIndex entity, States states) {
+  if (states == this->states(entity)) return;
+  if (!alone()) {
+    make_own(entity).states = states;
+    return;
+  }
+  auto& all = ground().states;
+  if (entity >= all.size()) all.resize(entity + std::size_t{1});
+  all[entity] = states;
 }
 
 std::span<const Facts::Pair> Facts::pairs(EntityIndex entity) const {
@@ -89,10 +106,7 @@ std::span<const Facts::Symbol> Facts::symbols(EntityIndex entity) const {
 
 void Facts::set_exists(EntityIndex entity) { mark(existing_, entity); }
 
-void Facts::set(Predicate predicate, EntityIndex entity) {
-  if (entity >= states_.size()) states_.resize(entity + std::size_t{1});
-  states_[entity] |= bit_of(predicate);
-}
+void Facts::set(Predicate predicate, EntityIndex entity) { set_states(entity, states(entity) | bit_of(predicate)); }
 
 void Facts::set(Predicate predicate, EntityIndex first, EntityIndex second) {
   const Pair pair = pair_of(predicate, second);
@@ -113,7 +127,7 @@ void Facts::set(Predicate predicate, EntityIndex entity, std::string symbol) {
 }
 
 void Facts::clear(Predicate predicate, EntityIndex entity) {
-  if (entity < states_.size()) states_[entity] &= ~bit_of(predicate);
+  set_states(entity, states(entity) & ~bit_of(predicate));
   const auto has = [predicate](const Symbol& symbol) { return symbol.predicate == predicate; };
   if (const auto here = symbols(entity); std::any_of(here.begin(), here.end(), has)) {
     std::erase_if(make_own(entity).symbols, has);
@@ -128,7 +142,7 @@ void Facts::clear(Predicate predicate, EntityIndex first, EntityIndex second) {
 }
 
 void Facts::clear_states(EntityIndex entity) {
-  if (entity < states_.size()) states_[entity] = 0;
+  set_states(entity, 0);
   if (!symbols(entity).empty()) make_own(entity).symbols.clear();
 }
 
@@ -141,7 +155,7 @@ void Facts::forget(EntityIndex entity) {
 bool Facts::exists(EntityIndex entity) const { return test(existing_, entity); }
 
 bool Facts::holds(Predicate predicate, EntityIndex entity) const {
-  return entity < states_.size() && (states_[entity] & bit_of(predicate)) != 0 && exists(entity);
+  return exists(entity) && (states(entity) & bit_of(predicate)) != 0;
 }
 
 bool Facts::holds(Predicate predicate, EntityIndex first, EntityIndex second) const {
@@ -166,6 +180,19 @@ bool Facts::holds(Predicate predicate, EntityIndex entity, std::string_view symb
   return false;
 }
 
+std::vector<EntityIndex> Facts::with(Predicate state) const {
+  std::vector<EntityIndex> entities;
+  const std::size_t count = ground_ == nullptr ? 0 : ground_->states.size();
+  for (EntityIndex entity = 0; entity < count; ++entity) {
+    if ((ground_->states[entity] & bit_of(state)) != 0) entities.push_back(entity);
+  }
+  for (const Own& mine : own_) entities.push_back(mine.entity);
+  std::sort(entities.begin(), entities.end());
+  entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
+  std::erase_if(entities, [&](EntityIndex entity) { return !holds(state, entity); });
+  return entities;
+}
+
 std::vector<std::pair<Predicate, EntityIndex>> Facts::relations(EntityIndex first) const {
   std::vector<std::pair<Predicate, EntityIndex>> relations;
   if (!exists(first)) return relations;
@@ -179,15 +206,17 @@ std::vector<std::pair<Predicate, EntityIndex>> Facts::relations(EntityIndex firs
 bool Facts::operator==(const Facts& other) const {
   const auto same = [](const auto& a, const auto& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
   if (!same(significant(existing_), significant(other.existing_))) return false;
-  if (!same(significant(states_), significant(other.states_))) return false;
   const auto count_of = [](const Facts& facts) {
     std::size_t count = facts.own_.empty() ? 0 : facts.own_.back().entity + std::size_t{1};
     if (facts.ground_ == nullptr) return count;
-    return std::max({count, facts.ground_->pairs.start.size(), facts.ground_->symbols.start.size()});
+    const Ground& ground = *facts.ground_;
+    return std::max({count, ground.states.size(), ground.pairs.start.size(), ground.symbols.start.size()});
   };
   const std::size_t count = std::max(count_of(*this), count_of(other));
   for (EntityIndex entity = 0; entity < count; ++entity) {
-    if (!same(pairs(entity), other.pairs(entity)) || !same(symbols(entity), other.symbols(entity))) return false;
+    if (states(entity) != other.states(entity) || !same(pairs(entity), other.pairs(entity)) ||
+        !same(symbols(entity), other.symbols(entity)))
+      return false;
   }
   return true;
 }

@@ -16,7 +16,7 @@ namespace unietp {
 
 /// The truths of one state: which entities exist and what holds of them. A word of bits per entity and sorted pairs, so
 /// that a goal is read in microseconds. Atoms about entities that do not exist here are false. A copy is cheap and
-/// changing it costs what changes: the relations that both have are one block in memory.
+/// changing it costs what changes: the states and relations that both have are one block in memory.
 class Facts {
  public:
   void set_exists(EntityIndex entity);
@@ -39,6 +39,8 @@ class Facts {
   /// With the symbol `any`: for some symbol.
   bool holds(Predicate predicate, EntityIndex entity, std::string_view symbol) const;
 
+  /// The entities of which a state holds, ascending.
+  std::vector<EntityIndex> with(Predicate state) const;
   /// The relations in which an entity is the first, to what exists, sorted.
   std::vector<std::pair<Predicate, EntityIndex>> relations(EntityIndex first) const;
 
@@ -62,26 +64,30 @@ class Facts {
     std::span<const T> of(EntityIndex entity) const;
     void insert(EntityIndex entity, T value);
   };
+  using States = std::uint64_t;  // a bit for each predicate
   struct Ground {
+    std::vector<States> states;  // by entity
     Lists<Pair> pairs;
     Lists<Symbol> symbols;
   };
   /// What one entity has in place of its part of the ground.
   struct Own {
     EntityIndex entity = 0;
+    States states = 0;
     std::vector<Pair> pairs;
     std::vector<Symbol> symbols;
   };
 
   const Own* own(EntityIndex entity) const;
   Own& make_own(EntityIndex entity);
+  States states(EntityIndex entity) const;
+  void set_states(EntityIndex entity, States states);
   std::span<const Pair> pairs(EntityIndex entity) const;
   std::span<const Symbol> symbols(EntityIndex entity) const;
   bool alone() const { return own_.empty() && (ground_ == nullptr || ground_.use_count() == 1); }
   Ground& ground();
 
   Bits existing_;
-  Bits states_;                     // by entity, a bit for each predicate
   std::shared_ptr<Ground> ground_;  // shared by a state and those that were copied from it; never changed then
   std::vector<Own> own_;            // by entity, sorted
 };

@@ -239,9 +239,7 @@ Facts FactReader::read(Facts before, const Delta& change) {
     }
   }
   if (change.agent) {
-    for (EntityIndex e = 0; e < entities_.size(); ++e) {
-      if (facts.holds(Predicate::Held, e)) facts.clear(Predicate::Held, e);
-    }
+    for (const EntityIndex held : facts.with(Predicate::Held)) facts.clear(Predicate::Held, held);
     for (const std::string& id : change.agent->held) {
       if (const auto held = find(id); held && facts.exists(*held)) facts.set(Predicate::Held, *held);
     }

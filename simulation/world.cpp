@@ -22,7 +22,7 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 Result<World> World::create(Scene start, const Knowledge& knowledge, const Profile& profile) {
-  KnownStart known{physics_of(start), std::nullopt, std::nullopt};
+  KnownStart known{.physics = physics_of(start)};
   return create(std::move(start), knowledge, profile, std::move(known));
 }
 
@@ -114,6 +114,7 @@ std::optional<Agent> World::led_to(const Agent& from, const Action& action) cons
 }
 
 const std::vector<Node>& World::nodes() const { return tree_->at(moment_).scene().nodes; }
+const NodeIndex& World::places() const { return tree_->at(moment_).places(); }
 
 const Node* World::find(std::string_view id) const {
   const WorldState& state = tree_->at(moment_);
@@ -139,6 +140,15 @@ std::vector<std::string> World::linked_from(std::string_view from, Predicate rel
   for (const Link& link : state.links(*node)) {
     if (link.relation == relation) ids.push_back(edge_of(state.scene(), *node, link).to);
   }
+  return ids;
+}
+
+std::vector<std::string> World::resting_at(std::string_view id) const {
+  const WorldState& state = tree_->at(moment_);
+  std::vector<std::string> ids;
+  const auto node = state.index_of(id);
+  if (!node) return ids;
+  for (const std::uint32_t rider : state.carried(*node)) ids.push_back(state.node(rider).id);
   return ids;
 }
 

@@ -9,6 +9,7 @@
 #include "akb/knowledge.h"
 #include "core/result.h"
 #include "scene/action.h"
+#include "scene/node_index.h"
 #include "scene/pixel_box.h"
 #include "scene/scene.h"
 #include "scene/trace.h"
@@ -74,6 +75,8 @@ class World {
   // Parts of the scene without the cost of the whole; what is returned is valid until a copy of this world is asked
   // anything or steps.
   const std::vector<Node>& nodes() const;
+  /// At which of them what is.
+  const NodeIndex& places() const;
   const Node* find(std::string_view id) const;
   const Agent& agent() const;
   bool holds(std::string_view id) const;  // in the agent's hands
@@ -82,6 +85,8 @@ class World {
   bool linked(std::string_view from, Predicate relation, std::string_view to) const;
   /// Objects to which one has the relation, by place in the scene.
   std::vector<std::string> linked_from(std::string_view from, Predicate relation) const;
+  /// What lies on or in an object, directly, by place in the scene.
+  std::vector<std::string> resting_at(std::string_view id) const;
   /// The room that an object is in, or "".
   std::string room_of(std::string_view id) const;
 

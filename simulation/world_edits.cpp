@@ -189,7 +189,7 @@ void WorldState::exchange(Edit& edit) {
       take_in(std::move(*added->value), std::move(collider));
       added->value.reset();
     } else {
-      index_.erase(scene_.nodes.back().id);
+      places_.remove(count() - 1, scene_.nodes.back());
       added->value = std::move(scene_.nodes.back());
       scene_.nodes.pop_back();
       colliders_.pop_back();

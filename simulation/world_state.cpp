@@ -1,6 +1,7 @@
 #include "simulation/world_state.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "simulation/agent_moves.h"
@@ -13,15 +14,14 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
   state.profile = &profile;
   state.physics_ = std::move(known.physics);
   state.grid_ = std::move(known.grid);
-  const std::vector<Edge> edges = std::move(start.edges);
-  start.edges.clear();
-  std::vector<Node> nodes = std::move(start.nodes);
-  start.nodes.clear();
+  const std::vector<Edge> edges = std::exchange(start.edges, {});
   state.scene_ = std::move(start);
-  state.scene_.nodes.reserve(nodes.size() + 8);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    state.take_in(std::move(nodes[i]), state.physics_.share(static_cast<BodyId>(i)));
-  }
+  const std::size_t count = state.count();
+  state.places_ = known.places ? std::move(*known.places) : NodeIndex(state.scene_.nodes);
+  state.colliders_.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) state.colliders_.push_back(state.physics_.share(static_cast<BodyId>(i)));
+  state.links_.resize(count);
+  state.carried_.resize(count);
 
   std::vector<std::size_t> held;
   for (const std::string& id : state.agent().held) {
@@ -30,7 +30,7 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
     held.push_back(*i);
   }
   // Which things the agent carries, and what is attached, is nowhere but in the edges.
-  std::vector<std::vector<Link>> attached(state.count());
+  std::map<std::size_t, std::vector<Link>> attached;
   for (const Edge& edge : edges) {
     const bool contact = edge.relation == Predicate::On || edge.relation == Predicate::Inside;
     if (edge.relation != Predicate::Attached && (held.empty() || !contact)) continue;
@@ -48,33 +48,43 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
   }
   const std::vector<std::size_t> in_hand = state.in_hand();
   for (const std::size_t i : in_hand) state.physics_.remove(static_cast<BodyId>(i));
-  for (std::size_t i = 0; i < state.count(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     std::vector<Link> links = known.links ? std::move((*known.links)[i]) : links_of(state.scene_, state.physics_, i);
     if (std::binary_search(in_hand.begin(), in_hand.end(), i)) {
       for (const Link& link : state.links_[i]) {
         if (std::binary_search(in_hand.begin(), in_hand.end(), link.to)) links.push_back(link);
       }
     }
-    for (const Link& link : attached[i]) {
-      if (std::find(links.begin(), links.end(), Link{Predicate::On, link.to}) != links.end()) links.push_back(link);
+    if (const auto here = attached.find(i); here != attached.end()) {
+      for (const Link& link : here->second) {
+        if (std::find(links.begin(), links.end(), Link{Predicate::On, link.to}) != links.end()) links.push_back(link);
+      }
     }
     sort_unique(links);
-    state.exchange_links(i, links);
+    state.begin_with(i, std::move(links));
   }
   return state;
 }
 
+/// Gives a node its first links but for those that its hold in a hand gave it.
+void WorldState::begin_with(std::size_t i, std::vector<Link> links) {
+  if (!links_[i].empty()) return exchange_links(i, links);
+  const auto rider = static_cast<std::uint32_t>(i);
+  for (const Link& link : links) {
+    if (!carries(link)) continue;
+    auto& riders = carried_[link.to];
+    const auto at = std::lower_bound(riders.begin(), riders.end(), rider);
+    if (at == riders.end() || *at != rider) riders.insert(at, rider);
+  }
+  links_[i] = std::move(links);
+}
+
 void WorldState::take_in(Node node, std::shared_ptr<const Collider> collider) {
-  index_.emplace(node.id, count());
+  places_.add(count(), node);
   colliders_.push_back(std::move(collider));
   links_.emplace_back();
   carried_.emplace_back();
   scene_.nodes.push_back(std::move(node));
-}
-
-std::optional<std::size_t> WorldState::index_of(std::string_view id) const {
-  const auto found = index_.find(id);
-  return found == index_.end() ? std::nullopt : std::optional(found->second);
 }
 
 bool WorldState::held(std::string_view id) const {

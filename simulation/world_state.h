@@ -13,6 +13,7 @@
 #include "core/result.h"
 #include "core/sort_unique.h"
 #include "scene/action.h"
+#include "scene/node_index.h"
 #include "scene/scene.h"
 #include "scene/trace.h"
 #include "simulation/digest.h"
@@ -84,7 +85,9 @@ class WorldState {
   /// Of a node with its joints as they are, in the world or in the hand.
   const Collider& collider(std::size_t i) const { return *colliders_[i]; }
 
-  std::optional<std::size_t> index_of(std::string_view id) const;
+  std::optional<std::size_t> index_of(std::string_view id) const { return places_.find(id); }
+  /// Where things are in the list.
+  const NodeIndex& places() const { return places_; }
   bool held(std::string_view id) const;
   bool linked(std::size_t from, Predicate relation, std::size_t to) const;
   const std::vector<Link>& links(std::size_t i) const { return links_[i]; }
@@ -152,6 +155,7 @@ class WorldState {
   }
   void exchange(Edit& edit);
   void exchange_links(std::size_t i, std::vector<Link>& links);
+  void begin_with(std::size_t i, std::vector<Link> links);
   void log_node(std::size_t i);
   void log_agent();
   void follow(std::size_t i, const Node& before);
@@ -164,11 +168,7 @@ class WorldState {
   PhysicsWorld physics_;  // node i is body i; what is in the hands is not in it
   ColliderBook book_;
   std::vector<std::shared_ptr<const Collider>> colliders_;
-  struct IdHash {
-    using is_transparent = void;
-    std::size_t operator()(std::string_view id) const { return std::hash<std::string_view>()(id); }
-  };
-  std::unordered_map<std::string, std::size_t, IdHash, std::equal_to<>> index_;  // never iterated
+  NodeIndex places_;
   std::vector<std::vector<Link>> links_;
   std::vector<std::vector<std::uint32_t>> carried_;
   std::vector<Edit> log_;

@@ -93,7 +93,7 @@ class TaskProver {
     for (std::size_t i = 0; i < start_.nodes.size(); ++i) links.push_back(links_of(start_, physics, i));
     found(prove_start(start_, physics, links, tools_.rest, reading_.where));
     prove_instruction();
-    KnownStart known{std::move(physics), std::nullopt, std::nullopt};
+    KnownStart known{.physics = std::move(physics)};
     if (start_.agent.held.empty()) known.links = std::move(links);  // what is held has others once it is in the hand
     const auto world = World::create(start_, *backend_->knowledge, *backend_->profile, std::move(known));
     if (!world) return found(ProblemKind::Unbuildable, reading_.where, "cannot be rebuilt: " + world.error().message);
