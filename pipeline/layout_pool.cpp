@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <unordered_set>
 
 #include "core/sort_unique.h"
 #include "scene/trace.h"
@@ -119,10 +120,12 @@ std::vector<std::string> offered_categories(const Scene& scene, const Knowledge&
   for (const Node& node : scene.nodes) offered.push_back(node.category);
   sort_unique(offered);
   const std::vector<std::string_view> present = offered;
+  std::unordered_set<std::string_view> known(present.begin(),
+                                             present.end());  // many places offer the same; never iterated
   for (const std::string_view receptacle : present) {
     for (const char* relation : {"on", "inside"}) {
       for (const Placement* placement : knowledge.placements_at(receptacle, relation)) {
-        offered.push_back(placement->object);
+        if (known.insert(placement->object).second) offered.push_back(placement->object);
       }
     }
   }
