@@ -71,6 +71,7 @@ void Present::read(const Scene& scene, const NodeIndex& places, const PhysicsWor
   for (const std::string_view id : reread) {
     if (const auto entity = reader_.find(id)) reread_.insert(*entity);
   }
+  ever_touched_.insert(touched_.begin(), touched_.end());
   touched_.clear();
   bounds_.clear();
 }

@@ -32,6 +32,8 @@ class Present {
   std::vector<Edge> edges_from(std::string_view id) const;
   /// How the edges as last read differ from the home's.
   EdgeChange since_home() const;
+  /// Ids of all things that were ever touched, those since the last reading aside.
+  const std::set<std::string>& ever_touched() const { return ever_touched_; }
 
  private:
   const Home* home_;
@@ -41,6 +43,7 @@ class Present {
   std::vector<std::string> touched_;  // since the last reading
   std::vector<Bounds> bounds_;
   std::set<EntityIndex> reread_;  // whose edges may differ from the home's
+  std::set<std::string> ever_touched_;
 };
 
 /// A scene that grew out of a home, compared with it and read at the cost of the differences.

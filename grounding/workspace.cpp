@@ -120,16 +120,22 @@ std::vector<std::string> Workspace::carried_by(std::size_t index) const {
   return ids;
 }
 
-const Scene& Workspace::whole() {
-  if (present_ && (whole_ != reading_ || scene_.edges.empty()))
-    scene_.edges = present_->since_home().applied_to(home_->scene.edges);
-  whole_ = reading_;
-  return scene_;
-}
-
-Scene Workspace::take() && {
-  whole();
-  return std::move(scene_);
+Delta Workspace::changes() const {
+  Delta changes;
+  std::vector<std::size_t> gone;
+  for (const std::string& id : present_->ever_touched()) {
+    const auto place = places_.find(id), before = home_->places.find(id);
+    if (place && !(before && home_->scene.nodes[*before] == scene_.nodes[*place]))
+      changes.nodes.push_back(scene_.nodes[*place]);
+    if (!place && before) gone.push_back(*before);
+  }
+  std::sort(gone.begin(), gone.end());
+  for (const std::size_t i : gone) changes.removed.push_back(home_->scene.nodes[i].id);
+  EdgeChange edges = present_->since_home();
+  changes.edges_added = std::move(edges.added);
+  changes.edges_removed = std::move(edges.removed);
+  if (scene_.agent != home_->scene.agent) changes.agent = scene_.agent;
+  return changes;
 }
 
 const Room* Workspace::room_of(std::size_t index) const {

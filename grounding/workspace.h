@@ -21,10 +21,8 @@ class Workspace {
   /// Begins as a home, of which it takes over what does not change. The home must outlive it.
   Workspace(const Home& home, const Knowledge& knowledge);
 
-  /// The scene; its edges may be older than its nodes.
+  /// The scene; of a home's, without its edges.
   const Scene& scene() const { return scene_; }
-  /// With its edges, as last read.
-  const Scene& whole();
   const Knowledge& knowledge() const { return *knowledge_; }
   PhysicsWorld& physics() { return physics_; }
   const PhysicsWorld& physics() const { return physics_; }
@@ -46,7 +44,11 @@ class Workspace {
   std::vector<std::string> carried_by(std::size_t index) const;
   /// Another number after each reading.
   int reading() const { return reading_; }
-  Scene take() &&;  // whole
+  /// How the scene differs from the home that it began as, as last read: changes_of the two, at the cost of what was
+  /// touched.
+  Delta changes() const;
+  /// The scene of a workspace of its own.
+  Scene take() && { return std::move(scene_); }
   Agent& agent() { return scene_.agent; }
 
   /// The space that the doors and drawers of furniture pass through, by node; empty bounds for nodes without.
@@ -76,7 +78,7 @@ class Workspace {
   NodeIndex places_;
   std::vector<std::int32_t> rooms_;  // by node: place of its room, -1 for none
   std::optional<Present> present_;   // when it began as a home
-  int reading_ = 0, whole_ = 0;      // of the last reading; of that which the scene's edges are of
+  int reading_ = 0;
 };
 
 /// While it lives, a node stands in the graph and in physics, but not in FCL, in place of the one at `index` or as one

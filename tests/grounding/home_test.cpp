@@ -8,6 +8,7 @@
 
 #include "grounding/workspace.h"
 #include "homes.h"
+#include "scene/start.h"
 #include "simulation/relations.h"
 #include "simulation/world.h"
 
@@ -136,7 +137,7 @@ TEST(Home, AWorkspaceThatIsEditedAndReadAgainAndAgainShowsWhatAWholeReadingGives
     Rng rng(seed);
     for (int edit = 0; edit < 12; ++edit) {
       SCOPED_TRACE(::testing::Message() << "seed " << seed << ", edit " << edit);
-      const std::vector<Edge> before = workspace.whole().edges;
+      const std::vector<Edge> before = start_in(home.scene, workspace.changes()).edges;
       const Scene next = grown_out_of(workspace.scene(), rng.fork("edit", static_cast<std::uint64_t>(edit)));
       while (workspace.scene().nodes.size() > next.nodes.size()) workspace.remove(workspace.scene().nodes.size() - 1);
       for (std::size_t i = 0; i < next.nodes.size(); ++i) {
@@ -148,7 +149,9 @@ TEST(Home, AWorkspaceThatIsEditedAndReadAgainAndAgainShowsWhatAWholeReadingGives
       }
       workspace.agent() = next.agent;
       workspace.read_edges();
-      const Scene& scene = workspace.whole();
+      Scene scene = workspace.scene();
+      scene.edges = start_in(home.scene, workspace.changes()).edges;
+      EXPECT_EQ(workspace.changes(), changes_of(home.scene, scene));
       ASSERT_EQ(texts(scene.edges), texts(read_relations(scene)));
       expect_shows(workspace.present().now(), scene, before);
       expect_places(workspace.places(), scene);
