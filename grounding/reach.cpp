@@ -95,10 +95,16 @@ struct Errand {
   bool inside = false;
 };
 
+/// What was found of spots for a thing.
+struct Spots {
+  std::vector<Pose> within_reach;
+  bool any_free = false;  // of what is fixed
+};
+
 /// The spots, at most so many, that are free of what is fixed and within the arm's reach. On what can be carried itself
 /// only the size is asked for.
-std::vector<Pose> spots_for(const Scene& scene, const PhysicsWorld& world, const Standing& standing,
-                            const Profile& profile, const Errand& errand, std::size_t most) {
+Spots spots_for(const Scene& scene, const PhysicsWorld& world, const Standing& standing, const Profile& profile,
+                const Errand& errand, std::size_t most) {
   const auto& [thing, target, inside] = errand;
   const Node& node = scene.nodes[thing];
   const Node& receptacle = scene.nodes[target];
@@ -108,11 +114,12 @@ std::vector<Pose> spots_for(const Scene& scene, const PhysicsWorld& world, const
       loose_near(scene, world, world.bounds(static_cast<BodyId>(target)), node.size.norm(), scene.nodes.size());
   std::optional<Footholds> footholds;
   if (!receptacle.movable) footholds.emplace(scene, world, standing, profile, target, thing);
-  std::vector<Pose> spots;
+  Spots spots;
   for_each_spot(receptacle, shape, node.size, inside, true, [&](const Pose& pose) {
-    const bool possible = !footholds || (!world.overlap(collider, pose, loose) && footholds->reach(pose.position));
-    if (possible) spots.push_back(pose);
-    return spots.size() < most;
+    if (footholds && world.overlap(collider, pose, loose)) return true;
+    spots.any_free = true;
+    if (!footholds || footholds->reach(pose.position)) spots.within_reach.push_back(pose);
+    return spots.within_reach.size() < most;
   });
   return spots;
 }
@@ -237,13 +244,21 @@ std::vector<std::size_t> Reach::doors_before(std::size_t target, bool inside) co
 
 bool Reach::spot_for(std::size_t thing, std::size_t target, bool inside) {
   const Errand errand{thing, target, inside};
+  const Vec3& size = scene_.nodes[thing].size;
+  const Digest& form = world_.collider(static_cast<BodyId>(thing)).digest;
+  const Full asked{target, inside, form.a, form.b, size.x(), size.y(), size.z()};
+  if (full_.contains(asked)) return false;
+  const auto found = [&](const Spots& spots) {
+    if (!spots.any_free) full_.insert(asked);
+    return !spots.within_reach.empty();
+  };
   const std::vector<std::size_t> doors = doors_before(target, inside);
   const auto here = [&]() -> const std::vector<Vec2>& { return standing_by(target); };
-  if (doors.empty()) return !spots_for(scene_, world_, here, profile_, errand, 1).empty();
+  if (doors.empty()) return found(spots_for(scene_, world_, here, profile_, errand, 1));
   if (!std::all_of(doors.begin(), doors.end(), [this](std::size_t door) { return swings(door); })) return false;
   Opened& opened = with_open(doors);
   const auto there = [&]() -> const std::vector<Vec2>& { return standing_by(opened, target); };
-  return !spots_for(opened.scene, opened.world, there, profile_, errand, 1).empty();
+  return found(spots_for(opened.scene, opened.world, there, profile_, errand, 1));
 }
 
 bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t target, bool inside) {
@@ -263,7 +278,7 @@ bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t tar
   std::vector<ThingWithSpots> fitting;
   for (const std::size_t thing : things) {
     ThingWithSpots one{&collider(thing),
-                       spots_for(scene, world, standing, profile_, {thing, target, inside}, kMostSpots)};
+                       spots_for(scene, world, standing, profile_, {thing, target, inside}, kMostSpots).within_reach};
     if (one.spots.size() == kMostSpots) return true;
     const Predicate relation = inside ? Predicate::Inside : Predicate::On;
     if (has_edge(scene_, relation, scene_.nodes[thing].id, scene_.nodes[target].id)) {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <vector>
 
 #include "grounding/home.h"
@@ -73,6 +76,9 @@ class Reach {
   PlacesBy places_by_;
   std::optional<Opened> opened_;  // the last asked for
   std::map<std::size_t, bool> reached_, shown_;
+  /// A place without a spot that is free of what is fixed, for things of one form: target, inside, digest, size.
+  using Full = std::tuple<std::size_t, bool, std::uint64_t, std::uint64_t, double, double, double>;
+  std::set<Full> full_;
   Viewer viewer_;
 };
 
