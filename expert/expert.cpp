@@ -109,7 +109,7 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
     if (!choice) break;
     Attempt attempt(rehearsal, situation, choice->alternative, options);
     for (const Action& action : beginning.done) attempt.act(action);
-    Methods methods(attempt, categories_of(goal), clears);
+    Methods methods(attempt, categories_of(goal), beginning.shunned, clears);
     const auto failed = carry_out(attempt, methods, choice->habits);
     if (failed) {
       lacked_room = lacked_room || Methods::lacked_room(attempt);

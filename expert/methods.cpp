@@ -88,7 +88,7 @@ bool Methods::change_state(const Literal& literal) {
 }
 
 std::vector<std::string> Methods::nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const {
-  std::vector<std::tuple<bool, double, std::string>> found;
+  std::vector<std::tuple<bool, bool, double, std::string>> found;
   const World& world = attempt_.world();
   std::set<std::string_view> categories;
   for (const Effect* rule : rules) categories.insert(rule->tool);
@@ -97,13 +97,14 @@ std::vector<std::string> Methods::nearest_of(const std::vector<const Effect*>& r
       const std::string& id = world.nodes()[place].id;
       if (id == except) continue;
       const bool held = attempt_.is_held(id);
-      found.emplace_back(!held, held ? 0.0 : world.walking_distance(id), id);
+      const bool shunned = std::find(shunned_.begin(), shunned_.end(), id) != shunned_.end();
+      found.emplace_back(shunned, !held, held ? 0.0 : world.walking_distance(id), id);
     }
   }
   std::sort(found.begin(), found.end());
   std::vector<std::string> ids;
   for (const auto& entry : found) {
-    if (ids.size() < kMostTools) ids.push_back(std::get<2>(entry));
+    if (ids.size() < kMostTools) ids.push_back(std::get<3>(entry));
   }
   return ids;
 }

@@ -14,9 +14,10 @@ namespace unietp {
 class Methods {
  public:
   /// `relevant`: categories that the goal speaks of; things are put aside elsewhere if possible.
+  /// `shunned`: ids of tools that are taken only where no other will do.
   /// `clears`: things that are in the way are carried away; else another witness or place is left to be tried.
-  Methods(Attempt& attempt, std::vector<std::string> relevant, bool clears)
-      : attempt_(attempt), relevant_(std::move(relevant)), clears_(clears) {}
+  Methods(Attempt& attempt, std::vector<std::string> relevant, std::vector<std::string> shunned, bool clears)
+      : attempt_(attempt), relevant_(std::move(relevant)), shunned_(std::move(shunned)), clears_(clears) {}
   /// Something failed for want of room, so clearing may help.
   static bool lacked_room(const Attempt& attempt);
 
@@ -72,7 +73,7 @@ class Methods {
   std::vector<std::string> nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const;
 
   Attempt& attempt_;
-  std::vector<std::string> relevant_;
+  std::vector<std::string> relevant_, shunned_;
   bool clears_;
   bool pours_ = false;  // a vessel is being filled to be poured from
 };

@@ -97,7 +97,7 @@ class Possible {
   }
 
   bool at_least(const Formula& formula, std::size_t wanted) {
-    if (makes_slices(formula.domain)) return true;
+    if (makes_slices(formula.domain) && wanted > 0) return can_be_sliced(formula.domain);
     std::size_t found = 0;
     const auto all = members(formula);
     if (all.size() < wanted && missing_.empty())
@@ -109,6 +109,37 @@ class Possible {
       names_.pop_back();
     }
     return found >= wanted;
+  }
+
+  /// There are slices, or something to be cut and something to cut it with.
+  bool can_be_sliced(const Domain& domain) {
+    if (!trace_.entities.of(domain).empty()) return true;
+    const bool sliced = std::any_of(domain.members.begin(), domain.members.end(), [this](const Domain::Member& member) {
+      const auto& wholes = places_.of(member.category);
+      return std::any_of(wholes.begin(), wholes.end(), [this](std::size_t whole) { return is_found(whole); }) &&
+             is_cut_by_something(member.category);
+    });
+    if (!sliced && missing_.empty()) missing_ = "there is nothing to be cut for " + to_text(domain);
+    return sliced;
+  }
+
+  bool is_cut_by_something(const std::string& category) {
+    const auto effects = knowledge_.effects_on(category, "slices");
+    const bool cut =
+        effects.empty() || std::any_of(effects.begin(), effects.end(), [this](const Effect* effect) {
+          const auto& tools = places_.of(effect->tool);
+          return std::any_of(tools.begin(), tools.end(), [this](std::size_t tool) { return is_found(tool); });
+        });
+    if (!cut && missing_.empty()) missing_ = "there is nothing that cuts " + category;
+    return cut;
+  }
+
+  /// The agent gets at it and, where it has to, sees it.
+  bool is_found(std::size_t node) {
+    if (!start_.nodes[node].movable) return true;
+    if (reach_.object(node)) return shows(node);
+    if (missing_.empty()) missing_ = start_.nodes[node].id + " is out of reach";
+    return false;
   }
 
   std::optional<EntityIndex> entity_of(const Term& term) const {
@@ -188,6 +219,8 @@ class Possible {
     out_of_reach_ = start_.nodes[subject].movable && !reach_.object(subject);
     if (out_of_reach_) return false;
     switch (formula.predicate) {
+      case Predicate::Sliced:
+        return is_cut_by_something(start_.nodes[subject].category);
       case Predicate::On:
       case Predicate::Inside:
         return !object || reach_.spot_for(subject, *object, formula.predicate == Predicate::Inside);
@@ -213,7 +246,7 @@ class Possible {
     return false;
   }
 
-  /// Something in the home brings the state about and, where that happens in or on it, takes the thing.
+  /// Something in the home brings the state about: a place that takes the thing, or a tool that is found.
   bool treatable(const Formula& formula, std::size_t subject) {
     const auto effects = effects_for(formula.predicate);
     if (effects.empty() || !start_.nodes[subject].movable) return true;
@@ -226,7 +259,7 @@ class Possible {
         const bool inside = needs(*effect, "inside") || needs(*effect, "under_tap");
         const bool on = !inside && !needs(*effect, "held") && name != "wipes";
         for (const std::size_t tool : places_.of(effect->tool)) {
-          if ((!inside && !on) || reach_.spot_for(subject, tool, inside)) return true;
+          if ((!inside && !on) ? is_found(tool) : reach_.spot_for(subject, tool, inside)) return true;
         }
       }
     }

@@ -138,6 +138,12 @@ bool is_ample(const Scene& scene, const Shape& shape, const std::vector<std::siz
   return taken <= kAmple * largest;
 }
 
+/// More clearly than it must (shows_clearly): the agent stands and turns in steps, and seldom just so.
+bool shows_well(const PixelBox& box) {
+  constexpr int kLeastSide_px = 6;
+  return shows_clearly(box) && std::min(box[2] - box[0], box[3] - box[1]) + 1 >= kLeastSide_px;
+}
+
 /// Straight at it, or with it near an edge or a corner of the picture, where a wide lens draws it larger.
 bool shows_in(const Scene& scene, const std::vector<Vec2>& places, const Profile& profile, std::size_t thing,
               Viewer& viewer) {
@@ -154,7 +160,7 @@ bool shows_in(const Scene& scene, const std::vector<Vec2>& places, const Profile
       eye.yaw += turn * aside;
       eye.pitch += tilt * down;
       const auto box = viewer.box_of(scene, {}, thing, eye, profile);
-      return box && shows_clearly(*box);
+      return box && shows_well(*box);
     });
     if (shown) return true;
   }

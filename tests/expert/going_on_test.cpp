@@ -73,6 +73,27 @@ TEST_F(GoingOn, TakesAnotherThingForOneThatWasNotComeTo) {
   EXPECT_THAT(plan(kMugOnSideTable, start, {{}, {picked->args.front()}}), Not(Contains(*picked)));
 }
 
+TEST_F(GoingOn, TakesAnotherToolForOneThatWasNotComeTo) {
+  Scene scene = house();
+  Node other = *find_node(scene, "knife_1");
+  other.id = "knife_2";
+  other.pose.position.x() -= 0.3;
+  scene.nodes.push_back(other);
+  const Scene start = at_rest(std::move(scene));
+  const std::string sliced = "(exists (?x - Apple) (at-end (sliced ?x)))";
+  const auto taken = [&](const Beginning& beginning) {
+    std::string knife;
+    for (const Action& action : plan(sliced, start, beginning)) {
+      if (action.type == ActionType::PickUp && action.args.front().starts_with("knife")) knife = action.args.front();
+    }
+    return knife;
+  };
+  const std::string first = taken({}), second = first == "knife_1" ? "knife_2" : "knife_1";
+  EXPECT_EQ(taken({{}, {first}}), second);
+  EXPECT_EQ(taken({{}, {second}}), first);
+  EXPECT_NE(taken({{}, {first, second}}), "") << "one that is shunned is better than none";
+}
+
 TEST_F(GoingOn, LooksAroundFromWhereItStands) {
   Scene scene = house();
   scene.agent.yaw = 0;

@@ -171,5 +171,26 @@ TEST_F(CheckGoal, WhatIsToBePointedAtInAPictureMustNotBeASpeck) {
   EXPECT_EQ(refused("(exists (?a - Mug) (at-end (held ?a)))"), "") << "who names it by its id needs no picture";
 }
 
+TEST_F(CheckGoal, WhatIsToBeCutNeedsSomethingToCutItWith) {
+  add("bread_1", "Bread", Archetype::Box, {0.2, 0.1, 0.1}, {1.6, 3.7, 0.951});
+  for (const std::string goal :
+       {"(exists (?s - Bread/slice) (at-end (held ?s)))", "(exists (?a - Bread) (at-end (sliced ?a)))"}) {
+    SCOPED_TRACE(goal);
+    EXPECT_EQ(refused(goal), "there is nothing that cuts Bread");
+  }
+  Node& knife = add("knife_1", "Knife", Archetype::Box, {0.25, 0.03, 0.02}, {2.3, 3.7, 0.911});
+  for (const std::string goal :
+       {"(exists (?s - Bread/slice) (at-end (held ?s)))", "(exists (?a - Bread) (at-end (sliced ?a)))"}) {
+    SCOPED_TRACE(goal);
+    pictured_ = false;
+    knife.size = {0.25, 0.03, 0.02};
+    EXPECT_EQ(refused(goal), "");
+    pictured_ = true;
+    EXPECT_EQ(refused(goal), "");
+    knife.size = {0.003, 0.003, 0.003};
+    EXPECT_EQ(refused(goal), "knife_1 shows clearly from nowhere");
+  }
+}
+
 }  // namespace
 }  // namespace unietp
