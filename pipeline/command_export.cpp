@@ -59,6 +59,7 @@ Exit write_release(const Options& options, const Backends& backends) {
 
 std::string names_of(const std::vector<Mode>& modes) {
   std::vector<std::string> names;
+  names.reserve(modes.size());
   for (const Mode mode : modes) names.emplace_back(name_of(mode));
   return join(names, ", ");
 }

@@ -112,7 +112,7 @@ Exit stats(const Options& options, const CommandLine& program) {
       json.push_back(coverage_json(simulator, coverage));
     } else if (options.missing) {
       for (const auto& [what, names] : coverage.missing) {
-        for (const auto& name : names) print_line(std::string(simulator) + " " + name + " has no " + what);
+        for (const auto& name : names) print_line(join({std::string(simulator), name, "has no", what}, " "));
       }
     } else {
       print_coverage(simulator, coverage);
