@@ -23,6 +23,13 @@ bool is_scene_file(const fs::path& path) {
   return name.ends_with(".scene.json") || name.ends_with(".scene.json.gz");
 }
 
+constexpr std::size_t kLongestId = 200;
+
+/// A data set keeps its homes in files that are called by their ids.
+bool names_a_file(const std::string& id) {
+  return !id.empty() && id.size() <= kLongestId && id.find_first_of(std::string_view("/\0", 2)) == std::string::npos;
+}
+
 void check_categories(const fs::path& file, const Scene& scene, const Knowledge& knowledge,
                       std::vector<Error>& errors) {
   std::set<std::string> unknown;
@@ -75,6 +82,10 @@ std::vector<IdentifiedScene> read_files(const std::vector<fs::path>& paths, cons
       errors.push_back(scene.error());
       continue;
     }
+    if (!names_a_file(scene->id))
+      errors.push_back(usage(file, "has the id \"" + scene->id +
+                                       "\", by which no file can be called; expected at most " +
+                                       std::to_string(kLongestId) + " bytes and no '/'"));
     check_categories(file, *scene, backends[static_cast<std::size_t>(scene->simulator)].knowledge, errors);
     found.push_back({file, std::move(*scene), sha256(*bytes)});
   }

@@ -79,6 +79,15 @@ TEST_F(GivenScenesTest, EveryProblemOfEveryFileIsTold) {
   EXPECT_THAT(format(given.errors[3]), HasSubstr("has the id \"home\""));
 }
 
+TEST_F(GivenScenesTest, AnIdThatCanNameNoFileIsRefused) {
+  for (const auto& id : {std::string("../home"), std::string(201, 'h'), std::string("a\0b", 3)}) {
+    write("a.scene.json", scene(id, "Mug"));
+    const auto given = read_given_scenes({folder_}, backends_);
+    ASSERT_EQ(given.errors.size(), 1U) << id;
+    EXPECT_THAT(format(given.errors[0]), HasSubstr("by which no file can be called"));
+  }
+}
+
 TEST_F(GivenScenesTest, AFolderWithoutScenesIsRefused) {
   const auto given = read_given_scenes({folder_}, backends_);
   ASSERT_EQ(given.errors.size(), 1U);
