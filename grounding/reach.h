@@ -32,8 +32,8 @@ class Reach {
   bool room(const Room& room) const;
   /// The body can stand where it reaches and sees the thing.
   bool object(std::size_t thing);
-  /// From one of those places the thing shows clearly in the camera's picture, at least 6 pixels each way. Only asked of
-  /// what is small: larger things show.
+  /// From one of those places the thing shows clearly in the camera's picture, at least 6 pixels each way. Only asked
+  /// of what is small: larger things show.
   bool shows(std::size_t thing);
   /// place_on, or with `inside` place_in, can let the thing go on the target: there is a spot where it meets nothing
   /// fixed, and a place to stand from which the arm gets there and the target is in reach and sight. Whatever can be
