@@ -35,6 +35,7 @@ Result<Writer> writer_named(const std::string& format) {
       {"habitat", write_habitat}, {"procthor", write_procthor}, {"virtualhome", write_virtualhome}};
   if (const auto found = writers.find(format); found != writers.end()) return found->second;
   std::vector<std::string> names;
+  names.reserve(writers.size());
   for (const auto& [name, writer] : writers) names.push_back(name);
   return unknown_name_error("format", format, names);
 }

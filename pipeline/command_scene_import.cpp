@@ -126,6 +126,7 @@ Result<Done> choose(const std::string& asked, std::vector<ForeignHome>& homes) {
   std::set<std::string> wanted;
   for (const auto& id : split(asked, ',')) wanted.emplace(trim(id));
   std::vector<std::string> known;
+  known.reserve(homes.size());
   for (const auto& home : homes) known.push_back(home.source.id);
   for (const auto& id : wanted) {
     if (std::find(known.begin(), known.end(), id) != known.end()) continue;

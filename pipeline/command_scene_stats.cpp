@@ -57,6 +57,7 @@ Result<std::vector<HomeInFile>> homes_of_one_simulator(const std::filesystem::pa
     if (homes.empty()) return usage(path, "holds no home of " + options.simulator);
   } else if (present.size() > 1) {
     std::vector<std::string> names;
+    names.reserve(present.size());
     for (const auto simulator : present) names.emplace_back(name_of(simulator));
     return usage(path, "holds homes of " + join(names, ", ") + "; say which with --simulator");
   }

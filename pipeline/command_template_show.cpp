@@ -45,7 +45,7 @@ std::string listed(std::vector<std::string> names) {
 
 std::string bound_text(const Binding& binding) {
   std::vector<std::string> parts;
-  for (const auto& [placeholder, category] : binding) parts.push_back(placeholder + "=" + category);
+  for (const auto& [placeholder, category] : binding) parts.push_back(join({placeholder, category}, "="));
   return join(parts, " ");
 }
 

@@ -55,6 +55,7 @@ bool for_each_home(std::size_t count, int threads, const CommandLine& program,
   };
   const int helpers = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(threads), count)) - 1;
   std::vector<std::thread> others;
+  others.reserve(static_cast<std::size_t>(std::max(0, helpers)));
   for (int i = 0; i < helpers; ++i) others.emplace_back(take);
   take();
   for (auto& other : others) other.join();
