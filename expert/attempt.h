@@ -32,7 +32,7 @@ class Attempt {
 
   bool holds(const Literal& literal) const;
   bool has_come(std::size_t moment) const { return come_[moment]; }
-  /// Node that an entity stands for now; nullptr for a slice before the cut, for rooms and the agent.
+  /// Node that an entity stands for by then; nullptr for a slice before the cut, for rooms and the agent.
   const Node* node(EntityIndex entity) const;
   /// Id of an entity of any kind; "" for a slice before the cut.
   std::string id_of(EntityIndex entity) const;
