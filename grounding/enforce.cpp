@@ -1,9 +1,9 @@
 #include "grounding/enforce.h"
 
 #include <algorithm>
-#include <limits>
-#include <map>
-#include <string_view>
+
+#include "grounding/new_places.h"
+#include "grounding/numbers.h"
 
 namespace unietp {
 namespace {
@@ -12,26 +12,7 @@ using Op = Formula::Op;
 
 constexpr int kDeepest = 12;
 constexpr int kMostAdded = 40;
-constexpr int kMostRoomsOfAType = 3;  // tried for a new piece of furniture
-constexpr double kFar_m = 2.5;        // what is not to be nearest goes at least so far away
-constexpr int kAny = std::numeric_limits<int>::max();
-
-/// How many may satisfy a count for it to be true (or false).
-std::pair<int, int> range_of(Comparison comparison, int n, bool truth) {
-  switch (comparison) {
-    case Comparison::AtLeast:
-      return truth ? std::pair(n, kAny) : std::pair(0, n - 1);
-    case Comparison::Greater:
-      return truth ? std::pair(n + 1, kAny) : std::pair(0, n);
-    case Comparison::AtMost:
-      return truth ? std::pair(0, n) : std::pair(n + 1, kAny);
-    case Comparison::Less:
-      return truth ? std::pair(0, n - 1) : std::pair(n, kAny);
-    case Comparison::Equal:
-      break;
-  }
-  return truth ? std::pair(n, n) : std::pair(n + 1, kAny);
-}
+constexpr double kFar_m = 2.5;  // what is not to be nearest goes at least so far away
 
 bool is_empty(const Formula& body) { return body.op == Op::And && body.children.empty(); }
 
@@ -104,7 +85,7 @@ bool Enforcer::make_true(const Formula& formula) {
   if (!make(formula, {}, true, 0)) return false;
   const bool witnesses = formula.op == Op::Exists || formula.op == Op::Count;
   if (!witnesses) return true;
-  const int wanted = formula.op == Op::Exists ? 1 : range_of(formula.comparison, formula.number, true).first;
+  const int wanted = formula.op == Op::Exists ? 1 : count_range(formula.comparison, formula.number, true).first;
   auto serving = satisfying(formula, {}, true);
   // Those that already serve another constraint come last.
   std::stable_partition(serving.begin(), serving.end(),
@@ -146,7 +127,7 @@ bool Enforcer::make(const Formula& formula, const Names& names, bool truth, int 
       made = truth ? make_for_some(formula, names, true, depth) : make_for_all(formula, names, false, depth);
       break;
     case Op::Count: {
-      const auto [low, high] = range_of(formula.comparison, formula.number, truth);
+      const auto [low, high] = count_range(formula.comparison, formula.number, truth);
       made = make_number(formula, names, low, high, depth);
       break;
     }
@@ -174,6 +155,17 @@ bool Enforcer::make_any(const std::vector<Formula>& parts, const Names& names, b
 }
 
 bool Enforcer::make_for_all(const Formula& formula, const Names& names, bool truth, int depth) {
+  const Formula& body = formula.children.front();
+  const bool negated = body.op == Op::Not;
+  const Formula& atom = negated ? body.children.front() : body;
+  if (atom.op == Op::Atom) {
+    // All at once, and read anew when all are done.
+    for (const std::string& id : satisfying(formula, names, !truth)) {
+      Names inner = names;
+      inner.emplace_back(formula.variable, id);
+      make_atom(atom, inner, truth != negated);
+    }
+  }
   for (const std::string& id : satisfying(formula, names, !truth)) {
     Names inner = names;
     inner.emplace_back(formula.variable, id);
@@ -221,22 +213,19 @@ bool Enforcer::make_number(const Formula& formula, const Names& names, int at_le
       return editor_.fail(GroundingReason::NoFreePlace, to_text(formula) + " has no room for so many");
     if (!make_for_some(formula, names, true, depth)) return false;
   }
-  for (;;) {
+  for (std::size_t before = 0;;) {
     auto extra = satisfying(formula, names, true);
-    if (static_cast<int>(extra.size()) <= at_most) return true;
+    std::size_t left = extra.size();
+    if (left <= static_cast<std::size_t>(at_most)) return true;
+    if (before > 0 && left >= before) return false;
+    before = left;
     std::stable_partition(extra.begin(), extra.end(),
                           [&](const std::string& id) { return editor_.reserved().contains(id); });
-    const std::size_t before = extra.size();
-    bool fewer = false;
-    while (!extra.empty() && !fewer) {
-      const std::string id = extra.back();
-      extra.pop_back();
+    for (; !extra.empty() && left > static_cast<std::size_t>(at_most); extra.pop_back()) {
       Names inner = names;
-      inner.emplace_back(formula.variable, id);
-      fewer = (!is_empty(body) && make(body, inner, false, depth + 1)) || editor_.remove(id);
-      fewer = fewer && satisfying(formula, names, true).size() < before;
+      inner.emplace_back(formula.variable, extra.back());
+      if ((!is_empty(body) && make(body, inner, false, depth + 1)) || editor_.remove(extra.back())) --left;
     }
-    if (!fewer) return false;
   }
 }
 
@@ -274,20 +263,8 @@ bool Enforcer::add_member(const Formula& formula, const Names& names, bool truth
     editor_.remove(*id);
     return editor_.fail(why.reason, why.detail);
   }
-  std::vector<std::size_t> rooms(editor_.workspace().scene().rooms.size());
-  for (std::size_t i = 0; i < rooms.size(); ++i) rooms[i] = i;
-  rng_.shuffle(rooms);
-  const auto rank = [&](std::size_t room) {
-    const auto& type = editor_.workspace().scene().rooms[room].type;
-    return std::find(known->rooms.begin(), known->rooms.end(), type) - known->rooms.begin();
-  };
-  std::stable_sort(rooms.begin(), rooms.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
-  std::map<std::string_view, int> tried;  // of each type
-  std::erase_if(rooms, [&](std::size_t room) {
-    return ++tried[editor_.workspace().scene().rooms[room].type] > kMostRoomsOfAType;
-  });
-  for (const std::size_t room : rooms) {
-    const auto id = editor_.add_furniture(category, room);
+  for (const NewPlace& place : places_for_new(formula, names, *known, editor_.workspace(), rng_)) {
+    const auto id = editor_.add_furniture(category, place.room, place.beside);
     if (!id) continue;
     // The walk through the whole home is looked at last: mostly it is something else that is wrong.
     if (accept(*id) && editor_.leaves_rooms_open()) return true;

@@ -5,6 +5,7 @@
 #include "generator/goal_parts.h"
 #include "grounding/check_start.h"
 #include "grounding/enforce.h"
+#include "grounding/numbers.h"
 #include "grounding/reachability.h"
 #include "grounding/scene_editor.h"
 #include "logic/evaluate.h"
@@ -84,12 +85,14 @@ void keep_standing(Workspace& workspace, const Home& home) {
 std::variant<Episode, Rejection> ground(const Specification& specification, const Home& home,
                                         const Knowledge& knowledge, const Profile& profile,
                                         const GroundingOptions& options, Rng rng) {
-  Workspace workspace(home, knowledge);
-  SceneEditor editor(workspace, goal_places(specification.goal), profile, options.draws_per_object,
-                     rng.fork("edits", 0));
   std::vector<Formula> constraints = specification.init;
   const auto referring = referring_constraints(specification);
   constraints.insert(constraints.end(), referring.begin(), referring.end());
+  if (const auto why = refused_by_numbers(constraints, home, knowledge))
+    return rejected(specification, home.scene, *why);
+  Workspace workspace(home, knowledge);
+  SceneEditor editor(workspace, goal_places(specification.goal), profile, options.draws_per_object,
+                     rng.fork("edits", 0));
   Compared compared;
   compared.add(specification.goal);
   for (const Formula& constraint : constraints) compared.add(constraint);

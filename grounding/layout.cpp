@@ -113,7 +113,7 @@ Furnished furnish(Workspace& workspace, const LayoutRecipe& recipe, const Knowle
         Rng draw = rng.fork("piece", piece++);
         const int count = obligatory ? rule.at_least : draw_more(rule, spare, draw);
         for (int k = 0; k < count; ++k) {
-          Node node = make_node(workspace.scene(), knowledge, *knowledge.find(rule.category), kSizeSpread, draw);
+          Node node = make_node(workspace, *knowledge.find(rule.category), kSizeSpread, draw);
           draw_states(node, knowledge, draw);
           if (obligatory) result.obligatory.insert(node.id);
           const bool placed = place_furniture(workspace, keep_outs, room, std::move(node), *parse_where(rule.where),

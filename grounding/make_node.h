@@ -5,7 +5,7 @@
 
 #include "akb/knowledge.h"
 #include "core/rng.h"
-#include "scene/scene.h"
+#include "grounding/workspace.h"
 
 namespace unietp {
 
@@ -13,7 +13,7 @@ namespace unietp {
 /// size is that of one of the category's usable models, drawn, whose name it then carries; where there is none, one
 /// that differs from the typical by at most `spread` (a share; per axis for furniture, as a whole for what moves, so
 /// that balls stay balls). The mass follows the volume. The pose is left to the caller.
-Node make_node(const Scene& scene, const Knowledge& knowledge, const Category& category, double spread, Rng& rng);
+Node make_node(const Workspace& workspace, const Category& category, double spread, Rng& rng);
 
 /// The models of a category whose boxes may be given to a thing of a scene (`usable` of akb/fit.h), by name.
 std::vector<const Asset*> usable_assets(const Knowledge& knowledge, const Category& category);

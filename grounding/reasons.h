@@ -7,7 +7,7 @@ namespace unietp {
 /// Why grounding gives a candidate up; the closed list of Rejection::reason for the stage "grounding".
 enum class GroundingReason {
   UnknownCategory,   // "unknown-category": the knowledge lacks a category that the start must have
-  LacksRoom,         // "lacks-room": the home has no room of a type that is needed
+  LacksRoom,         // "lacks-room": the home has no room of a type that is needed, or not the number
   LacksFurniture,    // "lacks-furniture": furniture is missing and finds no place
   NoFreePlace,       // "no-free-place": an object finds no place to rest; the detail says what it hit
   StateNotPossible,  // "state-not-possible": a category cannot have a state that is asked for

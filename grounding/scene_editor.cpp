@@ -19,11 +19,12 @@ constexpr int kHostsTried = 8;
 constexpr double kWallMargin_m = 0.15;
 
 /// Kinds of place for a piece that no recipe speaks of, the most usual first.
-std::vector<Where> usual_places(const Node& node) {
+std::vector<Where> usual_places(const Node& node, const std::string& beside) {
   const bool hangs = node.archetype == Archetype::Panel ||
                      (node.archetype == Archetype::Fixture && node.size.z() < 1.0) ||
                      (node.archetype == Archetype::Shelf && node.size.z() < 0.5);
   std::vector<Where> places;
+  if (!beside.empty()) places.push_back({.kind = Where::Kind::Beside, .host = beside, .height_m = {}});
   for (const auto kind : {Where::Kind::Wall, Where::Kind::Corner, Where::Kind::Centre})
     places.push_back({.kind = kind, .host = {}, .height_m = {}});
   if (hangs) places = {{.kind = Where::Kind::WallHung, .host = {}, .height_m = {}}};
@@ -108,7 +109,7 @@ std::optional<std::string> SceneEditor::add_object(const std::string& category) 
     return std::nullopt;
   }
   Rng rng = next_rng();
-  Node node = make_node(workspace_.scene(), workspace_.knowledge(), *known, kMovableSpread, rng);
+  Node node = make_node(workspace_, *known, kMovableSpread, rng);
   const std::string id = node.id;
   std::string where;
   if (!settle_somewhere(
@@ -118,14 +119,15 @@ std::optional<std::string> SceneEditor::add_object(const std::string& category) 
   return id;
 }
 
-std::optional<std::string> SceneEditor::add_furniture(const std::string& category, std::size_t room) {
+std::optional<std::string> SceneEditor::add_furniture(const std::string& category, std::size_t room,
+                                                      const std::string& beside) {
   const Category* known = workspace_.knowledge().find(category);
   if (known == nullptr) {
     fail(GroundingReason::UnknownCategory, "the knowledge base has no category " + category);
     return std::nullopt;
   }
   Rng rng = next_rng();
-  Node node = make_node(workspace_.scene(), workspace_.knowledge(), *known, kFurnitureSpread, rng);
+  Node node = make_node(workspace_, *known, kFurnitureSpread, rng);
   const std::string id = node.id, room_id = workspace_.scene().rooms[room].id;
   // Small appliances stand on what the knowledge allows; the rest goes to a wall.
   for (const Host& host : hosts_for(workspace_, node)) {
@@ -145,7 +147,7 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
   FurnishOptions options;
   options.draws = 2 * draws_;
   auto keep_outs = keep_outs_of(workspace_, options, room);
-  const auto places = usual_places(node);
+  const auto places = usual_places(node, beside);
   const bool placed = std::any_of(places.begin(), places.end(), [&](const Where& where) {
     return place_furniture(workspace_, keep_outs, room, node, where, options, next_rng());
   });

@@ -23,8 +23,10 @@ class SceneEditor {
 
   /// A new object of the category where the knowledge puts it, away from the goal's places. Its id, or nullopt.
   std::optional<std::string> add_object(const std::string& category);
-  /// A new piece of furniture in the given room. Whether it shuts off another room is not looked at.
-  std::optional<std::string> add_furniture(const std::string& category, std::size_t room);
+  /// A new piece of furniture in the given room, if possible next to one of the category `beside`. Whether it shuts off
+  /// another room is not looked at.
+  std::optional<std::string> add_furniture(const std::string& category, std::size_t room,
+                                           const std::string& beside = {});
   /// Whether every room can still be walked to.
   bool leaves_rooms_open();
   /// Takes an object out; what rests on or in it is moved first.

@@ -84,7 +84,7 @@ class Scatterer {
   }
 
   bool place(const Wish& wish, Rng rng) {
-    Node node = make_node(workspace_.scene(), workspace_.knowledge(), *wish.category, kSizeSpread, rng);
+    Node node = make_node(workspace_, *wish.category, kSizeSpread, rng);
     draw_states(node, workspace_.knowledge(), rng);
     std::vector<Host> hosts = hosts_in(wish);
     for (int choice = 0; choice < kReceptaclesPerTry && !hosts.empty(); ++choice) {

@@ -15,7 +15,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kHints{{
     {"no-referring-constraint", "choose categories with states or places by which one of them can be told apart"},
     {"no-wording", "the categories have no synonym, function or context; `unietp knowledge show` lists a category's"},
     {"lacks-furniture", "the homes lack that furniture: give others with --scenes, or choose another category"},
-    {"lacks-room", "the homes lack that type of room: give others with --scenes, or choose another room"},
+    {"lacks-room", "the homes lack that type of room, or have several: give others with --scenes, or choose another room"},
     {"no-free-place", "there is no space left: demand fewer objects in `init`, or ask for more with (fits-on A B n)"},
     {"not-calm", "something does not come to rest where `init` wants it: another place or a smaller object"},
     {"no-room-together", "what is to share a place is too large for it: fewer or smaller objects, or a larger place"},

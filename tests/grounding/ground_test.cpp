@@ -164,6 +164,8 @@ TEST_F(Ground, RejectsWithAReasonFromTheClosedList) {
   EXPECT_EQ(reason(specification(kHoldAMug, {"(count >= 1 (?a - Spaceship) (and))"})), "unknown-category");
   EXPECT_EQ(reason(specification("(exists (?r - sauna) (at-end (in_room agent ?r)))", {"(exists (?r - sauna) (and))"})),
             "lacks-room");
+  EXPECT_EQ(reason(specification(kHoldAMug, {"(exists (?a - Mug) (and))", "(count = 7 (?r - kitchen) (and))"})),
+            "lacks-room");
   EXPECT_EQ(reason(specification(kHoldAMug, {"(count >= 15 (?b - Bed) (and))"})), "lacks-furniture");
   EXPECT_EQ(reason(specification(kHoldAMug, {"(count >= 1 (?a - TennisRacket) (exists (?b - Mug) (inside ?a ?b)))"})),
             "no-free-place");
@@ -307,6 +309,37 @@ TEST_F(Ground, FurnitureGetsANeighbourSetDownBesideIt) {
     EXPECT_EQ(beside.size(), 1U);
     EXPECT_GE(count(episode.start, "SideTable"), 2);
   }
+}
+
+TEST_F(Ground, FurnitureThatLacksANeighbourGetsOneSetUpBesideIt) {
+  const auto spec = specification(
+      "(exists (?b - (SideTable :where (exists (?c - ArmChair) (next_to ?b ?c)))) (exists (?a - Mug) (at-end (on ?a "
+      "?b))))",
+      {"(exists (?a - Mug) (and))", "(count = 1 (?b - SideTable) (exists (?c - ArmChair) (next_to ?b ?c)))",
+       "(count >= 1 (?b - SideTable) (not (exists (?c - ArmChair) (next_to ?b ?c))))",
+       "(forall (?a - Mug) (not (exists (?b - SideTable) (on ?a ?b))))"});
+  // At the first place that is tried, not after every room was.
+  for (std::uint64_t seed = 0; seed < 3; ++seed) EXPECT_LT(sound(spec, seed).edits.size(), 30U);
+}
+
+TEST_F(Ground, TakesAScoreOfFurnitureOutButNotHalfAStreet) {
+  const auto switches_besides_one = [&](int number) {
+    std::erase_if(home_.nodes, [](const Node& node) { return node.category == "LightSwitch"; });
+    Node node;
+    node.category = "LightSwitch";
+    node.size = {0.08, 0.03, 0.12};
+    node.archetype = Archetype::Panel;
+    for (int i = 0; i <= number; ++i) {
+      node.id = "light_switch_" + std::to_string(i + 1);
+      node.pose.position = {0.5 + 0.2 * i, 0.5, 3.0};
+      home_.nodes.push_back(node);
+    }
+  };
+  const auto spec = specification(kHoldAMug, {"(exists (?a - Mug) (and))", "(count = 1 (?b - LightSwitch) (and))"});
+  switches_besides_one(20);
+  EXPECT_EQ(count(sound(spec).start, "LightSwitch"), 1);
+  switches_besides_one(21);
+  EXPECT_EQ(reason(spec), "cannot-enforce");
 }
 
 TEST(GroundTheLibrary, FindsStartsForMostTemplatesOnEverySimulator) {
