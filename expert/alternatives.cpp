@@ -11,8 +11,13 @@ namespace {
 constexpr std::size_t kMostPicks = 64;
 constexpr double kNoWay = 1e6;
 
+bool same_standing(const Alternative& a, const Alternative& b) {
+  if (a.standing == b.standing) return true;
+  return a.standing && b.standing && *a.standing == *b.standing;
+}
+
 bool same_choice(const Alternative& a, const Alternative& b) {
-  if (a.cost != b.cost || a.end != b.end || a.moments.size() != b.moments.size()) return false;
+  if (a.cost != b.cost || a.end != b.end || !same_standing(a, b) || a.moments.size() != b.moments.size()) return false;
   for (std::size_t i = 0; i < a.moments.size(); ++i) {
     if (a.moments[i].literals != b.moments[i].literals || a.moments[i].after != b.moments[i].after) return false;
   }
@@ -29,6 +34,28 @@ void append_later_parts(Alternative& to, const Alternative& from) {
     if (keep.until != Keep::kAlways) keep.until += offset;
     to.keeps.push_back(std::move(keep));
   }
+}
+
+/// The one way is to leave things as they are.
+bool only_stands(const Choices::List& list) {
+  return list.size() == 1 && list.front().end.empty() && list.front().moments.empty() && list.front().keeps.empty();
+}
+
+bool contradict(const Alternative& a, const Alternative& b, const Situation& situation) {
+  const auto clashes = [&](const Literal& one, const Alternative& other) {
+    return other.standing && clash(one, *other.standing, situation);
+  };
+  return std::any_of(b.end.begin(), b.end.end(), [&](const Literal& one) { return clashes(one, a); }) ||
+         std::any_of(a.end.begin(), a.end.end(), [&](const Literal& one) {
+           return clashes(one, b) || std::any_of(b.end.begin(), b.end.end(),
+                                                 [&](const Literal& other) { return clash(one, other, situation); });
+         });
+}
+
+std::shared_ptr<const Truths> both_stand(const std::shared_ptr<const Truths>& a,
+                                         const std::shared_ptr<const Truths>& b) {
+  if (!a || a == b) return b;
+  return b ? std::make_shared<const Truths>(together(*a, *b)) : a;
 }
 
 double price_of(const Choices::List& list) { return list.empty() ? kNoWay : list.front().cost; }
@@ -50,7 +77,11 @@ Choices::List Choices::trimmed(List list) const {
 
 Choices::List Choices::single(Literal literal) const {
   Alternative alternative;
-  alternative.end.push_back(std::move(literal));
+  if (holds_in(literal, situation_.facts())) {
+    alternative.standing = std::make_shared<const Truths>(truths_of({std::move(literal)}));
+  } else {
+    alternative.end.push_back(std::move(literal));
+  }
   alternative.cost = estimate(alternative, situation_, experience_);
   return {std::move(alternative)};
 }
@@ -60,19 +91,22 @@ Choices::List Choices::either(List a, List b) const {
   return trimmed(std::move(a));
 }
 
+void Choices::add(List& to, List more) const {
+  if (to.size() == beam_)
+    std::erase_if(more, [&](const Alternative& alternative) { return alternative.cost >= to.back().cost; });
+  if (!more.empty()) to = either(std::move(to), std::move(more));
+}
+
 Choices::List Choices::both(const List& a, const List& b) const {
   List list;
   for (const Alternative& left : a) {
     for (const Alternative& right : b) {
-      const bool contradiction = std::any_of(left.end.begin(), left.end.end(), [&](const Literal& one) {
-        return std::any_of(right.end.begin(), right.end.end(),
-                           [&](const Literal& other) { return clash(one, other, situation_); });
-      });
-      if (contradiction) continue;
+      if (contradict(left, right, situation_)) continue;
       Alternative merged = left;
       merged.end.clear();
       std::set_union(left.end.begin(), left.end.end(), right.end.begin(), right.end.end(),
                      std::back_inserter(merged.end));
+      merged.standing = both_stand(left.standing, right.standing);
       append_later_parts(merged, right);
       merged.cost = estimate(merged, situation_, experience_);
       list.push_back(std::move(merged));
@@ -81,13 +115,29 @@ Choices::List Choices::both(const List& a, const List& b) const {
   return trimmed(std::move(list));
 }
 
+Choices::List Choices::all(const std::vector<const List*>& lists, std::vector<Literal> standing) const {
+  List common = nothing_to_do();
+  for (const List* list : lists) {
+    if (!only_stands(*list)) {
+      common = both(common, *list);
+      if (common.empty()) return common;
+    } else if (const auto& truths = list->front().standing) {
+      for (const auto* part : {&truths->yes, &truths->no}) standing.insert(standing.end(), part->begin(), part->end());
+    }
+  }
+  if (standing.empty()) return common;
+  Alternative still;
+  still.standing = std::make_shared<const Truths>(truths_of(std::move(standing)));
+  return both(common, {still});
+}
+
 Choices::List Choices::in_turn(const List& a, const List& b) const {
   List list;
   for (const Alternative& left : a) {
     for (const Alternative& right : b) {
       Alternative merged;
-      merged.moments.push_back({left.end, {}});
-      merged.moments.push_back({right.end, {0}});
+      merged.moments.push_back({wanted_at_end(left), {}});
+      merged.moments.push_back({wanted_at_end(right), {0}});
       merged.cost = estimate(merged, situation_, experience_);
       list.push_back(std::move(merged));
     }
@@ -117,11 +167,9 @@ Choices::List Choices::exactly(int k, const std::vector<Member>& members) const 
   for (const Member& member : members) price.push_back(price_of(member.yes) - price_of(member.no));
   List result;
   for (const std::vector<bool>& pick : picks(static_cast<std::size_t>(k), price)) {
-    List all = nothing_to_do();
-    for (std::size_t i = 0; i < members.size() && !all.empty(); ++i) {
-      all = both(all, pick[i] ? members[i].yes : members[i].no);
-    }
-    result = either(std::move(result), std::move(all));
+    std::vector<const List*> lists;
+    for (std::size_t i = 0; i < members.size(); ++i) lists.push_back(pick[i] ? &members[i].yes : &members[i].no);
+    add(result, all(lists, {}));
   }
   return result;
 }
@@ -133,11 +181,11 @@ Choices::List Choices::at_least(int k, const std::vector<Member>& members) const
   for (const Member& member : members) price.push_back(price_of(member.yes));
   List result;
   for (const std::vector<bool>& pick : picks(static_cast<std::size_t>(k), price)) {
-    List all = nothing_to_do();
-    for (std::size_t i = 0; i < members.size() && !all.empty(); ++i) {
-      if (pick[i]) all = both(all, members[i].yes);
+    std::vector<const List*> lists;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (pick[i]) lists.push_back(&members[i].yes);
     }
-    result = either(std::move(result), std::move(all));
+    add(result, all(lists, {}));
   }
   return result;
 }

@@ -18,8 +18,12 @@ class Choices {
   static List nothing_to_do() { return {Alternative{}}; }
   List single(Literal literal) const;
   List either(List a, List b) const;
+  /// `to` becomes either(to, more).
+  void add(List& to, List more) const;
   /// Every pair that does not contradict itself.
   List both(const List& a, const List& b) const;
+  /// All of several lists, and truths that hold at the start.
+  List all(const std::vector<const List*>& lists, std::vector<Literal> standing) const;
   /// As `both`, but nothing has to hold together: the parts are moments of their own.
   List in_turn(const List& a, const List& b) const;
 

@@ -34,7 +34,7 @@ std::optional<Choice> next_choice(const std::vector<Alternative>& alternatives, 
   double best_cost = 0;
   std::string best_name;
   for (const Alternative& alternative : alternatives) {
-    const std::string text = to_text(alternative, situation);
+    const std::string text = changes_text(alternative, situation);
     for (std::size_t h = 0; h < kHabits.size(); ++h) {
       const double cost = alternative.cost + kPerHabit * static_cast<double>(h);
       std::string name = std::to_string(h) + " " + text;
@@ -68,7 +68,7 @@ std::optional<Literal> carry_out(Attempt& attempt, Methods& methods, const Habit
     if (attempt.has_come(moment)) continue;
     if (const auto failed = bring_about(attempt, methods, alternative.moments[moment].literals, habits)) return failed;
   }
-  return bring_about(attempt, methods, alternative.end, habits);
+  return bring_about(attempt, methods, wanted_at_end(alternative), habits);
 }
 
 void shun(Experience& experience, const Situation& situation, const std::string& id) {

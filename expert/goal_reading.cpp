@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
 
 #include "expert/alternatives.h"
 #include "expert/ways.h"
@@ -26,11 +29,35 @@ class Reader {
   Reader(const Formula& goal, const Situation& situation, const Experience& experience, const ReadingOptions& options)
       : situation_(situation), experience_(experience), choices_(situation, experience, options.beam) {
     const int depth = std::max(1, deepest_exists(goal));
-    candidates_ = std::max<std::size_t>(
-        4, static_cast<std::size_t>(std::pow(static_cast<double>(options.assignments), 1.0 / depth)));
+    const auto candidates = std::pow(static_cast<double>(options.assignments), 1.0 / depth);
+    candidates_ = std::clamp<std::size_t>(static_cast<std::size_t>(candidates), 4, options.witnesses);
   }
 
+  /// What a quantifier says is read once for the objects that it speaks of, whatever else was chosen around it.
   List read(const Formula& formula, bool want) {
+    const bool quantifies = formula.op == Op::Forall || formula.op == Op::Exists || formula.op == Op::Count;
+    if (!quantifies || assignment_.empty()) return read_anew(formula, want);
+    const Known& known = known_.try_emplace(&formula, formula).first->second;
+    if (known.of_moments) return read_anew(formula, want);
+    ReadAs as{&formula, want, {}};
+    for (const std::string& name : known.variables) std::get<2>(as).push_back(value_of(name));
+    const auto found = read_.find(as);
+    if (found != read_.end()) return found->second;
+    return read_.emplace(std::move(as), read_anew(formula, want)).first->second;
+  }
+
+ private:
+  /// Of a part of the goal: on which variables it depends, and whether it speaks of more than one moment.
+  struct Known {
+    explicit Known(const Formula& formula)
+        : variables(free_variables(formula)),
+          of_moments(has_operator(formula, {Op::Sometime, Op::Always, Op::Until, Op::Before})) {}
+    std::vector<std::string> variables;
+    bool of_moments;
+  };
+  using ReadAs = std::tuple<const Formula*, bool, std::vector<EntityIndex>>;  // compared alone, never gone through
+
+  List read_anew(const Formula& formula, bool want) {
     switch (formula.op) {
       case Op::Atom:
         return literal(formula, want);
@@ -70,18 +97,18 @@ class Reader {
     return choices_.none();
   }
 
- private:
-  EntityIndex entity_of(const Term& term) const {
-    if (term.kind == Term::Kind::Agent) return 0;
+  EntityIndex entity_of(const Term& term) const { return term.kind == Term::Kind::Agent ? 0 : value_of(term.name); }
+
+  EntityIndex value_of(const std::string& name) const {
     for (auto bound = assignment_.rbegin(); bound != assignment_.rend(); ++bound) {
-      if (bound->first == term.name) return bound->second;
+      if (bound->first == name) return bound->second;
     }
     return kNobody;
   }
 
   bool holds_at_start(const Formula& formula) const { return holds_in(formula, situation_.trace, 0, assignment_); }
 
-  List literal(const Formula& formula, bool want) {
+  Literal literal_of(const Formula& formula, bool want) const {
     Literal literal;
     literal.predicate = formula.predicate;
     literal.positive = want;
@@ -93,6 +120,19 @@ class Reader {
         (i == 0 ? literal.subject : literal.object) = entity_of(term);
       }
     }
+    return literal;
+  }
+
+  /// The truth that a literal, negated or not, has at the start, when it is the one that is wanted.
+  std::optional<Literal> stands(const Formula& formula, bool want) const {
+    if (formula.op == Op::Not) return stands(formula.children.front(), !want);
+    if (formula.op != Op::Atom || formula.predicate == Predicate::SliceOf) return std::nullopt;
+    Literal literal = literal_of(formula, want);
+    return holds_in(literal, situation_.facts()) ? std::optional(std::move(literal)) : std::nullopt;
+  }
+
+  List literal(const Formula& formula, bool want) {
+    Literal literal = literal_of(formula, want);
     if (literal.predicate == Predicate::SliceOf && situation_.is_imagined(literal.subject)) {
       const bool truth = situation_.slice(literal.subject).whole == literal.object;
       return truth == want ? choices_.nothing_to_do() : choices_.none();
@@ -129,18 +169,19 @@ class Reader {
     std::vector<List> lists;
     for (const Formula& part : parts) lists.push_back(read(part, want));
     std::stable_sort(lists.begin(), lists.end(), [](const List& a, const List& b) { return a.size() < b.size(); });
-    List result = choices_.nothing_to_do();
-    for (const List& list : lists) {
-      result = choices_.both(result, list);
-      if (result.empty()) break;
-    }
-    return result;
+    return choices_.all(pointers_to(lists), {});
   }
 
   List any(const std::vector<Formula>& parts, bool want) {
     List result;
     for (const Formula& part : parts) result = choices_.either(std::move(result), read(part, want));
     return result;
+  }
+
+  static std::vector<const List*> pointers_to(const std::vector<List>& lists) {
+    std::vector<const List*> pointers;
+    for (const List& list : lists) pointers.push_back(&list);
+    return pointers;
   }
 
   std::vector<EntityIndex> domain_of(const Formula& formula) const {
@@ -164,9 +205,24 @@ class Reader {
     }
     List result;
     for (const EntityIndex witness : witnesses) {
-      result = choices_.either(std::move(result), read_with(formula, witness, want));
+      choices_.add(result, read_with(formula, witness, want));
     }
     return result;
+  }
+
+  /// What holds of them already may be thousands of truths, and is not taken for choices.
+  List all_of(const Formula& formula, const std::vector<EntityIndex>& members, bool want) {
+    std::vector<Literal> standing;
+    std::vector<List> lists;
+    for (const EntityIndex member : members) {
+      assignment_.emplace_back(formula.variable, member);
+      auto truth = stands(formula.children[0], want);
+      if (!truth) lists.push_back(read(formula.children[0], want));
+      assignment_.pop_back();
+      if (truth) standing.push_back(std::move(*truth));
+      if (!truth && lists.back().empty()) return choices_.none();
+    }
+    return choices_.all(pointers_to(lists), std::move(standing));
   }
 
   /// All that exist; of slices that do not exist yet only one thing has to be cut, so each such thing is a way.
@@ -180,11 +236,8 @@ class Reader {
         wholes.push_back(situation_.slice(member).whole);
       }
     }
-    List common = choices_.nothing_to_do();
-    for (const EntityIndex member : real) {
-      common = choices_.both(common, read_with(formula, member, want));
-      if (common.empty()) return common;
-    }
+    const List common = all_of(formula, real, want);
+    if (common.empty()) return common;
     if (wholes.empty()) return common;
     List result = real.empty() ? choices_.none() : common;
     for (const EntityIndex whole : wholes) {
@@ -261,8 +314,9 @@ class Reader {
     if (holds_at_start(formula) == want) return choices_.nothing_to_do();
     List list = read(formula, want);
     for (Alternative& alternative : list) {
-      alternative.moments = {Moment{std::move(alternative.end), {}}};
+      alternative.moments = {Moment{wanted_at_end(alternative), {}}};
       alternative.end.clear();
+      alternative.standing.reset();
     }
     return list;
   }
@@ -319,6 +373,8 @@ class Reader {
   Choices choices_;
   std::size_t candidates_ = 0;
   Assignment assignment_;
+  std::map<const Formula*, Known> known_;  // compared alone, never gone through
+  std::map<ReadAs, List> read_;
 };
 
 }  // namespace

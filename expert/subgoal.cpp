@@ -1,7 +1,9 @@
 #include "expert/subgoal.h"
 
 #include <algorithm>
+#include <iterator>
 
+#include "core/sort_unique.h"
 #include "expert/ways.h"
 
 namespace unietp {
@@ -44,6 +46,30 @@ double metres_between(const Situation& situation, EntityIndex a, EntityIndex b) 
   return (from->pose.position - to->pose.position).head<2>().norm();
 }
 
+std::string text_of(const std::vector<Literal>& literals, const Situation& situation) {
+  std::string text;
+  for (const Literal& literal : literals) text += to_text(literal, situation) + "; ";
+  return text;
+}
+
+std::string text_of_moments(const Alternative& alternative, const Situation& situation) {
+  std::string text;
+  for (const Moment& moment : alternative.moments) text += text_of(moment.literals, situation) + "then ";
+  return text;
+}
+
+bool has(const std::vector<Literal>& sorted, const Literal& literal) {
+  return std::binary_search(sorted.begin(), sorted.end(), literal);
+}
+
+/// At the end or at one of its moments.
+bool wants(const Alternative& alternative, const Literal& literal) {
+  const auto& standing = alternative.standing;
+  return has(alternative.end, literal) || (standing && has(literal.positive ? standing->yes : standing->no, literal)) ||
+         std::any_of(alternative.moments.begin(), alternative.moments.end(),
+                     [&](const Moment& moment) { return has(moment.literals, literal); });
+}
+
 constexpr double kActionsPerMetre = 0.1;
 
 }  // namespace
@@ -56,17 +82,36 @@ std::string to_text(const Literal& literal, const Situation& situation) {
   return (literal.positive ? "" : "not ") + text + ")";
 }
 
-std::string to_text(const Alternative& alternative, const Situation& situation) {
-  std::string text;
-  const auto add = [&](const std::vector<Literal>& literals) {
-    for (const Literal& literal : literals) text += to_text(literal, situation) + "; ";
-  };
-  for (const Moment& moment : alternative.moments) {
-    add(moment.literals);
-    text += "then ";
+Truths truths_of(std::vector<Literal> literals) {
+  sort_unique(literals);
+  Truths standing;
+  for (Literal& literal : literals) (literal.positive ? standing.yes : standing.no).push_back(std::move(literal));
+  return standing;
+}
+
+Truths together(const Truths& a, const Truths& b) {
+  Truths all;
+  std::set_union(a.yes.begin(), a.yes.end(), b.yes.begin(), b.yes.end(), std::back_inserter(all.yes));
+  std::set_union(a.no.begin(), a.no.end(), b.no.begin(), b.no.end(), std::back_inserter(all.no));
+  return all;
+}
+
+std::vector<Literal> wanted_at_end(const Alternative& alternative) {
+  std::vector<Literal> wanted = alternative.end;
+  if (alternative.standing) {
+    for (const auto* part : {&alternative.standing->yes, &alternative.standing->no})
+      wanted.insert(wanted.end(), part->begin(), part->end());
   }
-  add(alternative.end);
-  return text;
+  std::sort(wanted.begin(), wanted.end());
+  return wanted;
+}
+
+std::string changes_text(const Alternative& alternative, const Situation& situation) {
+  return text_of_moments(alternative, situation) + text_of(alternative.end, situation);
+}
+
+std::string to_text(const Alternative& alternative, const Situation& situation) {
+  return text_of_moments(alternative, situation) + text_of(wanted_at_end(alternative), situation);
 }
 
 double Experience::surcharge(const Literal& literal) const {
@@ -116,21 +161,32 @@ bool clash(const Literal& a, const Literal& b, const Situation& situation) {
   return exclude_each_other(a.predicate, b.predicate);
 }
 
+bool clash(const Literal& change, const Truths& standing, const Situation& situation) {
+  Literal opposite = change;
+  opposite.positive = !change.positive;
+  const auto& contrary = opposite.positive ? standing.yes : standing.no;
+  if (std::binary_search(contrary.begin(), contrary.end(), opposite)) return true;
+  return change.positive && std::any_of(standing.yes.begin(), standing.yes.end(),
+                                        [&](const Literal& truth) { return clash(change, truth, situation); });
+}
+
 double estimate(const Alternative& alternative, const Situation& situation, const Experience& experience) {
-  std::vector<Literal> open = alternative.end;
-  for (const Moment& moment : alternative.moments) {
-    open.insert(open.end(), moment.literals.begin(), moment.literals.end());
-  }
   double cost = 0;
-  std::vector<EntityIndex> visited, fetched, doors, cut;
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    const Literal& literal = open[i];
-    if (std::find(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(i), literal) !=
-        open.begin() + static_cast<std::ptrdiff_t>(i)) {
-      continue;
+  for (const auto& [known, charge] : experience.literals) {
+    if (wants(alternative, known)) cost += charge;
+  }
+  std::vector<const Literal*> open;
+  const auto add = [&](const std::vector<Literal>& literals) {
+    for (const Literal& literal : literals) {
+      const bool again = std::any_of(open.begin(), open.end(), [&](const Literal* one) { return *one == literal; });
+      if (!holds_in(literal, situation.facts()) && !again) open.push_back(&literal);
     }
-    cost += experience.surcharge(literal);
-    if (holds_in(literal, situation.facts())) continue;
+  };
+  add(alternative.end);
+  for (const Moment& moment : alternative.moments) add(moment.literals);
+  std::vector<EntityIndex> visited, fetched, doors, cut;
+  for (const Literal* one : open) {
+    const Literal& literal = *one;
     insert_once(visited, literal.subject);
     insert_once(visited, literal.object);
     insert_once(doors, situation.shut_in(literal.subject));

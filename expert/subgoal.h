@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,15 +37,30 @@ struct Keep {
   bool inclusive = false;
 };
 
-/// One way to meet a goal: every choice of witness, branch and number is made; only the order is open. Truths that hold
-/// at the start are listed too, since they must still hold at the end.
+/// Truths that hold at the start, sorted; those that something holds, and those that it does not.
+struct Truths {
+  std::vector<Literal> yes, no;
+  bool operator==(const Truths&) const = default;
+};
+Truths truths_of(std::vector<Literal> literals);
+/// What holds in both.
+Truths together(const Truths& a, const Truths& b);
+
+/// One way to meet a goal: every choice of witness, branch and number is made; only the order is open.
 struct Alternative {
-  std::vector<Literal> end;  // sorted
+  std::vector<Literal> end;  // sorted; not yet true at the start
+  /// What holds at the start and must still hold at the end, nullptr for nothing. "None of them on any of those" is
+  /// thousands of truths, which the ways to meet the rest of a goal have in common.
+  std::shared_ptr<const Truths> standing;
   std::vector<Moment> moments;
   std::vector<Keep> keeps;
   double cost = 0;  // estimated actions, plus a little for the way
 };
 std::string to_text(const Alternative& alternative, const Situation& situation);
+/// The same without what holds at the start.
+std::string changes_text(const Alternative& alternative, const Situation& situation);
+/// All that an alternative wants of the end, sorted.
+std::vector<Literal> wanted_at_end(const Alternative& alternative);
 
 /// What failed attempts taught: a surcharge on truths and on things, in actions.
 struct Experience {
@@ -57,6 +73,8 @@ struct Experience {
 bool holds_in(const Literal& literal, const Facts& facts);
 /// Can never hold together: opposite truths, two states of one group, one thing in two places, more held than hands.
 bool clash(const Literal& a, const Literal& b, const Situation& situation);
+/// A truth to bring about that cannot hold together with some of those.
+bool clash(const Literal& change, const Truths& standing, const Situation& situation);
 /// Estimated actions for an alternative; shared trips, doors and cuts are counted once.
 double estimate(const Alternative& alternative, const Situation& situation, const Experience& experience);
 

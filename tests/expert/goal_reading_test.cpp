@@ -55,6 +55,26 @@ TEST_F(Reading, AnExactNumberSaysOfEveryMemberWhetherItCounts) {
   }
 }
 
+TEST_F(Reading, LeavesOutWhatUndoesATruthOfTheStart) {
+  EXPECT_THAT(ways("(exists (?b - SideTable) (exists (?x - Mug) (at-end (and (on ?x ?b) (forall (?y - Mug) (not (on "
+                   "?y ?b)))))))"),
+              ::testing::IsEmpty());
+}
+
+TEST_F(Reading, WaysToMeetTheRestShareWhatStandsAlready) {
+  const Formula formula =
+      goal("(exists (?x - Mug) (at-end (and (held ?x) (forall (?y - Plate) (forall (?z - Plate) (not (on ?y ?z)))))))");
+  const auto rehearsal = Rehearsal::of(formula, start, knowledge, profile);
+  const Situation situation = look_around(*rehearsal, Mode::M1);
+  const auto list = read_goal(formula, situation, {});
+  ASSERT_GT(list.size(), 1U);
+  ASSERT_NE(list.front().standing, nullptr);
+  for (const Alternative& way : list) {
+    EXPECT_EQ(way.standing, list.front().standing);
+    EXPECT_THAT(to_text(way, situation), HasSubstr("not on(plate_1, plate_1)"));
+  }
+}
+
 TEST_F(Reading, PutsBeforeIntoAnOrderOfMoments) {
   EXPECT_THAT(ways("(exists (?x - Plate) (exists (?y - Mug) (and (before (held ?x) (held ?y)) (at-end (held ?y)))))"),
               ::testing::Contains("held(plate_1); then held(mug_1); then held(mug_1); "));
