@@ -117,17 +117,25 @@ Choices::List Choices::both(const List& a, const List& b) const {
 
 Choices::List Choices::all(const std::vector<const List*>& lists, std::vector<Literal> standing) const {
   List common = nothing_to_do();
+  std::vector<std::shared_ptr<const Truths>> shared;
   for (const List* list : lists) {
     if (!only_stands(*list)) {
       common = both(common, *list);
       if (common.empty()) return common;
-    } else if (const auto& truths = list->front().standing) {
-      for (const auto* part : {&truths->yes, &truths->no}) standing.insert(standing.end(), part->begin(), part->end());
+    } else if (list->front().standing) {
+      shared.push_back(list->front().standing);
     }
   }
-  if (standing.empty()) return common;
+  if (standing.empty() && shared.empty()) return common;
   Alternative still;
-  still.standing = std::make_shared<const Truths>(truths_of(std::move(standing)));
+  if (standing.empty() && shared.size() == 1) {
+    still.standing = std::move(shared.front());
+  } else {
+    for (const auto& truths : shared) {
+      for (const auto* part : {&truths->yes, &truths->no}) standing.insert(standing.end(), part->begin(), part->end());
+    }
+    still.standing = std::make_shared<const Truths>(truths_of(std::move(standing)));
+  }
   return both(common, {still});
 }
 
