@@ -11,6 +11,8 @@
 namespace unietp {
 namespace {
 
+constexpr std::size_t kMostDistractors = 8;  // for one referent
+
 bool manipulates(const Action& action) {
   const ActionClass group = info(action.type).group;
   return group == ActionClass::Manipulation || group == ActionClass::Composite;
@@ -40,7 +42,8 @@ std::vector<Block> blocks_of(const std::vector<Action>& actions) {
 
 class Mutator {
  public:
-  Mutator(Rehearsal& rehearsal, Mode mode) : start_(rehearsal, mode), goal_(rehearsal.goal()) {}
+  Mutator(Rehearsal& rehearsal, Mode mode)
+      : start_(rehearsal, mode), world_(rehearsal.world()), goal_(rehearsal.goal()) {}
 
   bool survives(const std::vector<Action>& actions) const {
     Course course = start_;
@@ -84,7 +87,8 @@ class Mutator {
     surviving.insert(surviving.end(), swapped.begin(), swapped.end());
   }
 
-  /// Each referent of a referring domain replaced by each object of its category that the domain excludes.
+  /// Each referent of a referring domain replaced by the nearest few things of its categories that the domain excludes.
+  /// What lies farther away differs from those in the way to it alone, which no goal asks for.
   void use_distractors(const Formula& formula, const Trace& trace, const std::vector<Action>& actions,
                        std::vector<std::string>& surviving) const {
     for (const Formula& child : formula.children) use_distractors(child, trace, actions, surviving);
@@ -95,15 +99,29 @@ class Mutator {
     const auto referents = members_of(formula.domain, formula.variable, trace);
     Domain whole = formula.domain;
     whole.where.clear();
-    for (const EntityIndex other : members_of(whole, formula.variable, trace)) {
-      if (std::find(referents.begin(), referents.end(), other) != referents.end()) continue;
-      for (const EntityIndex referent : referents) {
-        replace(trace.entities[referent].id, trace.entities[other].id, actions, surviving);
-      }
+    auto excluded = members_of(whole, formula.variable, trace);
+    std::erase_if(excluded, [&](EntityIndex other) {
+      return std::find(referents.begin(), referents.end(), other) != referents.end();
+    });
+    for (const EntityIndex referent : referents) {
+      const std::string& meant = trace.entities[referent].id;
+      for (const EntityIndex other : nearest(meant, excluded, trace))
+        replace(meant, trace.entities[other].id, actions, surviving);
     }
   }
 
  private:
+  std::vector<EntityIndex> nearest(const std::string& to, std::vector<EntityIndex> things, const Trace& trace) const {
+    const Node* middle = world_.find(to);
+    const auto away = [&](EntityIndex thing) {
+      const Node* node = world_.find(trace.entities[thing].id);
+      return node == nullptr || middle == nullptr ? 0.0 : (node->pose.position - middle->pose.position).norm();
+    };
+    std::stable_sort(things.begin(), things.end(), [&](EntityIndex a, EntityIndex b) { return away(a) < away(b); });
+    if (things.size() > kMostDistractors) things.resize(kMostDistractors);
+    return things;
+  }
+
   void replace(const std::string& from, const std::string& to, const std::vector<Action>& actions,
                std::vector<std::string>& surviving) const {
     std::vector<Action> mutant = actions;
@@ -119,6 +137,7 @@ class Mutator {
   }
 
   Course start_;
+  const World& world_;  // at the start
   const Formula& goal_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "core/text.h"
 #include "logic/evaluate.h"
@@ -99,10 +100,13 @@ class Spoiler {
       Domain whole = one.domain;
       whole.where.clear();
       const auto meant = members_of(one.domain, one.variable, start);
+      std::vector<std::string> excluded;
       for (const EntityIndex other : members_of(whole, one.variable, start)) {
-        if (std::find(meant.begin(), meant.end(), other) != meant.end()) continue;
-        for (const EntityIndex referent : meant)
-          use_instead(start.entities[referent].id, start.entities[other].id, plan);
+        if (std::find(meant.begin(), meant.end(), other) == meant.end()) excluded.push_back(start.entities[other].id);
+      }
+      for (const EntityIndex referent : meant) {
+        const std::string& id = start.entities[referent].id;
+        for (const std::string& other : those_around(id, excluded)) use_instead(id, other, plan);
       }
     }
   }
@@ -146,6 +150,22 @@ class Spoiler {
       part.clear();
     }
     return parts;
+  }
+
+  /// Of the ids the eight whose things lie nearest to a thing, equally near ones in their order.
+  std::vector<std::string> those_around(const std::string& id, const std::vector<std::string>& ids) const {
+    const World& world = start_.episode.world();
+    const Node* centre = world.find(id);
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const Node* node = world.find(ids[i]);
+      const bool stand = centre != nullptr && node != nullptr;
+      order.emplace_back(stand ? (centre->pose.position - node->pose.position).norm() : 0, i);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<std::string> around;
+    for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 8); ++i) around.push_back(ids[order[i].second]);
+    return around;
   }
 
   void use_instead(const std::string& referent, const std::string& other, const std::vector<Action>& plan) {

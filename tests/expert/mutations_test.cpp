@@ -9,6 +9,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// Does the actions in a fresh world and records them.
 Demonstration done(const Scene& start, const Knowledge& knowledge, const Profile& profile,
@@ -111,6 +112,22 @@ TEST_F(NeedlessSteps, NameADistractorThatWouldDoAsWell) {
                  "DiningTable) (on ?x ?c)))) (sometime (sliced ?x)))))",
                  actions),
               Contains("with apple_2 instead of apple_1"));
+}
+
+TEST_F(NeedlessSteps, TryTheEightNearestOfManyDistractors) {
+  Scene scene = house();
+  for (int i = 0; i < 12; ++i) add(scene, knowledge, fresh_id(scene, "Mug"), "Mug", 3.3 + 0.12 * i, 0.3, 0.001);
+  find_node(scene, "mug_4")->states.set({Predicate::Hot, {}});
+  const std::vector<Action> actions{
+      {ActionType::GoTo, {"mug_4"}}, {ActionType::PickUp, {"mug_4"}}, {ActionType::Stop, {}}};
+  // Any mug would do; the hot one at the row's end is no more than spoken of.
+  const auto surviving =
+      needless_steps(goal("(and (exists (?a - Mug) (at-end (held ?a))) (not (exists (?x - (Mug :where "
+                          "(hot ?x))) (sometime (sliced ?x)))))"),
+                     scene, done(scene, knowledge, profile, actions), knowledge, profile);
+  EXPECT_THAT(surviving, Contains("with mug_5 instead of mug_4"));
+  EXPECT_THAT(surviving, Contains("with mug_12 instead of mug_4"));
+  EXPECT_THAT(surviving, Not(Contains("with mug_13 instead of mug_4")));
 }
 
 }  // namespace
