@@ -91,9 +91,13 @@ Choices::List Choices::either(List a, List b) const {
   return trimmed(std::move(a));
 }
 
+void Choices::leave_out_dearer(List& list, const List& than) const {
+  if (than.size() < beam_) return;
+  std::erase_if(list, [&](const Alternative& alternative) { return alternative.cost >= than.back().cost; });
+}
+
 void Choices::add(List& to, List more) const {
-  if (to.size() == beam_)
-    std::erase_if(more, [&](const Alternative& alternative) { return alternative.cost >= to.back().cost; });
+  leave_out_dearer(more, to);
   if (!more.empty()) to = either(std::move(to), std::move(more));
 }
 
@@ -116,17 +120,18 @@ Choices::List Choices::both(const List& a, const List& b) const {
 }
 
 Choices::List Choices::all(const std::vector<const List*>& lists, std::vector<Literal> standing) const {
-  List common = nothing_to_do();
+  List result;
+  add_all_of(result, lists, std::move(standing));
+  return result;
+}
+
+Choices::List Choices::with_standing(const List& list, const std::vector<const List*>& others,
+                                     std::vector<Literal> standing) const {
   std::vector<std::shared_ptr<const Truths>> shared;
-  for (const List* list : lists) {
-    if (!only_stands(*list)) {
-      common = both(common, *list);
-      if (common.empty()) return common;
-    } else if (list->front().standing) {
-      shared.push_back(list->front().standing);
-    }
+  for (const List* other : others) {
+    if (only_stands(*other) && other->front().standing) shared.push_back(other->front().standing);
   }
-  if (standing.empty() && shared.empty()) return common;
+  if (standing.empty() && shared.empty()) return list;
   Alternative still;
   if (standing.empty() && shared.size() == 1) {
     still.standing = std::move(shared.front());
@@ -136,7 +141,19 @@ Choices::List Choices::all(const std::vector<const List*>& lists, std::vector<Li
     }
     still.standing = std::make_shared<const Truths>(truths_of(std::move(standing)));
   }
-  return both(common, {still});
+  return both(list, {still});
+}
+
+/// What only stands makes nothing cheaper: it is listed for what is cheap enough without.
+void Choices::add_all_of(List& to, const std::vector<const List*>& lists, std::vector<Literal> standing) const {
+  List common = nothing_to_do();
+  for (const List* list : lists) {
+    if (only_stands(*list)) continue;
+    common = both(common, *list);
+    leave_out_dearer(common, to);
+    if (common.empty()) return;
+  }
+  add(to, with_standing(common, lists, std::move(standing)));
 }
 
 Choices::List Choices::in_turn(const List& a, const List& b) const {
@@ -177,7 +194,7 @@ Choices::List Choices::exactly(int k, const std::vector<Member>& members) const 
   for (const std::vector<bool>& pick : picks(static_cast<std::size_t>(k), price)) {
     std::vector<const List*> lists;
     for (std::size_t i = 0; i < members.size(); ++i) lists.push_back(pick[i] ? &members[i].yes : &members[i].no);
-    add(result, all(lists, {}));
+    add_all_of(result, lists, {});
   }
   return result;
 }
@@ -193,7 +210,7 @@ Choices::List Choices::at_least(int k, const std::vector<Member>& members) const
     for (std::size_t i = 0; i < members.size(); ++i) {
       if (pick[i]) lists.push_back(&members[i].yes);
     }
-    add(result, all(lists, {}));
+    add_all_of(result, lists, {});
   }
   return result;
 }

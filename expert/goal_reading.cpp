@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "core/keep_least.h"
 #include "expert/alternatives.h"
 #include "expert/ways.h"
 #include "logic/comparison.h"
@@ -197,12 +198,11 @@ class Reader {
 
   List some_member(const Formula& formula, bool want) {
     std::vector<EntityIndex> witnesses = domain_of(formula);
-    if (witnesses.size() > candidates_) {
-      const auto far = [this](EntityIndex e) { return situation_.walk_m(e) + 10 * experience_.surcharge(e); };
-      std::stable_sort(witnesses.begin(), witnesses.end(),
-                       [&](EntityIndex a, EntityIndex b) { return far(a) < far(b); });
-      witnesses.resize(candidates_);
-    }
+    // A way through doors is seldom several times the straight one, and dear to find for all of a street.
+    keep_least(witnesses, 8 * candidates_,
+               [this](EntityIndex e) { return situation_.away_m(e) + 10 * experience_.surcharge(e); });
+    keep_least(witnesses, candidates_,
+               [this](EntityIndex e) { return situation_.walk_m(e) + 10 * experience_.surcharge(e); });
     List result;
     for (const EntityIndex witness : witnesses) {
       choices_.add(result, read_with(formula, witness, want));

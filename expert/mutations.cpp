@@ -2,6 +2,7 @@
 #include <iterator>
 #include <span>
 
+#include "core/keep_least.h"
 #include "expert/course.h"
 #include "expert/execution.h"
 #include "expert/expert.h"
@@ -117,8 +118,7 @@ class Mutator {
       const Node* node = world_.find(trace.entities[thing].id);
       return node == nullptr || middle == nullptr ? 0.0 : (node->pose.position - middle->pose.position).norm();
     };
-    std::stable_sort(things.begin(), things.end(), [&](EntityIndex a, EntityIndex b) { return away(a) < away(b); });
-    if (things.size() > kMostDistractors) things.resize(kMostDistractors);
+    keep_least(things, kMostDistractors, away);
     return things;
   }
 

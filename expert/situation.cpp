@@ -25,12 +25,13 @@ void imagine_slices(Situation& situation) {
   Facts later = situation.facts();
   std::map<std::string_view, const Effect*> slicing;  // of each category
   for (EntityIndex whole = 0; whole < situation.first_imagined; ++whole) {
-    const Node* node = situation.node(whole);
-    if (node == nullptr || node->states.has(Predicate::Sliced)) continue;
-    const auto [known, fresh] = slicing.try_emplace(node->category, nullptr);
-    if (fresh) known->second = slicing_of(node->category, situation);
+    const std::string& category = situation.entity(whole).category;
+    const auto [known, fresh] = slicing.try_emplace(category, nullptr);
+    if (fresh) known->second = slicing_of(category, situation);
     const Effect* effect = known->second;
     if (effect == nullptr) continue;
+    const Node* node = situation.node(whole);
+    if (node == nullptr || node->states.has(Predicate::Sliced)) continue;
     // The first piece keeps the whole's identity, so that a goal can still speak of it; the others are new.
     for (int ordinal = 0; ordinal < std::max(2, effect->amount) - 1; ++ordinal) {
       const auto slice = static_cast<EntityIndex>(situation.trace.entities.size());
@@ -67,6 +68,11 @@ EntityIndex Situation::shut_in(EntityIndex index) const {
   auto& known = shut_in_[index];
   if (!known) known = find(rehearsal_->world().closed_around(entity(index).id)).value_or(kNobody);
   return *known;
+}
+
+double Situation::away_m(EntityIndex index) const {
+  const Node* there = node(index);
+  return there == nullptr ? 0 : (there->pose.position.head<2>() - start->agent.position).norm();
 }
 
 double Situation::walk_m(EntityIndex index) const {

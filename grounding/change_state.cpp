@@ -82,12 +82,14 @@ bool SceneEditor::set_state(const std::string& id, Predicate predicate, const st
 }
 
 bool SceneEditor::open_or_close(const std::string& id, double opening) {
-  refresh();
   const Node before = workspace_.scene().nodes[*index_of(id)];
   const Shape shape = shape_of(before);
   // What lies in a drawer rides along.
-  std::vector<std::string> riders;
-  const auto carried = workspace_.carried_by(*index_of(id));
+  std::vector<std::string> riders, carried;
+  if (std::any_of(shape.cavities.begin(), shape.cavities.end(), [](const Cavity& one) { return one.joint >= 0; })) {
+    refresh();
+    carried = workspace_.carried_by(*index_of(id));
+  }
   for (const Cavity& cavity : shape.cavities) {
     if (cavity.joint < 0) continue;
     const Pose from = before.pose * joint_motion(shape, cavity.joint, before.opening);

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/keep_least.h"
 #include "grounding/goal_places.h"
 #include "logic/evaluate.h"
 
@@ -12,6 +13,9 @@ namespace unietp {
 namespace {
 
 using Op = Formula::Op;
+
+constexpr std::size_t kMostWitnesses = 24;  // looked at beyond those that are wanted, as many as the expert reads
+constexpr std::size_t kMostTools = 8;       // for one thing; twice as many as the expert tries
 
 /// The effects of the knowledge base that bring a state about.
 std::vector<std::string_view> effects_for(Predicate state) {
@@ -99,9 +103,12 @@ class Possible {
   bool at_least(const Formula& formula, std::size_t wanted) {
     if (makes_slices(formula.domain) && wanted > 0) return can_be_sliced(formula.domain);
     std::size_t found = 0;
-    const auto all = members(formula);
+    auto all = members(formula);
     if (all.size() < wanted && missing_.empty())
       missing_ = "there are " + std::to_string(all.size()) + " of " + to_text(formula.domain);
+    keep_least(all, wanted + kMostWitnesses, [this](EntityIndex member) {
+      return away(places_.find(trace_.entities[member].id), start_.agent.position);
+    });
     for (const EntityIndex member : all) {
       if (found >= wanted) break;
       names_.emplace_back(formula.variable, member);
@@ -109,6 +116,10 @@ class Possible {
       names_.pop_back();
     }
     return found >= wanted;
+  }
+
+  double away(std::optional<std::size_t> node, const Vec2& from) const {
+    return node ? (start_.nodes[*node].pose.position.head<2>() - from).norm() : 0;
   }
 
   /// There are slices, or something to be cut and something to cut it with.
@@ -258,7 +269,10 @@ class Possible {
         any_rule = true;
         const bool inside = needs(*effect, "inside") || needs(*effect, "under_tap");
         const bool on = !inside && !needs(*effect, "held") && name != "wipes";
-        for (const std::size_t tool : places_.of(effect->tool)) {
+        auto tools = places_.of(effect->tool);
+        keep_least(tools, kMostTools,
+                   [&](std::size_t tool) { return away(tool, start_.nodes[subject].pose.position.head<2>()); });
+        for (const std::size_t tool : tools) {
           if ((!inside && !on) ? is_found(tool) : reach_.spot_for(subject, tool, inside)) return true;
         }
       }

@@ -336,6 +336,19 @@ class EmptyDomains {
     return size;
   }
 
+  /// Whether a domain within the formula is another one for another value of the variable.
+  static bool domains_depend_on(const std::string& variable, const Formula& formula) {
+    const auto& wheres = formula.domain.where;
+    return std::any_of(wheres.begin(), wheres.end(),
+                       [&](const Formula& where) {
+                         const auto free = free_variables(where);
+                         return std::find(free.begin(), free.end(), variable) != free.end() ||
+                                domains_depend_on(variable, where);
+                       }) ||
+           std::any_of(formula.children.begin(), formula.children.end(),
+                       [&](const Formula& child) { return domains_depend_on(variable, child); });
+  }
+
   /// `place` is the formula's number in the order of the text.
   Places walk(const Formula& formula, int place, const Assignment& assignment) {
     int next = place + 1;
@@ -352,9 +365,11 @@ class EmptyDomains {
     if (static_cast<int>(texts_.size()) <= place) texts_.resize(static_cast<std::size_t>(place) + 1);
     auto& text = texts_[static_cast<std::size_t>(place)];
     if (text.empty()) text = to_text(formula.domain);
-    const auto members = members_of(formula.domain, formula.variable, trace_, assignment);
+    auto members = members_of(formula.domain, formula.variable, trace_, assignment);
     Places result;
     if (members.empty() && formula.op != Op::Exists) result = {place};
+    // What is the same for all of them is looked at once.
+    if (members.size() > 1 && !domains_depend_on(formula.variable, formula)) members.resize(1);
     std::optional<Places> below;
     for (const EntityIndex e : members) {
       Assignment inner = assignment;
