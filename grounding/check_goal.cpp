@@ -109,6 +109,13 @@ class Possible {
     keep_least(all, wanted + kMostWitnesses, [this](EntityIndex member) {
       return away(places_.find(trace_.entities[member].id), start_.agent.position);
     });
+    // Behind doors the way of the body is looked for anew.
+    if (wanted < all.size()) {
+      std::stable_partition(all.begin(), all.end(), [this](EntityIndex member) {
+        const auto place = places_.find(trace_.entities[member].id);
+        return !place || reach_.lies_open(*place);
+      });
+    }
     for (const EntityIndex member : all) {
       if (found >= wanted) break;
       names_.emplace_back(formula.variable, member);

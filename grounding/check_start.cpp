@@ -80,9 +80,16 @@ std::size_t needed(const QuantifiedDomain& one, std::size_t members) {
 std::optional<GroundingFailure> check_reach(const Specification& specification, const Scene& start,
                                             const NodeIndex& places, const Trace& trace, Reach& reach) {
   const auto check = [&](const QuantifiedDomain& one, std::size_t wanted,
-                         const std::vector<EntityIndex>& members) -> std::optional<GroundingFailure> {
+                         std::vector<EntityIndex> members) -> std::optional<GroundingFailure> {
     std::size_t reached = 0;
     std::string missed;
+    // Behind doors the way of the body is looked for anew.
+    if (wanted < members.size()) {
+      std::stable_partition(members.begin(), members.end(), [&](EntityIndex entity) {
+        const auto place = places.find(trace.entities[entity].id);
+        return !place || reach.lies_open(*place);
+      });
+    }
     for (const EntityIndex entity : members) {
       if (reached >= wanted) break;
       const Entity& thing = trace.entities[entity];
@@ -113,18 +120,20 @@ std::optional<GroundingFailure> check_reach(const Specification& specification, 
           std::all_of(free.begin(), free.end(), [&](const auto& name) { return name == one.variable; });
       if (!own_only) domain.where.clear();
     }
-    const auto members = members_of(domain, one.variable, trace);
-    if (auto problem = check(one, needed(one, members.size()), members)) return problem;
+    auto members = members_of(domain, one.variable, trace);
+    const std::size_t wanted = needed(one, members.size());
+    if (auto problem = check(one, wanted, std::move(members))) return problem;
   }
   for (const Formula& constraint : specification.init) {
     if (constraint.op != Op::Exists && constraint.op != Op::Count) continue;
     const QuantifiedDomain one{constraint.op, constraint.variable, constraint.domain, true};
-    const auto members = members_of(constraint.domain, constraint.variable, trace);
+    auto members = members_of(constraint.domain, constraint.variable, trace);
     // What has to be there k times is needed k times: one for each place, both to be swapped.
     const bool counted = constraint.op == Op::Count &&
                          (constraint.comparison == Comparison::Equal || constraint.comparison == Comparison::AtLeast);
     const std::size_t wanted = counted ? static_cast<std::size_t>(std::max(1, constraint.number)) : 1;
-    if (auto problem = check(one, std::min(wanted, members.size()), members)) return problem;
+    const std::size_t least = std::min(wanted, members.size());
+    if (auto problem = check(one, least, std::move(members))) return problem;
   }
   return std::nullopt;
 }

@@ -32,6 +32,8 @@ class Reach {
   bool room(const Room& room) const;
   /// The body can stand where it reaches and sees the thing.
   bool object(std::size_t thing);
+  /// Nothing shut is around it.
+  bool lies_open(std::size_t thing) const { return shut_around(thing).empty(); }
   /// From one of those places the thing shows clearly in the camera's picture, at least 6 pixels each way. Only asked
   /// of what is small: larger things show.
   bool shows(std::size_t thing);

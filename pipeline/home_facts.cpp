@@ -1,7 +1,9 @@
 #include "pipeline/home_facts.h"
 
+#include <algorithm>
 #include <map>
-#include <set>
+#include <string_view>
+#include <unordered_set>
 
 #include "core/text.h"
 
@@ -28,10 +30,12 @@ std::string home_in_words(const Scene& scene, const NounTable& nouns) {
 }
 
 std::vector<std::string> categories_in(const Scene& scene) {
-  std::set<std::string> found;
+  std::unordered_set<std::string_view> found;  // not gone through before it is sorted
   for (const Node& node : scene.nodes) found.insert(node.category);
   for (const Room& room : scene.rooms) found.insert(room.type);
-  return {found.begin(), found.end()};
+  std::vector<std::string> categories(found.begin(), found.end());
+  std::sort(categories.begin(), categories.end());
+  return categories;
 }
 
 }  // namespace unietp

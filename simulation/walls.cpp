@@ -6,6 +6,8 @@
 namespace unietp {
 namespace {
 
+constexpr double kOnLine_m = 0.02;
+
 struct Interval {
   double from, to;
   double low_z;  // the gap's height: wall continues above
@@ -18,19 +20,34 @@ WallPiece wall_piece(const Vec2& start, const Vec2& along, double from, double t
   return {upright(Vec3(middle.x(), middle.y(), (low_z + high_z) / 2), yaw), Vec3(to - from, thickness, high_z - low_z)};
 }
 
+/// Those that can be on a room's edges, in order: in a street few are.
+std::vector<const Opening*> openings_by(const Room& room, const Scene& scene) {
+  Vec2 low = room.polygon.empty() ? Vec2(0, 0) : room.polygon.front(), high = low;
+  for (const Vec2& corner : room.polygon) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+  low.array() -= kOnLine_m, high.array() += kOnLine_m;
+  std::vector<const Opening*> near;
+  for (const Opening& opening : scene.openings) {
+    const Vec2 from = opening.from.cwiseMin(opening.to), to = opening.from.cwiseMax(opening.to);
+    if ((from.array() <= high.array()).all() && (to.array() >= low.array()).all()) near.push_back(&opening);
+  }
+  return near;
+}
+
 }  // namespace
 
 std::vector<WallPiece> walls_of(const Scene& scene) {
-  constexpr double kOnLine_m = 0.02, kShortest_m = 0.01;
+  constexpr double kShortest_m = 0.01;
   std::vector<WallPiece> pieces;
   for (const Room& room : scene.rooms) {
+    const std::vector<const Opening*> openings = openings_by(room, scene);
     for (std::size_t i = 0; i < room.polygon.size(); ++i) {
       const Vec2 start = room.polygon[i], end = room.polygon[(i + 1) % room.polygon.size()];
       const double length = (end - start).norm();
       if (length < kShortest_m) continue;
       const Vec2 along = (end - start) / length, across(-along.y(), along.x());
       std::vector<Interval> gaps;
-      for (const Opening& opening : scene.openings) {
+      for (const Opening* one : openings) {
+        const Opening& opening = *one;
         if (std::abs((opening.from - start).dot(across)) > kOnLine_m) continue;
         if (std::abs((opening.to - start).dot(across)) > kOnLine_m) continue;
         double a = (opening.from - start).dot(along), b = (opening.to - start).dot(along);
