@@ -12,7 +12,7 @@ namespace {
 
 using Op = Formula::Op;
 
-constexpr int kMostTakenOut = 20;  // of one kind; in homes of usual size seldom more than ten of a kind stand
+constexpr int kMostTakenOut = 20;  // of one kind; homes of usual size seldom have as many
 constexpr int kAny = std::numeric_limits<int>::max();
 
 /// Only relations are asked, so that of furniture no edit but taking it out changes the answer.
@@ -30,11 +30,11 @@ std::optional<GroundingFailure> refused_by_number(const Formula& count, const Ho
     return std::nullopt;
   const std::string& name = count.domain.members.front().category;
   const Category* category = knowledge.find(name);
-  if (category != nullptr && category->movable) return std::nullopt;
+  const bool any = body.op == Op::And && body.children.empty();
+  if (category != nullptr && category->movable && !any) return std::nullopt;  // it can be put elsewhere
   Compared compared;
   compared.add(count);
   if (!compared.none()) return std::nullopt;
-  const bool any = body.op == Op::And && body.children.empty();
   Domain domain = count.domain;
   if (!any) domain.where = {domain.where.empty() ? body : conjunction({domain.where.front(), body})};
   const int number = static_cast<int>(members_of(domain, count.variable, home.now).size());
