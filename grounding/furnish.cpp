@@ -271,7 +271,7 @@ bool keeps_out(const std::vector<KeepOut>& keep_outs, const Bounds& room, const 
 /// The dear part: what it needs free is free, it touches nothing and its doors open.
 bool fits(const Workspace& workspace, const Bounds& room, const Node& node, const Shape& shape,
           std::optional<std::size_t> host, const std::vector<Bounds>& own_spaces) {
-  const std::vector<Bounds>& standing = workspace.bounds();
+  const SharedList<Bounds>& standing = workspace.bounds();
   for (const Bounds& space : own_spaces) {
     if (!within({space.low.cwiseMax(Vec3(-1e9, -1e9, 0)), space.high}, room)) return false;
     for (std::size_t i = 0; i < standing.size(); ++i) {

@@ -107,7 +107,7 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
     keep_standing(workspace, home);
     editor.refresh();
     episode.changes = workspace.changes();
-    episode.start = start_in(home.scene, episode.changes);  // in the order that it will be read in
+    episode.start = start_in(home.scene, home.places, episode.changes);  // in the order that it will be read in
     problem = check_start(specification, home, episode.start, editor.touched(), knowledge, profile, options.pictured);
     if (!problem) break;
     // What stands out of reach or unsteadily gets another place, then all is checked again.

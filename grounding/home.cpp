@@ -41,7 +41,8 @@ Home prepare_home(Scene scene, const Profile& profile) {
   Home home;
   home.physics = physics_of(scene);
   scene.edges = read_relations(scene, home.physics);
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) home.links.push_back(links_of(scene, home.physics, i));
+  home.physics.prepare();
+  home.links = LinkTable(scene, home.physics);
   PlacementChecker solids;
   set_walls(solids, scene);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -50,6 +51,7 @@ Home prepare_home(Scene scene, const Profile& profile) {
     solids.set(static_cast<BodyId>(i), shape, node.pose, node.opening);
     home.bounds.push_back(bounds_of(shape, node.pose, node.opening));
     home.sweeps.push_back(node.movable ? std::nullopt : sweep_of(node));
+    home.colliders.push_back(home.physics.share(static_cast<BodyId>(i)));
     home.rooms.push_back(room_number(scene, node.pose.position.head<2>()));
   }
   home.solids = PlacementChecker::shared(std::move(solids));
@@ -68,7 +70,7 @@ Differences differences(const Home& home, const Scene& scene) {
   const auto& before = home.scene.nodes;
   const auto& after = scene.nodes;
   for (std::size_t i = 0; i < std::max(before.size(), after.size()); ++i) {
-    if (i < before.size() && i < after.size() && before[i] == after[i]) continue;
+    if (before.shares(after, i) || (i < before.size() && i < after.size() && before[i] == after[i])) continue;
     if (i < after.size()) found.nodes.push_back(i);
     if (i < before.size()) found.gone.push_back(i);
   }

@@ -12,6 +12,7 @@
 #include "scene/scene.h"
 #include "scene/trace.h"
 #include "simulation/known_start.h"
+#include "simulation/link_table.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
 
@@ -20,14 +21,15 @@ namespace unietp {
 /// A scene with all that grounding asks of it again and again, worked out once, so that a candidate costs what it
 /// changes and not what the home holds. Never changes; threads may share it.
 struct Home {
-  Scene scene;                                     // its edges as physics shows them
-  NodeIndex places;                                // of its nodes
-  std::vector<std::int32_t> rooms;                 // by node: the place of the room around its middle, -1 for none
-  PhysicsWorld physics;                            // of the scene; to be copied, since what it is asked it remembers
-  std::vector<std::vector<Link>> links;            // of each node
-  std::shared_ptr<const PlacementChecker> solids;  // of the scene
-  std::vector<Bounds> bounds;                      // of each node where it stands
-  std::vector<std::optional<Bounds>> sweeps;       // space that doors and drawers of furniture pass through, by node
+  Scene scene;                      // its edges as physics shows them
+  NodeIndex places;                 // of its nodes
+  std::vector<std::int32_t> rooms;  // by node: the place of the room around its middle, -1 for none
+  PhysicsWorld physics;             // of the scene, prepared
+  LinkTable links;                  // of its nodes
+  SharedList<std::shared_ptr<const Collider>> colliders;  // by node
+  std::shared_ptr<const PlacementChecker> solids;         // of the scene
+  SharedList<Bounds> bounds;                              // of each node where it stands
+  SharedList<std::optional<Bounds>> sweeps;  // space that doors and drawers of furniture pass through, by node
   std::shared_ptr<const Walk> walk;
   std::optional<std::string> unreached;  // a room that the agent cannot walk to
   Trace now;                             // the scene in the logic, without comparisons

@@ -1,4 +1,7 @@
 #include "simulation/known_start.h"
+
+#include <algorithm>
+
 #include "grounding/present.h"
 
 namespace unietp {
@@ -8,12 +11,19 @@ KnownStart known_start(const Home& home, const Scene& scene) {
   KnownStart known{.physics = physics_of(home, scene, changed)};
   if (!scene.agent.held.empty() || !home.scene.agent.held.empty()) return known;
   const PhysicsWorld& physics = known.physics;
-  auto& links = known.links.emplace(home.links);
-  links.resize(scene.nodes.size());
+  LinkTable& links = known.links.emplace(home.links);
+  auto& colliders = known.colliders.emplace(home.colliders);
+  const std::size_t count = scene.nodes.size();
+  links.resize(std::max(count, links.size()));
+  while (colliders.size() < count) colliders.emplace_back();
+  while (colliders.size() > count) colliders.pop_back();
+  for (const std::size_t i : changed.nodes) colliders.edit(i) = physics.share(static_cast<BodyId>(i));
+  for (const std::size_t i : changed.gone) links.set(i, {});
   std::vector<Bounds> touched;
   for (const std::size_t i : changed.gone) touched.push_back(home.physics.bounds(static_cast<BodyId>(i)));
   for (const std::size_t i : changed.nodes) touched.push_back(physics.bounds(static_cast<BodyId>(i)));
-  for (const std::size_t i : affected_by(physics, touched, changed.nodes)) links[i] = links_of(scene, physics, i);
+  for (const std::size_t i : affected_by(physics, touched, changed.nodes)) links.set(i, links_of(scene, physics, i));
+  links.resize(count);
   NavigationGrid& grid = known.grid.emplace(home.walk->grid);
   for (const std::size_t i : changed.gone) {
     if (i >= scene.nodes.size()) grid.update(i, nullptr, nullptr);

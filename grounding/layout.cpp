@@ -133,13 +133,12 @@ Furnished furnish(Workspace& workspace, const LayoutRecipe& recipe, const Knowle
 /// Takes away what nobody can reach and no rule demands; the id of a piece that is demanded, or "".
 std::string drop_unreached(Scene& furnished, const Workspace& workspace, const Profile& profile, const Walk& walk,
                            const std::set<std::string>& obligatory) {
-  const auto unreached = unreached_furniture(furnished, workspace.physics(), profile, walk);
-  for (const std::size_t i : unreached) {
+  std::set<std::string_view> dropped;
+  for (const std::size_t i : unreached_furniture(furnished, workspace.physics(), profile, walk)) {
     if (obligatory.contains(furnished.nodes[i].id)) return furnished.nodes[i].id;
+    dropped.insert(workspace.scene().nodes[i].id);
   }
-  for (auto i = unreached.rbegin(); i != unreached.rend(); ++i) {
-    furnished.nodes.erase(furnished.nodes.begin() + static_cast<std::ptrdiff_t>(*i));
-  }
+  erase_if(furnished.nodes, [&](const Node& node) { return dropped.contains(node.id); });
   return "";
 }
 

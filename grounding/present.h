@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "grounding/edge_change.h"
 #include "grounding/home.h"
+#include "scene/edge_change.h"
 #include "scene/node_index.h"
 #include "scene/trace.h"
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <numbers>
 
-#include "grounding/edge_change.h"
 #include "grounding/packing.h"
+#include "scene/edge_change.h"
 #include "simulation/agent_moves.h"
 #include "simulation/spots.h"
 #include "simulation/standing.h"
@@ -17,7 +17,7 @@ namespace unietp {
 namespace {
 
 void place(Scene& scene, PhysicsWorld& world, std::size_t index, const Pose& pose) {
-  scene.nodes[index].pose = pose;
+  scene.nodes.edit(index).pose = pose;
   world.move(static_cast<BodyId>(index), pose);
 }
 
@@ -323,12 +323,12 @@ Reach::Opened& Reach::with_open(const std::vector<std::size_t>& doors) {
   for (const std::size_t door : opened_->doors) {  // shut again
     const Node& container = scene_.nodes[door];
     const auto body = static_cast<BodyId>(door);
-    opened_->scene.nodes[door].opening = container.opening;
+    opened_->scene.nodes.edit(door).opening = container.opening;
     opened_->world.set(body, world_.share(body), container.pose, container.mass);
   }
   for (const std::size_t door : doors) {
     const Node& container = scene_.nodes[door];
-    opened_->scene.nodes[door].opening = 1;
+    opened_->scene.nodes.edit(door).opening = 1;
     opened_->world.set(static_cast<BodyId>(door), shape_of(container), container.pose, 1, container.mass);
   }
   opened_->walk.reset();

@@ -47,10 +47,10 @@ void Workspace::place(std::size_t index, Node node) {
   const auto body = static_cast<BodyId>(index);
   physics_.set(body, shape, node.pose, node.opening, node.mass);
   checker_.set(body, shape, node.pose, node.opening);
-  bounds_[index] = bounds_of(shape, node.pose, node.opening);
-  sweeps_[index] = node.movable ? std::nullopt : sweep_of(node);
+  bounds_.edit(index) = bounds_of(shape, node.pose, node.opening);
+  sweeps_.edit(index) = node.movable ? std::nullopt : sweep_of(node);
   rooms_[index] = room_number(scene_, node.pose.position.head<2>());
-  Node& here = scene_.nodes[index];
+  Node& here = scene_.nodes.edit(index);
   if (here.id != node.id || here.category != node.category) {
     places_.remove(index, here);
     places_.add(index, node);
@@ -77,7 +77,7 @@ void Workspace::replace(std::size_t index, Node node) {
 void Workspace::remove(std::size_t index) {
   const std::size_t last = scene_.nodes.size() - 1;
   note(index);
-  Node moved = std::move(scene_.nodes[last]);
+  Node moved = scene_.nodes[last];
   places_.remove(last, moved);
   if (index != last) place(index, std::move(moved));
   physics_.remove(static_cast<BodyId>(last));
@@ -162,7 +162,7 @@ StandIn::StandIn(Workspace& workspace, Node node, std::size_t index)
   if (index == nodes.size()) {
     nodes.push_back(std::move(node));
   } else {
-    before_ = std::exchange(nodes[index], std::move(node));
+    before_ = std::exchange(nodes.edit(index), std::move(node));
   }
 }
 
@@ -174,12 +174,12 @@ StandIn::~StandIn() {
     return;
   }
   workspace_.physics_.set(body(), shape_of(*before_), before_->pose, before_->opening, before_->mass);
-  nodes[index_] = std::move(*before_);
+  nodes.edit(index_) = std::move(*before_);
 }
 
 void StandIn::move(const Pose& pose) {
   workspace_.physics_.move(body(), pose);
-  workspace_.scene_.nodes[index_].pose = pose;
+  workspace_.scene_.nodes.edit(index_).pose = pose;
 }
 
 }  // namespace unietp

@@ -52,9 +52,9 @@ class Workspace {
   Agent& agent() { return scene_.agent; }
 
   /// The space that the doors and drawers of furniture pass through, by node; empty bounds for nodes without.
-  const std::vector<std::optional<Bounds>>& sweeps() const { return sweeps_; }
+  const SharedList<std::optional<Bounds>>& sweeps() const { return sweeps_; }
   /// The bounds of each node where it stands, by node.
-  const std::vector<Bounds>& bounds() const { return bounds_; }
+  const SharedList<Bounds>& bounds() const { return bounds_; }
   /// Where things stand in the scene's list. A trial is not in it.
   const NodeIndex& places() const { return places_; }
   /// The room around the middle of a node, nullptr for none.
@@ -73,8 +73,8 @@ class Workspace {
   const Home* home_ = nullptr;
   PhysicsWorld physics_;
   PlacementChecker checker_;
-  std::vector<std::optional<Bounds>> sweeps_;
-  std::vector<Bounds> bounds_;
+  SharedList<std::optional<Bounds>> sweeps_;
+  SharedList<Bounds> bounds_;
   NodeIndex places_;
   std::vector<std::int32_t> rooms_;  // by node: place of its room, -1 for none
   std::optional<Present> present_;   // when it began as a home

@@ -28,7 +28,7 @@ void settle_in_rounds(Scene& scene) {
   for (int round = 0; round < kMostRounds && moved > kStill_m; ++round) {
     moved = 0;
     for (const SettledBody& settled : world.settle(loose_ones(scene), options).bodies) {
-      Pose& pose = scene.nodes[settled.body].pose;
+      Pose& pose = scene.nodes.edit(settled.body).pose;
       moved = std::max(moved, (settled.pose.position - pose.position).norm());
       pose = settled.pose;
       world.move(settled.body, pose);
@@ -74,7 +74,7 @@ void come_to_rest(const SourceScene& source, Draft& draft) {
       draft.report.issues.push_back({object.id, object.category, "restless",
                                      "cannot be moved: it creeps " + std::to_string(millimetres) +
                                          " mm in two seconds of physics and is held in place"});
-      draft.scene.nodes[one.node].movable = false;
+      draft.scene.nodes.edit(one.node).movable = false;
     }
   }
 }

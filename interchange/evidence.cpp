@@ -42,7 +42,7 @@ class Evidence {
   }
 
  private:
-  static std::vector<Bounds> boxes_of(const std::vector<Node>& nodes) {
+  static std::vector<Bounds> boxes_of(const SharedList<Node>& nodes) {
     std::vector<Bounds> boxes;
     for (const Node& node : nodes) boxes.push_back(box_of(node));
     return boxes;
@@ -55,7 +55,7 @@ class Evidence {
   static Shape shapes(const Node& node) { return make_shape(node.archetype, node.size, node.openable); }
 
   void lower(std::size_t i, double by) {
-    nodes_[i].pose.position.z() -= by;
+    nodes_.edit(i).pose.position.z() -= by;
     boxes_[i].low.z() -= by;
     boxes_[i].high.z() -= by;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
@@ -82,7 +82,7 @@ class Evidence {
     changed = give_way_to_loose(f, boards) || changed;
     if (!changed) return;
     if (boards.empty() || boards.size() > kMostBoards) boards = {back_of(node)};
-    nodes_[f].boards = std::move(boards);
+    nodes_.edit(f).boards = std::move(boards);
   }
 
   static Board back_of(const Node& node) {
@@ -250,7 +250,7 @@ class Evidence {
     return any;
   }
 
-  std::vector<Node>& nodes_;
+  SharedList<Node>& nodes_;
   std::vector<Bounds> boxes_;  // W, as the joints stand
   Holders holders_;
 };

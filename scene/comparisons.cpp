@@ -35,7 +35,7 @@ void collect(const Formula& formula, Scope& scope, Compared& compared) {
 }
 
 /// Where the things stand that are compared, with all others of their categories.
-std::vector<std::size_t> places_of(const std::vector<Node>& nodes, const Compared& compared) {
+std::vector<std::size_t> places_of(const SharedList<Node>& nodes, const Compared& compared) {
   std::vector<std::size_t> places;
   const auto named = [&](const std::string& category) {
     return std::binary_search(compared.categories.begin(), compared.categories.end(), category);
@@ -60,7 +60,7 @@ void Compared::add(const Formula& formula) {
   categories.erase(std::unique(categories.begin(), categories.end()), categories.end());
 }
 
-std::vector<NearestPair> nearest_pairs(const std::vector<Node>& nodes, const std::vector<std::size_t>& places) {
+std::vector<NearestPair> nearest_pairs(const SharedList<Node>& nodes, const std::vector<std::size_t>& places) {
   std::unordered_map<std::string_view, std::size_t> slot_of_category;
   std::vector<std::size_t> slot;
   std::vector<Vec3> at;
@@ -105,7 +105,7 @@ std::vector<NearestPair> nearest_pairs(const std::vector<Node>& nodes, const std
   return pairs;
 }
 
-std::vector<std::pair<std::size_t, std::string>> sizes_of(const std::vector<Node>& nodes,
+std::vector<std::pair<std::size_t, std::string>> sizes_of(const SharedList<Node>& nodes,
                                                           const std::vector<std::size_t>& places) {
   std::map<std::string_view, std::vector<std::size_t>> alike;
   for (const std::size_t i : places) alike[nodes[i].category].push_back(i);

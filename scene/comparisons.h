@@ -27,9 +27,9 @@ struct NearestPair {
   std::size_t winner = 0, other = 0;
 };
 /// Among the nodes at these places (which hold all of a category or none); by winner, then by what it is nearest to.
-std::vector<NearestPair> nearest_pairs(const std::vector<Node>& nodes, const std::vector<std::size_t>& places);
+std::vector<NearestPair> nearest_pairs(const SharedList<Node>& nodes, const std::vector<std::size_t>& places);
 /// Those that have a size among their category, with "large" or "small".
-std::vector<std::pair<std::size_t, std::string>> sizes_of(const std::vector<Node>& nodes,
+std::vector<std::pair<std::size_t, std::string>> sizes_of(const SharedList<Node>& nodes,
                                                           const std::vector<std::size_t>& places);
 
 /// Facts that `reader` read of the scene without comparisons, and what comes of comparing these things: all that

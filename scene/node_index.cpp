@@ -4,9 +4,9 @@
 
 namespace unietp {
 
-NodeIndex::NodeIndex() : NodeIndex(std::vector<Node>()) {}
+NodeIndex::NodeIndex() : NodeIndex(SharedList<Node>()) {}
 
-NodeIndex::NodeIndex(const std::vector<Node>& nodes) {
+NodeIndex::NodeIndex(const SharedList<Node>& nodes) {
   auto common = std::make_shared<Common>();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     common->by_id.emplace(nodes[i].id, i);

@@ -19,7 +19,7 @@ class NodeIndex {
   using Places = std::vector<std::size_t>;
 
   NodeIndex();
-  explicit NodeIndex(const std::vector<Node>& nodes);
+  explicit NodeIndex(const SharedList<Node>& nodes);
 
   std::optional<std::size_t> find(std::string_view id) const;
   /// Ascending.

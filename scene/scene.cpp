@@ -55,8 +55,10 @@ const Node* find_node(const Scene& scene, std::string_view id) {
   return found == scene.nodes.end() ? nullptr : &*found;
 }
 
-Node* find_node(Scene& scene, std::string_view id) {
-  return const_cast<Node*>(find_node(static_cast<const Scene&>(scene), id));
+Node* edit_node(Scene& scene, std::string_view id) {
+  const auto found = std::find_if(scene.nodes.begin(), scene.nodes.end(), [id](const Node& n) { return n.id == id; });
+  return found == scene.nodes.end() ? nullptr
+                                    : &scene.nodes.edit(static_cast<std::size_t>(found - scene.nodes.begin()));
 }
 
 const Room* find_room(const Scene& scene, std::string_view id) {

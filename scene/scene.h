@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/shared_list.h"
 #include "logic/vocabulary.h"
 #include "scene/archetype.h"
 #include "scene/geometry.h"
@@ -78,14 +79,15 @@ struct Scene {
   std::vector<Opening> openings;
   double wall_height = 2.6;
   double wall_thickness = 0.1;  // centred on the edges of the rooms' polygons
-  std::vector<Node> nodes;
+  SharedList<Node> nodes;
   std::vector<Edge> edges;  // sorted
   Agent agent;
   bool operator==(const Scene&) const = default;
 };
 
 const Node* find_node(const Scene& scene, std::string_view id);
-Node* find_node(Scene& scene, std::string_view id);
+/// The same, to be changed.
+Node* edit_node(Scene& scene, std::string_view id);
 const Room* find_room(const Scene& scene, std::string_view id);
 bool has_edge(const Scene& scene, Predicate relation, std::string_view from, std::string_view to);
 /// Room whose polygon holds the point, or nullptr.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/edge_change.h"
 #include "scene/json_parse.h"
 #include "scene/scene_json.h"
 
@@ -40,18 +41,38 @@ Delta changes_of(const Scene& home, const Scene& scene) {
   return changes;
 }
 
-Scene start_in(Scene home, const Delta& changes) {
-  Delta but_for_the_gone = changes;
-  but_for_the_gone.removed.clear();
-  sort_by_id(but_for_the_gone.nodes);
-  Scene start = apply(std::move(home), but_for_the_gone);
+Scene start_in(Scene home, const NodeIndex& places, const Delta& changes) {
+  Scene& start = home;
+  NodeIndex now = places;
+  std::vector<Node> changed = changes.nodes;
+  sort_by_id(changed);
+  for (Node& node : changed) {
+    if (const auto place = now.find(node.id)) {
+      start.nodes.edit(*place) = std::move(node);
+    } else {
+      now.add(start.nodes.size(), node);
+      start.nodes.push_back(std::move(node));
+    }
+  }
   for (const std::string& id : changes.removed) {
-    Node* gone = find_node(start, id);
-    if (gone != &start.nodes.back()) *gone = std::move(start.nodes.back());
+    const std::size_t gone = now.find(id).value(), last = start.nodes.size() - 1;
+    now.remove(gone, start.nodes[gone]);
+    if (gone != last) {
+      Node moved = start.nodes[last];
+      now.remove(last, moved);
+      now.add(gone, moved);
+      start.nodes.edit(gone) = std::move(moved);
+    }
     start.nodes.pop_back();
   }
-  return start;
+  EdgeChange edges{changes.edges_added, changes.edges_removed};
+  edges.sort();
+  if (!edges.added.empty() || !edges.removed.empty()) start.edges = edges.applied_to(start.edges);
+  if (changes.agent) start.agent = *changes.agent;
+  return home;
 }
+
+Scene start_in(const Scene& home, const Delta& changes) { return start_in(home, NodeIndex(home.nodes), changes); }
 
 Result<Scene> start_in(std::string_view where, const Scene& home, const Delta& changes, const std::string& id) {
   if (const auto wrong = misfit(home, changes); !wrong.empty())

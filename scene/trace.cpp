@@ -15,7 +15,7 @@ namespace {
 /// Finds nodes by id; quick when asked in the order of the list, which is how a scene and its successor mostly agree.
 class NodeFinder {
  public:
-  explicit NodeFinder(const std::vector<Node>& nodes) : nodes_(nodes) {}
+  explicit NodeFinder(const SharedList<Node>& nodes) : nodes_(nodes) {}
 
   const Node* find(std::string_view id) {
     if (next_ < nodes_.size() && nodes_[next_].id == id) return &nodes_[next_++];
@@ -29,7 +29,7 @@ class NodeFinder {
   }
 
  private:
-  const std::vector<Node>& nodes_;
+  const SharedList<Node>& nodes_;
   std::size_t next_ = 0;
   std::unordered_map<std::string_view, std::size_t> index_;  // made when the orders first differ; never iterated
 };
@@ -90,10 +90,10 @@ Scene apply(Scene before, const Delta& delta) {
   Scene& scene = before;
   if (!delta.removed.empty()) {
     const std::unordered_set<std::string_view> gone(delta.removed.begin(), delta.removed.end());
-    std::erase_if(scene.nodes, [&](const Node& node) { return gone.contains(node.id); });
+    erase_if(scene.nodes, [&](const Node& node) { return gone.contains(node.id); });
   }
   for (const Node& node : delta.nodes) {
-    if (Node* old = find_node(scene, node.id)) {
+    if (Node* old = edit_node(scene, node.id)) {
       *old = node;
     } else {
       scene.nodes.push_back(node);

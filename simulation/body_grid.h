@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/shared_list.h"
 #include "scene/geometry.h"
 
 namespace unietp {
 
 /// Which bodies may be where, seen from above: a grid of square cells, each with the numbers of those whose bounds
 /// touch it. Homes are flat, so two dimensions tell nearly all apart. What lies outside the grid counts to its border.
+/// Copies share the cells that have not changed since.
 class BodyGrid {
  public:
   BodyGrid() = default;
@@ -48,14 +50,15 @@ class BodyGrid {
             clamped((bounds.low.y() - origin_.y()) / cell_m_, height_),
             clamped((bounds.high.y() - origin_.y()) / cell_m_, height_)};
   }
-  const std::vector<std::uint32_t>& cell(int x, int y) const {
-    return cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+  std::size_t place(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
+  const std::vector<std::uint32_t>& cell(int x, int y) const { return cells_[place(x, y)]; }
 
   Vec2 origin_ = Vec2::Zero();
   double cell_m_ = kCell_m;
   int width_ = 1, height_ = 1;
-  std::vector<std::vector<std::uint32_t>> cells_{1};
+  SharedList<std::vector<std::uint32_t>> cells_{{}};
 };
 
 template <class Visit>

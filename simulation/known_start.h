@@ -5,9 +5,9 @@
 
 #include "scene/node_index.h"
 #include "scene/trace.h"
+#include "simulation/link_table.h"
 #include "simulation/navigation.h"
 #include "simulation/physics.h"
-#include "simulation/relations.h"
 
 namespace unietp {
 
@@ -19,10 +19,11 @@ struct ReadScene {
 
 /// What is known of a start scene already, so that a world of it need not work it out again.
 struct KnownStart {
-  PhysicsWorld physics;                                   // as physics_of gives it
-  std::optional<std::vector<std::vector<Link>>> links{};  // by node, as links_of gives them
-  std::optional<NavigationGrid> grid{};                   // of the scene
-  std::optional<NodeIndex> places{};                      // of its nodes
+  PhysicsWorld physics;              // as physics_of gives it
+  std::optional<LinkTable> links{};  // of the nodes, while the agent holds nothing
+  std::optional<SharedList<std::shared_ptr<const Collider>>> colliders{};  // by node
+  std::optional<NavigationGrid> grid{};                                    // of the scene
+  std::optional<NodeIndex> places{};                                       // of its nodes
   std::optional<ReadScene> read{};
 };
 

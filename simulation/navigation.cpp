@@ -27,7 +27,9 @@ Digest digest_of(std::size_t node, const std::vector<Shadow>& shadows) {
 }  // namespace
 
 NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
-    : body_radius_(profile.body_radius_m), body_height_(profile.body_height_m), shadows_(scene.nodes.size()) {
+    : body_radius_(profile.body_radius_m),
+      body_height_(profile.body_height_m),
+      shadows_(std::vector<std::vector<Shadow>>(scene.nodes.size())) {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Room& room : scene.rooms) {
     for (const Vec2& p : room.polygon) {
@@ -98,7 +100,7 @@ void NavigationGrid::count(const Shadow& f, int by) {
 }
 
 void NavigationGrid::update(std::size_t i, const Node* node, const Shape* shape) {
-  if (i >= shadows_.size()) shadows_.resize(i + 1);
+  while (i >= shadows_.size()) shadows_.emplace_back();
   std::vector<Shadow> shadow;
   if (node != nullptr) shadow = shadow_of(*node, *shape, body_height_);
   if (shadow == shadows_[i]) return;
@@ -106,7 +108,7 @@ void NavigationGrid::update(std::size_t i, const Node* node, const Shape* shape)
   for (const Shadow& f : shadow) count(f, 1);
   digest_ -= digest_of(i, shadows_[i]);
   digest_ += digest_of(i, shadow);
-  shadows_[i] = std::move(shadow);
+  shadows_.edit(i) = std::move(shadow);
 }
 
 bool NavigationGrid::free(Cell cell) const {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/shared_list.h"
 #include "scene/scene.h"
 #include "simulation/digest.h"
 #include "simulation/profile.h"
@@ -53,9 +54,9 @@ class NavigationGrid {
   int width_ = 0, height_ = 0;
   Vec2 origin_ = Vec2::Zero();
   double body_radius_ = 0, body_height_ = 0;
-  std::vector<std::uint16_t> blockers_;       // by cell: solids over it, and 1 outside of all rooms
-  std::vector<std::vector<Shadow>> shadows_;  // by node: what of it is counted
-  Digest digest_;                             // the sum over nodes
+  std::vector<std::uint16_t> blockers_;      // by cell: solids over it, and 1 outside of all rooms
+  SharedList<std::vector<Shadow>> shadows_;  // by node: what of it is counted
+  Digest digest_;                            // the sum over nodes
 };
 
 }  // namespace unietp

@@ -5,6 +5,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "core/shared_list.h"
 #include "simulation/body_grid.h"
 #include "simulation/settle.h"
 #include "simulation/touch.h"
@@ -71,12 +72,12 @@ void append(std::string& bytes, const Body& body) {
 }  // namespace
 
 struct PhysicsWorld::Impl {
-  std::vector<Body> things, walls;
+  SharedList<Body> things, walls;
   mutable std::optional<BodyGrid> grid;  // made at the first question
   // What settles came to: plans are tried, shortened and mutated, and let the same things fall again and again.
   mutable std::unordered_map<std::string, Rest> settled;
 
-  std::vector<Body>& list_of(BodyId id) { return id < kFirstWall ? things : walls; }
+  SharedList<Body>& list_of(BodyId id) { return id < kFirstWall ? things : walls; }
   static std::size_t place_of(BodyId id) { return id < kFirstWall ? id : id - kFirstWall; }
 
   const Body* find(BodyId id) const {
@@ -132,13 +133,18 @@ PhysicsWorld& PhysicsWorld::operator=(const PhysicsWorld& other) {
 PhysicsWorld& PhysicsWorld::operator=(PhysicsWorld&&) noexcept = default;
 PhysicsWorld::~PhysicsWorld() = default;
 
+void PhysicsWorld::prepare() {
+  impl_->ask();
+  impl_->each([](BodyId, const Body& body) { body.parts(); });
+}
+
 void PhysicsWorld::set(BodyId id, std::shared_ptr<const Collider> collider, const Pose& pose, double mass) {
   remove(id);
   auto& list = impl_->list_of(id);
   const std::size_t place = Impl::place_of(id);
-  if (place >= list.size()) list.resize(place + 1);
+  while (place >= list.size()) list.emplace_back();
   const Bounds bounds = collider->bounds(pose);
-  list[place] = {std::move(collider), pose, mass, bounds, nullptr};
+  list.edit(place) = {std::move(collider), pose, mass, bounds, nullptr};
   if (impl_->grid) impl_->grid->insert(id, bounds);
 }
 
@@ -147,7 +153,7 @@ void PhysicsWorld::set(BodyId id, const Shape& shape, const Pose& pose, double o
 }
 
 void PhysicsWorld::move(BodyId id, const Pose& pose) {
-  Body& body = impl_->list_of(id).at(Impl::place_of(id));
+  Body& body = impl_->list_of(id).edit(Impl::place_of(id));
   if (impl_->grid) impl_->grid->erase(id, body.bounds);
   body.pose = pose;
   body.bounds = body.collider->bounds(pose);
@@ -159,7 +165,7 @@ void PhysicsWorld::remove(BodyId id) {
   const Body* body = impl_->find(id);
   if (body == nullptr) return;
   if (impl_->grid) impl_->grid->erase(id, body->bounds);
-  impl_->list_of(id)[Impl::place_of(id)] = {};
+  impl_->list_of(id).edit(Impl::place_of(id)) = {};
 }
 
 bool PhysicsWorld::has(BodyId id) const { return impl_->find(id) != nullptr; }

@@ -49,7 +49,8 @@ struct Settled {
 /// All solids of a scene for questions (what touches, what is hit) and for letting things come to rest. The world is
 /// only poses: settling runs in a fresh small dynamics world (Bullet, double precision) around the loose bodies and
 /// gives poses back, so equal worlds give equal results. Floor: the plane z = 0. What a question costs depends on what
-/// is near, not on the size of the world. Not thread-safe; one world a thread.
+/// is near, not on the size of the world, and so does a copy but for a pointer for every 32 bodies. Not thread-safe;
+/// one world a thread.
 class PhysicsWorld {
  public:
   PhysicsWorld();
@@ -58,6 +59,9 @@ class PhysicsWorld {
   PhysicsWorld& operator=(const PhysicsWorld&);
   PhysicsWorld& operator=(PhysicsWorld&&) noexcept;
   ~PhysicsWorld();
+  /// Works out beforehand what questions need. From then on several threads may copy this world, and the copies have in
+  /// common what none of them changes.
+  void prepare();
 
   /// Adds a body or replaces it. `mass` > 0 for bodies that may ever be loose.
   void set(BodyId id, std::shared_ptr<const Collider> collider, const Pose& pose, double mass);

@@ -113,7 +113,7 @@ std::optional<Agent> World::led_to(const Agent& from, const Action& action) cons
   return move ? moved(from, *move, state.grid(), *state.profile) : std::nullopt;
 }
 
-const std::vector<Node>& World::nodes() const { return tree_->at(moment_).scene().nodes; }
+const SharedList<Node>& World::nodes() const { return tree_->at(moment_).scene().nodes; }
 const NodeIndex& World::places() const { return tree_->at(moment_).places(); }
 
 const Node* World::find(std::string_view id) const {

@@ -74,7 +74,7 @@ class World {
 
   // Parts of the scene without the cost of the whole; what is returned is valid until a copy of this world is asked
   // anything or steps.
-  const std::vector<Node>& nodes() const;
+  const SharedList<Node>& nodes() const;
   /// At which of them what is.
   const NodeIndex& places() const;
   const Node* find(std::string_view id) const;

@@ -68,15 +68,15 @@ WorldState::Change WorldState::change() const {
   for (std::size_t i = old_count; i < count(); ++i) {
     change.seen.nodes.push_back(node(i));
     change.gained += digest_of(i, node(i));
-    if (!links_before.contains(i)) change.gained += digest_of(i, links_[i]);
+    if (!links_before.contains(i)) change.gained += digest_of(i, links(i));
   }
   for (const auto& [i, before] : links_before) {
-    if (i < old_count && *before == links_[i]) continue;
+    if (i < old_count && *before == links(i)) continue;
     if (i < old_count) change.gained -= digest_of(i, *before);
-    change.gained += digest_of(i, links_[i]);
+    change.gained += digest_of(i, links(i));
     std::vector<Link> gone, fresh;
-    std::set_difference(before->begin(), before->end(), links_[i].begin(), links_[i].end(), std::back_inserter(gone));
-    std::set_difference(links_[i].begin(), links_[i].end(), before->begin(), before->end(), std::back_inserter(fresh));
+    std::set_difference(before->begin(), before->end(), links(i).begin(), links(i).end(), std::back_inserter(gone));
+    std::set_difference(links(i).begin(), links(i).end(), before->begin(), before->end(), std::back_inserter(fresh));
     for (const Link& link : gone) change.seen.edges_removed.push_back(edge_of(scene_, i, link));
     for (const Link& link : fresh) change.seen.edges_added.push_back(edge_of(scene_, i, link));
   }

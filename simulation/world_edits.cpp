@@ -36,7 +36,7 @@ void WorldState::stop() {
 
 StateSet& WorldState::edit_states(std::size_t i) {
   log_node(i);
-  return scene_.nodes[i].states;
+  return scene_.nodes.edit(i).states;
 }
 
 void WorldState::put_body(std::size_t i) {
@@ -50,7 +50,7 @@ void WorldState::follow(std::size_t i, const Node& before) {
   const bool moved = !(now.pose == before.pose), other = !looks_alike(now, before);
   if (!moved && !other) return;
   moved_.push_back(i);
-  if (other) colliders_[i] = book_.of(now);
+  if (other) colliders_.edit(i) = book_.of(now);
   if (!physics_.has(static_cast<BodyId>(i))) return;
   if (other) {
     put_body(i);
@@ -62,7 +62,7 @@ void WorldState::follow(std::size_t i, const Node& before) {
 void WorldState::move(std::size_t i, const Pose& pose) {
   if (node(i).pose == pose) return;
   log_node(i);
-  scene_.nodes[i].pose = pose;
+  scene_.nodes.edit(i).pose = pose;
   moved_.push_back(i);
   if (physics_.has(static_cast<BodyId>(i))) physics_.move(static_cast<BodyId>(i), pose);
 }
@@ -74,7 +74,7 @@ void WorldState::set_opening(std::size_t i, double opening) {
 }
 
 void WorldState::replace(std::size_t i, Node changed) {
-  std::swap(scene_.nodes[i], changed);
+  std::swap(scene_.nodes.edit(i), changed);
   follow(i, changed);
   log(NodeWas{i, std::move(changed)});
 }
@@ -101,34 +101,11 @@ void WorldState::lay(std::size_t i) {
 }
 
 void WorldState::attach(std::size_t i, std::size_t to) {
-  std::vector<Link> links = links_[i];
+  std::vector<Link> links = this->links(i);
   links.push_back({Predicate::Attached, static_cast<std::uint32_t>(to)});
   sort_unique(links);
-  exchange_links(i, links);
+  links_.exchange(i, links);
   log(LinksWere{i, std::move(links)});
-}
-
-/// Gives the node other links, and takes the present ones away in `links`.
-void WorldState::exchange_links(std::size_t i, std::vector<Link>& links) {
-  const auto rider = static_cast<std::uint32_t>(i);
-  const auto carriers_of = [](const std::vector<Link>& of) {
-    std::vector<std::uint32_t> carriers;
-    for (const Link& link : of) {
-      if (carries(link)) carriers.push_back(link.to);
-    }
-    sort_unique(carriers);
-    return carriers;
-  };
-  const auto before = carriers_of(links_[i]), after = carriers_of(links);
-  for (const std::uint32_t carrier : before) {
-    if (!std::binary_search(after.begin(), after.end(), carrier)) std::erase(carried_[carrier], rider);
-  }
-  for (const std::uint32_t carrier : after) {
-    if (std::binary_search(before.begin(), before.end(), carrier)) continue;
-    auto& riders = carried_[carrier];
-    riders.insert(std::lower_bound(riders.begin(), riders.end(), rider), rider);
-  }
-  std::swap(links_[i], links);
 }
 
 void WorldState::refresh(std::span<const Bounds> touched, std::span<const std::size_t> changed) {
@@ -136,7 +113,7 @@ void WorldState::refresh(std::span<const Bounds> touched, std::span<const std::s
   const auto is_in_hand = [&](std::size_t i) { return std::binary_search(hand.begin(), hand.end(), i); };
   for (const std::size_t i : affected_by(physics_, touched, changed)) {
     std::vector<Link> links = links_of(scene_, physics_, i);
-    for (const Link& link : links_[i]) {
+    for (const Link& link : this->links(i)) {
       if (carries(link) && is_in_hand(i) && is_in_hand(link.to)) links.push_back(link);
       // Attached stays what still lies on what it was attached to.
       const Link on{Predicate::On, link.to};
@@ -145,8 +122,8 @@ void WorldState::refresh(std::span<const Bounds> touched, std::span<const std::s
       }
     }
     sort_unique(links);
-    if (links == links_[i]) continue;
-    exchange_links(i, links);
+    if (links == this->links(i)) continue;
+    links_.exchange(i, links);
     log(LinksWere{i, std::move(links)});
   }
 }
@@ -172,10 +149,10 @@ void WorldState::carry_along() {
 
 void WorldState::exchange(Edit& edit) {
   if (auto* of_node = std::get_if<NodeWas>(&edit.what)) {
-    std::swap(scene_.nodes[of_node->node], of_node->value);
+    std::swap(scene_.nodes.edit(of_node->node), of_node->value);
     follow(of_node->node, of_node->value);
   } else if (auto* of_links = std::get_if<LinksWere>(&edit.what)) {
-    exchange_links(of_links->node, of_links->value);
+    links_.exchange(of_links->node, of_links->value);
   } else if (const auto* lifted = std::get_if<Lifted>(&edit.what)) {
     moved_.push_back(lifted->node);
     if (physics_.has(static_cast<BodyId>(lifted->node))) {
@@ -190,11 +167,10 @@ void WorldState::exchange(Edit& edit) {
       added->value.reset();
     } else {
       places_.remove(count() - 1, scene_.nodes.back());
-      added->value = std::move(scene_.nodes.back());
+      added->value = scene_.nodes.back();
       scene_.nodes.pop_back();
       colliders_.pop_back();
-      links_.pop_back();
-      carried_.pop_back();
+      links_.resize(count());
     }
   } else if (auto* agent_state = std::get_if<AgentState>(&edit.what)) {
     std::swap(scene_.agent, agent_state->agent);

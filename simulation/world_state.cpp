@@ -18,72 +18,65 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
   state.scene_ = std::move(start);
   const std::size_t count = state.count();
   state.places_ = known.places ? std::move(*known.places) : NodeIndex(state.scene_.nodes);
-  state.colliders_.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) state.colliders_.push_back(state.physics_.share(static_cast<BodyId>(i)));
-  state.links_.resize(count);
-  state.carried_.resize(count);
-
-  std::vector<std::size_t> held;
+  if (known.colliders) {
+    state.colliders_ = std::move(*known.colliders);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) state.colliders_.push_back(state.physics_.share(static_cast<BodyId>(i)));
+  }
   for (const std::string& id : state.agent().held) {
-    const auto i = state.index_of(id);
-    if (!i) return Error{Error::Kind::Schema, state.scene_.id, {}, "the agent holds " + id + ", which does not exist"};
-    held.push_back(*i);
+    if (!state.index_of(id))
+      return Error{Error::Kind::Schema, state.scene_.id, {}, "the agent holds " + id + ", which does not exist"};
   }
-  // Which things the agent carries, and what is attached, is nowhere but in the edges.
-  std::map<std::size_t, std::vector<Link>> attached;
+  if (known.links) {
+    state.links_ = std::move(*known.links);
+  } else {
+    state.read_links(edges);
+  }
+  // What is attached is nowhere but in the edges.
   for (const Edge& edge : edges) {
-    const bool contact = edge.relation == Predicate::On || edge.relation == Predicate::Inside;
-    if (edge.relation != Predicate::Attached && (held.empty() || !contact)) continue;
+    if (edge.relation != Predicate::Attached) continue;
     const auto from = state.index_of(edge.from), to = state.index_of(edge.to);
-    if (!from || !to) continue;
-    const Link link{edge.relation, static_cast<std::uint32_t>(*to)};
-    if (contact) {
-      std::vector<Link> links = state.links_[*from];
-      links.push_back(link);
-      sort_unique(links);
-      state.exchange_links(*from, links);
-    } else {
-      attached[*from].push_back(link);
-    }
-  }
-  const std::vector<std::size_t> in_hand = state.in_hand();
-  for (const std::size_t i : in_hand) state.physics_.remove(static_cast<BodyId>(i));
-  for (std::size_t i = 0; i < count; ++i) {
-    std::vector<Link> links = known.links ? std::move((*known.links)[i]) : links_of(state.scene_, state.physics_, i);
-    if (std::binary_search(in_hand.begin(), in_hand.end(), i)) {
-      for (const Link& link : state.links_[i]) {
-        if (std::binary_search(in_hand.begin(), in_hand.end(), link.to)) links.push_back(link);
-      }
-    }
-    if (const auto here = attached.find(i); here != attached.end()) {
-      for (const Link& link : here->second) {
-        if (std::find(links.begin(), links.end(), Link{Predicate::On, link.to}) != links.end()) links.push_back(link);
-      }
-    }
-    sort_unique(links);
-    state.begin_with(i, std::move(links));
+    if (from && to && state.linked(*from, Predicate::On, *to))
+      state.add_link(*from, {edge.relation, static_cast<std::uint32_t>(*to)});
   }
   return state;
 }
 
-/// Gives a node its first links but for those that its hold in a hand gave it.
-void WorldState::begin_with(std::size_t i, std::vector<Link> links) {
-  if (!links_[i].empty()) return exchange_links(i, links);
-  const auto rider = static_cast<std::uint32_t>(i);
-  for (const Link& link : links) {
-    if (!carries(link)) continue;
-    auto& riders = carried_[link.to];
-    const auto at = std::lower_bound(riders.begin(), riders.end(), rider);
-    if (at == riders.end() || *at != rider) riders.insert(at, rider);
+/// All links as physics shows them, and those of what the agent carries, which is nowhere but in the edges.
+void WorldState::read_links(const std::vector<Edge>& edges) {
+  links_.resize(count());
+  std::vector<std::size_t> in_hand;
+  if (!agent().held.empty()) {
+    for (const Edge& edge : edges) {
+      if (edge.relation != Predicate::On && edge.relation != Predicate::Inside) continue;
+      const auto from = index_of(edge.from), to = index_of(edge.to);
+      if (from && to) add_link(*from, {edge.relation, static_cast<std::uint32_t>(*to)});
+    }
+    in_hand = this->in_hand();
+    for (const std::size_t i : in_hand) physics_.remove(static_cast<BodyId>(i));
   }
-  links_[i] = std::move(links);
+  const auto held = [&](std::size_t i) { return std::binary_search(in_hand.begin(), in_hand.end(), i); };
+  for (std::size_t i = 0; i < count(); ++i) {
+    std::vector<Link> links = links_of(scene_, physics_, i);
+    for (const Link& link : links_.of(i)) {
+      if (held(i) && held(link.to)) links.push_back(link);
+    }
+    sort_unique(links);
+    links_.set(i, std::move(links));
+  }
+}
+
+void WorldState::add_link(std::size_t i, const Link& link) {
+  std::vector<Link> links = links_.of(i);
+  links.push_back(link);
+  sort_unique(links);
+  links_.set(i, std::move(links));
 }
 
 void WorldState::take_in(Node node, std::shared_ptr<const Collider> collider) {
   places_.add(count(), node);
   colliders_.push_back(std::move(collider));
-  links_.emplace_back();
-  carried_.emplace_back();
+  links_.resize(count() + 1);
   scene_.nodes.push_back(std::move(node));
 }
 
@@ -94,12 +87,12 @@ bool WorldState::held(std::string_view id) const {
 
 bool WorldState::linked(std::size_t from, Predicate relation, std::size_t to) const {
   const Link link{relation, static_cast<std::uint32_t>(to)};
-  return std::binary_search(links_[from].begin(), links_[from].end(), link);
+  return std::binary_search(links(from).begin(), links(from).end(), link);
 }
 
 std::optional<std::size_t> WorldState::closed_around(std::size_t i) const {
   std::optional<std::size_t> outermost;
-  for (const Link& link : links_[i]) {
+  for (const Link& link : links(i)) {
     if (link.relation != Predicate::Inside) continue;
     const Node& container = node(link.to);
     if (!container.openable || container.states.has(Predicate::Open)) continue;
@@ -111,7 +104,7 @@ std::optional<std::size_t> WorldState::closed_around(std::size_t i) const {
 std::vector<std::size_t> WorldState::group_of(std::size_t i) const {
   std::vector<std::size_t> group{i};
   for (std::size_t at = 0; at < group.size(); ++at) {
-    for (const std::uint32_t rider : carried_[group[at]]) {
+    for (const std::uint32_t rider : carried(group[at])) {
       if (std::find(group.begin(), group.end(), rider) == group.end()) group.push_back(rider);
     }
   }
@@ -134,8 +127,8 @@ std::vector<std::size_t> WorldState::in_hand() const {
 std::vector<std::size_t> WorldState::hidden() const {
   std::vector<std::size_t> hidden = in_hand();
   for (std::size_t i = 0; i < count(); ++i) {
-    if (carried_[i].empty() || !node(i).openable || node(i).states.has(Predicate::Open)) continue;
-    for (const std::uint32_t rider : carried_[i]) {
+    if (carried(i).empty() || !node(i).openable || node(i).states.has(Predicate::Open)) continue;
+    for (const std::uint32_t rider : carried(i)) {
       if (linked(rider, Predicate::Inside, i)) hidden.push_back(rider);
     }
   }
@@ -146,7 +139,7 @@ std::vector<std::size_t> WorldState::hidden() const {
 Scene WorldState::whole_scene() const {
   Scene scene = scene_;
   for (std::size_t i = 0; i < count(); ++i) {
-    for (const Link& link : links_[i]) scene.edges.push_back(edge_of(scene, i, link));
+    for (const Link& link : links(i)) scene.edges.push_back(edge_of(scene, i, link));
   }
   if (const Room* room = room_at(scene, scene.agent.position)) {
     scene.edges.push_back({Predicate::InRoom, "agent", room->id});

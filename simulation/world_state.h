@@ -19,6 +19,7 @@
 #include "simulation/digest.h"
 #include "simulation/floods.h"
 #include "simulation/known_start.h"
+#include "simulation/link_table.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
 #include "simulation/relations.h"
@@ -90,9 +91,9 @@ class WorldState {
   const NodeIndex& places() const { return places_; }
   bool held(std::string_view id) const;
   bool linked(std::size_t from, Predicate relation, std::size_t to) const;
-  const std::vector<Link>& links(std::size_t i) const { return links_[i]; }
+  const std::vector<Link>& links(std::size_t i) const { return links_.of(i); }
   /// What lies on or in a node, directly. Sorted.
-  const std::vector<std::uint32_t>& carried(std::size_t i) const { return carried_[i]; }
+  const std::vector<std::uint32_t>& carried(std::size_t i) const { return links_.carried(i); }
   /// The outermost closed container around a node, or nullopt.
   std::optional<std::size_t> closed_around(std::size_t i) const;
   /// A node and all that rests on or in it, the node first, then in scene order.
@@ -154,8 +155,8 @@ class WorldState {
     log_.emplace_back().what.emplace<Was>(std::move(was));
   }
   void exchange(Edit& edit);
-  void exchange_links(std::size_t i, std::vector<Link>& links);
-  void begin_with(std::size_t i, std::vector<Link> links);
+  void read_links(const std::vector<Edge>& edges);
+  void add_link(std::size_t i, const Link& link);
   void log_node(std::size_t i);
   void log_agent();
   void follow(std::size_t i, const Node& before);
@@ -167,10 +168,9 @@ class WorldState {
   bool stopped_ = false;
   PhysicsWorld physics_;  // node i is body i; what is in the hands is not in it
   ColliderBook book_;
-  std::vector<std::shared_ptr<const Collider>> colliders_;
+  SharedList<std::shared_ptr<const Collider>> colliders_;
   NodeIndex places_;
-  std::vector<std::vector<Link>> links_;
-  std::vector<std::vector<std::uint32_t>> carried_;
+  LinkTable links_;
   std::vector<Edit> log_;
 
   mutable std::optional<NavigationGrid> grid_;

@@ -89,8 +89,7 @@ class TaskProver {
     const auto in_m1 = shown.find(Mode::M1);
     proof_.facts = facts_of(task_, *home_, start_, in_m1 == shown.end() ? nullptr : &in_m1->second);
     auto physics = physics_of(start_);
-    std::vector<std::vector<Link>> links;
-    for (std::size_t i = 0; i < start_.nodes.size(); ++i) links.push_back(links_of(start_, physics, i));
+    LinkTable links(start_, physics);
     found(prove_start(start_, physics, links, tools_.rest, reading_.where));
     prove_instruction();
     KnownStart known{.physics = std::move(physics)};

@@ -27,13 +27,12 @@ bool is_known(const std::string& category, const Scene& start, const Knowledge& 
 
 }  // namespace
 
-std::vector<Problem> prove_start(const Scene& start, const PhysicsWorld& physics,
-                                 const std::vector<std::vector<Link>>& links, RestCheck& rest,
-                                 const std::string& file) {
+std::vector<Problem> prove_start(const Scene& start, const PhysicsWorld& physics, const LinkTable& links,
+                                 RestCheck& rest, const std::string& file) {
   std::vector<Problem> problems;
   std::vector<Edge> shown;
   for (std::size_t i = 0; i < links.size(); ++i) {
-    for (const Link& link : links[i]) shown.push_back(edge_of(start, i, link));
+    for (const Link& link : links.of(i)) shown.push_back(edge_of(start, i, link));
   }
   if (const Room* room = room_at(start, start.agent.position)) shown.push_back({Predicate::InRoom, "agent", room->id});
   std::sort(shown.begin(), shown.end());

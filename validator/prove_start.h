@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/link_table.h"
 #include "simulation/physics.h"
 #include "simulation/relations.h"
 #include "validator/problem.h"
@@ -15,8 +16,8 @@ namespace unietp {
 /// What is wrong with a start scene by physics alone: relations that are recorded but not there or there but not
 /// recorded, and bodies that move when physics runs on. `physics` is that of the scene, `links` what it
 /// shows of each node.
-std::vector<Problem> prove_start(const Scene& start, const PhysicsWorld& physics,
-                                 const std::vector<std::vector<Link>>& links, RestCheck& rest, const std::string& file);
+std::vector<Problem> prove_start(const Scene& start, const PhysicsWorld& physics, const LinkTable& links,
+                                 RestCheck& rest, const std::string& file);
 
 /// What is wrong with a goal in the start, of which `at_start` is the trace: it or one of its conjuncts holds already,
 /// a category is unknown, a start constraint does not hold, a referring phrase means nothing or everything.

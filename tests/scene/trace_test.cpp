@@ -136,7 +136,7 @@ TEST(Facts, SizeTellsTheOneThatIsClearlyLargerOrSmallerThanAllOthersOfItsCategor
     node.size = Vec3(0.1, 0.1, height);
     return node;
   };
-  const auto size_of = [](const std::vector<Node>& nodes, const std::string& id) -> std::string {
+  const auto size_of = [](const SharedList<Node>& nodes, const std::string& id) -> std::string {
     Scene scene;
     scene.nodes = nodes;
     FactReader reader(true);

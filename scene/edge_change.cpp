@@ -1,4 +1,4 @@
-#include "grounding/edge_change.h"
+#include "scene/edge_change.h"
 
 #include <algorithm>
 #include <iterator>
