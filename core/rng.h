@@ -28,8 +28,8 @@ class Rng {
   void shuffle(std::vector<T>& items) {
     for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[below(i)]);
   }
-  template <class T>
-  const T& pick(const std::vector<T>& items) {
+  template <class List>
+  const typename List::value_type& pick(const List& items) {
     return items[below(items.size())];
   }
 

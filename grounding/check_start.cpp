@@ -167,7 +167,7 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   const Differences changed = differences(home, start);
   const PhysicsWorld world = physics_of(home, start, changed);
   GrownScene read = read_grown(home, start, changed, world);
-  if (!read.edges.leads(home.scene.edges, start.edges))
+  if (read.edges.applied_to(home.scene.edges) != start.edges)
     return failure(GroundingReason::StartNotMet, "the relations of the start are not those that physics shows");
   Compared compared;
   compared.add(specification.goal);

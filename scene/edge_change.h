@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <ranges>
 #include <string_view>
 #include <vector>
 
@@ -8,12 +8,14 @@
 
 namespace unietp {
 
-/// The edges of one relation that start at a thing, of a sorted list.
-std::span<const Edge> edges_from(const std::vector<Edge>& edges, Predicate relation, std::string_view from);
-/// Of all relations, sorted.
-std::vector<Edge> edges_from(const std::vector<Edge>& edges, std::string_view from);
+using EdgeRange = std::ranges::subrange<EdgeSet::const_iterator>;
 
-/// How one sorted list of edges differs from another.
+/// The edges of one relation that start at a thing.
+EdgeRange edges_from(const EdgeSet& edges, Predicate relation, std::string_view from);
+/// Of all relations, sorted.
+std::vector<Edge> edges_from(const EdgeSet& edges, std::string_view from);
+
+/// How one set of edges differs from another.
 struct EdgeChange {
   std::vector<Edge> added, removed;
 
@@ -21,10 +23,8 @@ struct EdgeChange {
   void replace(const std::vector<Edge>& before, const std::vector<Edge>& after);
   /// After the last `replace`: both lists sorted.
   void sort();
-  /// The list that becomes of one which has what is removed and lacks what is added.
-  std::vector<Edge> applied_to(const std::vector<Edge>& edges) const;
-  /// Whether that is `after`, without making it.
-  bool leads(const std::vector<Edge>& edges, const std::vector<Edge>& after) const;
+  /// The edges that become of the given ones, at the cost of the change.
+  EdgeSet applied_to(EdgeSet edges) const;
 };
 
 }  // namespace unietp

@@ -70,8 +70,7 @@ bool has_edge(const Scene& scene, Predicate relation, std::string_view from, std
   using Key = std::tuple<Predicate, std::string_view, std::string_view>;
   const Key wanted{relation, from, to};
   const auto key_of = [](const Edge& edge) { return Key{edge.relation, edge.from, edge.to}; };
-  const auto place = std::partition_point(scene.edges.begin(), scene.edges.end(),
-                                          [&](const Edge& edge) { return key_of(edge) < wanted; });
+  const auto place = scene.edges.partition_point([&](const Edge& edge) { return key_of(edge) < wanted; });
   return place != scene.edges.end() && key_of(*place) == wanted;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/shared_list.h"
+#include "core/shared_set.h"
 #include "logic/vocabulary.h"
 #include "scene/archetype.h"
 #include "scene/geometry.h"
@@ -62,6 +63,7 @@ struct Edge {
   std::string from, to;
   auto operator<=>(const Edge&) const = default;
 };
+using EdgeSet = SharedSet<Edge>;  // in order of relation, then from, then to
 
 struct Agent {
   Vec2 position = Vec2::Zero();
@@ -80,7 +82,7 @@ struct Scene {
   double wall_height = 2.6;
   double wall_thickness = 0.1;  // centred on the edges of the rooms' polygons
   SharedList<Node> nodes;
-  std::vector<Edge> edges;  // sorted
+  EdgeSet edges;
   Agent agent;
   bool operator==(const Scene&) const = default;
 };

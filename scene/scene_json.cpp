@@ -173,7 +173,7 @@ Ids collect_ids(JsonReader& reader, const Scene& scene) {
 }
 
 /// Everything that speaks of something else by its id speaks of something that is there.
-void check_references(JsonReader& reader, const Scene& scene) {
+void check_references(JsonReader& reader, const Scene& scene, const std::vector<Edge>& edges) {
   const Ids ids = collect_ids(reader, scene);
   const auto names = [&](const std::string& id, Kind kind) {
     const auto found = ids.find(id);
@@ -185,8 +185,8 @@ void check_references(JsonReader& reader, const Scene& scene) {
     if (!names(opening.room_a, Kind::Room)) reader.fail(pointer + "/room_a", "no room " + in_quotes(opening.room_a));
     if (!names(opening.room_b, Kind::Room)) reader.fail(pointer + "/room_b", "no room " + in_quotes(opening.room_b));
   }
-  for (std::size_t i = 0; i < scene.edges.size() && !reader.error(); ++i) {
-    const Edge& edge = scene.edges[i];
+  for (std::size_t i = 0; i < edges.size() && !reader.error(); ++i) {
+    const Edge& edge = edges[i];
     const bool to_room = info(edge.relation).arguments[1] == ArgumentKind::Room;
     if (!names(edge.from, Kind::Node) && !(edge.relation == Predicate::InRoom && edge.from == "agent")) {
       reader.fail("/edges/" + std::to_string(i) + "/from", "no object " + in_quotes(edge.from));
@@ -248,16 +248,19 @@ Result<Scene> scene_from_json(std::string_view where, std::string_view text) {
   if (const auto f = fields.required("openings")) scene.openings = list_from_json(reader, *f, opening_from_json);
   if (const auto f = fields.required("agent")) scene.agent = agent_from_json(reader, *f);
   if (const auto f = fields.required("nodes")) scene.nodes = list_from_json(reader, *f, node_from_json);
-  if (const auto f = fields.required("edges")) scene.edges = list_from_json(reader, *f, edge_from_json);
+  std::vector<Edge> edges;
+  if (const auto f = fields.required("edges")) edges = list_from_json(reader, *f, edge_from_json);
   fields.finish();
+  if (!reader.error()) check_references(reader, scene, edges);
+  if (!reader.error()) sort_edges(reader, edges, "/edges");
   if (reader.error()) return *reader.error();
-  return check_whole(where, std::move(scene));
+  scene.edges = std::move(edges);
+  return scene;
 }
 
 Result<Scene> check_whole(std::string_view where, Scene scene) {
   JsonReader reader(where);
-  check_references(reader, scene);
-  if (!reader.error()) sort_edges(reader, scene.edges, "/edges");
+  check_references(reader, scene, {scene.edges.begin(), scene.edges.end()});
   if (reader.error()) return *reader.error();
   return scene;
 }

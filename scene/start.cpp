@@ -19,12 +19,11 @@ std::string misfit(const Scene& home, const Delta& changes) {
   for (const std::string& id : changes.removed) {
     if (find_node(home, id) == nullptr) return "no object " + in_quotes(id) + " in the home that could be gone";
   }
-  const auto in_home = [&](const Edge& edge) { return std::binary_search(home.edges.begin(), home.edges.end(), edge); };
   for (const Edge& edge : changes.edges_removed) {
-    if (!in_home(edge)) return "the home has no edge " + said(edge) + " that could be gone";
+    if (!home.edges.contains(edge)) return "the home has no edge " + said(edge) + " that could be gone";
   }
   for (const Edge& edge : changes.edges_added) {
-    if (in_home(edge)) return "the home has the edge " + said(edge) + " already";
+    if (home.edges.contains(edge)) return "the home has the edge " + said(edge) + " already";
   }
   return "";
 }
@@ -65,9 +64,7 @@ Scene start_in(Scene home, const NodeIndex& places, const Delta& changes) {
     }
     start.nodes.pop_back();
   }
-  EdgeChange edges{changes.edges_added, changes.edges_removed};
-  edges.sort();
-  if (!edges.added.empty() || !edges.removed.empty()) start.edges = edges.applied_to(start.edges);
+  start.edges = EdgeChange{changes.edges_added, changes.edges_removed}.applied_to(std::move(start.edges));
   if (changes.agent) start.agent = *changes.agent;
   return home;
 }

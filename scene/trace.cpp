@@ -99,20 +99,8 @@ Scene apply(Scene before, const Delta& delta) {
       scene.nodes.push_back(node);
     }
   }
-  if (!delta.edges_removed.empty() || !delta.edges_added.empty()) {
-    const auto sorted = [](std::vector<Edge> edges) {
-      std::sort(edges.begin(), edges.end());
-      return edges;
-    };
-    const auto among = [](const std::vector<Edge>& edges, const Edge& edge) {
-      return std::binary_search(edges.begin(), edges.end(), edge);
-    };
-    const std::vector<Edge> removed = sorted(delta.edges_removed), added = sorted(delta.edges_added);
-    std::erase_if(scene.edges, [&](const Edge& edge) { return among(removed, edge) || among(added, edge); });
-    const auto kept = static_cast<std::ptrdiff_t>(scene.edges.size());
-    std::unique_copy(added.begin(), added.end(), std::back_inserter(scene.edges));
-    std::inplace_merge(scene.edges.begin(), scene.edges.begin() + kept, scene.edges.end());
-  }
+  for (const Edge& edge : delta.edges_removed) scene.edges.erase(edge);
+  for (const Edge& edge : delta.edges_added) scene.edges.insert(edge);
   if (delta.agent) scene.agent = *delta.agent;
   return before;
 }

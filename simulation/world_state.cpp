@@ -14,7 +14,7 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
   state.profile = &profile;
   state.physics_ = std::move(known.physics);
   state.grid_ = std::move(known.grid);
-  const std::vector<Edge> edges = std::exchange(start.edges, {});
+  const EdgeSet edges = std::exchange(start.edges, {});
   state.scene_ = std::move(start);
   const std::size_t count = state.count();
   state.places_ = known.places ? std::move(*known.places) : NodeIndex(state.scene_.nodes);
@@ -43,7 +43,7 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
 }
 
 /// All links as physics shows them, and those of what the agent carries, which is nowhere but in the edges.
-void WorldState::read_links(const std::vector<Edge>& edges) {
+void WorldState::read_links(const EdgeSet& edges) {
   links_.resize(count());
   std::vector<std::size_t> in_hand;
   if (!agent().held.empty()) {
@@ -138,13 +138,12 @@ std::vector<std::size_t> WorldState::hidden() const {
 
 Scene WorldState::whole_scene() const {
   Scene scene = scene_;
+  std::vector<Edge> edges;
   for (std::size_t i = 0; i < count(); ++i) {
-    for (const Link& link : links(i)) scene.edges.push_back(edge_of(scene, i, link));
+    for (const Link& link : links(i)) edges.push_back(edge_of(scene, i, link));
   }
-  if (const Room* room = room_at(scene, scene.agent.position)) {
-    scene.edges.push_back({Predicate::InRoom, "agent", room->id});
-  }
-  sort_unique(scene.edges);
+  if (const Room* room = room_at(scene, scene.agent.position)) edges.push_back({Predicate::InRoom, "agent", room->id});
+  scene.edges = std::move(edges);
   return scene;
 }
 

@@ -155,7 +155,7 @@ class WorldState {
     log_.emplace_back().what.emplace<Was>(std::move(was));
   }
   void exchange(Edit& edit);
-  void read_links(const std::vector<Edge>& edges);
+  void read_links(const EdgeSet& edges);
   void add_link(std::size_t i, const Link& link);
   void log_node(std::size_t i);
   void log_agent();

@@ -54,7 +54,8 @@ TEST_P(EveryExtensionAction, IsUsedWhereTheGoalNeedsIt) {
   const Knowledge knowledge = wide_knowledge();
   const Profile profile = wide_profile();
   Scene start = house();
-  for (Node& node : start.nodes) {
+  for (std::size_t i = 0; i < start.nodes.size(); ++i) {
+    Node& node = start.nodes.edit(i);
     if (node.category == "Lamp") node.states.set({Predicate::Unplugged, ""});
     if (node.category == "Plate") node.states.set({Predicate::Unfolded, ""});
     if (node.category == "Mug") node.states.set({Predicate::Intact, ""});

@@ -62,8 +62,8 @@ const HouseCase kGoalCases[] = {
      "(exists (?x - Apple) (exists (?b - Plate) (exists (?c - CounterTop) (at-end (and (on ?x ?b) (on ?b ?c))))))",
      [](Scene& s) {
        move_to(s, "apple_1", 8.5, 0.7, 0.601);
-       find_node(s, "apple_1")->archetype = Archetype::Box;
-       find_node(s, "apple_2")->archetype = Archetype::Box;
+       edit_node(s, "apple_1")->archetype = Archetype::Box;
+       edit_node(s, "apple_2")->archetype = Archetype::Box;
      }},
     {"inside_and_closed", "(exists (?x - Apple) (exists (?b - Fridge) (at-end (and (inside ?x ?b) (closed ?b)))))",
      open_fridge},

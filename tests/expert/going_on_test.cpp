@@ -125,7 +125,8 @@ Knowledge with_vessels() {
 TEST(FromVessel, WhatCannotBeCarriedToTheTapIsFilledFromSomethingThatCan) {
   const Knowledge knowledge = with_vessels();
   Scene start = house();
-  for (Node& node : start.nodes) {
+  for (std::size_t i = 0; i < start.nodes.size(); ++i) {
+    Node& node = start.nodes.edit(i);
     if (knowledge.has(node.category, "fillable")) node.states.set({Predicate::Empty, ""});
     if (node.category == "Sink") node.states.set({Predicate::PowerOff, ""});
   }

@@ -110,8 +110,7 @@ Node& add(Scene& scene, const Knowledge& knowledge, const std::string& id, const
   for (const StateGroup& group : state_groups()) {
     if (knowledge.has(name, group.affordance)) node.states.set({group.predicates.front(), ""});
   }
-  scene.nodes.push_back(node);
-  return scene.nodes.back();
+  return scene.nodes.emplace_back(std::move(node));
 }
 
 Scene at_rest(Scene scene) {
@@ -120,13 +119,13 @@ Scene at_rest(Scene scene) {
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].movable) loose.push_back(static_cast<BodyId>(i));
   }
-  for (const SettledBody& body : physics.settle(loose).bodies) scene.nodes[body.body].pose = body.pose;
+  for (const SettledBody& body : physics.settle(loose).bodies) scene.nodes.edit(body.body).pose = body.pose;
   scene.edges = read_relations(scene);
   return scene;
 }
 
 void set_state(Scene& scene, const std::string& id, Predicate state) {
-  Node& node = *find_node(scene, id);
+  Node& node = *edit_node(scene, id);
   node.states.set({state, ""});
   if (state == Predicate::Open) node.opening = 1;
   if (state == Predicate::Closed) node.opening = 0;
@@ -187,7 +186,7 @@ Scene strewn_house(Rng rng) {
   };
   const Knowledge knowledge = house_knowledge();
   Scene scene = house();
-  std::erase_if(scene.nodes, [](const Node& node) { return node.movable; });
+  erase_if(scene.nodes, [](const Node& node) { return node.movable; });
   const std::vector<std::pair<std::string, int>> things{{"Mug", 4},   {"Apple", 3}, {"Plate", 2},  {"Potato", 2},
                                                         {"Knife", 1}, {"Lamp", 2},  {"Laptop", 1}, {"Box", 1}};
   for (const auto& [category, most] : things) {
@@ -206,7 +205,8 @@ Scene strewn_house(Rng rng) {
       }
     }
   }
-  for (Node& node : scene.nodes) {
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    Node& node = scene.nodes.edit(i);
     for (const StateGroup& group : state_groups()) {
       const bool appliance = node.category == "Microwave" && group.affordance == "switchable";
       if (knowledge.has(node.category, group.affordance) && !appliance && group.affordance != "sliceable") {
@@ -223,14 +223,15 @@ Profile house_profile() { return {}; }
 void PrintTo(const HouseCase& c, std::ostream* out) { *out << c.name; }
 
 void move_to(Scene& scene, const std::string& id, double x, double y, double z) {
-  Node& node = *find_node(scene, id);
+  Node& node = *edit_node(scene, id);
   node.pose.position = Vec3(x, y, z + node.size.z() / 2);
 }
 
 void mug_in_fridge(Scene& scene) { move_to(scene, "mug_1", 4.4, 3.55, 0.9); }
 
 void all_dirty(Scene& scene) {
-  for (Node& node : scene.nodes) {
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    Node& node = scene.nodes.edit(i);
     if (node.states.has(Predicate::Clean)) node.states.set({Predicate::Dirty, ""});
   }
 }

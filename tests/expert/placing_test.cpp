@@ -26,7 +26,7 @@ struct Placing : ::testing::Test {
 /// The house with only some of its small things.
 Scene house_with(const std::vector<std::string>& movable) {
   Scene scene = house();
-  std::erase_if(scene.nodes, [&](const Node& node) {
+  erase_if(scene.nodes, [&](const Node& node) {
     return node.movable && std::find(movable.begin(), movable.end(), node.id) == movable.end();
   });
   return scene;
@@ -40,11 +40,11 @@ TEST_F(Placing, PutsAThingBesideItsNeighbourAndNotOnlyOnTheSameTable) {
 
 TEST_F(Placing, TakesTheNeighbourToWhereThereIsRoomBesideIt) {
   Scene scene = house_with({"lamp_1", "potato_1"});
-  std::erase_if(scene.nodes, [](const Node& node) { return node.id == "diningtable_1"; });
+  erase_if(scene.nodes, [](const Node& node) { return node.id == "diningtable_1"; });
   // On a stool that is hardly larger than itself.
   Node& stool = add(scene, knowledge, "sidetable_3", "SideTable", 2.75, 1.25, 0);
   stool.size = {0.12, 0.12, 0.6};
-  find_node(scene, "potato_1")->pose.position.z() = 0.631;
+  edit_node(scene, "potato_1")->pose.position.z() = 0.631;
   profile.actions[static_cast<std::size_t>(ActionType::Drop)] = false;
   const std::string steps =
       plan("(exists (?x - Lamp) (exists (?y - Potato) (at-end (next_to ?x ?y))))", at_rest(std::move(scene)));
@@ -54,8 +54,8 @@ TEST_F(Placing, TakesTheNeighbourToWhereThereIsRoomBesideIt) {
 /// A table of four metres, all of it taken but for one end.
 Scene with_a_long_table(const Knowledge& knowledge) {
   Scene scene = house_with({"plate_1"});
-  find_node(scene, "plate_1")->pose.position = Vec3(2.3, 3.5, 0.914);  // on the counter
-  std::erase_if(scene.nodes, [](const Node& node) { return node.id == "diningtable_1"; });
+  edit_node(scene, "plate_1")->pose.position = Vec3(2.3, 3.5, 0.914);  // on the counter
+  erase_if(scene.nodes, [](const Node& node) { return node.id == "diningtable_1"; });
   add(scene, knowledge, "diningtable_1", "DiningTable", 2.5, 1.5, 0).size = {4.0, 0.8, 0.75};
   Node& block = add(scene, knowledge, "countertop_2", "CounterTop", 2.325, 1.5, 0.76);
   block.size = {3.65, 0.6, 0.3};
@@ -82,7 +82,7 @@ TEST_F(Placing, WalksAlongATableToWhereThereIsRoom) {
 
 TEST_F(Placing, CarriesAwayWhatTakesUpTheOnlyPlace) {
   Scene scene = house_with({"plate_1"});
-  std::erase_if(scene.nodes, [](const Node& node) { return node.id == "sidetable_2"; });
+  erase_if(scene.nodes, [](const Node& node) { return node.id == "sidetable_2"; });
   int count = 0;
   for (const double dx : {-0.15, 0.15}) {
     for (const double dy : {-0.15, 0.15})
@@ -106,7 +106,7 @@ TEST_F(Placing, OpensElsewhereWhatCannotOpenWhereItStands) {
 
 TEST_F(Placing, TakesWhatIsInTheWayOfADoorOutOfIt) {
   Scene scene = house_with({"box_1"});
-  Node& box = *find_node(scene, "box_1");
+  Node& box = *edit_node(scene, "box_1");
   box.pose.position = Vec3(1.5, 3.34, 0.902 + 0.1);  // before the microwave, on the same counter
   const std::string steps = plan("(exists (?x - Microwave) (at-end (open ?x)))", at_rest(std::move(scene)));
   EXPECT_THAT(steps, HasSubstr("pick_up(box_1)"));
@@ -116,11 +116,11 @@ TEST_F(Placing, TakesWhatIsInTheWayOfADoorOutOfIt) {
 TEST_F(Placing, LeavesTheCornerBehindAnOpenDoor) {
   // Counters on three sides of who stands before the fridge; its open door is the fourth.
   Scene scene = house_with({"apple_1"});
-  std::erase_if(scene.nodes, [](const Node& node) {
+  erase_if(scene.nodes, [](const Node& node) {
     return node.id == "sink_1" || node.id == "diningtable_1" || node.id == "countertop_1" || node.id == "microwave_1";
   });
-  find_node(scene, "fridge_1")->pose.position.x() = 3.2;
-  find_node(scene, "apple_1")->pose.position = Vec3(3.2, 3.55, 0.95);
+  edit_node(scene, "fridge_1")->pose.position.x() = 3.2;
+  edit_node(scene, "apple_1")->pose.position = Vec3(3.2, 3.55, 0.95);
   add(scene, knowledge, "countertop_2", "CounterTop", 3.8, 2.25, 0).size = {0.5, 2.1, 0.9};
   add(scene, knowledge, "countertop_3", "CounterTop", 3.2, 1.2, 0).size = {1.7, 0.5, 0.9};
   add(scene, knowledge, "countertop_4", "CounterTop", 2.6, 1.95, 0).size = {0.5, 1.0, 0.9};
@@ -135,10 +135,10 @@ TEST_F(Placing, LeavesTheCornerBehindAnOpenDoor) {
 TEST_F(Placing, ShutsABoxThatDoesNotFitWithItsLidUp) {
   Scene scene = house_with({"box_1", "apple_1"});
   add(scene, knowledge, "countertop_2", "CounterTop", 8.5, 3.5, 0).size = {0.6, 0.6, 0.3};
-  Node& above = scene.nodes.back();
+  Node& above = scene.nodes.edit(scene.nodes.size() - 1);
   above.pose.position.z() = 0.6 + 0.26 + 0.15;  // a quarter of a metre over the table
   add(scene, knowledge, "countertop_3", "CounterTop", 8.5, 0.5, 0).size = {0.6, 0.6, 0.3};
-  scene.nodes.back().pose.position.z() = 0.6 + 0.26 + 0.15;
+  scene.nodes.edit(scene.nodes.size() - 1).pose.position.z() = 0.6 + 0.26 + 0.15;
   const std::string steps = plan(
       "(exists (?x - Apple) (exists (?b - Box) (exists (?y - SideTable) (at-end (and (inside ?x ?b) (on ?b ?y))))))",
       at_rest(std::move(scene)));

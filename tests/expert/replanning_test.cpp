@@ -34,7 +34,7 @@ struct Replanning : ::testing::Test {
 /// The side table by the lamp is nearer to the mugs than the other one; boxes leave no room on it.
 Scene with_a_full_table(const std::string& full) {
   Scene scene = house();
-  std::erase_if(scene.nodes, [](const Node& n) {
+  erase_if(scene.nodes, [](const Node& n) {
     return n.category == "Lamp" || n.category == "Laptop" || n.id == "plate_2" || n.category == "Box";
   });
   const Vec3 middle = find_node(scene, full)->pose.position;
@@ -69,7 +69,7 @@ TEST_F(Replanning, LearnsWhichOfManyChoicesWasWrong) {
 TEST_F(Replanning, TakesAnotherObjectWhenTheFirstCannotBeReached) {
   Scene scene = house();
   // Shut into a fridge whose door a counter blocks; still the nearest apple.
-  Node& apple = *find_node(scene, "apple_1");
+  Node& apple = *edit_node(scene, "apple_1");
   apple.pose.position = Vec3(4.4, 3.55, 0.95);
   const Knowledge k = house_knowledge();
   add(scene, k, "countertop_2", "CounterTop", 4.2, 2.7, 0);

@@ -45,10 +45,11 @@ Scene home() {
 
 Scene random_scene(Rng& rng) {
   Scene scene = home();
-  for (Node& one : scene.nodes) {
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    Node& one = scene.nodes.edit(i);
     one.states.set({rng.below(2) == 0 ? Predicate::Clean : Predicate::Dirty, ""});
     one.states.set({rng.below(3) == 0 ? Predicate::Hot : Predicate::RoomTemperature, ""});
-    if (one.category != "Shelf" && rng.below(2) == 0) scene.edges.push_back({Predicate::On, one.id, "shelf_1"});
+    if (one.category != "Shelf" && rng.below(2) == 0) scene.edges.insert({Predicate::On, one.id, "shelf_1"});
   }
   if (rng.below(3) == 0) scene.agent.held = {"mug_1"};
   return scene;
@@ -135,8 +136,8 @@ TEST(ReleaseGoal, SaysWhyItCannotBeSaid) {
 
 TEST(ReleaseGoal, WhatIsMeantIsNamed) {
   Scene start = home();
-  start.nodes[0].states.set({Predicate::Dirty, ""});
-  start.nodes[1].states.set({Predicate::Clean, ""});
+  start.nodes.edit(0).states.set({Predicate::Dirty, ""});
+  start.nodes.edit(1).states.set({Predicate::Clean, ""});
   const auto goal =
       parse_formula("goal", "(exists (?m - (Mug :where (dirty ?m))) (at-end (hot ?m)))", FormulaUse::Goal);
   const auto said = release_goal(*goal, start, knowledge());

@@ -38,8 +38,7 @@ class CheckGoal : public ::testing::Test {
     node.movable = style_->knowledge.find(category)->movable;
     node.openable = style_->knowledge.has(category, "openable");
     if (node.openable) node.states.set({Predicate::Closed, ""});
-    scene_.nodes.push_back(node);
-    return scene_.nodes.back();
+    return scene_.nodes.emplace_back(std::move(node));
   }
 
   /// "" when the goal passes, else what is missing.
@@ -68,24 +67,24 @@ class CheckGoal : public ::testing::Test {
 const std::string kMugOnCounter = "(exists (?a - Mug) (exists (?b - CounterTop) (at-end (on ?a ?b))))";
 
 TEST_F(CheckGoal, ASurfaceRightBelowSomethingFixedTakesNothing) {
-  scene_.nodes[1].pose.position = Vec3(2, 1, 0.061);  // the mug stands on the floor
+  scene_.nodes.edit(1).pose.position = Vec3(2, 1, 0.061);  // the mug stands on the floor
   EXPECT_EQ(refused(kMugOnCounter), "");
   add("shelf_1", "Shelf", Archetype::Block, {1.5, 0.7, 0.1}, {2, 3.7, 1.0});
   EXPECT_NE(refused(kMugOnCounter).find("on of mug_1 and counter_top_1"), std::string::npos);
 }
 
 TEST_F(CheckGoal, WhatCanBeCarriedAwayTakesNoRoom) {
-  scene_.nodes[1].pose.position = Vec3(2, 1, 0.061);
+  scene_.nodes.edit(1).pose.position = Vec3(2, 1, 0.061);
   for (int i = 0; i < 6; ++i)
     add("box_" + std::to_string(i + 1), "Box", Archetype::Lidded, {0.22, 0.55, 0.3}, {1.42 + 0.23 * i, 3.7, 1.051});
   EXPECT_EQ(refused(kMugOnCounter), "");
 }
 
 TEST_F(CheckGoal, ASurfaceThatNoArmGetsToTakesNothing) {
-  scene_.nodes[1].pose.position = Vec3(2, 1, 0.061);
-  scene_.nodes[0].pose.position.z() = 1.8;
+  scene_.nodes.edit(1).pose.position = Vec3(2, 1, 0.061);
+  scene_.nodes.edit(0).pose.position.z() = 1.8;
   EXPECT_EQ(refused(kMugOnCounter), "");
-  scene_.nodes[0].pose.position.z() = 3.4;
+  scene_.nodes.edit(0).pose.position.z() = 3.4;
   EXPECT_NE(refused(kMugOnCounter), "");
 }
 
@@ -93,7 +92,7 @@ TEST_F(CheckGoal, AThingHasToFitIntoWhatItGoesInto) {
   const std::string goal = "(exists (?a - Mug) (exists (?b - Microwave) (at-end (inside ?a ?b))))";
   add("microwave_1", "Microwave", Archetype::Cabinet, {0.5, 0.36, 0.3}, {2.3, 3.65, 1.052});
   EXPECT_EQ(refused(goal), "");
-  scene_.nodes[1].size = {0.45, 0.45, 0.45};
+  scene_.nodes.edit(1).size = {0.45, 0.45, 0.45};
   EXPECT_NE(refused(goal).find("inside of mug_1 and microwave_1"), std::string::npos);
 }
 
@@ -128,7 +127,7 @@ TEST_F(CheckGoal, WhereNothingCanBeDroppedARoomNeedsFurniture) {
 }
 
 TEST_F(CheckGoal, OneOfSeveralIsEnoughWhereOneIsAskedForAndNotWhereAllAre) {
-  scene_.nodes[1].pose.position = Vec3(2, 1, 0.061);
+  scene_.nodes.edit(1).pose.position = Vec3(2, 1, 0.061);
   add("shelf_1", "Shelf", Archetype::Block, {1.5, 0.7, 0.1}, {2, 3.7, 1.0});
   add("counter_top_2", "CounterTop", Archetype::Block, {0.6, 1.4, 0.9}, {0.3, 2, 0.45});
   EXPECT_EQ(refused(kMugOnCounter), "");
@@ -140,8 +139,8 @@ TEST_F(CheckGoal, OneOfSeveralIsEnoughWhereOneIsAskedForAndNotWhereAllAre) {
 
 TEST_F(CheckGoal, WhatSharesAPlaceHasToFindRoomThereTogether) {
   reason_ = GroundingReason::NotTogether;
-  scene_.nodes[1].pose.position = Vec3(1, 2.5, 0.061);
-  scene_.nodes[1].size = {0.3, 0.3, 0.12};
+  scene_.nodes.edit(1).pose.position = Vec3(1, 2.5, 0.061);
+  scene_.nodes.edit(1).size = {0.3, 0.3, 0.12};
   add("mug_2", "Mug", Archetype::Vessel, {0.3, 0.3, 0.12}, {1, 2, 0.061});
   add("plate_1", "Plate", Archetype::Plate, {0.3, 0.3, 0.02}, {1.5, 2.5, 0.011});
   Node& table = add("side_table_1", "SideTable", Archetype::Table, {0.4, 0.4, 0.6}, {2.5, 1, 0.3});
@@ -164,8 +163,8 @@ TEST_F(CheckGoal, WhatIsToBePointedAtInAPictureMustNotBeASpeck) {
   EXPECT_EQ(refused("(exists (?a - Mug) (at-end (held ?a)))"), "");
   pictured_ = true;
   EXPECT_EQ(refused("(exists (?a - Mug) (at-end (held ?a)))"), "");
-  scene_.nodes[1].size = {0.003, 0.003, 0.003};
-  scene_.nodes[1].pose.position.z() = 0.902;
+  scene_.nodes.edit(1).size = {0.003, 0.003, 0.003};
+  scene_.nodes.edit(1).pose.position.z() = 0.902;
   EXPECT_EQ(refused("(exists (?a - Mug) (at-end (held ?a)))"), "mug_1 shows clearly from nowhere");
   pictured_ = false;
   EXPECT_EQ(refused("(exists (?a - Mug) (at-end (held ?a)))"), "") << "who names it by its id needs no picture";

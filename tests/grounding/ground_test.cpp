@@ -105,12 +105,13 @@ TEST_F(Ground, TakesAwayWhatIsTooMuch) {
 TEST_F(Ground, OpensDoorsInPhysicsNotOnlyInWords) {
   const Episode episode = sound(specification("(exists (?f - Fridge) (at-end (closed ?f)))",
                                               {"(exists (?f - Fridge) (and))", "(forall (?f - Fridge) (open ?f))"}));
-  for (const Node& node : episode.start.nodes) {
+  for (std::size_t i = 0; i < episode.start.nodes.size(); ++i) {
+    const Node& node = episode.start.nodes[i];
     if (node.category != "Fridge") continue;
     EXPECT_EQ(node.opening, 1);
     EXPECT_TRUE(node.states.has(Predicate::Open));
     const PhysicsWorld world = physics_of(episode.start);
-    const BodyId self[] = {static_cast<BodyId>(&node - episode.start.nodes.data())};
+    const BodyId self[] = {static_cast<BodyId>(i)};
     EXPECT_EQ(world.overlap(shape_of(node), node.pose, 1, self, 0.002), std::nullopt);
   }
 }
@@ -212,28 +213,29 @@ TEST_F(Ground, CheckFindsEachFaultPlantedInASoundStart) {
   }
 
   Scene clean = start;
-  find_node(clean, dirty)->states.set({Predicate::Clean, {}});
+  edit_node(clean, dirty)->states.set({Predicate::Clean, {}});
   EXPECT_EQ(verdict(spec, home, clean, {}, *style_), "start-not-met");
   auto without_init = spec;
   without_init.init.clear();
   EXPECT_EQ(verdict(without_init, home, clean, {}, *style_), "no-referent");
 
   Scene all_dirty = start;
-  for (Node& node : all_dirty.nodes) {
+  for (std::size_t i = 0; i < all_dirty.nodes.size(); ++i) {
+    Node& node = all_dirty.nodes.edit(i);
     if (node.category == "Mug") node.states.set({Predicate::Dirty, {}});
   }
   EXPECT_EQ(verdict(without_init, home, all_dirty, {}, *style_), "no-distractor");
 
   Scene high = start;
-  find_node(high, dirty)->pose.position.z() = 4.5;
+  edit_node(high, dirty)->pose.position.z() = 4.5;
   EXPECT_EQ(verdict(spec, home, high, {}, *style_), "not-reachable");
 
   Scene hovering = start;
-  find_node(hovering, dirty)->pose.position.z() += 0.1;
+  edit_node(hovering, dirty)->pose.position.z() += 0.1;
   EXPECT_EQ(verdict(spec, home, hovering, {dirty}, *style_), "not-calm");
 
   Scene misread = start;
-  misread.edges.pop_back();
+  misread.edges.erase(*misread.edges.begin());
   EXPECT_TRUE(check_start(spec, home, misread, {}, style_->knowledge, style_->profile));
 }
 

@@ -20,7 +20,7 @@ Scene grown_out_of(const Scene& home, Rng rng) {
   Scene scene = home;
   for (int change = 0; change < 5; ++change) {
     const std::size_t i = rng.below(scene.nodes.size());
-    Node& node = scene.nodes[i];
+    Node& node = scene.nodes.edit(i);
     switch (rng.below(5)) {
       case 0:
         node.pose.position += Vec3(rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5), 0);
@@ -36,7 +36,7 @@ Scene grown_out_of(const Scene& home, Rng rng) {
         break;
       }
       case 3:
-        std::swap(node, scene.nodes.back());
+        node = scene.nodes.back();
         scene.nodes.pop_back();
         break;
       default:
@@ -48,7 +48,7 @@ Scene grown_out_of(const Scene& home, Rng rng) {
 }
 
 /// One a line, so that a difference can be read.
-std::string texts(const std::vector<Edge>& edges) {
+std::string texts(const EdgeSet& edges) {
   std::string all;
   for (const Edge& edge : edges) all += std::string(info(edge.relation).name) + " " + edge.from + " " + edge.to + "\n";
   return all;
@@ -62,7 +62,7 @@ EntityIndex place_of(const Trace& trace, const std::string& id) {
 
 /// The same state but for comparisons: every edge, nothing else between any two that `before` related, and the same
 /// states and symbols.
-void expect_shows(const Trace& now, const Scene& scene, const std::vector<Edge>& before) {
+void expect_shows(const Trace& now, const Scene& scene, const EdgeSet& before) {
   const Trace read = to_logic(scene, {});
   for (EntityIndex e = 0; e < now.entities.size(); ++e) {
     const EntityIndex there = place_of(read, now.entities[e].id);
@@ -108,7 +108,6 @@ TEST(Home, WhatIsReadAtTheCostOfTheDifferenceIsWhatAWholeReadingGives) {
       const PhysicsWorld physics = physics_of(home, scene, changed);
       const GrownScene grown = read_grown(home, scene, changed, physics);
       scene.edges = grown.edges.applied_to(home.scene.edges);
-      EXPECT_TRUE(grown.edges.leads(home.scene.edges, scene.edges));
       expect_places(grown.places, scene);
       ASSERT_EQ(texts(scene.edges), texts(read_relations(scene)));
       expect_shows(grown.now, scene, home.scene.edges);
@@ -137,7 +136,7 @@ TEST(Home, AWorkspaceThatIsEditedAndReadAgainAndAgainShowsWhatAWholeReadingGives
     Rng rng(seed);
     for (int edit = 0; edit < 12; ++edit) {
       SCOPED_TRACE(::testing::Message() << "seed " << seed << ", edit " << edit);
-      const std::vector<Edge> before = start_in(home.scene, workspace.changes()).edges;
+      const EdgeSet before = start_in(home.scene, workspace.changes()).edges;
       const Scene next = grown_out_of(workspace.scene(), rng.fork("edit", static_cast<std::uint64_t>(edit)));
       while (workspace.scene().nodes.size() > next.nodes.size()) workspace.remove(workspace.scene().nodes.size() - 1);
       for (std::size_t i = 0; i < next.nodes.size(); ++i) {

@@ -259,11 +259,11 @@ TEST_P(EveryHome, KeepsFurnitureInItsRoomAndItsDoorsFree) {
       if (node.movable || !node.openable) continue;
       std::vector<BodyId> ignore{static_cast<BodyId>(i)};
       for (const std::string& id : carried_by(home, node.id)) {  // rides along in a drawer
-        ignore.push_back(static_cast<BodyId>(find_node(home, id) - home.nodes.data()));
+        ignore.push_back(static_cast<BodyId>(NodeIndex(home.nodes).find(id).value()));
       }
       for (const Edge& edge : home.edges) {  // stands on it: a door ends a hair above
         if (edge.from == node.id && edge.relation == Predicate::On) {
-          ignore.push_back(static_cast<BodyId>(find_node(home, edge.to) - home.nodes.data()));
+          ignore.push_back(static_cast<BodyId>(NodeIndex(home.nodes).find(edge.to).value()));
         }
       }
       for (const double opening : {0.3, 0.6, 1.0}) {

@@ -157,9 +157,9 @@ TEST(Habitat, WhatGoesOutComesInTheSameForAnySeed) {
 
 TEST(Habitat, ExportsInstancesAsHabitatReadsThem) {
   Scene home = small_home(knowledge_of(Simulator::Habitat), 3);
-  home.nodes.resize(1);
-  home.nodes[0].pose = upright(Vec3(1, 2, 0.5), std::numbers::pi);
-  home.nodes[0].openable = false;
+  home.nodes = {home.nodes.front()};
+  home.nodes.edit(0).pose = upright(Vec3(1, 2, 0.5), std::numbers::pi);
+  home.nodes.edit(0).openable = false;
   const auto exported = write_habitat(home, knowledge_of(Simulator::Habitat));
   ASSERT_TRUE(exported) << format(exported.error());
   const Json json = Json::parse(exported->text);

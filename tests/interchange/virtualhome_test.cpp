@@ -195,9 +195,9 @@ TEST(Virtualhome, ExportsUpstreamsWordsForPropertiesStatesAndRelations) {
   };
   add("fridge_1", "fridge", {1, 1, 1});
   add("plate_1", "plate", {1, 1, 1});
-  home.nodes[0].openable = true;
-  home.nodes[0].states.set({Predicate::Open, ""});
-  home.nodes[1].states.set({Predicate::Hot, ""});
+  home.nodes.edit(0).openable = true;
+  home.nodes.edit(0).states.set({Predicate::Open, ""});
+  home.nodes.edit(1).states.set({Predicate::Hot, ""});
   home.edges = {{Predicate::Inside, "plate_1", "fridge_1"},
                 {Predicate::OnFloor, "fridge_1", "kitchen_1"},
                 {Predicate::InRoom, "fridge_1", "kitchen_1"}};

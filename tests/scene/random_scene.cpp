@@ -33,22 +33,20 @@ void add_random_edges(Scene& scene, Rng& rng) {
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const std::string& from = rng.pick(scene.nodes).id;
     if (rng.chance(0.5)) {
-      scene.edges.push_back({kObjectRelations[rng.below(kObjectRelations.size())], from, rng.pick(scene.nodes).id});
+      scene.edges.insert({kObjectRelations[rng.below(kObjectRelations.size())], from, rng.pick(scene.nodes).id});
     } else {
       const auto relation = rng.chance(0.5) ? Predicate::OnFloor : Predicate::InRoom;
-      scene.edges.push_back({relation, from, rng.pick(scene.rooms).id});
+      scene.edges.insert({relation, from, rng.pick(scene.rooms).id});
     }
   }
-  scene.edges.push_back({Predicate::InRoom, "agent", rng.pick(scene.rooms).id});
+  scene.edges.insert({Predicate::InRoom, "agent", rng.pick(scene.rooms).id});
 }
 
 void make_sound(Scene& scene) {
   const auto gone = [&](const std::string& id) {
     return id != "agent" && !find_node(scene, id) && !find_room(scene, id);
   };
-  std::erase_if(scene.edges, [&](const Edge& edge) { return gone(edge.from) || gone(edge.to); });
-  std::sort(scene.edges.begin(), scene.edges.end());
-  scene.edges.erase(std::unique(scene.edges.begin(), scene.edges.end()), scene.edges.end());
+  erase_if(scene.edges, [&](const Edge& edge) { return gone(edge.from) || gone(edge.to); });
   std::erase_if(scene.agent.held, gone);
 }
 
@@ -113,14 +111,15 @@ Scene random_scene(Rng& rng) {
 }
 
 Scene random_successor(Scene scene, Rng& rng) {
-  std::erase_if(scene.nodes, [&](const Node&) { return rng.chance(0.1); });
-  for (Node& node : scene.nodes) {
+  erase_if(scene.nodes, [&](const Node&) { return rng.chance(0.1); });
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    Node& node = scene.nodes.edit(i);
     if (rng.chance(0.2)) node = random_node(node.id, rng);
     if (rng.chance(0.2)) node.states.set({Predicate::Hot, ""});
   }
   const std::uint64_t added = rng.below(4);
   for (std::uint64_t i = 0; i < added; ++i) scene.nodes.push_back(random_node(fresh_id(scene, "Slice"), rng));
-  std::erase_if(scene.edges, [&](const Edge&) { return rng.chance(0.3); });
+  erase_if(scene.edges, [&](const Edge&) { return rng.chance(0.3); });
   if (rng.chance(0.5)) add_random_edges(scene, rng);
   if (rng.chance(0.5)) scene.agent = random_agent(scene, rng);
   make_sound(scene);

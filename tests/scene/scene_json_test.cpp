@@ -30,7 +30,7 @@ Scene small_scene() {
     node.id = id, node.category = "Thing", node.size = {0.1, 0.1, 0.1};
     scene.nodes.push_back(node);
   }
-  scene.nodes[0].states.set({Predicate::Filled, "water"});
+  scene.nodes.edit(0).states.set({Predicate::Filled, "water"});
   scene.edges = {{Predicate::Inside, "mug_1", "sink_1"}, {Predicate::InRoom, "agent", "kitchen_1"}};
   return scene;
 }
@@ -62,7 +62,7 @@ TEST(SceneJson, KeepsEveryBitOfANumber) {
   for (const double value :
        {-0.0, 0.1 + 0.2, std::nextafter(1.0, 2.0), 5e-324, 1.7976931348623157e308, -1e22, 123456789.0}) {
     scene.agent.yaw = value;
-    scene.nodes[0].pose.position.x() = value;
+    scene.nodes.edit(0).pose.position.x() = value;
     const auto read = scene_from_json("x", scene_to_json(scene));
     ASSERT_TRUE(read) << format(read.error());
     EXPECT_EQ(std::signbit(read->agent.yaw), std::signbit(value));
@@ -153,9 +153,10 @@ TEST(SceneJson, PointsAtWhatBreaksTheSchema) {
 }
 
 TEST(SceneJson, RefusesAnEdgeThatStandsTwice) {
-  Scene scene = small_scene();
-  scene.edges.insert(scene.edges.begin(), scene.edges.front());
-  const auto read = scene_from_json("x", scene_to_json(scene));
+  std::string text = scene_to_json(small_scene());
+  const auto from = text.find('\n', text.find("\"edges\"")) + 1;  // one edge a line
+  const auto line = text.substr(from, text.find('}', from) + 1 - from);
+  const auto read = scene_from_json("x", text.insert(from, line + ",\n"));
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().where, "x#/edges");
 }

@@ -13,14 +13,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::vector<Node> by_id(std::vector<Node> nodes) {
+std::vector<Node> by_id(const SharedList<Node>& list) {
+  std::vector<Node> nodes(list.begin(), list.end());
   std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.id < b.id; });
   return nodes;
 }
 
-std::size_t place_of(const Scene& scene, const Node& node) {
-  return static_cast<std::size_t>(find_node(scene, node.id) - scene.nodes.data());
-}
+std::size_t place_of(const Scene& scene, const Node& node) { return NodeIndex(scene.nodes).find(node.id).value(); }
 
 /// A home, and a scene that grew out of it in up to four steps.
 std::pair<Scene, Scene> grown(std::uint64_t seed) {
@@ -84,10 +83,10 @@ TEST(StartIn, ChangesThatDoNotFitTheHomeAreRefused) {
   EXPECT_THAT(refusal(home, changes), HasSubstr("no object \"cup_1\" in the home that could be gone"));
   changes.removed = {"mug_1"};
   EXPECT_THAT(refusal(home, changes), HasSubstr("no object \"mug_1\""));  // the edge speaks of it still
-  changes.edges_removed = home.edges;
+  changes.edges_removed = {home.edges.begin(), home.edges.end()};
   EXPECT_EQ(refusal(home, changes), "it was taken");
   changes = {};
-  changes.edges_added = home.edges;
+  changes.edges_added = {home.edges.begin(), home.edges.end()};
   EXPECT_THAT(refusal(home, changes), HasSubstr("has the edge on from \"mug_1\" to \"table_1\" already"));
   changes.edges_added = {};
   changes.edges_removed = {{Predicate::Inside, "mug_1", "table_1"}};

@@ -35,8 +35,8 @@ TEST(Delta, HoldsOnlyWhatChanged) {
   Scene before;
   for (const char* id : {"a", "b", "c", "d"}) before.nodes.push_back(random_node(id, rng));
   Scene after = before;
-  after.nodes[1].opening = 0.25;
-  after.nodes.erase(after.nodes.begin() + 2);
+  after.nodes.edit(1).opening = 0.25;
+  erase_if(after.nodes, [](const Node& node) { return node.id == "c"; });
   after.nodes.push_back(random_node("e", rng));
   const Delta delta = difference(before, after);
   ASSERT_EQ(delta.nodes.size(), 2u);
@@ -86,7 +86,8 @@ TEST(Facts, EntitiesAreTheAgentTheRoomsThenTheNodesInOrderOfAppearanceAndKeepThe
   FactReader reader;
   reader.read(scene);
   scene.nodes = {random_node("m", rng), random_node("a", rng)};
-  scene.nodes[0].category = "BreadSliced", scene.nodes[0].slice_of = "a", scene.nodes[0].whole_category = "Bread";
+  scene.nodes.edit(0).category = "BreadSliced", scene.nodes.edit(0).slice_of = "a",
+  scene.nodes.edit(0).whole_category = "Bread";
   const Facts facts = reader.read(scene);
   std::vector<std::string> ids;
   for (const Entity& entity : reader.entities()) ids.push_back(entity.id);
@@ -104,7 +105,8 @@ TEST(Facts, NearestIsTheOneThatEveryOtherOfItsCategoryIsClearlyFurtherThanForAny
     SCOPED_TRACE(seed);
     Rng rng(seed);
     Scene scene = random_scene(rng);
-    for (Node& node : scene.nodes) {  // a grid, so that ties are common
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+      Node& node = scene.nodes.edit(i);  // a grid, so that ties are common
       node.pose.position = {static_cast<double>(rng.below(4)), static_cast<double>(rng.below(4)), 0};
     }
     FactReader reader(true);

@@ -17,7 +17,7 @@ Action go(const char* id) { return {GoTo, {id}}; }
 /// The hand holds `id`, and the agent stands by `at`.
 std::vector<Action> with(const char* id, const char* at) { return {go(id), {PickUp, {id}}, go(at)}; }
 
-Node& node(Scene& scene, const std::string& id) { return *find_node(scene, id); }
+Node& node(Scene& scene, const std::string& id) { return *edit_node(scene, id); }
 
 Node& block(Scene& scene, const Vec3& centre, const Vec3& size, double yaw = 0) {
   Node& added = add(scene, fresh_id(scene, "CounterTop"), kitchen_knowledge(scene.simulator), "CounterTop", 0, 0, 0);

@@ -49,7 +49,7 @@ Scene drawn_view(Simulator simulator, Rng& rng) {
   scene.agent.yaw = 6.28 * rng.unit();
   scene.agent.pitch = 0.7 * rng.unit() - 0.1;
   if (rng.chance(0.5)) {
-    Node& fridge = *find_node(scene, "fridge_1");
+    Node& fridge = *edit_node(scene, "fridge_1");
     fridge.opening = 1;
     fridge.states.set({Predicate::Open, ""});
   }
@@ -143,7 +143,7 @@ TEST(Camera, DoesNotShowWhatADoorHidesOrTheHandHolds) {
   const auto shows = [&](const char* id) {
     Rays rays;
     const auto image = segmentation_of(world.scene(), profile, rays);
-    const auto node = static_cast<std::int32_t>(find_node(world.scene(), id) - world.scene().nodes.data());
+    const auto node = static_cast<std::int32_t>(NodeIndex(world.scene().nodes).find(id).value());
     return std::find(image.node.begin(), image.node.end(), node) != image.node.end();
   };
   ASSERT_TRUE(world.step({ActionType::GoTo, {"fridge_1"}}).success);

@@ -193,7 +193,7 @@ TEST_F(InAi2thor, WineIsPouredIntoAnEmptyMugAndWaterDownTheDrain) {
 
 TEST_F(InAi2thor, AFullMugTakesNoMore) {
   Scene scene = testing::full_kitchen(simulator_);
-  find_node(scene, "mug_1")->states.set({Predicate::Filled, "water"});
+  edit_node(scene, "mug_1")->states.set({Predicate::Filled, "water"});
   World world = start(scene);
   take(world, "winebottle_1");
   expect(world, ActionType::GoTo, "mug_1");
@@ -243,8 +243,8 @@ TEST_F(InBehavior, AFlameBurnsWhatIsHeldToIt) {
 
 TEST_F(InBehavior, AStainWantsAWetTowelAndDustADryOne) {
   Scene scene = testing::full_kitchen(simulator_);
-  find_node(scene, "plate_1")->states.set({Predicate::Dirty, ""});
-  find_node(scene, "plate_1")->states.set({Predicate::Covered, "dust"});
+  edit_node(scene, "plate_1")->states.set({Predicate::Dirty, ""});
+  edit_node(scene, "plate_1")->states.set({Predicate::Covered, "dust"});
   World world = start(scene);
   expect(world, ActionType::GoTo, "plate_1");
   expect_failure(world, ActionType::Wipe, "plate_1", Failure::NotHolding);
@@ -263,7 +263,7 @@ TEST_F(InBehavior, AStainWantsAWetTowelAndDustADryOne) {
 
 TEST_F(InBehavior, DustAloneComesOffDry) {
   Scene scene = testing::full_kitchen(simulator_);
-  find_node(scene, "plate_1")->states.set({Predicate::Covered, "dust"});
+  edit_node(scene, "plate_1")->states.set({Predicate::Covered, "dust"});
   World world = start(scene);
   take(world, "towel_1");
   expect(world, ActionType::GoTo, "plate_1");

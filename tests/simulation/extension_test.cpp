@@ -148,7 +148,7 @@ TEST_F(WideBehavior, NothingAttachesWithoutTheWideProfile) {
 }
 
 TEST_F(WideAi2thor, ABrokenMugHoldsNothing) {
-  find_node(scene_, "mug_1")->states.set({Predicate::Filled, "water"});
+  edit_node(scene_, "mug_1")->states.set({Predicate::Filled, "water"});
   World world = start();
   expect(world, ActionType::GoTo, "fridge_1");
   expect_failure(world, ActionType::Break, "mug_1", Failure::TooFar);

@@ -102,8 +102,7 @@ Node& add(Scene& scene, const std::string& id, const Knowledge& knowledge, const
   for (const StateGroup& group : state_groups()) {
     if (knowledge.has(name, group.affordance)) node.states.set({group.predicates.front(), ""});
   }
-  scene.nodes.push_back(node);
-  return scene.nodes.back();
+  return scene.nodes.emplace_back(std::move(node));
 }
 
 Scene kitchen() {

@@ -21,7 +21,7 @@ class AnEpisode : public ::testing::Test {
     Scene scene = testing::kitchen();
     testing::add(scene, "mug_2", knowledge_, "Mug", 4.4, 3.35, 0.022);
     scene.edges = read_relations(scene);
-    find_node(scene, "sink_1")->states.set({Predicate::PowerOff, ""});
+    edit_node(scene, "sink_1")->states.set({Predicate::PowerOff, ""});
     scene.agent.pitch = -0.5;
     return {*World::create(scene, knowledge_, profile_), mode};
   }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/node_index.h"
 #include "simulation/relations.h"
 #include "tests/simulation/kitchen.h"
 
@@ -15,7 +16,7 @@ using testing::kitchen;
 using testing::kitchen_knowledge;
 
 std::size_t index_of(const Scene& scene, std::string_view id) {
-  return static_cast<std::size_t>(find_node(scene, id) - scene.nodes.data());
+  return static_cast<std::size_t>(NodeIndex(scene.nodes).find(id).value());
 }
 
 /// Drops one object and reads what it came to.
@@ -24,7 +25,7 @@ Scene dropped(Scene scene, const std::string& id) {
   const BodyId loose[] = {static_cast<BodyId>(index_of(scene, id))};
   const Settled settled = world.settle(loose);
   EXPECT_TRUE(settled.calm);
-  find_node(scene, id)->pose = settled.bodies.front().pose;
+  edit_node(scene, id)->pose = settled.bodies.front().pose;
   scene.edges = read_relations(scene);
   return scene;
 }
@@ -113,7 +114,7 @@ TEST(ReadRelations, OnlyThoseOfWhatIsNearAChangeAreOthersAfterIt) {
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) before.push_back(links_of(scene, world, i));
   const std::size_t mug = index_of(scene, "mug_1");
   const Bounds was = world.bounds(static_cast<BodyId>(mug));
-  scene.nodes[mug].pose = upright({1.2, 3.55, 0.9505}, 0.3);
+  scene.nodes.edit(mug).pose = upright({1.2, 3.55, 0.9505}, 0.3);
   world.move(static_cast<BodyId>(mug), scene.nodes[mug].pose);
   const Bounds touched[] = {was, world.bounds(static_cast<BodyId>(mug))};
   const std::size_t changed[] = {mug};

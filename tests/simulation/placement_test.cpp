@@ -45,7 +45,7 @@ Scene bare_room(const Knowledge& knowledge, const Placement& row, double body_he
     support.states = {};
     scene.nodes.push_back(support);
   }
-  Node& holder = *find_node(scene, "receptacle");
+  Node& holder = *edit_node(scene, "receptacle");
   if (holder.openable && row.relation == "inside") {
     holder.opening = 1;
     holder.states.set({Predicate::Open, ""});

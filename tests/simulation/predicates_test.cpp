@@ -22,7 +22,7 @@ struct Pair {
   std::vector<std::string> holds, reverse;
 };
 
-Node& node(Scene& scene, const char* id) { return *find_node(scene, id); }
+Node& node(Scene& scene, const char* id) { return *edit_node(scene, id); }
 
 Pair state(Predicate predicate, Predicate opposite, const std::string& id = "mug_1") {
   const auto text = [&](Predicate p) { return std::string(info(p).name) + " " + id; };
@@ -102,9 +102,8 @@ std::map<Predicate, Pair> pairs() {
                   {"slice_of apple_1 potato_1"}};
   all[Attached] = {[](Scene& scene) {
                      moved("bulb_1", 0.35, 1.5, 1.001)(scene);
-                     scene.edges.push_back({On, "bulb_1", "lamp_1"});
-                     scene.edges.push_back({Attached, "bulb_1", "lamp_1"});
-                     std::sort(scene.edges.begin(), scene.edges.end());
+                     scene.edges.insert({On, "bulb_1", "lamp_1"});
+                     scene.edges.insert({Attached, "bulb_1", "lamp_1"});
                    },
                    {"attached bulb_1 lamp_1", "on bulb_1 lamp_1"},
                    {"attached lamp_1 bulb_1"}};
@@ -127,7 +126,7 @@ Scene settled(Scene scene) {
   }
   const Settled rest = world.settle(loose);
   EXPECT_TRUE(rest.calm);
-  for (const SettledBody& body : rest.bodies) scene.nodes[body.body].pose = body.pose;
+  for (const SettledBody& body : rest.bodies) scene.nodes.edit(body.body).pose = body.pose;
   return scene;
 }
 

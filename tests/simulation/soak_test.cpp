@@ -67,14 +67,15 @@ std::string broken_invariant(const World& world) {
       return edge.from + " is attached to " + edge.to + " from afar";
   }
   const auto hidden = hidden_from_sight(scene);
+  const NodeIndex places(scene.nodes);
   for (const VisibleObject& object : world.visible()) {
-    const auto place = static_cast<std::size_t>(find_node(scene, object.id) - scene.nodes.data());
+    const auto place = places.find(object.id).value();
     if (std::binary_search(hidden.begin(), hidden.end(), place)) return object.id + " is seen though hidden";
   }
   if (const std::string pair = deep_overlap(scene); !pair.empty()) return pair;
   if (!scene.agent.held.empty()) return "";
-  std::vector<Edge> edges = scene.edges;
-  std::erase_if(edges, [](const Edge& edge) { return edge.relation == Predicate::Attached; });
+  EdgeSet edges = scene.edges;
+  erase_if(edges, [](const Edge& edge) { return edge.relation == Predicate::Attached; });
   return edges == read_relations(scene) ? "" : "the edges are not those that a fresh reading gives";
 }
 

@@ -12,10 +12,10 @@ namespace {
 class Walk : public ::testing::Test {
  protected:
   void swing(NavigationGrid& grid, const std::string& id, double opening) {
-    Node& node = *find_node(scene_, id);
+    Node& node = *edit_node(scene_, id);
     node.opening = opening;
     const Shape shape = shape_of(node);
-    grid.update(static_cast<std::size_t>(&node - scene_.nodes.data()), &node, &shape);
+    grid.update(NodeIndex(scene_.nodes).find(id).value(), &node, &shape);
   }
 
   Scene scene_ = testing::kitchen();

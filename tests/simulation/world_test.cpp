@@ -148,8 +148,8 @@ TEST_F(InTheKitchen, WhatIsCooledIsPutWhereTheHandCanTakeItBack) {
 
 TEST_F(InTheKitchen, WhatIsPutIntoADeepBasinLiesWhereTheHandCanTakeItBack) {
   Scene scene = testing::kitchen();
-  find_node(scene, "sink_1")->size = {0.7, 0.7, 1.1};  // its near wall hides what lies behind it
-  find_node(scene, "sink_1")->pose.position.z() = 0.55;
+  edit_node(scene, "sink_1")->size = {0.7, 0.7, 1.1};  // its near wall hides what lies behind it
+  edit_node(scene, "sink_1")->pose.position.z() = 0.55;
   World world = start(scene);
   expect(world, ActionType::GoTo, "knife_1");
   expect(world, ActionType::PickUp, "knife_1");
@@ -172,7 +172,7 @@ TEST_F(InTheKitchen, AMicrowaveRunsOnlyShutAndDoesNotOpenWhileItRuns) {
 
 TEST_F(InTheKitchen, TheSinkWashesADirtyMug) {
   Scene scene = kitchen();
-  find_node(scene, "mug_1")->states.set({Predicate::Dirty, ""});
+  edit_node(scene, "mug_1")->states.set({Predicate::Dirty, ""});
   World world = start(scene);
   expect(world, ActionType::GoTo, "mug_1");
   expect(world, ActionType::PickUp, "mug_1");
@@ -215,7 +215,7 @@ TEST_F(InTheKitchen, ADoorThatWouldHitSomethingStaysShut) {
 
 TEST_F(InTheKitchen, AFullReceptacleHasNoFreePlace) {
   Scene scene = kitchen();
-  find_node(scene, "plate_1")->size = {0.12, 0.12, 0.02};
+  edit_node(scene, "plate_1")->size = {0.12, 0.12, 0.02};
   World world = start(scene);
   expect(world, ActionType::GoTo, "potato_1");
   expect(world, ActionType::PickUp, "potato_1");

@@ -68,7 +68,7 @@ struct Twin {
   }
 
   static Id number(const Scene& scene, std::string_view id) {
-    return static_cast<Id>(find_node(scene, id) - scene.nodes.data());
+    return static_cast<Id>(NodeIndex(scene.nodes).find(id).value());
   }
 
   symbolic::Thing thing_of(const Scene& scene, const Node& node) {
