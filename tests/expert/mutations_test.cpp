@@ -117,7 +117,7 @@ TEST_F(NeedlessSteps, NameADistractorThatWouldDoAsWell) {
 TEST_F(NeedlessSteps, TryTheEightNearestOfManyDistractors) {
   Scene scene = house();
   for (int i = 0; i < 12; ++i) add(scene, knowledge, fresh_id(scene, "Mug"), "Mug", 3.3 + 0.12 * i, 0.3, 0.001);
-  find_node(scene, "mug_4")->states.set({Predicate::Hot, {}});
+  edit_node(scene, "mug_4")->states.set({Predicate::Hot, {}});
   const std::vector<Action> actions{
       {ActionType::GoTo, {"mug_4"}}, {ActionType::PickUp, {"mug_4"}}, {ActionType::Stop, {}}};
   // Any mug would do; the hot one at the row's end is no more than spoken of.

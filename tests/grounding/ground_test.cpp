@@ -326,7 +326,7 @@ TEST_F(Ground, FurnitureThatLacksANeighbourGetsOneSetUpBesideIt) {
 
 TEST_F(Ground, TakesAScoreOfFurnitureOutButNotHalfAStreet) {
   const auto switches_besides_one = [&](int number) {
-    std::erase_if(home_.nodes, [](const Node& node) { return node.category == "LightSwitch"; });
+    erase_if(home_.nodes, [](const Node& node) { return node.category == "LightSwitch"; });
     Node node;
     node.category = "LightSwitch";
     node.size = {0.08, 0.03, 0.12};
