@@ -21,6 +21,8 @@ constexpr double kFailedLiteral = 100;  // surcharges that a failure teaches, in
 constexpr double kFailedThing = 30;
 constexpr int kTriesPerLiteral = 3;  // a truth that later steps keep undoing is given up after so many
 
+constexpr int kMostOutOfSteps = 3;  // attempts; what asks for so much is not met by another order
+
 struct Choice {
   Alternative alternative;
   Habits habits;
@@ -104,7 +106,8 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
   for (const std::string& id : beginning.shunned) shun(experience, situation, id);
   std::set<std::string> tried;
   Rejection last{"expert", "no-plan", "no way to meet the goal with what the scene has: " + to_text(goal)};
-  for (int plan = 0; plan < options.max_plans; ++plan) {
+  int out_of_steps = 0;
+  for (int plan = 0; plan < options.max_plans && out_of_steps < kMostOutOfSteps; ++plan) {
     const auto choice = next_choice(read_goal(goal, situation, experience), situation, tried);
     if (!choice) break;
     Attempt attempt(rehearsal, situation, choice->alternative, options);
@@ -116,6 +119,7 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
       learn(experience, situation, attempt, *failed);
       const std::string aim = to_text(*failed, situation);
       if (attempt.trouble()) {
+        out_of_steps += attempt.trouble()->reason == "too-many-steps" ? 1 : 0;
         last = {"expert", attempt.trouble()->reason, "for " + aim + ": " + attempt.trouble()->text};
       } else {
         last = {"expert", "action-failed", "no way to " + aim};
