@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "grounding/door_walk.h"
 #include "grounding/packing.h"
 #include "scene/edge_change.h"
 #include "simulation/agent_moves.h"
@@ -173,7 +174,6 @@ Reach::Reach(const Home& home, const Scene& scene, const Differences& changed, c
              const PhysicsWorld& world, const Profile& profile)
     : home_(home),
       scene_(scene),
-      changed_(changed),
       places_(places),
       world_(world),
       profile_(profile),
@@ -350,11 +350,7 @@ const std::vector<Vec2>& Reach::standing_by(Opened& opened, std::size_t index) c
 }
 
 const Walk& Reach::walk(Opened& opened) const {
-  if (opened.walk == nullptr) {
-    Differences changed = changed_;
-    changed.nodes.insert(changed.nodes.end(), opened.doors.begin(), opened.doors.end());
-    opened.walk = walk_of(home_, opened.scene, changed);
-  }
+  if (opened.walk == nullptr) opened.walk = walk_with_doors(walk_, scene_, opened.scene, opened.doors, profile_);
   return *opened.walk;
 }
 

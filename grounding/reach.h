@@ -22,7 +22,7 @@ namespace unietp {
 /// must outlive it.
 class Reach {
  public:
-  /// `changed`: the scene's differences from the home; `places`: of its nodes; `world`: its bodies.
+  /// `changed`: the scene's differences from the home, looked at here only; `places`: of its nodes; `world`: its bodies.
   Reach(const Home& home, const Scene& scene, const Differences& changed, const NodeIndex& places,
         const PhysicsWorld& world, const Profile& profile);
 
@@ -70,7 +70,6 @@ class Reach {
 
   const Home& home_;
   const Scene& scene_;
-  const Differences& changed_;
   const NodeIndex& places_;
   const PhysicsWorld& world_;
   const Profile& profile_;
