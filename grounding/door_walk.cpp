@@ -46,36 +46,60 @@ Window around(const NavigationGrid& grid, const Scene& was, const Scene& now, co
           {std::clamp(high.x, 0, grid.width() - 1), std::clamp(high.y, 0, grid.height() - 1)}};
 }
 
-/// Which cells of the window are reached after the change; nullopt when the window alone does not tell.
-std::optional<std::vector<bool>> reached_in(const Window& window, const Walk& before, const NavigationGrid& grid) {
+/// The parts into which a window's free cells fall, of those that hold a cell of which `wanted` is true.
+struct Parts {
+  static constexpr int kNone = -1;
+  std::vector<int> of;  // by the window's index
+  std::vector<std::vector<Cell>> cells;
+
+  template <class Wanted>
+  Parts(const Window& window, const NavigationGrid& grid, const Wanted& wanted) : of(window.size(), kNone) {
+    window.each([&](Cell seed) {
+      if (!wanted(seed) || !grid.free(seed) || of[window.index(seed)] != kNone) return;
+      const int part = static_cast<int>(cells.size());
+      std::vector<Cell> together{seed};
+      of[window.index(seed)] = part;
+      for (std::size_t at = 0; at < together.size(); ++at) {
+        const auto [x, y] = together[at];
+        for (const Cell next : {Cell{x + 1, y}, Cell{x - 1, y}, Cell{x, y + 1}, Cell{x, y - 1}}) {
+          if (!window.has(next) || !grid.free(next) || of[window.index(next)] != kNone) continue;
+          of[window.index(next)] = part;
+          together.push_back(next);
+        }
+      }
+      cells.push_back(std::move(together));
+    });
+  }
+};
+
+/// Which cells of the window are reached after the change; nullopt when the window alone does not tell. What leads out
+/// of it is reached, when each part of before still leads out in one piece; the rest are pockets that were closed.
+std::optional<std::vector<bool>> reached_in(const Window& window, const Walk& before, const NavigationGrid& grid,
+                                            Cell start) {
   const auto was_reached = [&](Cell cell) { return before.steps[grid.index(cell)] >= 0; };
-  const auto beyond = [&](Cell cell) {  // a neighbour outside
+  const auto leads_out = [&](Cell cell) {
     return (cell.x == window.from.x && cell.x > 0) || (cell.x == window.to.x && cell.x < grid.width() - 1) ||
            (cell.y == window.from.y && cell.y > 0) || (cell.y == window.to.y && cell.y < grid.height() - 1);
   };
-  std::vector<Cell> front;
+  const Parts parts_before(window, before.grid, was_reached), parts(window, grid, was_reached);
+  std::vector<std::size_t> became(parts_before.cells.size(), parts.cells.size());  // which part leads out of each
   std::vector<bool> reached(window.size(), false);
-  window.each([&](Cell cell) {
-    if (!front.empty() || !was_reached(cell) || !grid.free(cell)) return;
-    front.push_back(cell);
-    reached[window.index(cell)] = true;
-  });
-  bool told = !front.empty();
-  while (!front.empty()) {
-    const Cell cell = front.back();
-    front.pop_back();
-    told = told && (was_reached(cell) || !beyond(cell));  // else a way out of the window opened
-    for (const Cell next :
-         {Cell{cell.x + 1, cell.y}, Cell{cell.x - 1, cell.y}, Cell{cell.x, cell.y + 1}, Cell{cell.x, cell.y - 1}}) {
-      if (!window.has(next) || !grid.free(next) || reached[window.index(next)]) continue;
-      reached[window.index(next)] = true;
-      front.push_back(next);
+  for (std::size_t part = 0; part < parts.cells.size(); ++part) {
+    const auto& cells = parts.cells[part];
+    if (std::none_of(cells.begin(), cells.end(), leads_out)) continue;
+    for (const Cell cell : cells) {
+      reached[window.index(cell)] = true;
+      if (!was_reached(cell)) {
+        if (leads_out(cell)) return std::nullopt;  // to where none got before
+        continue;
+      }
+      std::size_t& one = became[static_cast<std::size_t>(parts_before.of[window.index(cell)])];
+      if (one != parts.cells.size() && one != part) return std::nullopt;
+      one = part;
     }
   }
-  window.each([&](Cell cell) {  // what was one may be parted now
-    told = told && (!was_reached(cell) || !grid.free(cell) || reached[window.index(cell)]);
-  });
-  return told ? std::optional(std::move(reached)) : std::nullopt;
+  if (window.has(start) && !reached[window.index(start)]) return std::nullopt;
+  return reached;
 }
 
 }  // namespace
@@ -91,7 +115,7 @@ std::shared_ptr<const Walk> walk_with_doors(const std::shared_ptr<const Walk>& b
   if (grid.digest() == before->grid.digest()) return before;
   const Cell start = grid.cell_at(now.agent.position);
   const Window window = around(grid, was, now, moved, profile);
-  const auto reached = grid.free(start) ? reached_in(window, *before, grid) : std::nullopt;
+  const auto reached = grid.free(start) ? reached_in(window, *before, grid, start) : std::nullopt;
   if (!reached) {
     auto steps = grid.distances(start);
     return std::make_shared<const Walk>(Walk{std::move(grid), std::move(steps)});
