@@ -1,5 +1,7 @@
 #include "grounding/reachability.h"
 
+#include <algorithm>
+
 #include "grounding/floor_plan.h"
 #include "simulation/standing.h"
 
@@ -25,6 +27,14 @@ bool reached_from_the_front(const Scene& scene, const PhysicsWorld& world, const
   return false;
 }
 
+/// Most rooms are, and a point in one is told at a glance.
+bool is_rectangle(const Room& room, const Bounds& bounds) {
+  return room.polygon.size() == 4 && std::all_of(room.polygon.begin(), room.polygon.end(), [&](const Vec2& corner) {
+           return (corner.x() == bounds.low.x() || corner.x() == bounds.high.x()) &&
+                  (corner.y() == bounds.low.y() || corner.y() == bounds.high.y());
+         });
+}
+
 }  // namespace
 
 Walk walk_in(const Scene& scene, const Profile& profile) {
@@ -48,10 +58,16 @@ std::optional<std::string> unreached_room(const Scene& scene, const Walk& walk) 
   for (const Room& room : scene.rooms) {
     const Bounds bounds = room_bounds(room, scene.wall_height);
     const auto from = grid.cell_at(bounds.low.head<2>()), to = grid.cell_at(bounds.high.head<2>());
+    const bool rectangle = is_rectangle(room, bounds);
+    const auto holds = [&](const Vec2& point) {
+      if (!rectangle) return contains(room.polygon, point);
+      return point.x() > bounds.low.x() && point.x() < bounds.high.x() && point.y() > bounds.low.y() &&
+             point.y() < bounds.high.y();
+    };
     int open = 0, reached = 0;
     for (int y = from.y; y <= to.y; ++y) {
       for (int x = from.x; x <= to.x; ++x) {
-        if (!grid.free({x, y}) || !contains(room.polygon, grid.centre({x, y}))) continue;
+        if (!grid.free({x, y}) || !holds(grid.centre({x, y}))) continue;
         ++open;
         if (walk.steps[grid.index({x, y})] >= 0) ++reached;
       }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "core/text.h"
 #include "generator/domain_constraints.h"
+#include "scene/edge_change.h"
 #include "templates/constraint_kinds.h"
 
 namespace unietp {
@@ -46,14 +46,12 @@ std::vector<Trait> traits_of(const Template& source, const Episode& episode, con
       if (placeholder == parameter.name) found.emplace(dimension_of(parameter, source), simulator + category);
     }
   }
-  std::map<std::string, std::string> type_of;  // of a room
-  for (const auto& room : episode.start.rooms) type_of[room.id] = room.type;
   std::set<std::string> handled;
   for (const auto& step : demonstration.steps) handled.insert(step.action.args.begin(), step.action.args.end());
-  for (const auto& edge : episode.start.edges) {
-    if (edge.relation != Predicate::InRoom || handled.count(edge.from) == 0) continue;
-    if (const auto room = type_of.find(edge.to); room != type_of.end())
-      found.emplace(Dimension::Room, simulator + room->second);
+  for (const auto& id : handled) {
+    for (const auto& edge : edges_from(episode.start.edges, Predicate::InRoom, id)) {
+      if (const Room* room = find_room(episode.start, edge.to)) found.emplace(Dimension::Room, simulator + room->type);
+    }
   }
   std::vector<Trait> traits;
   for (const auto& [dimension, value] : found) traits.push_back({dimension, value});
