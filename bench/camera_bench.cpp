@@ -74,7 +74,7 @@ void Segmentation(benchmark::State& state) {
 void Boxes(benchmark::State& state) {
   std::size_t objects = 0, frames = 0;
   look_around<Viewer>(state, [&](const Scene& scene, const Profile& profile, Viewer& viewer) {
-    objects += viewer.view(scene, hidden_from_sight(scene), scene.agent, profile, profile.sight_m).size();
+    objects += viewer.view(viewed(scene), scene.agent, profile, profile.sight_m).size();
     ++frames;
   });
   state.counters["objects"] = static_cast<double>(objects) / static_cast<double>(frames);

@@ -117,7 +117,7 @@ std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const 
       walk->grid.update(i, nullptr, nullptr);
     }
   }
-  walk->steps = walk->grid.distances(walk->grid.cell_at(scene.agent.position));
+  walk->reached = walk->grid.reached_from(walk->grid.cell_at(scene.agent.position));
   return walk;
 }
 

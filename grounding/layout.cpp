@@ -164,8 +164,8 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
       obstacle = "no room to stand in " + scene.rooms.front().id;
       continue;
     }
-    auto steps = grid.distances(grid.cell_at(scene.agent.position));
-    const Walk walk{std::move(grid), std::move(steps)};
+    CellSet reached = grid.reached_from(grid.cell_at(scene.agent.position));
+    const Walk walk{std::move(grid), std::move(reached)};
     if (const auto room = unreached_room(scene, walk)) {
       obstacle = *room + " cannot be walked to";
       continue;

@@ -41,7 +41,7 @@ std::vector<Vec2> places_by(const Node& node, const Walk& walk, const Profile& p
   const auto from = grid.cell_at(middle - Vec2::Constant(span)), to = grid.cell_at(middle + Vec2::Constant(span));
   for (int y = from.y; y <= to.y; ++y) {
     for (int x = from.x; x <= to.x; ++x) {
-      if (!grid.free({x, y}) || walk.steps[grid.index({x, y})] < 0) continue;
+      if (!walk.reached.has(x, y)) continue;
       const Vec2 at = grid.centre({x, y});
       if (reach_distance(node, at, profile) <= profile.reach_m) places.push_back(at);
     }
@@ -160,7 +160,7 @@ bool shows_in(const Scene& scene, const std::vector<Vec2>& places, const Profile
       eye = facing(eye, node.pose.position, profile);
       eye.yaw += turn * aside;
       eye.pitch += tilt * down;
-      const auto box = viewer.box_of(scene, {}, thing, eye, profile);
+      const auto box = viewer.box_of({scene}, thing, eye, profile);
       return box && shows_well(*box);
     });
     if (shown) return true;
@@ -187,7 +187,7 @@ bool Reach::room(const Room& room) const {
   const NavigationGrid& grid = walk_->grid;
   for (int y = 0; y < grid.height(); ++y) {
     for (int x = 0; x < grid.width(); ++x) {
-      if (walk_->steps[grid.index({x, y})] >= 0 && contains(room.polygon, grid.centre({x, y}))) return true;
+      if (walk_->reached.has(x, y) && contains(room.polygon, grid.centre({x, y}))) return true;
     }
   }
   return false;
@@ -228,7 +228,7 @@ bool Reach::shows(std::size_t index) {
 
 bool Reach::stands_by(std::size_t index) {
   const std::vector<std::size_t> doors = shut_around(index);
-  if (doors.empty()) return standing_place(scene_, world_, walk_->grid, walk_->steps, profile_, index).has_value();
+  if (doors.empty()) return standing_place(scene_, world_, walk_->grid, walk_->reached, profile_, index).has_value();
   // Each door must be reachable shut, and the thing with all of them open.
   if (!std::all_of(doors.begin(), doors.end(), [&](std::size_t door) { return object(door); })) return false;
   Opened& opened = with_open(doors);
@@ -236,7 +236,7 @@ bool Reach::stands_by(std::size_t index) {
   const Pose before = opened.scene.nodes[index].pose;
   slide_along(opened, doors, index);
   const bool reached =
-      standing_place(opened.scene, opened.world, around.grid, around.steps, profile_, index).has_value();
+      standing_place(opened.scene, opened.world, around.grid, around.reached, profile_, index).has_value();
   place(opened.scene, opened.world, index, before);
   return reached;
 }

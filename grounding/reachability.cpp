@@ -18,7 +18,7 @@ bool reached_from_the_front(const Scene& scene, const PhysicsWorld& world, const
   for (double away = profile.body_radius_m + 0.15; away < profile.reach_m; away += 0.25) {
     const Vec3 spot = node.pose * Vec3(0, -node.size.y() / 2 - away, 0);
     const auto cell = grid.cell_at(spot.head<2>());
-    if (!grid.free(cell) || walk.steps[grid.index(cell)] < 0) continue;
+    if (!walk.reached.has(cell.x, cell.y)) continue;
     const Vec2 at = grid.centre(cell);
     if (reach_distance(node, at, profile) > profile.reach_m - kReachReserve_m) continue;
     if (in_door_way(node, at, profile)) continue;
@@ -39,8 +39,8 @@ bool is_rectangle(const Room& room, const Bounds& bounds) {
 
 Walk walk_in(const Scene& scene, const Profile& profile) {
   NavigationGrid grid(scene, profile);
-  auto steps = grid.distances(grid.cell_at(scene.agent.position));
-  return {std::move(grid), std::move(steps)};
+  CellSet reached = grid.reached_from(grid.cell_at(scene.agent.position));
+  return {std::move(grid), std::move(reached)};
 }
 
 bool stand_in_first_room(Scene& scene, const NavigationGrid& grid) {
@@ -69,7 +69,7 @@ std::optional<std::string> unreached_room(const Scene& scene, const Walk& walk) 
       for (int x = from.x; x <= to.x; ++x) {
         if (!grid.free({x, y}) || !holds(grid.centre({x, y}))) continue;
         ++open;
-        if (walk.steps[grid.index({x, y})] >= 0) ++reached;
+        if (walk.reached.has(x, y)) ++reached;
       }
     }
     if (reached == 0 || 2 * reached < open) return room.id;
@@ -82,7 +82,7 @@ std::vector<std::size_t> unreached_furniture(const Scene& scene, const PhysicsWo
   std::vector<std::size_t> unreached;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].movable || reached_from_the_front(scene, world, profile, walk, i)) continue;
-    if (!standing_place(scene, world, walk.grid, walk.steps, profile, i)) unreached.push_back(i);
+    if (!standing_place(scene, world, walk.grid, walk.reached, profile, i)) unreached.push_back(i);
   }
   return unreached;
 }

@@ -13,10 +13,10 @@
 
 namespace unietp {
 
-/// Where the body can walk, and the steps from the agent to every cell (-1: none).
+/// Where a body can stand, and which of it the agent can walk to.
 struct Walk {
   NavigationGrid grid;
-  std::vector<std::int32_t> steps;
+  CellSet reached;
 };
 Walk walk_in(const Scene& scene, const Profile& profile);
 

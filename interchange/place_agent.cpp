@@ -11,20 +11,18 @@ using Cell = NavigationGrid::Cell;
 
 /// A free cell of the largest floor that can be walked without a break, the one nearest to that floor's middle.
 std::optional<Cell> widest_place(const NavigationGrid& grid) {
-  std::vector<bool> seen(static_cast<std::size_t>(grid.width()) * static_cast<std::size_t>(grid.height()), false);
+  CellSet seen(grid.width(), grid.height());
   std::vector<Cell> widest;
   for (int y = 0; y < grid.height(); ++y) {
     for (int x = 0; x < grid.width(); ++x) {
-      const Cell start{x, y};
-      if (seen[grid.index(start)] || !grid.free(start)) continue;
-      std::vector<Cell> floor{start};
-      seen[grid.index(start)] = true;
-      for (std::size_t at = 0; at < floor.size(); ++at) {
-        const Cell c = floor[at];
-        for (const Cell next : {Cell{c.x + 1, c.y}, Cell{c.x - 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x, c.y - 1}}) {
-          if (!grid.free(next) || seen[grid.index(next)]) continue;
-          seen[grid.index(next)] = true;
-          floor.push_back(next);
+      if (seen.has(x, y) || !grid.free({x, y})) continue;
+      const CellSet reached = grid.reached_from({x, y});
+      std::vector<Cell> floor;
+      for (int v = y; v < grid.height(); ++v) {
+        for (int u = 0; u < grid.width(); ++u) {
+          if (!reached.has(u, v)) continue;
+          seen.set(u, v, true);
+          floor.push_back({u, v});
         }
       }
       if (floor.size() > widest.size()) widest = std::move(floor);
@@ -39,12 +37,12 @@ std::optional<Cell> widest_place(const NavigationGrid& grid) {
 }
 
 void list_rooms_cut_off(const NavigationGrid& grid, Draft& draft) {
-  const auto walk = grid.distances(grid.cell_at(draft.scene.agent.position));
+  const CellSet walk = grid.reached_from(grid.cell_at(draft.scene.agent.position));
   for (const Room& room : draft.scene.rooms) {
     bool reached = false;
     for (int y = 0; y < grid.height() && !reached; ++y) {
       for (int x = 0; x < grid.width() && !reached; ++x) {
-        reached = walk[grid.index({x, y})] >= 0 && contains(room.polygon, grid.centre({x, y}));
+        reached = walk.has(x, y) && contains(room.polygon, grid.centre({x, y}));
       }
     }
     if (!reached) {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -51,6 +53,56 @@ std::vector<std::size_t> places_of(const SharedList<Node>& nodes, const Compared
   return places;
 }
 
+/// A thing among others of its category, all in order of x.
+struct Placed {
+  Vec3 at;
+  std::size_t thing = 0;
+};
+using Alike = std::vector<Placed>;
+
+/// Which of them is nearest to a point, clearly nearer than the next, the thing `except` aside. Goes from the point's
+/// own x outwards as long as there may be a nearer one.
+std::optional<std::size_t> clear_winner(const Alike& alike, const Vec3& point, std::size_t except) {
+  struct {
+    double distance = std::numeric_limits<double>::infinity(), next = distance;  // squared
+    std::size_t thing = 0;
+    int found = 0;
+  } best;
+  const auto look = [&](const Placed& one) {
+    if (one.thing == except) return;
+    ++best.found;
+    const double distance = (one.at - point).squaredNorm();
+    if (distance < best.distance) {
+      best.next = best.distance;
+      best.distance = distance;
+      best.thing = one.thing;
+    } else if (distance < best.next) {
+      best.next = distance;
+    }
+  };
+  constexpr std::size_t kFew = 16;
+  if (alike.size() <= kFew) {
+    for (const Placed& one : alike) look(one);
+  } else {
+    const auto beyond = [&](const Placed& one) {
+      const double aside = one.at.x() - point.x();
+      return best.found > 1 && aside * aside > best.next;
+    };
+    const auto middle = std::lower_bound(alike.begin(), alike.end(), point.x(),
+                                         [](const Placed& one, double x) { return one.at.x() < x; });
+    auto up = middle, down = middle;
+    // By turns, so that what is near on one side spares the other.
+    for (bool more = true; more;) {
+      more = false;
+      if (up != alike.end() && !beyond(*up)) look(*up++), more = true;
+      if (down != alike.begin() && !beyond(*(down - 1))) look(*--down), more = true;
+    }
+  }
+  const bool wins =
+      best.found == 1 || (best.found > 1 && clearly_nearer(std::sqrt(best.distance), std::sqrt(best.next)));
+  return wins ? std::optional(best.thing) : std::nullopt;
+}
+
 }  // namespace
 
 void Compared::add(const Formula& formula) {
@@ -61,42 +113,29 @@ void Compared::add(const Formula& formula) {
 }
 
 std::vector<NearestPair> nearest_pairs(const SharedList<Node>& nodes, const std::vector<std::size_t>& places) {
-  std::unordered_map<std::string_view, std::size_t> slot_of_category;
-  std::vector<std::size_t> slot;
+  std::unordered_map<std::string_view, std::size_t> number_of_category;
+  std::vector<Alike> categories;
   std::vector<Vec3> at;
-  slot.reserve(places.size());
   at.reserve(places.size());
-  for (const std::size_t place : places) {
-    slot.push_back(slot_of_category.emplace(nodes[place].category, slot_of_category.size()).first->second);
-    at.push_back(nodes[place].pose.position);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Node& node = nodes[places[i]];
+    const std::size_t number = number_of_category.emplace(node.category, number_of_category.size()).first->second;
+    if (number == categories.size()) categories.emplace_back();
+    categories[number].push_back({node.pose.position, i});
+    at.push_back(node.pose.position);
   }
-  struct Best {
-    double distance = 0, next = 0;  // squared
-    std::size_t thing = 0;
-    int found = 0;
-  };
-  std::vector<Best> best(slot_of_category.size());
+  for (Alike& alike : categories) {
+    std::stable_sort(alike.begin(), alike.end(), [](const Placed& a, const Placed& b) { return a.at.x() < b.at.x(); });
+  }
   std::vector<NearestPair> found;
   // Of each winner's next pair; at first, how many the winner before it has.
   std::vector<std::size_t> next_of(places.size() + 1, 0);
   for (std::size_t y = 0; y < places.size(); ++y) {
-    std::fill(best.begin(), best.end(), Best{});
-    for (std::size_t x = 0; x < places.size(); ++x) {
-      if (x == y) continue;
-      const double distance = (at[x] - at[y]).squaredNorm();
-      Best& so_far = best[slot[x]];
-      if (so_far.found == 0 || distance < so_far.distance) {
-        so_far = {distance, so_far.distance, x, so_far.found + 1};
-      } else if (++so_far.found == 2 || distance < so_far.next) {
-        so_far.next = distance;
-      }
-    }
-    for (const Best& winner : best) {
-      const bool wins =
-          winner.found == 1 || (winner.found > 1 && clearly_nearer(std::sqrt(winner.distance), std::sqrt(winner.next)));
-      if (!wins) continue;
-      found.push_back({winner.thing, y});
-      ++next_of[winner.thing + 1];
+    for (const Alike& alike : categories) {
+      const auto winner = clear_winner(alike, at[y], y);
+      if (!winner) continue;
+      found.push_back({*winner, y});
+      ++next_of[*winner + 1];
     }
   }
   std::partial_sum(next_of.begin(), next_of.end(), next_of.begin());

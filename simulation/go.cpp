@@ -20,7 +20,7 @@ std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
   const auto from = grid.cell_at(low), to = grid.cell_at(high);
   for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
     for (int x = std::max(0, from.x); x <= std::min(grid.width() - 1, to.x); ++x) {
-      if (walk[grid.index({x, y})] < 0) continue;
+      if (!walk.has(x, y)) continue;
       const Vec2 at = grid.centre({x, y});
       const double distance = (at - middle).squaredNorm();
       if (distance >= best_distance || !contains(room.polygon, at)) continue;

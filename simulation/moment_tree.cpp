@@ -79,7 +79,7 @@ const std::vector<VisibleObject>& MomentTree::visible(MomentId moment, double si
   const auto [known, fresh] = moments_[moment].visible.try_emplace(sight_m);
   if (fresh) {
     const WorldState& state = at(moment);
-    known->second = viewer_.view(state.scene(), state.hidden(), state.agent(), *state.profile, sight_m);
+    known->second = viewer_.view(state.viewed(), state.agent(), *state.profile, sight_m);
   }
   return known->second;
 }
@@ -92,7 +92,7 @@ bool MomentTree::shows(MomentId moment, std::string_view id) {
   if (!node) return false;
   const double away = (state.node(*node).pose.position - camera_of(state.agent(), *state.profile).at).norm();
   if (away > state.profile->sight_m) return false;
-  known->second = viewer_.box_of(state.scene(), state.hidden(), *node, state.agent(), *state.profile).has_value();
+  known->second = viewer_.box_of(state.viewed(), *node, state.agent(), *state.profile).has_value();
   return known->second;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "simulation/ripple.h"
 #include "simulation/walls.h"
 
 namespace unietp {
@@ -42,6 +43,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
   width_ = static_cast<int>(std::ceil((high.x() - low.x()) / kCell_m));
   height_ = static_cast<int>(std::ceil((high.y() - low.y()) / kCell_m));
   blockers_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 1);
+  free_ = CellSet(width_, height_);
   for (const Room& room : scene.rooms) {
     Vec2 room_low = room.polygon.front(), room_high = room_low;
     for (const Vec2& p : room.polygon) {
@@ -51,7 +53,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
     const Cell from = cell_at(room_low), to = cell_at(room_high);
     for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
       for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
-        if (contains(room.polygon, centre({x, y}))) blockers_[index({x, y})] = 0;
+        if (contains(room.polygon, centre({x, y}))) open_floor({x, y});
       }
     }
   }
@@ -67,7 +69,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
       for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
         const Vec2 way = centre({x, y}) - opening.from;
         const double at = way.dot(along) / length, aside = way.x() * along.y() - way.y() * along.x();
-        if (at >= 0 && at <= length && std::abs(aside) / length <= kDoorway_m) blockers_[index({x, y})] = 0;
+        if (at >= 0 && at <= length && std::abs(aside) / length <= kDoorway_m) open_floor({x, y});
       }
     }
   }
@@ -80,6 +82,11 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
     const Shape shape = shape_of(node);
     update(i, &node, &shape);
   }
+}
+
+void NavigationGrid::open_floor(Cell cell) {
+  blockers_[index(cell)] = 0;
+  free_.set(cell.x, cell.y, true);
 }
 
 void NavigationGrid::count(const Shadow& f, int by) {
@@ -95,6 +102,7 @@ void NavigationGrid::count(const Shadow& f, int by) {
       if (out_u * out_u + out_v * out_v >= limit) continue;
       std::uint16_t& blockers = blockers_[index({x, y})];
       blockers = static_cast<std::uint16_t>(blockers + by);
+      free_.set(x, y, blockers == 0);
     }
   }
 }
@@ -111,10 +119,6 @@ void NavigationGrid::update(std::size_t i, const Node* node, const Shape* shape)
   shadows_.edit(i) = std::move(shadow);
 }
 
-bool NavigationGrid::free(Cell cell) const {
-  return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_ && blockers_[index(cell)] == 0;
-}
-
 NavigationGrid::Cell NavigationGrid::cell_at(const Vec2& point) const {
   const Vec2 cells = (point - origin_) / kCell_m;
   return {static_cast<std::int32_t>(std::floor(cells.x())), static_cast<std::int32_t>(std::floor(cells.y()))};
@@ -122,39 +126,6 @@ NavigationGrid::Cell NavigationGrid::cell_at(const Vec2& point) const {
 
 Vec2 NavigationGrid::centre(Cell cell) const {
   return origin_ + Vec2((cell.x + 0.5) * kCell_m, (cell.y + 0.5) * kCell_m);
-}
-
-std::vector<std::int32_t> NavigationGrid::distances(Cell from) const {
-  std::vector<std::int32_t> steps(blockers_.size(), -1);
-  if (!free(from)) return steps;
-  // Cells that are free and not reached yet, with a border around them that is neither: no step asks where it is.
-  const std::int32_t wide = width_ + 2;
-  std::vector<std::uint8_t> open(static_cast<std::size_t>(wide) * static_cast<std::size_t>(height_ + 2), 0);
-  for (std::int32_t y = 0; y < height_; ++y) {
-    const std::uint16_t* row = blockers_.data() + index({0, y});
-    std::uint8_t* padded = open.data() + static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(wide) + 1;
-    for (std::int32_t x = 0; x < width_; ++x) padded[x] = row[x] == 0;
-  }
-  struct Place {
-    std::int32_t padded, own;  // in `open` and in `steps`
-  };
-  const std::array<Place, 4> ways{{{1, 1}, {-1, -1}, {wide, width_}, {-wide, -width_}}};
-  std::vector<Place> front{{(from.y + 1) * wide + from.x + 1, static_cast<std::int32_t>(index(from))}}, next;
-  open[static_cast<std::size_t>(front.front().padded)] = 0;
-  for (std::int32_t far = 0; !front.empty(); ++far) {
-    next.clear();
-    for (const Place& place : front) {
-      steps[static_cast<std::size_t>(place.own)] = far;
-      for (const Place& way : ways) {
-        std::uint8_t& is_open = open[static_cast<std::size_t>(place.padded + way.padded)];
-        if (is_open == 0) continue;
-        is_open = 0;
-        next.push_back({place.padded + way.padded, place.own + way.own});
-      }
-    }
-    front.swap(next);
-  }
-  return steps;
 }
 
 std::optional<NavigationGrid::Cell> NavigationGrid::nearest_free(const Vec2& point) const {
@@ -184,10 +155,10 @@ std::optional<NavigationGrid::Cell> NavigationGrid::nearest_free(const Vec2& poi
 }
 
 std::vector<NavigationGrid::Cell> NavigationGrid::path(Cell from, Cell to) const {
-  const auto steps = distances(to);
+  Ripple ripple(*this, to);
   std::vector<Cell> cells;
-  const auto at = [&](Cell c) { return steps[index(c)]; };
-  if (!free(from) || at(from) < 0) return cells;
+  if (!free(from) || ripple.fewest_to(from, from) < 0) return cells;
+  const auto at = [&](Cell c) { return ripple.found(c); };
   cells.push_back(from);
   while (at(cells.back()) > 0) {
     for (const auto& d : kNeighbours) {

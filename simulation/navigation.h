@@ -6,6 +6,7 @@
 
 #include "core/shared_list.h"
 #include "scene/scene.h"
+#include "simulation/cell_set.h"
 #include "simulation/digest.h"
 #include "simulation/profile.h"
 #include "simulation/shadow.h"
@@ -28,19 +29,15 @@ class NavigationGrid {
   /// Of all that is counted: grids of one home with the same one have the same free cells.
   const Digest& digest() const { return digest_; }
 
-  bool free(Cell cell) const;
+  bool free(Cell cell) const { return free_.has(cell.x, cell.y); }
+  const CellSet& free_cells() const { return free_; }
   Cell cell_at(const Vec2& point) const;
   Vec2 centre(Cell cell) const;
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// Position of a cell in `distances`: row-major, width() per row. The cell must lie in the grid.
-  std::size_t index(Cell cell) const {
-    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(cell.x);
-  }
-
-  /// Steps (4-connected cells) from `from` to every cell; -1 where it cannot walk. By `index`.
-  std::vector<std::int32_t> distances(Cell from) const;
+  /// Where the body can walk to by steps to the four neighbours, `from` among it; nowhere when that is not free.
+  CellSet reached_from(Cell from) const { return free_.connected_to(from.x, from.y); }
   /// The free cell nearest to a point, ties by row then column.
   std::optional<Cell> nearest_free(const Vec2& point) const;
   /// Cells of a shortest walk, both ends included; empty when there is none.
@@ -50,12 +47,17 @@ class NavigationGrid {
   std::vector<Vec2> walk(const Vec2& from, const Vec2& to) const;
 
  private:
+  std::size_t index(Cell cell) const {
+    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(cell.x);
+  }
+  void open_floor(Cell cell);
   void count(const Shadow& shadow, int by);
   int width_ = 0, height_ = 0;
   Vec2 origin_ = Vec2::Zero();
   double body_radius_ = 0, body_height_ = 0;
   std::vector<std::uint16_t> blockers_;      // by cell: solids over it, and 1 outside of all rooms
   SharedList<std::vector<Shadow>> shadows_;  // by node: what of it is counted
+  CellSet free_;                             // those that nothing blocks
   Digest digest_;                            // the sum over nodes
 };
 

@@ -108,8 +108,8 @@ bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile,
   return sees(scene.nodes[node], static_cast<BodyId>(node), world, profile, at, ignore);
 }
 
-StandingCells::StandingCells(const Node& target, const Shape& shape, const NavigationGrid& grid,
-                             const std::vector<std::int32_t>& walk, const Profile& profile)
+StandingCells::StandingCells(const Node& target, const Shape& shape, const NavigationGrid& grid, const CellSet& walk,
+                             const Profile& profile)
     : way_(door_way(target, shape, profile)), body_radius_(profile.body_radius_m) {
   const Reach reach(target, profile);
   const double limit = profile.reach_m - kReachReserve_m;
@@ -121,7 +121,7 @@ StandingCells::StandingCells(const Node& target, const Shape& shape, const Navig
   for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
     for (int x = std::max(0, from.x); x <= std::min(grid.width() - 1, to.x); ++x) {
       const NavigationGrid::Cell cell{x, y};
-      if (walk[grid.index(cell)] < 0) continue;
+      if (!walk.has(x, y)) continue;
       const Vec2 at = grid.centre(cell);
       if (reach.beyond(at, limit)) continue;
       const double distance = reach(at);
@@ -165,8 +165,7 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
 }
 
 std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const NavigationGrid& grid,
-                                   const std::vector<std::int32_t>& walk_from_agent, const Profile& profile,
-                                   std::size_t node) {
+                                   const CellSet& walk_from_agent, const Profile& profile, std::size_t node) {
   const auto body = static_cast<BodyId>(node);
   StandingCells cells(scene.nodes[node], world.has(body) ? world.collider(body).shape : shape_of(scene.nodes[node]),
                       grid, walk_from_agent, profile);

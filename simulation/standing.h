@@ -32,9 +32,9 @@ bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile,
 /// answer changes with every thing that is moved.
 class StandingCells {
  public:
-  /// `walk`: by the grid's index, negative where it cannot walk.
-  StandingCells(const Node& target, const Shape& shape, const NavigationGrid& grid,
-                const std::vector<std::int32_t>& walk, const Profile& profile);
+  /// `walk`: where it can walk.
+  StandingCells(const Node& target, const Shape& shape, const NavigationGrid& grid, const CellSet& walk,
+                const Profile& profile);
   /// The middle of the k-th best cell, or nullptr when there are not so many. Valid until the next call.
   const Vec2* best(std::size_t k);
 
@@ -56,7 +56,6 @@ class StandingCells {
 std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const Profile& profile,
                                    std::size_t node, StandingCells& cells);
 std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const NavigationGrid& grid,
-                                   const std::vector<std::int32_t>& walk_from_agent, const Profile& profile,
-                                   std::size_t node);
+                                   const CellSet& walk_from_agent, const Profile& profile, std::size_t node);
 
 }  // namespace unietp

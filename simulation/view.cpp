@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "simulation/outline.h"
 #include "simulation/solids.h"
@@ -107,28 +108,45 @@ const std::vector<Solid>& Viewer::walls(const Scene& scene) {
   return house_->walls;
 }
 
-std::vector<VisibleObject> Viewer::view(const Scene& scene, const std::vector<std::size_t>& hidden, const Agent& eye,
-                                        const Profile& profile, double sight_m) {
+std::vector<std::size_t> ViewedScene::within(const Vec3& middle, double radius_m) const {
+  const Vec3 radius = Vec3::Constant(radius_m);
+  if (near && radius_m < kEndless_m) return near({middle - radius, middle + radius});
+  std::vector<std::size_t> all(scene.nodes.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+ViewedScene viewed(const Scene& scene) {
+  const auto hidden = [all = hidden_from_sight(scene)](std::size_t i) {
+    return std::binary_search(all.begin(), all.end(), i);
+  };
+  return {scene, hidden};
+}
+
+std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& eye, const Profile& profile,
+                                        double sight_m) {
+  const Scene& scene = around.scene;
   const Camera camera = camera_of(eye, profile);
-  // What lies behind all that is asked for hides nothing of it.
+  const auto shown = [&](std::size_t i) {
+    return camera.may_show(scene.nodes[i].pose.position, sight_radius(scene.nodes[i])) && !around.hides(i);
+  };
   std::vector<std::size_t> asked, others;
   double farthest = 0;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+  for (const std::size_t i : around.within(camera.at, sight_m)) {
+    const double distance = (scene.nodes[i].pose.position - camera.at).norm();
+    if (distance > sight_m || !shown(i)) continue;
+    asked.push_back(i);
+    farthest = std::max(farthest, distance + sight_radius(scene.nodes[i]));
+  }
+  // What lies behind all that is asked for hides nothing of it.
+  for (const std::size_t i : around.within(camera.at, farthest)) {
     const Node& node = scene.nodes[i];
-    const double radius = sight_radius(node);
-    if (!camera.may_show(node.pose.position, radius)) continue;
-    if (std::binary_search(hidden.begin(), hidden.end(), i)) continue;
     const double distance = (node.pose.position - camera.at).norm();
-    (distance <= sight_m ? asked : others).push_back(i);
-    if (distance <= sight_m) farthest = std::max(farthest, distance + radius);
+    if (distance > sight_m && distance - sight_radius(node) <= farthest && shown(i)) others.push_back(i);
   }
   std::vector<Outline> outlines;
   for (const std::size_t i : asked) add_outlines(solids_of_node(scene, i), camera, outlines);
-  for (const std::size_t i : others) {
-    const Node& node = scene.nodes[i];
-    if ((node.pose.position - camera.at).norm() - sight_radius(node) <= farthest)
-      add_outlines(solids_of_node(scene, i), camera, outlines);
-  }
+  for (const std::size_t i : others) add_outlines(solids_of_node(scene, i), camera, outlines);
   add_wall_outlines(walls(scene), camera, farthest, outlines);
 
   std::vector<VisibleObject> visible;
@@ -140,26 +158,27 @@ std::vector<VisibleObject> Viewer::view(const Scene& scene, const std::vector<st
   return visible;
 }
 
-std::optional<PixelBox> Viewer::box_of(const Scene& scene, const std::vector<std::size_t>& hidden, std::size_t target,
-                                       const Agent& eye, const Profile& profile) {
+std::optional<PixelBox> Viewer::box_of(const ViewedScene& around, std::size_t target, const Agent& eye,
+                                       const Profile& profile) {
+  const Scene& scene = around.scene;
   const Camera camera = camera_of(eye, profile);
   if (!camera.may_show(scene.nodes[target].pose.position, sight_radius(scene.nodes[target]))) return std::nullopt;
-  if (std::binary_search(hidden.begin(), hidden.end(), target)) return std::nullopt;
+  if (around.hides(target)) return std::nullopt;
   std::vector<Outline> outlines;
   add_outlines(solids_of_node(scene, target), camera, outlines);
   if (outlines.empty()) return std::nullopt;
   PixelBox cover = outlines.front().cover;
   double farthest = 0;
   for (const Outline& own : outlines) {
-    cover = around(cover, own.cover);
+    cover = unietp::around(cover, own.cover);
     farthest = std::max(farthest, own.farthest);
   }
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+  for (const std::size_t i : around.within(camera.at, farthest)) {
     const Node& node = scene.nodes[i];
     if (i == target || !camera.may_show(node.pose.position, sight_radius(node))) continue;
     const Ball ball(node.pose.position, sight_radius(node), camera);
     if (ball.nearest > farthest || !meet(ball.cover, cover)) continue;
-    if (std::binary_search(hidden.begin(), hidden.end(), i)) continue;
+    if (around.hides(i)) continue;
     add_outlines(solids_of_node(scene, i), camera, outlines);
   }
   add_wall_outlines(walls(scene), camera, farthest, outlines);

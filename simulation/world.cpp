@@ -88,7 +88,7 @@ std::optional<PixelBox> World::pictured_from(const Agent& eye, std::string_view 
   // Most places are turned down here, before anything is gathered.
   const Node& target = state.node(*node);
   if (!camera_of(eye, *state.profile).may_show(target.pose.position, sight_radius(target))) return std::nullopt;
-  return tree_->viewer().box_of(state.scene(), state.hidden(), *node, eye, *state.profile);
+  return tree_->viewer().box_of(state.viewed(), *node, eye, *state.profile);
 }
 
 std::optional<Agent> World::led_to(const Agent& from, const Action& action) const {
@@ -173,23 +173,16 @@ bool World::can_stand_at(std::string_view id) const {
 double World::walking_distance(std::string_view id) const {
   const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);
-  double best = std::numeric_limits<double>::infinity();
-  if (!node) return best;
+  constexpr double kNoWay = std::numeric_limits<double>::infinity();
+  if (!node) return kNoWay;
   if (state.held(id)) return 0;
   const NavigationGrid& grid = state.grid();
-  const auto& steps = state.steps();
   const Bounds bounds = bounds_of(state.node(*node).pose, state.node(*node).size);
   const double beside = state.profile->reach_m;
   const auto from = grid.cell_at(bounds.low.head<2>() - Vec2::Constant(beside));
   const auto to = grid.cell_at(bounds.high.head<2>() + Vec2::Constant(beside));
-  std::int32_t fewest = std::numeric_limits<std::int32_t>::max();
-  for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
-    for (int x = std::max(0, from.x); x <= std::min(grid.width() - 1, to.x); ++x) {
-      const std::int32_t here = steps[grid.index({x, y})];
-      if (here >= 0) fewest = std::min(fewest, here);
-    }
-  }
-  return fewest == std::numeric_limits<std::int32_t>::max() ? best : fewest * NavigationGrid::kCell_m;
+  const std::int32_t fewest = state.steps().fewest_to(from, to);
+  return fewest < 0 ? kNoWay : fewest * NavigationGrid::kCell_m;
 }
 
 bool World::in_reach(std::string_view id) const {

@@ -124,16 +124,18 @@ std::vector<std::size_t> WorldState::in_hand() const {
   return all;
 }
 
-std::vector<std::size_t> WorldState::hidden() const {
-  std::vector<std::size_t> hidden = in_hand();
-  for (std::size_t i = 0; i < count(); ++i) {
-    if (carried(i).empty() || !node(i).openable || node(i).states.has(Predicate::Open)) continue;
-    for (const std::uint32_t rider : carried(i)) {
-      if (linked(rider, Predicate::Inside, i)) hidden.push_back(rider);
+ViewedScene WorldState::viewed() const {
+  const auto hidden = [this, hand = in_hand()](std::size_t i) {
+    return std::binary_search(hand.begin(), hand.end(), i) || closed_around(i).has_value();
+  };
+  const auto near = [this](const Bounds& bounds) {
+    std::vector<std::size_t> nodes;
+    for (const BodyId body : physics_.near(bounds, 0)) {
+      if (body < count()) nodes.push_back(body);
     }
-  }
-  sort_unique(hidden);
-  return hidden;
+    return nodes;
+  };
+  return {scene_, hidden, near};
 }
 
 Scene WorldState::whole_scene() const {

@@ -24,6 +24,7 @@
 #include "simulation/profile.h"
 #include "simulation/relations.h"
 #include "simulation/standing.h"
+#include "simulation/view.h"
 #include "simulation/world.h"
 
 namespace unietp {
@@ -100,17 +101,18 @@ class WorldState {
   std::vector<std::size_t> group_of(std::size_t i) const;
   /// What the hands hold, with all that rests on or in it. Sorted.
   std::vector<std::size_t> in_hand() const;
-  /// What no eye sees: what the agent holds and what is inside something closed. Sorted.
-  std::vector<std::size_t> hidden() const;
+  /// What there is to look at; what the agent holds and what is inside something closed no eye sees. Valid until the
+  /// next change.
+  ViewedScene viewed() const;
   /// All edges, sorted: the scene as others see it.
   Scene whole_scene() const;
 
   /// Where the body can walk now.
   const NavigationGrid& grid() const;
-  /// Which cells the agent can walk to (>= 0), by the grid's index; valid until more is asked about ways.
-  const std::vector<std::int32_t>& walk() const;
-  /// The steps from the agent to every cell, -1 where it cannot walk.
-  const std::vector<std::int32_t>& steps() const;
+  /// Which cells the agent can walk to; valid until more is asked about ways.
+  const CellSet& walk() const;
+  /// The steps from the agent; valid until more is asked about ways.
+  Ripple& steps() const;
   /// Where the agent would stand to reach a node that it does not hold, as standing_place of simulation/standing.h.
   std::optional<Vec2> standing_place(std::size_t i) const;
 

@@ -24,11 +24,9 @@ NavigationGrid::Cell cell_of(const Agent& agent, const NavigationGrid& grid) {
 
 }  // namespace
 
-const std::vector<std::int32_t>& WorldState::walk() const {
-  return floods_.around(grid(), cell_of(agent(), grid())).to;
-}
+const CellSet& WorldState::walk() const { return floods_.around(grid(), cell_of(agent(), grid())).to; }
 
-const std::vector<std::int32_t>& WorldState::steps() const { return floods_.from(grid(), cell_of(agent(), grid())).to; }
+Ripple& WorldState::steps() const { return floods_.from(grid(), cell_of(agent(), grid())); }
 
 std::optional<Vec2> WorldState::standing_place(std::size_t i) const {
   constexpr std::size_t kMostRemembered = 256;

@@ -114,7 +114,7 @@ TEST(Home, WhatIsReadAtTheCostOfTheDifferenceIsWhatAWholeReadingGives) {
       expect_shows(grown.now, scene, home.scene.edges);
 
       const Walk whole = walk_in(scene, style->profile);
-      EXPECT_EQ(walk_of(home, scene)->steps, whole.steps);
+      EXPECT_EQ(walk_of(home, scene)->reached, whole.reached);
 
       const auto afresh = World::create(scene, style->knowledge, style->profile);
       const auto from_home = World::create(scene, style->knowledge, style->profile, known_start(home, scene));

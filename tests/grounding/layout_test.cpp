@@ -161,13 +161,12 @@ TEST_P(EveryHome, LetsTheBodyWalkIntoEveryRoom) {
     const auto start = grid.cell_at(home.agent.position);
     ASSERT_TRUE(grid.free(start));
     ASSERT_EQ(room_at(home, home.agent.position), &home.rooms.front());
-    const auto walk = grid.distances(start);
+    const auto walk = grid.reached_from(start);
     for (const Room& room : home.rooms) {
       bool reached = false;
       for (int y = 0; y < grid.height(); ++y) {
         for (int x = 0; x < grid.width(); ++x) {
-          const bool walked = walk[static_cast<std::size_t>(y * grid.width() + x)] >= 0;
-          reached = reached || (walked && contains(room.polygon, grid.centre({x, y})));
+          reached = reached || (walk.has(x, y) && contains(room.polygon, grid.centre({x, y})));
         }
       }
       EXPECT_TRUE(reached) << room.id;

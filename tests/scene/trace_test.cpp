@@ -105,9 +105,11 @@ TEST(Facts, NearestIsTheOneThatEveryOtherOfItsCategoryIsClearlyFurtherThanForAny
     SCOPED_TRACE(seed);
     Rng rng(seed);
     Scene scene = random_scene(rng);
+    const bool alike = seed % 2 == 1;  // many of one category, along a street
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
       Node& node = scene.nodes.edit(i);  // a grid, so that ties are common
-      node.pose.position = {static_cast<double>(rng.below(4)), static_cast<double>(rng.below(4)), 0};
+      node.pose.position = {static_cast<double>(rng.below(alike ? 60 : 4)), static_cast<double>(rng.below(4)), 0};
+      if (alike) node.category = "Mug";
     }
     FactReader reader(true);
     const Facts facts = reader.read(scene);

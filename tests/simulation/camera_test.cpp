@@ -68,8 +68,8 @@ TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
     SCOPED_TRACE(i);
     const Scene scene = drawn_view(GetParam(), rng);
     const auto seen = seen_in(segmentation_of(scene, profile, rays), scene.nodes.size());
-    const auto all = viewer.view(scene, hidden_from_sight(scene), scene.agent, profile, kEndless_m);
-    const auto near = viewer.view(scene, hidden_from_sight(scene), scene.agent, profile, profile.sight_m);
+    const auto all = viewer.view(viewed(scene), scene.agent, profile, kEndless_m);
+    const auto near = viewer.view(viewed(scene), scene.agent, profile, profile.sight_m);
     const Vec3 eye(scene.agent.position.x(), scene.agent.position.y(), profile.camera_height_m);
     const auto told = [](const std::vector<VisibleObject>& list, const std::string& id) {
       const auto found = std::find_if(list.begin(), list.end(), [&](const VisibleObject& v) { return v.id == id; });
@@ -82,7 +82,7 @@ TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
       EXPECT_EQ(told(all, node.id), box);
       const bool close = (node.pose.position - eye).norm() <= profile.sight_m;
       EXPECT_EQ(told(near, node.id), close ? box : std::nullopt);
-      EXPECT_EQ(viewer.box_of(scene, hidden_from_sight(scene), n, scene.agent, profile), box);
+      EXPECT_EQ(viewer.box_of(viewed(scene), n, scene.agent, profile), box);
     }
     listed += near.size();
   }
@@ -94,7 +94,7 @@ TEST_P(ACamera, GivesTheSameBytesInEveryThread) {
   Rng rng(6);
   const Scene scene = drawn_view(GetParam(), rng);
   Rays rays;
-  const auto visible = Viewer().view(scene, hidden_from_sight(scene), scene.agent, profile, profile.sight_m);
+  const auto visible = Viewer().view(viewed(scene), scene.agent, profile, profile.sight_m);
   const auto picture = picture_of(scene, profile, rays).rgb;
   std::vector<std::vector<VisibleObject>> views(3);
   std::vector<std::vector<std::uint8_t>> pictures(3);
@@ -102,7 +102,7 @@ TEST_P(ACamera, GivesTheSameBytesInEveryThread) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     threads.emplace_back([&, i] {
       Rays own;
-      views[i] = Viewer().view(scene, hidden_from_sight(scene), scene.agent, profile, profile.sight_m);
+      views[i] = Viewer().view(viewed(scene), scene.agent, profile, profile.sight_m);
       pictures[i] = picture_of(scene, profile, own).rgb;
     });
   }

@@ -40,28 +40,32 @@ TEST_F(Walk, AFloodIsFoundAgainAndIsRight) {
   Floods floods;
   const std::uint64_t first = floods.around(grid, here).number;
   EXPECT_EQ(floods.around(grid, beside).number, first);  // where one gets is the same
-  EXPECT_NE(floods.from(grid, beside).number, first);    // how far it is, is not
-  EXPECT_EQ(floods.from(grid, beside).to, grid.distances(beside));
+  EXPECT_EQ(floods.from(grid, here).fewest_to(beside, beside), 1);
+  EXPECT_EQ(floods.from(grid, beside).fewest_to(beside, beside), 0);  // how far it is, is not
   swing(grid, "fridge_1", 1);
   EXPECT_NE(floods.around(grid, here).number, first);
-  EXPECT_EQ(floods.around(grid, here).to, grid.distances(here));
+  EXPECT_EQ(floods.around(grid, here).to, grid.reached_from(here));
   swing(grid, "fridge_1", 0);
   EXPECT_EQ(floods.around(grid, here).number, first);
 }
 
 TEST_F(Walk, OnlyAFewFloodsAreKept) {
-  const NavigationGrid grid(scene_, profile_);
+  NavigationGrid grid(scene_, profile_);
   Floods floods;
   const auto first = *grid.nearest_free(scene_.agent.position);
-  const std::uint64_t number = floods.from(grid, first).number;
-  for (int x = 0; x < grid.width(); ++x) EXPECT_EQ(floods.from(grid, {x, first.y}).to, grid.distances({x, first.y}));
-  EXPECT_NE(floods.from(grid, first).number, number);
-  EXPECT_EQ(floods.from(grid, first).to, grid.distances(first));
+  const std::uint64_t number = floods.around(grid, first).number;
+  for (double opening = 0; opening < 1; opening += 0.1) {
+    swing(grid, "fridge_1", opening);
+    EXPECT_EQ(floods.around(grid, first).to, grid.reached_from(first));
+  }
+  swing(grid, "fridge_1", 0);
+  EXPECT_NE(floods.around(grid, first).number, number);
+  EXPECT_EQ(floods.around(grid, first).to, grid.reached_from(first));
 }
 
 TEST_F(Walk, CellsToStandOnComeBestFirstAndEachOnce) {
   const NavigationGrid grid(scene_, profile_);
-  const auto walk = grid.distances(*grid.nearest_free(scene_.agent.position));
+  const auto walk = grid.reached_from(*grid.nearest_free(scene_.agent.position));
   const Node& mug = *find_node(scene_, "mug_1");
   StandingCells cells(mug, shape_of(mug), grid, walk, profile_);
   double before = 0;
@@ -70,7 +74,8 @@ TEST_F(Walk, CellsToStandOnComeBestFirstAndEachOnce) {
     const double away = reach_distance(mug, *at, profile_);
     EXPECT_GE(away, before);
     EXPECT_LT(away, profile_.reach_m);
-    EXPECT_GE(walk[grid.index(grid.cell_at(*at))], 0);
+    const auto cell = grid.cell_at(*at);
+    EXPECT_TRUE(walk.has(cell.x, cell.y));
     before = away;
   }
   EXPECT_GT(count, 10u);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace unietp {
+
+/// Cells of a grid, a bit each: a copy and a flood of a whole street cost microseconds.
+class CellSet {
+ public:
+  CellSet() = default;
+  /// None of the grid's cells.
+  CellSet(int width, int height);
+
+  /// False for what lies outside of the grid.
+  bool has(int x, int y) const {
+    if (x < 0 || y < 0 || x >= width_ || y >= height_) return false;
+    return ((bits_[word(x, y)] >> (x % kWord)) & 1U) != 0;
+  }
+  /// The cell must lie in the grid.
+  void set(int x, int y, bool there);
+  /// The cells that one gets to from that one by steps to the four neighbours, it among them, without leaving the set;
+  /// none when the set does not have it.
+  CellSet connected_to(int x, int y) const;
+  /// Whether two sets of one grid agree on the cells of a rectangle, both corners included, which may lie in part
+  /// outside. May say no for the sake of cells at most 63 columns aside.
+  bool agrees(const CellSet& other, int from_x, int from_y, int to_x, int to_y) const;
+  bool operator==(const CellSet&) const = default;
+
+ private:
+  static constexpr int kWord = 64;
+  std::size_t word(int x, int y) const {
+    return static_cast<std::size_t>(y) * words_ + static_cast<std::size_t>(x) / kWord;
+  }
+
+  int width_ = 0, height_ = 0;
+  std::size_t words_ = 0;  // a row
+  std::vector<std::uint64_t> bits_;
+};
+
+}  // namespace unietp

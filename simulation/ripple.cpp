@@ -1,0 +1,53 @@
+#include "simulation/ripple.h"
+
+#include <algorithm>
+
+namespace unietp {
+
+using Cell = NavigationGrid::Cell;
+
+Ripple::Ripple(const NavigationGrid& grid, Cell from)
+    : width_(grid.width()),
+      height_(grid.height()),
+      open_(grid.free_cells()),
+      steps_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1) {
+  if (!open_.has(from.x, from.y)) return;
+  front_.push_back(from);
+  open_.set(from.x, from.y, false);
+  steps_[index(from)] = 0;
+}
+
+void Ripple::go_on() {
+  ++far_;
+  std::vector<Cell> next;
+  for (const Cell& cell : front_) {
+    for (const Cell& there :
+         {Cell{cell.x + 1, cell.y}, Cell{cell.x - 1, cell.y}, Cell{cell.x, cell.y + 1}, Cell{cell.x, cell.y - 1}}) {
+      if (!open_.has(there.x, there.y)) continue;
+      open_.set(there.x, there.y, false);
+      steps_[index(there)] = far_;
+      next.push_back(there);
+    }
+  }
+  front_.swap(next);
+}
+
+std::int32_t Ripple::fewest_to(Cell low, Cell high) {
+  std::int32_t fewest = -1;
+  for (int y = std::max(0, low.y); y <= std::min(height_ - 1, high.y); ++y) {
+    for (int x = std::max(0, low.x); x <= std::min(width_ - 1, high.x); ++x) {
+      const std::int32_t here = found({x, y});
+      if (here >= 0 && (fewest < 0 || here < fewest)) fewest = here;
+    }
+  }
+  const auto is_there = [&](const Cell& cell) {
+    return cell.x >= low.x && cell.x <= high.x && cell.y >= low.y && cell.y <= high.y;
+  };
+  while (fewest < 0 && !front_.empty()) {
+    go_on();
+    if (std::any_of(front_.begin(), front_.end(), is_there)) fewest = far_;
+  }
+  return fewest;
+}
+
+}  // namespace unietp

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "simulation/navigation.h"
+
+namespace unietp {
+
+/// The steps from one cell of a grid to the others, found as far as they are asked for: what is near is found without
+/// a look at a whole street.
+class Ripple {
+ public:
+  Ripple(const NavigationGrid& grid, NavigationGrid::Cell from);
+
+  /// The fewest steps (to the four neighbours, over free cells) to a cell of a rectangle, both corners included, which
+  /// may lie in part outside of the grid; -1 when there is no way to any.
+  std::int32_t fewest_to(NavigationGrid::Cell low, NavigationGrid::Cell high);
+  /// To a cell of the grid, when that has been found; else -1. All that are nearer have been found then, too.
+  std::int32_t found(NavigationGrid::Cell cell) const { return steps_[index(cell)]; }
+
+ private:
+  std::size_t index(NavigationGrid::Cell cell) const {
+    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(cell.x);
+  }
+  void go_on();
+
+  int width_, height_;
+  CellSet open_;  // free, and not found yet
+  std::vector<std::int32_t> steps_;
+  std::vector<NavigationGrid::Cell> front_;  // those that were found last
+  std::int32_t far_ = 0;                     // their steps
+};
+
+}  // namespace unietp
