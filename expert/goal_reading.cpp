@@ -198,11 +198,12 @@ class Reader {
 
   List some_member(const Formula& formula, bool want) {
     std::vector<EntityIndex> witnesses = domain_of(formula);
-    // A way through doors is seldom several times the straight one, and dear to find for all of a street.
-    keep_least(witnesses, 8 * candidates_,
-               [this](EntityIndex e) { return situation_.away_m(e) + 10 * experience_.surcharge(e); });
-    keep_least(witnesses, candidates_,
-               [this](EntityIndex e) { return situation_.walk_m(e) + 10 * experience_.surcharge(e); });
+    if (witnesses.size() > candidates_) {
+      witnesses = least_of(
+          witnesses, candidates_,
+          [this](EntityIndex e) { return situation_.straight_m(e) + 10 * experience_.surcharge(e); },
+          [this](EntityIndex e) { return situation_.walk_m(e) + 10 * experience_.surcharge(e); });
+    }
     List result;
     for (const EntityIndex witness : witnesses) {
       choices_.add(result, read_with(formula, witness, want));

@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/keep_least.h"
 #include "expert/ways.h"
 
 namespace unietp {
@@ -88,25 +89,23 @@ bool Methods::change_state(const Literal& literal) {
 }
 
 std::vector<std::string> Methods::nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const {
-  std::vector<std::tuple<bool, bool, double, std::string>> found;
+  std::vector<std::string> found;
   const World& world = attempt_.world();
   std::set<std::string_view> categories;
   for (const Effect* rule : rules) categories.insert(rule->tool);
   for (const std::string_view category : categories) {
     for (const std::size_t place : world.places().of(category)) {
       const std::string& id = world.nodes()[place].id;
-      if (id == except) continue;
-      const bool held = attempt_.is_held(id);
-      const bool shunned = std::find(shunned_.begin(), shunned_.end(), id) != shunned_.end();
-      found.emplace_back(shunned, !held, held ? 0.0 : world.walking_distance(id), id);
+      if (id != except) found.push_back(id);
     }
   }
-  std::sort(found.begin(), found.end());
-  std::vector<std::string> ids;
-  for (const auto& entry : found) {
-    if (ids.size() < kMostTools) ids.push_back(std::get<3>(entry));
-  }
-  return ids;
+  const auto ranked = [&](const std::string& id, double away, std::string_view name) {
+    const bool shunned = std::find(shunned_.begin(), shunned_.end(), id) != shunned_.end();
+    return std::tuple(shunned, !attempt_.is_held(id), away, name);
+  };
+  return least_of(
+      found, kMostTools, [&](const std::string& id) { return ranked(id, world.straight_distance(id), ""); },
+      [&](const std::string& id) { return ranked(id, world.walking_distance(id), id); });
 }
 
 bool Methods::with_held_tool(const Literal& literal, ActionType action, std::string_view effect) {

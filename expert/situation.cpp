@@ -70,9 +70,9 @@ EntityIndex Situation::shut_in(EntityIndex index) const {
   return *known;
 }
 
-double Situation::away_m(EntityIndex index) const {
-  const Node* there = node(index);
-  return there == nullptr ? 0 : (there->pose.position.head<2>() - start->agent.position).norm();
+double Situation::straight_m(EntityIndex index) const {
+  if (is_imagined(index)) return straight_m(slice(index).whole);
+  return node(index) == nullptr ? 0.0 : std::min(rehearsal_->world().straight_distance(entity(index).id), kFar_m);
 }
 
 double Situation::walk_m(EntityIndex index) const {

@@ -37,8 +37,8 @@ struct Situation {
   std::optional<EntityIndex> find(std::string_view id) const;
   /// From where the agent stands, capped at kFar_m; of an imagined slice its whole's.
   double walk_m(EntityIndex index) const;
-  /// The straight way there from where the agent stands; 0 for rooms and the agent.
-  double away_m(EntityIndex index) const;
+  /// No more than that, and found at once.
+  double straight_m(EntityIndex index) const;
   const Facts& facts() const { return trace.states.front(); }
   const Entity& entity(EntityIndex index) const { return trace.entities[index]; }
   bool is_imagined(EntityIndex index) const { return index != kNobody && index >= first_imagined; }

@@ -13,13 +13,18 @@ namespace {
 /// As NavigationGrid takes it: what lies on furniture does not stop a body.
 bool stops_a_body(const Node& node) { return !node.movable || stands_low(bounds_of(node.pose, node.size)); }
 
-/// Whether two nodes stand in a body's way alike: colours and states do not.
+/// Whether two nodes stand in a body's way alike.
 bool same_solids(const Node& a, const Node& b) {
   return a.archetype == b.archetype && a.openable == b.openable && a.size == b.size && a.pose == b.pose &&
          a.opening == b.opening && a.boards == b.boards;
 }
 
 }  // namespace
+
+bool same_body(const Node& a, const Node& b) {
+  return same_solids(a, b) && a.id == b.id && a.category == b.category && a.movable == b.movable && a.mass == b.mass &&
+         a.slice_of == b.slice_of && a.whole_category == b.whole_category;
+}
 
 std::optional<Bounds> sweep_of(const Node& node) {
   if (!node.openable) return std::nullopt;
@@ -70,7 +75,11 @@ Differences differences(const Home& home, const Scene& scene) {
   const auto& before = home.scene.nodes;
   const auto& after = scene.nodes;
   for (std::size_t i = 0; i < std::max(before.size(), after.size()); ++i) {
-    if (before.shares(after, i) || (i < before.size() && i < after.size() && before[i] == after[i])) continue;
+    if (before.shares(after, i)) continue;
+    if (i < before.size() && i < after.size() && same_body(before[i], after[i])) {
+      if (before[i] != after[i]) found.states.push_back(i);
+      continue;
+    }
     if (i < after.size()) found.nodes.push_back(i);
     if (i < before.size()) found.gone.push_back(i);
   }

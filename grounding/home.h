@@ -42,10 +42,15 @@ Home prepare_home(Scene scene, const Profile& profile);
 /// The space that a node's moving parts pass through when it is opened, in W; nullopt when nothing moves.
 std::optional<Bounds> sweep_of(const Node& node);
 
+/// Whether two nodes are one thing with the same body in the same place: states and colours may differ, relations
+/// cannot.
+bool same_body(const Node& a, const Node& b);
+
 /// What a scene that grew out of a home differs in, node by node as they stand in the two lists.
 struct Differences {
-  std::vector<std::size_t> nodes;  // of the scene: changed, or not in the home
-  std::vector<std::size_t> gone;   // of the home: no longer where they stood, or changed
+  std::vector<std::size_t> nodes;   // of the scene: changed in body or place, or not in the home
+  std::vector<std::size_t> gone;    // of the home: no longer where they stood, or changed in body or place
+  std::vector<std::size_t> states;  // of both: changed, but same_body
 };
 Differences differences(const Home& home, const Scene& scene);
 

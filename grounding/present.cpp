@@ -24,6 +24,8 @@ void Present::touch(const std::string& id, const Bounds& bounds) {
   bounds_.push_back(bounds);
 }
 
+void Present::touch(const std::string& id) { restated_.push_back(id); }
+
 std::vector<Edge> Present::edges_from(std::string_view id) const {
   std::vector<Edge> edges;
   const auto entity = reader_.find(id);
@@ -35,7 +37,7 @@ std::vector<Edge> Present::edges_from(std::string_view id) const {
 }
 
 void Present::read(const Scene& scene, const NodeIndex& places, const PhysicsWorld& physics) {
-  if (touched_.empty() && scene.agent == agent_) return;
+  if (touched_.empty() && restated_.empty() && scene.agent == agent_) return;
   sort_unique(touched_);
   Delta change;
   std::vector<std::size_t> changed;
@@ -48,6 +50,12 @@ void Present::read(const Scene& scene, const NodeIndex& places, const PhysicsWor
   }
   std::sort(changed.begin(), changed.end());  // what is new is numbered as it stands in the scene
   for (const std::size_t i : changed) change.nodes.push_back(scene.nodes[i]);
+  sort_unique(restated_);
+  for (const std::string& id : restated_) {
+    const auto place = places.find(id);
+    if (place && !std::binary_search(changed.begin(), changed.end(), *place))
+      change.nodes.push_back(scene.nodes[*place]);
+  }
   EdgeChange edges;
   std::vector<std::string_view> reread(change.removed.begin(), change.removed.end());
   for (const std::size_t i : affected_by(physics, bounds_, changed)) {
@@ -72,7 +80,9 @@ void Present::read(const Scene& scene, const NodeIndex& places, const PhysicsWor
     if (const auto entity = reader_.find(id)) reread_.insert(*entity);
   }
   ever_touched_.insert(touched_.begin(), touched_.end());
+  ever_touched_.insert(restated_.begin(), restated_.end());
   touched_.clear();
+  restated_.clear();
   bounds_.clear();
 }
 
@@ -98,6 +108,7 @@ GrownScene read_grown(const Home& home, const Scene& scene, const Differences& c
     present.touch(scene.nodes[i].id, physics.bounds(static_cast<BodyId>(i)));
     grown.places.add(i, scene.nodes[i]);
   }
+  for (const std::size_t i : changed.states) present.touch(scene.nodes[i].id);
   present.read(scene, grown.places, physics);
   grown.edges = present.since_home();
   grown.now = present.now();

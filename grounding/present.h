@@ -22,6 +22,8 @@ class Present {
 
   /// A node came, went or changed; `bounds`: of its body before, or now.
   void touch(const std::string& id, const Bounds& bounds);
+  /// A node changed in what no body shows.
+  void touch(const std::string& id);
   /// Reads what can have changed. `places`: of the scene's nodes.
   void read(const Scene& scene, const NodeIndex& places, const PhysicsWorld& physics);
 
@@ -40,7 +42,7 @@ class Present {
   FactReader reader_;
   Trace trace_;
   Agent agent_;
-  std::vector<std::string> touched_;  // since the last reading
+  std::vector<std::string> touched_, restated_;  // since the last reading
   std::vector<Bounds> bounds_;
   std::set<EntityIndex> reread_;  // whose edges may differ from the home's
   std::set<std::string> ever_touched_;

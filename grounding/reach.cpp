@@ -6,7 +6,6 @@
 #include <functional>
 #include <numbers>
 
-#include "grounding/door_walk.h"
 #include "grounding/packing.h"
 #include "scene/edge_change.h"
 #include "simulation/agent_moves.h"
@@ -350,7 +349,15 @@ const std::vector<Vec2>& Reach::standing_by(Opened& opened, std::size_t index) c
 }
 
 const Walk& Reach::walk(Opened& opened) const {
-  if (opened.walk == nullptr) opened.walk = walk_with_doors(walk_, scene_, opened.scene, opened.doors, profile_);
+  if (opened.walk == nullptr) {
+    auto walk = std::make_shared<Walk>(Walk{walk_->grid, {}});
+    for (const std::size_t door : opened.doors) {
+      const Shape shape = shape_of(opened.scene.nodes[door]);
+      walk->grid.update(door, &opened.scene.nodes[door], &shape);
+    }
+    walk->reached = walk->grid.reached_from(walk->grid.cell_at(scene_.agent.position));
+    opened.walk = std::move(walk);
+  }
   return *opened.walk;
 }
 

@@ -22,7 +22,8 @@ namespace unietp {
 /// must outlive it.
 class Reach {
  public:
-  /// `changed`: the scene's differences from the home, looked at here only; `places`: of its nodes; `world`: its bodies.
+  /// `changed`: the scene's differences from the home, looked at here only; `places`: of its nodes; `world`: its
+  /// bodies.
   Reach(const Home& home, const Scene& scene, const Differences& changed, const NodeIndex& places,
         const PhysicsWorld& world, const Profile& profile);
 

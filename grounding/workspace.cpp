@@ -70,6 +70,11 @@ std::size_t Workspace::add(Node node) {
 }
 
 void Workspace::replace(std::size_t index, Node node) {
+  if (present_ && same_body(scene_.nodes[index], node)) {
+    present_->touch(node.id);
+    scene_.nodes.edit(index) = std::move(node);
+    return;
+  }
   note(index);
   place(index, std::move(node));
 }

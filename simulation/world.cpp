@@ -10,6 +10,16 @@
 #include "simulation/solids.h"
 
 namespace unietp {
+namespace {
+
+/// Lowest and highest cell of the rectangle around a node from which an arm may get to it.
+std::pair<NavigationGrid::Cell, NavigationGrid::Cell> cells_beside(const WorldState& state, std::size_t node) {
+  const Bounds bounds = bounds_of(state.node(node).pose, state.node(node).size);
+  const Vec2 beside = Vec2::Constant(state.profile->reach_m);
+  return {state.grid().cell_at(bounds.low.head<2>() - beside), state.grid().cell_at(bounds.high.head<2>() + beside)};
+}
+
+}  // namespace
 
 World::World(std::shared_ptr<MomentTree> tree) : tree_(std::move(tree)) {}
 World::World(const World& other) : tree_(other.tree_), moment_(other.moment_), changes_(other.changes_) {}
@@ -173,16 +183,23 @@ bool World::can_stand_at(std::string_view id) const {
 double World::walking_distance(std::string_view id) const {
   const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);
-  constexpr double kNoWay = std::numeric_limits<double>::infinity();
-  if (!node) return kNoWay;
+  if (!node) return std::numeric_limits<double>::infinity();
   if (state.held(id)) return 0;
-  const NavigationGrid& grid = state.grid();
-  const Bounds bounds = bounds_of(state.node(*node).pose, state.node(*node).size);
-  const double beside = state.profile->reach_m;
-  const auto from = grid.cell_at(bounds.low.head<2>() - Vec2::Constant(beside));
-  const auto to = grid.cell_at(bounds.high.head<2>() + Vec2::Constant(beside));
-  const std::int32_t fewest = state.steps().fewest_to(from, to);
-  return fewest < 0 ? kNoWay : fewest * NavigationGrid::kCell_m;
+  const auto [low, high] = cells_beside(state, *node);
+  const std::int32_t fewest = state.steps().fewest_to(low, high);
+  return fewest < 0 ? std::numeric_limits<double>::infinity() : fewest * NavigationGrid::kCell_m;
+}
+
+double World::straight_distance(std::string_view id) const {
+  const WorldState& state = tree_->at(moment_);
+  const auto node = state.index_of(id);
+  if (!node) return std::numeric_limits<double>::infinity();
+  if (state.held(id)) return 0;
+  const auto [low, high] = cells_beside(state, *node);
+  const NavigationGrid::Cell here = state.cell();
+  const int aside = std::max({0, low.x - here.x, here.x - high.x}),
+            ahead = std::max({0, low.y - here.y, here.y - high.y});
+  return (aside + ahead) * NavigationGrid::kCell_m;
 }
 
 bool World::in_reach(std::string_view id) const {

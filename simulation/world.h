@@ -104,6 +104,8 @@ class World {
   std::optional<Vec2> standing_place_for(std::string_view id) const;
   /// Walking distance in metres to the nearest free cell beside the object's box; infinity when there is none.
   double walking_distance(std::string_view id) const;
+  /// No more than that, and found at once: what it would be if nothing stood in the way.
+  double straight_distance(std::string_view id) const;
   bool in_reach(std::string_view id) const;
   /// The same if the agent stood elsewhere.
   bool in_reach_from(const Vec2& place, std::string_view id) const;

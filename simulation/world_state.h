@@ -111,6 +111,8 @@ class WorldState {
   const NavigationGrid& grid() const;
   /// Which cells the agent can walk to; valid until more is asked about ways.
   const CellSet& walk() const;
+  /// Where the agent stands, or the free cell nearest to that.
+  NavigationGrid::Cell cell() const;
   /// The steps from the agent; valid until more is asked about ways.
   Ripple& steps() const;
   /// Where the agent would stand to reach a node that it does not hold, as standing_place of simulation/standing.h.

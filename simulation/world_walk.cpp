@@ -15,23 +15,19 @@ const NavigationGrid& WorldState::grid() const {
   return *grid_;
 }
 
-namespace {
-
-NavigationGrid::Cell cell_of(const Agent& agent, const NavigationGrid& grid) {
-  const auto cell = grid.cell_at(agent.position);
-  return grid.free(cell) ? cell : grid.nearest_free(agent.position).value_or(cell);
+NavigationGrid::Cell WorldState::cell() const {
+  const auto here = grid().cell_at(agent().position);
+  return grid().free(here) ? here : grid().nearest_free(agent().position).value_or(here);
 }
 
-}  // namespace
+const CellSet& WorldState::walk() const { return floods_.around(grid(), cell()).to; }
 
-const CellSet& WorldState::walk() const { return floods_.around(grid(), cell_of(agent(), grid())).to; }
-
-Ripple& WorldState::steps() const { return floods_.from(grid(), cell_of(agent(), grid())); }
+Ripple& WorldState::steps() const { return floods_.from(grid(), cell()); }
 
 std::optional<Vec2> WorldState::standing_place(std::size_t i) const {
   constexpr std::size_t kMostRemembered = 256;
   const Node& target = node(i);
-  const Flood& walk = floods_.around(grid(), cell_of(agent(), grid()));
+  const Flood& walk = floods_.around(grid(), cell());
   Digester key;
   key.add(walk.number).add(collider(i).digest.a).add(collider(i).digest.b);
   for (const double part : target.size) key.add(part);

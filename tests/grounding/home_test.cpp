@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "grounding/door_walk.h"
 #include "grounding/workspace.h"
 #include "homes.h"
 #include "scene/start.h"
@@ -163,38 +162,6 @@ TEST(Home, AWorkspaceThatIsEditedAndReadAgainAndAgainShowsWhatAWholeReadingGives
       }
     }
   }
-}
-
-/// One door after the other, and two at once.
-TEST(WalkWithDoors, ReachesTheCellsThatAWalkOfTheWholeReaches) {
-  int changed = 0;
-  for (const Simulator simulator : kSimulators) {
-    const auto style = style_of(simulator);
-    ASSERT_TRUE(style);
-    const auto scene = full_home_of(*style, 3);
-    ASSERT_TRUE(scene);
-    const Home home = prepare_home(*scene, style->profile);
-    std::vector<std::size_t> last;
-    for (std::size_t i = 0; i < scene->nodes.size(); ++i) {
-      if (!scene->nodes[i].openable) continue;
-      last.push_back(i);
-      if (last.size() > 2) last.erase(last.begin());
-      for (const auto& moved : {std::vector{i}, last}) {
-        Scene now = *scene;
-        for (const std::size_t door : moved) now.nodes.edit(door).opening = 1;
-        const auto walk = walk_with_doors(home.walk, home.scene, now, moved, style->profile);
-        const auto whole = walk_of(home, now);
-        changed += walk != home.walk ? 1 : 0;
-        const auto reached = [](const Walk& one) {
-          std::vector<bool> cells;
-          for (const std::int32_t steps : one.steps) cells.push_back(steps >= 0);
-          return cells;
-        };
-        EXPECT_TRUE(reached(*walk) == reached(*whole)) << scene->nodes[i].id;
-      }
-    }
-  }
-  EXPECT_GT(changed, 20);
 }
 
 }  // namespace

@@ -75,7 +75,9 @@ TEST(Ripple, TheFewestStepsToARectangleAreThoseOfAWholeSearchWhateverWasAskedBef
     Rng rng(seed);
     Ripple ripple(grid, from);
     for (int asked = 0; asked < 40; ++asked) {
-      const auto draw = [&](int count) { return static_cast<int>(rng.below(static_cast<std::uint64_t>(count + 4))) - 2; };
+      const auto draw = [&](int count) {
+        return static_cast<int>(rng.below(static_cast<std::uint64_t>(count + 4))) - 2;
+      };
       const NavigationGrid::Cell low{draw(grid.width()), draw(grid.height())};
       const NavigationGrid::Cell high{low.x + static_cast<int>(rng.below(6)), low.y + static_cast<int>(rng.below(6))};
       int fewest = -1;
