@@ -1,10 +1,9 @@
 #include "pipeline/home_facts.h"
 
-#include <algorithm>
 #include <map>
 #include <string_view>
-#include <unordered_set>
 
+#include "core/sort_unique.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -29,12 +28,13 @@ std::string home_in_words(const Scene& scene, const NounTable& nouns) {
   return text;
 }
 
-std::vector<std::string> categories_in(const Scene& scene) {
-  std::unordered_set<std::string_view> found;  // not gone through before it is sorted
-  for (const Node& node : scene.nodes) found.insert(node.category);
-  for (const Room& room : scene.rooms) found.insert(room.type);
-  std::vector<std::string> categories(found.begin(), found.end());
-  std::sort(categories.begin(), categories.end());
+std::vector<std::string> categories_in(const Scene& scene) { return categories_in(scene, NodeIndex(scene.nodes)); }
+
+std::vector<std::string> categories_in(const Scene& scene, const NodeIndex& places) {
+  std::vector<std::string> categories;
+  for (const std::string_view category : places.categories()) categories.emplace_back(category);
+  for (const Room& room : scene.rooms) categories.push_back(room.type);
+  sort_unique(categories);
   return categories;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "annotator/noun_table.h"
+#include "scene/node_index.h"
 #include "scene/scene.h"
 
 namespace unietp {
@@ -14,5 +15,7 @@ std::string home_in_words(const Scene& scene, const NounTable& nouns);
 
 /// The categories of a scene's objects and the types of its rooms, sorted.
 std::vector<std::string> categories_in(const Scene& scene);
+/// The same; `places`: of its nodes.
+std::vector<std::string> categories_in(const Scene& scene, const NodeIndex& places);
 
 }  // namespace unietp

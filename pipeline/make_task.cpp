@@ -1,6 +1,7 @@
 #include "pipeline/make_task.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/text.h"
 #include "expert/mode_expert.h"
@@ -123,16 +124,19 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
 
   task.episode.start.id = task.id;  // as its file will say; its text reads back to the same bits
 
+  timer.enter(Stage::Expert);
+  const Scene& start = task.episode.start;
+  KnownStart known = known_start(layout->home, start);
+
   timer.enter(Stage::Annotator);
-  auto instruction = instruct(specification, backend, {configuration.phrasings, categories_in(task.episode.start)},
+  const auto categories = known.places ? categories_in(start, *known.places) : categories_in(start);
+  auto instruction = instruct(specification, backend, {configuration.phrasings, categories},
                               wording_stream(configuration.seed, slot.index, plan.attempt));
   if (auto* why = std::get_if<Rejection>(&instruction)) return rejected(std::move(*why));
   task.instruction = std::move(std::get<Instruction>(instruction));
 
   timer.enter(Stage::Expert);
-  const Scene& start = task.episode.start;
-  auto rehearsal =
-      Rehearsal::of(specification.goal, start, backend.knowledge, backend.profile, known_start(layout->home, start));
+  auto rehearsal = Rehearsal::of(specification.goal, start, backend.knowledge, backend.profile, std::move(known));
   if (!rehearsal) return rejected({"expert", "no-plan", format(rehearsal.error())});
   auto shown = demonstrate(*rehearsal, {});
   if (auto* why = std::get_if<Rejection>(&shown)) return rejected(std::move(*why));

@@ -12,7 +12,21 @@ NodeIndex::NodeIndex(const SharedList<Node>& nodes) {
     common->by_id.emplace(nodes[i].id, i);
     common->by_category[nodes[i].category].push_back(i);
   }
+  for (const auto& [category, there] : common->by_category) common->categories.push_back(category);
+  std::sort(common->categories.begin(), common->categories.end());
   common_ = std::move(common);
+}
+
+std::vector<std::string_view> NodeIndex::categories() const {
+  std::vector<std::string_view> there;
+  for (const std::string& category : common_->categories) {
+    if (!of(category).empty()) there.push_back(category);
+  }
+  for (const auto& [category, places] : by_category_) {
+    if (!places.empty() && !common_->by_category.contains(category)) there.push_back(category);
+  }
+  std::sort(there.begin(), there.end());
+  return there;
 }
 
 std::optional<std::size_t> NodeIndex::find(std::string_view id) const {

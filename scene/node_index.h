@@ -24,6 +24,8 @@ class NodeIndex {
   std::optional<std::size_t> find(std::string_view id) const;
   /// Ascending.
   const Places& of(std::string_view category) const;
+  /// All that something is of, sorted.
+  std::vector<std::string_view> categories() const;
 
   /// A node came to a place, or left it.
   void add(std::size_t place, const Node& node);
@@ -39,6 +41,7 @@ class NodeIndex {
   struct Common {
     ByText<std::size_t> by_id;
     ByText<Places> by_category;
+    std::vector<std::string> categories;  // sorted
   };
 
   Places& own(const std::string& category);

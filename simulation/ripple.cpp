@@ -32,7 +32,7 @@ void Ripple::go_on() {
   front_.swap(next);
 }
 
-std::int32_t Ripple::fewest_to(Cell low, Cell high) {
+std::int32_t Ripple::fewest_to(Cell low, Cell high, std::int32_t most) {
   std::int32_t fewest = -1;
   for (int y = std::max(0, low.y); y <= std::min(height_ - 1, high.y); ++y) {
     for (int x = std::max(0, low.x); x <= std::min(width_ - 1, high.x); ++x) {
@@ -43,7 +43,7 @@ std::int32_t Ripple::fewest_to(Cell low, Cell high) {
   const auto is_there = [&](const Cell& cell) {
     return cell.x >= low.x && cell.x <= high.x && cell.y >= low.y && cell.y <= high.y;
   };
-  while (fewest < 0 && !front_.empty()) {
+  while (fewest < 0 && !front_.empty() && far_ < most) {
     go_on();
     if (std::any_of(front_.begin(), front_.end(), is_there)) fewest = far_;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "simulation/navigation.h"
@@ -14,8 +15,10 @@ class Ripple {
   Ripple(const NavigationGrid& grid, NavigationGrid::Cell from);
 
   /// The fewest steps (to the four neighbours, over free cells) to a cell of a rectangle, both corners included, which
-  /// may lie in part outside of the grid; -1 when there is no way to any.
-  std::int32_t fewest_to(NavigationGrid::Cell low, NavigationGrid::Cell high);
+  /// may lie in part outside of the grid; -1 when there is no way to any, or none of at most so many steps has been
+  /// found before or is found now.
+  std::int32_t fewest_to(NavigationGrid::Cell low, NavigationGrid::Cell high,
+                         std::int32_t most = std::numeric_limits<std::int32_t>::max());
   /// To a cell of the grid, when that has been found; else -1. All that are nearer have been found then, too.
   std::int32_t found(NavigationGrid::Cell cell) const { return steps_[index(cell)]; }
 

@@ -37,14 +37,15 @@ Result<World> World::create(Scene start, const Knowledge& knowledge, const Profi
 }
 
 Result<World> World::create(Scene start, const Knowledge& knowledge, const Profile& profile, KnownStart known) {
-  for (const Node& node : start.nodes) {
-    if (knowledge.find(node.category) == nullptr) {
-      return Error{Error::Kind::Schema,
-                   start.id,
-                   {},
-                   "object " + node.id + " has category " + node.category + ", which the knowledge base of " +
-                       std::string(name_of(knowledge.simulator())) + " does not have"};
-    }
+  if (!known.places) known.places = NodeIndex(start.nodes);
+  for (const std::string_view category : known.places->categories()) {
+    if (knowledge.find(category) != nullptr) continue;
+    const std::string& id = start.nodes[known.places->of(category).front()].id;
+    return Error{Error::Kind::Schema,
+                 start.id,
+                 {},
+                 "object " + id + " has category " + std::string(category) + ", which the knowledge base of " +
+                     std::string(name_of(knowledge.simulator())) + " does not have"};
   }
   if (start.simulator != knowledge.simulator() || start.simulator != profile.simulator) {
     return Error{Error::Kind::Schema, start.id, {}, "scene, knowledge base and profile are of different simulators"};
@@ -185,9 +186,17 @@ double World::walking_distance(std::string_view id) const {
   const auto node = state.index_of(id);
   if (!node) return std::numeric_limits<double>::infinity();
   if (state.held(id)) return 0;
+  constexpr std::int32_t kMostSteps = 400;
   const auto [low, high] = cells_beside(state, *node);
-  const std::int32_t fewest = state.steps().fewest_to(low, high);
-  return fewest < 0 ? std::numeric_limits<double>::infinity() : fewest * NavigationGrid::kCell_m;
+  const std::int32_t fewest = state.steps().fewest_to(low, high, kMostSteps);
+  if (fewest >= 0) return fewest * NavigationGrid::kCell_m;
+  const CellSet& walk = state.walk();
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) {
+      if (walk.has(x, y)) return std::max(kMostSteps * NavigationGrid::kCell_m, straight_distance(id));
+    }
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 double World::straight_distance(std::string_view id) const {

@@ -102,7 +102,8 @@ class World {
   std::optional<Agent> led_to(const Agent& from, const Action& action) const;
   /// As go_to would choose it.
   std::optional<Vec2> standing_place_for(std::string_view id) const;
-  /// Walking distance in metres to the nearest free cell beside the object's box; infinity when there is none.
+  /// Walking distance in metres to the nearest free cell beside the object's box; infinity when there is none. What no
+  /// walk of 40 m leads to counts as that far, or as far as it is straight ahead if that is more.
   double walking_distance(std::string_view id) const;
   /// No more than that, and found at once: what it would be if nothing stood in the way.
   double straight_distance(std::string_view id) const;

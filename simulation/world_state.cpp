@@ -17,7 +17,7 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
   const EdgeSet edges = std::exchange(start.edges, {});
   state.scene_ = std::move(start);
   const std::size_t count = state.count();
-  state.places_ = known.places ? std::move(*known.places) : NodeIndex(state.scene_.nodes);
+  state.places_ = std::move(*known.places);
   if (known.colliders) {
     state.colliders_ = std::move(*known.colliders);
   } else {

@@ -87,6 +87,9 @@ TEST(Ripple, TheFewestStepsToARectangleAreThoseOfAWholeSearchWhateverWasAskedBef
           if (here >= 0 && (fewest < 0 || here < fewest)) fewest = here;
         }
       }
+      const int most = static_cast<int>(rng.below(60));
+      const int bounded = ripple.fewest_to(low, high, most);
+      EXPECT_TRUE(bounded == fewest || (bounded == -1 && fewest > most)) << bounded;
       EXPECT_EQ(ripple.fewest_to(low, high), fewest);
     }
   }
