@@ -109,8 +109,9 @@ const std::vector<Solid>& Viewer::walls(const Scene& scene) {
 }
 
 std::vector<std::size_t> ViewedScene::within(const Vec3& middle, double radius_m) const {
+  constexpr std::size_t kFew = 512;  // they are looked at sooner than the near ones are found
   const Vec3 radius = Vec3::Constant(radius_m);
-  if (near && radius_m < kEndless_m) return near({middle - radius, middle + radius});
+  if (near && radius_m < kEndless_m && scene.nodes.size() > kFew) return near({middle - radius, middle + radius});
   std::vector<std::size_t> all(scene.nodes.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   return all;

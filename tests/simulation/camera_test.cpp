@@ -89,6 +89,33 @@ TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
   EXPECT_GT(listed, 60U);
 }
 
+/// In a large world only what is near is looked at.
+TEST_P(ACamera, ShowsInAWorldOfManyThingsWhatALookAtAllOfThemShows) {
+  const Knowledge knowledge = testing::kitchen_knowledge(GetParam());
+  Profile profile = profile_of(GetParam());
+  const std::string mug = find_node(testing::full_kitchen(GetParam()), "mug_1")->category;
+  Rng rng(8);
+  Scene strewn = testing::full_kitchen(GetParam());
+  for (int i = 0; i < 600; ++i)
+    testing::add(strewn, "many_" + std::to_string(i), knowledge, mug, rng.uniform(-9, 14), rng.uniform(-9, 14),
+                 rng.uniform(0, 2));
+  strewn.edges = read_relations(strewn);  // some are in the fridge
+  std::size_t listed = 0;
+  for (int i = 0; i < 12; ++i) {
+    SCOPED_TRACE(i);
+    strewn.agent.yaw = rng.uniform(-3, 3);
+    profile.sight_m = rng.uniform(1, 6);
+    const auto world = World::create(strewn, knowledge, profile);
+    ASSERT_TRUE(world) << format(world.error());
+    const auto all = Viewer().view(viewed(strewn), strewn.agent, profile, profile.sight_m);
+    EXPECT_EQ(world->visible(), all);
+    EXPECT_EQ(world->pictured(), Viewer().view(viewed(strewn), strewn.agent, profile, kEndless_m));
+    for (const VisibleObject& one : all) EXPECT_EQ(world->pictured_from(strewn.agent, one.id), one.box);
+    listed += all.size();
+  }
+  EXPECT_GT(listed, 40U);
+}
+
 TEST_P(ACamera, GivesTheSameBytesInEveryThread) {
   const Profile profile = profile_of(GetParam());
   Rng rng(6);
