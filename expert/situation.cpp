@@ -23,7 +23,7 @@ const Effect* slicing_of(const std::string& category, const Situation& situation
 
 void imagine_slices(Situation& situation) {
   Facts later = situation.facts();
-  std::map<std::string_view, const Effect*> slicing;  // of each category
+  std::map<std::string, const Effect*> slicing;  // of each category; entities move when slices are added
   for (EntityIndex whole = 0; whole < situation.first_imagined; ++whole) {
     const std::string& category = situation.entity(whole).category;
     const auto [known, fresh] = slicing.try_emplace(category, nullptr);
