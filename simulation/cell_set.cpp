@@ -1,6 +1,5 @@
 #include "simulation/cell_set.h"
 
-#include <algorithm>
 #include <span>
 
 namespace unietp {
@@ -80,15 +79,6 @@ CellSet CellSet::connected_to(int x, int y) const {
     }
   }
   return found;
-}
-
-bool CellSet::agrees(const CellSet& other, int from_x, int from_y, int to_x, int to_y) const {
-  const int low = std::max(0, from_x), high = std::min(width_ - 1, to_x);
-  for (int y = std::max(0, from_y); y <= std::min(height_ - 1, to_y) && low <= high; ++y) {
-    const auto first = static_cast<std::ptrdiff_t>(word(low, y)), last = static_cast<std::ptrdiff_t>(word(high, y));
-    if (!std::equal(bits_.begin() + first, bits_.begin() + last + 1, other.bits_.begin() + first)) return false;
-  }
-  return true;
 }
 
 }  // namespace unietp

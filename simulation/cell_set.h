@@ -23,9 +23,6 @@ class CellSet {
   /// The cells that one gets to from that one by steps to the four neighbours, it among them, without leaving the set;
   /// none when the set does not have it.
   CellSet connected_to(int x, int y) const;
-  /// Whether two sets of one grid agree on the cells of a rectangle, both corners included, which may lie in part
-  /// outside. May say no for the sake of cells at most 63 columns aside.
-  bool agrees(const CellSet& other, int from_x, int from_y, int to_x, int to_y) const;
   bool operator==(const CellSet&) const = default;
 
  private:

@@ -54,17 +54,6 @@ TEST(CellSet, WhatIsConnectedIsWhatAWalkReachesForAnySeed) {
   }
 }
 
-TEST(CellSet, AgreesWhereNothingNearDiffers) {
-  CellSet a(300, 20), b = a;
-  b.set(150, 10, true);
-  EXPECT_NE(a, b);
-  EXPECT_FALSE(a.agrees(b, 140, 5, 160, 15));
-  EXPECT_FALSE(a.agrees(b, -5, -5, 400, 400));
-  EXPECT_TRUE(a.agrees(b, 140, 11, 160, 15));
-  EXPECT_TRUE(a.agrees(b, 0, 0, 80, 19));
-  EXPECT_TRUE(a.agrees(b, 200, 0, 400, 19));
-}
-
 TEST(Ripple, TheFewestStepsToARectangleAreThoseOfAWholeSearchWhateverWasAskedBefore) {
   const Scene scene = testing::kitchen();
   const NavigationGrid grid(scene, testing::kitchen_profile());
