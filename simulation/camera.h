@@ -14,6 +14,7 @@ struct Camera {
   Vec3 ahead = Vec3::UnitX(), right = -Vec3::UnitY(), down = -Vec3::UnitZ();  // unit, W
   int width = 0, height = 0;                                                  // pixels
   double focal = 1;                                                           // pixels
+  bool operator==(const Camera&) const = default;
 
   /// Direction from `at` through a point of the image; a way of length t along it lies t metres deep.
   Vec3 ray(double x, double y) const {

@@ -38,7 +38,7 @@ void add_faces(Outline& outline, const OwnCamera& own, const std::array<int, 3>&
     if (side == 0) continue;
     Vec3 normal = Vec3::Zero();
     normal[i] = 1 / (side * outline.target.half[i] - outline.from[i]);
-    outline.faces[outline.face_count++] = own.along(normal);
+    outline.faces.set(outline.face_count++, own.along(normal));
   }
 }
 
@@ -53,7 +53,7 @@ void add_sides(Outline& outline, const OwnCamera& own, const std::array<int, 3>&
           Vec3 normal = Vec3::Zero();
           normal[i] = t * half[j] - from[j];
           normal[j] = from[i] - s * half[i];
-          outline.sides[outline.side_count++] = own.along(normal.dot(from) > 0 ? Vec3(-normal) : normal);
+          outline.sides.set(outline.side_count++, own.along(normal.dot(from) > 0 ? Vec3(-normal) : normal));
         }
       }
     }

@@ -23,11 +23,23 @@ struct PartOfImage {
 /// A function a x + b y + c over the image, in pixels.
 struct OverImage {
   double a = 0, b = 0, c = 0;
-  /// Its least and its greatest value over a part.
-  std::pair<double, double> range(const PartOfImage& part) const {
-    const double value = a * part.middle.x() + b * part.middle.y() + c;
-    const double reach = std::abs(a) * part.half.x() + std::abs(b) * part.half.y();
-    return {value - reach, value + reach};
+};
+
+/// So many of them, an even number, so that they are computed two at a time. Those that are not set are endless.
+template <int N>
+struct ManyOverImage {
+  using Values = Eigen::Array<double, N, 1>;
+  Values a = Values::Zero(), b = Values::Zero(), c = Values::Constant(kNever);
+
+  void set(std::size_t i, const OverImage& one) {
+    const auto at = static_cast<Eigen::Index>(i);
+    a[at] = one.a, b[at] = one.b, c[at] = one.c;
+  }
+  /// The least of their least and the least of their greatest values in a part.
+  [[gnu::always_inline]] std::pair<double, double> least_in(const PartOfImage& part) const {
+    const Values middle = a * part.middle.x() + b * part.middle.y() + c;
+    const Values reach = a.abs() * part.half.x() + b.abs() * part.half.y();
+    return {(middle - reach).minCoeff(), (middle + reach).minCoeff()};
   }
 };
 
@@ -42,8 +54,8 @@ struct Outline {
   std::int32_t owner;
   bool round = false;
   std::uint8_t side_count = 0, face_count = 0;
-  std::array<OverImage, 3> faces;
-  std::array<OverImage, 6> sides;
+  ManyOverImage<4> faces;
+  ManyOverImage<6> sides;
   std::array<Vec2, 4> extremes{};  // where its corners farthest left, up, right and down are seen
   RayTarget target;
   Vec3 from;  // the eye in the solid's frame

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "simulation/outline.h"
 #include "simulation/solids.h"
@@ -44,6 +45,29 @@ struct Viewer::House {
   }
 };
 
+struct Viewer::Look {
+  /// A node, with the part of the outlines that are its own.
+  struct Seen {
+    std::size_t node = 0;
+    std::shared_ptr<const Body> body;
+    std::uint32_t begin = 0, end = 0;
+    PixelBox cover = kNowhere;
+    std::optional<PixelBox> box{};  // of what was asked for
+  };
+
+  Camera camera;
+  std::shared_ptr<const House> house;
+  std::vector<Seen> asked, others;  // by node
+  std::vector<Outline> outlines;    // of all of them in order, then of walls
+
+  /// The node as this look saw it, if it looked the same.
+  static const Seen* find(const std::vector<Seen>& among, std::size_t node, const std::shared_ptr<const Body>& body) {
+    const auto at = std::lower_bound(among.begin(), among.end(), node,
+                                     [](const Seen& one, std::size_t wanted) { return one.node < wanted; });
+    return at != among.end() && at->node == node && at->body == body ? &*at : nullptr;
+  }
+};
+
 namespace {
 
 /// A ball's place in the image, larger rather than smaller.
@@ -73,6 +97,12 @@ void add_outlines(const std::vector<Solid>& solids, const Camera& camera, std::v
   }
 }
 
+PixelBox cover_of(std::span<const Outline> outlines) {
+  PixelBox cover = kNowhere;
+  for (const Outline& one : outlines) cover = around(cover, one.cover);
+  return cover;
+}
+
 /// Of walls only those that may show no deeper than `farthest`; most are in other rooms, behind the eye or aside.
 void add_wall_outlines(const std::vector<Solid>& walls, const Camera& camera, double farthest,
                        std::vector<Outline>& outlines) {
@@ -85,7 +115,7 @@ void add_wall_outlines(const std::vector<Solid>& walls, const Camera& camera, do
 
 }  // namespace
 
-const std::vector<Solid>& Viewer::solids_of_node(const Scene& scene, std::size_t i) {
+const std::shared_ptr<const Viewer::Body>& Viewer::body_of(const Scene& scene, std::size_t i) {
   const Node& node = scene.nodes[i];
   if (bodies_.size() < scene.nodes.size()) bodies_.resize(scene.nodes.size());
   if (bodies_[i] == nullptr || !bodies_[i]->is_of(node)) {
@@ -94,10 +124,10 @@ const std::vector<Solid>& Viewer::solids_of_node(const Scene& scene, std::size_t
     add_solids(node, static_cast<std::int32_t>(i), body->solids);
     bodies_[i] = std::move(body);
   }
-  return bodies_[i]->solids;
+  return bodies_[i];
 }
 
-const std::vector<Solid>& Viewer::walls(const Scene& scene) {
+const std::shared_ptr<const Viewer::House>& Viewer::house_of(const Scene& scene) {
   if (house_ == nullptr || !house_->is_of(scene)) {
     auto house = std::make_shared<House>();
     *house = {scene.rooms, scene.openings, scene.wall_height, scene.wall_thickness, {}};
@@ -105,7 +135,7 @@ const std::vector<Solid>& Viewer::walls(const Scene& scene) {
       house->walls.push_back({Part::Kind::Box, piece.pose, piece.size, -1, false});
     house_ = std::move(house);
   }
-  return house_->walls;
+  return house_;
 }
 
 std::vector<std::size_t> ViewedScene::within(const Vec3& middle, double radius_m) const {
@@ -127,35 +157,66 @@ ViewedScene viewed(const Scene& scene) {
 std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& eye, const Profile& profile,
                                         double sight_m) {
   const Scene& scene = around.scene;
-  const Camera camera = camera_of(eye, profile);
+  auto look = std::make_shared<Look>();
+  look->camera = camera_of(eye, profile);
+  look->house = house_of(scene);
+  const Camera& camera = look->camera;
+  const bool same_eye = last_ != nullptr && last_->camera == camera && last_->house == look->house;
+  std::vector<PixelBox> changed;  // where the picture may differ from the last one
+  const auto see = [&](std::size_t i, std::vector<Look::Seen>& list, const std::vector<Look::Seen>* before) {
+    Look::Seen seen{i, body_of(scene, i)};
+    seen.begin = static_cast<std::uint32_t>(look->outlines.size());
+    const auto* known = before == nullptr ? nullptr : Look::find(*before, i, seen.body);
+    if (known != nullptr) {
+      const auto own = std::span(last_->outlines).subspan(known->begin, known->end - known->begin);
+      look->outlines.insert(look->outlines.end(), own.begin(), own.end());
+      seen.cover = known->cover;
+      seen.box = known->box;
+    } else {
+      add_outlines(seen.body->solids, camera, look->outlines);
+      seen.cover = cover_of(std::span(look->outlines).subspan(seen.begin));
+      changed.push_back(seen.cover);
+    }
+    seen.end = static_cast<std::uint32_t>(look->outlines.size());
+    list.push_back(std::move(seen));
+  };
   const auto shown = [&](std::size_t i) {
     return camera.may_show(scene.nodes[i].pose.position, sight_radius(scene.nodes[i])) && !around.hides(i);
   };
-  std::vector<std::size_t> asked, others;
   double farthest = 0;
   for (const std::size_t i : around.within(camera.at, sight_m)) {
     const double distance = (scene.nodes[i].pose.position - camera.at).norm();
     if (distance > sight_m || !shown(i)) continue;
-    asked.push_back(i);
+    see(i, look->asked, same_eye ? &last_->asked : nullptr);
     farthest = std::max(farthest, distance + sight_radius(scene.nodes[i]));
   }
   // What lies behind all that is asked for hides nothing of it.
   for (const std::size_t i : around.within(camera.at, farthest)) {
     const Node& node = scene.nodes[i];
     const double distance = (node.pose.position - camera.at).norm();
-    if (distance > sight_m && distance - sight_radius(node) <= farthest && shown(i)) others.push_back(i);
+    if (distance > sight_m && distance - sight_radius(node) <= farthest && shown(i))
+      see(i, look->others, same_eye ? &last_->others : nullptr);
   }
-  std::vector<Outline> outlines;
-  for (const std::size_t i : asked) add_outlines(solids_of_node(scene, i), camera, outlines);
-  for (const std::size_t i : others) add_outlines(solids_of_node(scene, i), camera, outlines);
-  add_wall_outlines(walls(scene), camera, farthest, outlines);
+  add_wall_outlines(look->house->walls, camera, farthest, look->outlines);
+  if (same_eye) {
+    for (const auto& [before, now] :
+         {std::pair(&last_->asked, &look->asked), std::pair(&last_->others, &look->others)}) {
+      for (const Look::Seen& seen : *before) {
+        if (Look::find(*now, seen.node, seen.body) == nullptr) changed.push_back(seen.cover);
+      }
+    }
+  }
 
   std::vector<VisibleObject> visible;
-  VisibleBoxes boxes(camera, outlines);
-  for (const std::size_t i : asked) {
-    if (const auto box = boxes.of(static_cast<std::int32_t>(i))) visible.push_back({scene.nodes[i].id, *box});
+  VisibleBoxes boxes(camera, look->outlines);
+  for (Look::Seen& seen : look->asked) {
+    const auto touches = [&](const PixelBox& part) { return meet(part, seen.cover); };
+    if (!same_eye || std::any_of(changed.begin(), changed.end(), touches))
+      seen.box = boxes.of(static_cast<std::int32_t>(seen.node));
+    if (seen.box) visible.push_back({scene.nodes[seen.node].id, *seen.box});
   }
   std::sort(visible.begin(), visible.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  last_ = std::move(look);
   return visible;
 }
 
@@ -166,23 +227,20 @@ std::optional<PixelBox> Viewer::box_of(const ViewedScene& around, std::size_t ta
   if (!camera.may_show(scene.nodes[target].pose.position, sight_radius(scene.nodes[target]))) return std::nullopt;
   if (around.hides(target)) return std::nullopt;
   std::vector<Outline> outlines;
-  add_outlines(solids_of_node(scene, target), camera, outlines);
+  add_outlines(body_of(scene, target)->solids, camera, outlines);
   if (outlines.empty()) return std::nullopt;
-  PixelBox cover = outlines.front().cover;
+  const PixelBox cover = cover_of(outlines);
   double farthest = 0;
-  for (const Outline& own : outlines) {
-    cover = unietp::around(cover, own.cover);
-    farthest = std::max(farthest, own.farthest);
-  }
+  for (const Outline& own : outlines) farthest = std::max(farthest, own.farthest);
   for (const std::size_t i : around.within(camera.at, farthest)) {
     const Node& node = scene.nodes[i];
     if (i == target || !camera.may_show(node.pose.position, sight_radius(node))) continue;
     const Ball ball(node.pose.position, sight_radius(node), camera);
     if (ball.nearest > farthest || !meet(ball.cover, cover)) continue;
     if (around.hides(i)) continue;
-    add_outlines(solids_of_node(scene, i), camera, outlines);
+    add_outlines(body_of(scene, i)->solids, camera, outlines);
   }
-  add_wall_outlines(walls(scene), camera, farthest, outlines);
+  add_wall_outlines(house_of(scene)->walls, camera, farthest, outlines);
   return VisibleBoxes(camera, outlines).of(static_cast<std::int32_t>(target));
 }
 

@@ -31,8 +31,9 @@ struct ViewedScene {
 /// Of a scene as it was written down.
 ViewedScene viewed(const Scene& scene);
 
-/// A workplace for looking: it keeps the solids of what has not changed since the last look. What it held before does
-/// not matter to any result. Not thread-safe; copies share what they keep.
+/// A workplace for looking: it keeps the solids of what has not changed since the last look and, while the eye stays
+/// where it is, what they look like and the boxes of all that no change meets. What it held before does not matter to
+/// any result. Not thread-safe; copies share what they keep.
 class Viewer {
  public:
   /// The objects whose box's centre is at most `sight_m` from the eye and of which the image shows a pixel, with the
@@ -45,12 +46,14 @@ class Viewer {
  private:
   struct Body;   // a node's solids, and what they were made of
   struct House;  // the walls, and what they were made of
-  const std::vector<Solid>& solids_of_node(const Scene& scene, std::size_t node);
-  const std::vector<Solid>& walls(const Scene& scene);
+  struct Look;   // what a view was of, and what came of it
+  const std::shared_ptr<const Body>& body_of(const Scene& scene, std::size_t node);
+  const std::shared_ptr<const House>& house_of(const Scene& scene);
 
   // Shared by copies, and never changed: a branch of an episode keeps what its copies have in common.
   std::vector<std::shared_ptr<const Body>> bodies_;
   std::shared_ptr<const House> house_;
+  std::shared_ptr<const Look> last_;
 };
 
 }  // namespace unietp

@@ -1,6 +1,5 @@
 #include "simulation/visible_box.h"
 
-#include <numeric>
 #include <utility>
 
 namespace unietp {
@@ -30,18 +29,11 @@ Share share_of(const Outline& outline, const PixelBox& part, const PartOfImage& 
   if (!fills) {
     if (!meet(outline.cover, part)) return {false, false, 0, 0};
     share.whole = !outline.round && outline.side_count > 0;
-    for (std::size_t i = 0; i < outline.side_count; ++i) {
-      const auto [least, most] = outline.sides[i].range(middles);
-      if (most < -kSlack) return {false, false, 0, 0};
-      share.whole = share.whole && least > kSlack;
-    }
+    const auto [least, most] = outline.sides.least_in(middles);
+    if (most < -kSlack) return {false, false, 0, 0};
+    share.whole = share.whole && least > kSlack;
   }
-  double most = kNever, least = kNever;  // of 1 / depth
-  for (std::size_t i = 0; i < outline.face_count; ++i) {
-    const auto [low, high] = outline.faces[i].range(middles);
-    most = std::min(most, high);
-    least = std::min(least, low);
-  }
+  const auto [least, most] = outline.faces.least_in(middles);  // of 1 / depth
   if (outline.face_count > 0 && most < -kSlack) return {false, false, 0, 0};
   share.nearest = std::max(outline.nearest, most > kSlack ? 1 / most - kSlack : 0.0);
   if (!outline.round && least > kSlack) share.farthest = 1 / least + kSlack;
@@ -57,13 +49,28 @@ Share share_of(const Outline& outline, const PixelBox& part, const PartOfImage& 
   return share;
 }
 
+/// Whether in each pixel of a part a box that fills it shows nearer than another solid could: one face of what lies
+/// behind is everywhere deeper than every face in front.
+bool certainly_before(const Outline& front, const Outline& behind, const PartOfImage& middles) {
+  const auto &faces = front.faces, &other = behind.faces;
+  for (Eigen::Index i = 0; i < behind.face_count; ++i) {
+    const auto a = other.a[i] - faces.a, b = other.b[i] - faces.b, c = other.c[i] - faces.c;
+    const auto most =
+        a * middles.middle.x() + b * middles.middle.y() + c + a.abs() * middles.half.x() + b.abs() * middles.half.y();
+    if (most.maxCoeff() < -kSlack) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 VisibleBoxes::VisibleBoxes(const Camera& camera, const std::vector<Outline>& outlines)
-    : camera_(camera), outlines_(outlines), by_depth_(outlines.size()) {
-  std::iota(by_depth_.begin(), by_depth_.end(), 0U);
-  std::sort(by_depth_.begin(), by_depth_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(outlines_[a].nearest, a) < std::pair(outlines_[b].nearest, b);
+    : camera_(camera), outlines_(outlines) {
+  by_depth_.reserve(outlines.size());
+  for (const Outline& one : outlines)
+    by_depth_.push_back({one.nearest, one.cover, one.owner, static_cast<std::uint32_t>(by_depth_.size())});
+  std::sort(by_depth_.begin(), by_depth_.end(), [](const Brief& a, const Brief& b) {
+    return std::pair(a.nearest, a.outline) < std::pair(b.nearest, b.outline);
   });
 }
 
@@ -73,18 +80,17 @@ std::optional<PixelBox> VisibleBoxes::of(std::int32_t owner) {
   probed_ = false;
   std::optional<PixelBox> cover;
   double farthest = 0;
-  for (const Outline& outline : outlines_) {
-    if (outline.owner != owner) continue;
-    cover = cover ? around(*cover, outline.cover) : outline.cover;
-    farthest = std::max(farthest, outline.farthest);
+  for (const Brief& one : by_depth_) {
+    if (one.owner != owner) continue;
+    cover = cover ? around(*cover, one.cover) : one.cover;
+    farthest = std::max(farthest, outlines_[one.outline].farthest);
   }
   if (!cover) return std::nullopt;
   own_.clear();
   others_.clear();
-  for (const std::uint32_t i : by_depth_) {
-    const Outline& outline = outlines_[i];
-    if (outline.nearest > farthest) break;
-    if (meet(outline.cover, *cover)) (outline.owner == owner ? own_ : others_).push_back({i, false, outline.nearest});
+  for (const Brief& one : by_depth_) {
+    if (one.nearest > farthest) break;
+    if (meet(one.cover, *cover)) (one.owner == owner ? own_ : others_).push_back({one.outline, false, one.nearest});
   }
   explore(*cover, {0, own_.size(), 0, others_.size()});
   return box_;
@@ -165,6 +171,7 @@ void VisibleBoxes::explore_part(const PixelBox& part, const Among& among) {
   };
   here.own_end = drop_hidden(own_, here.own);
   here.others_end = drop_hidden(others_, here.others);
+  if (here.own_end > here.own && here.others_end > here.others) drop_hidden_behind_boxes(part, here);
   const bool any_own = here.own_end > here.own, any_other = here.others_end > here.others;
   if (any_own && !any_other && filled < kNever) {
     box_ = box_ ? around(*box_, part) : part;
@@ -174,6 +181,21 @@ void VisibleBoxes::explore_part(const PixelBox& part, const Among& among) {
   }
   own_.resize(here.own);
   others_.resize(here.others);
+}
+
+void VisibleBoxes::drop_hidden_behind_boxes(const PixelBox& part, Among& here) {
+  const PartOfImage middles(part);
+  const auto drop = [&](const Shown& front, Stack& stack, std::size_t from) {
+    if (!front.whole) return;
+    const auto hidden = [&](const Shown& shown) {
+      return certainly_before(outlines_[front.outline], outlines_[shown.outline], middles);
+    };
+    stack.erase(std::remove_if(stack.begin() + static_cast<std::ptrdiff_t>(from), stack.end(), hidden), stack.end());
+  };
+  for (std::size_t k = here.others; k < here.others_end; ++k) drop(others_[k], own_, here.own);
+  here.own_end = own_.size();
+  for (std::size_t k = here.own; k < here.own_end; ++k) drop(own_[k], others_, here.others);
+  here.others_end = others_.size();
 }
 
 void VisibleBoxes::cut(const PixelBox& part, const Among& among) {

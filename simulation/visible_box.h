@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "simulation/outline.h"
 
 namespace unietp {
+
+inline constexpr PixelBox kNowhere{std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), -1, -1};
 
 /// The smallest box that holds both.
 inline PixelBox around(const PixelBox& a, const PixelBox& b) {
@@ -49,15 +52,25 @@ class VisibleBoxes {
   void explore_part(const PixelBox& part, const Among& among);
   /// What of a part the owner's solids may show in, if that could make the box larger.
   std::optional<PixelBox> worth_exploring(const PixelBox& part, const Among& among) const;
+  /// Of the owner's solids those that a box of another hides all over the part, and the other way round.
+  void drop_hidden_behind_boxes(const PixelBox& part, Among& here);
   void cut(const PixelBox& part, const Among& among);
   bool shows_owner(int x, int y, const Among& among) const;
   /// Puts on the stack which of those from `begin` to `end` may show in the part; `filled`: the depth behind which
   /// nothing shows in it, as far as known.
   void gather(Stack& stack, std::size_t begin, std::size_t end, const PixelBox& part, double& filled) const;
 
+  /// What most outlines are passed over by, close together in memory.
+  struct Brief {
+    double nearest = 0;
+    PixelBox cover{};
+    std::int32_t owner = -1;
+    std::uint32_t outline = 0;  // position in the list
+  };
+
   const Camera& camera_;
   const std::vector<Outline>& outlines_;
-  std::vector<std::uint32_t> by_depth_;  // positions in the list, the nearest first
+  std::vector<Brief> by_depth_;  // the nearest first
   std::int32_t owner_ = -1;
   std::optional<PixelBox> box_;
   bool probed_ = false;

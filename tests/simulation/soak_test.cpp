@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstdlib>
 #include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "core/rng.h"
 #include "simulation/relations.h"
 #include "simulation/solids.h"
+#include "simulation/view.h"
 #include "simulation/world.h"
 #include "tests/simulation/kitchen.h"
 
@@ -71,6 +73,11 @@ std::string broken_invariant(const World& world) {
   for (const VisibleObject& object : world.visible()) {
     const auto place = places.find(object.id).value();
     if (std::binary_search(hidden.begin(), hidden.end(), place)) return object.id + " is seen though hidden";
+  }
+  for (const auto& [seen, sight_m] :
+       {std::pair(world.visible(), world.profile().sight_m), std::pair(world.pictured(), kEndless_m)}) {
+    if (seen != Viewer().view(viewed(scene), scene.agent, world.profile(), sight_m))
+      return "what is seen is not what a first look sees";
   }
   if (const std::string pair = deep_overlap(scene); !pair.empty()) return pair;
   if (!scene.agent.held.empty()) return "";
