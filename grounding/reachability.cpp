@@ -58,18 +58,28 @@ std::optional<std::string> unreached_room(const Scene& scene, const Walk& walk) 
   for (const Room& room : scene.rooms) {
     const Bounds bounds = room_bounds(room, scene.wall_height);
     const auto from = grid.cell_at(bounds.low.head<2>()), to = grid.cell_at(bounds.high.head<2>());
-    const bool rectangle = is_rectangle(room, bounds);
-    const auto holds = [&](const Vec2& point) {
-      if (!rectangle) return contains(room.polygon, point);
-      return point.x() > bounds.low.x() && point.x() < bounds.high.x() && point.y() > bounds.low.y() &&
-             point.y() < bounds.high.y();
-    };
     int open = 0, reached = 0;
-    for (int y = from.y; y <= to.y; ++y) {
-      for (int x = from.x; x <= to.x; ++x) {
-        if (!grid.free({x, y}) || !holds(grid.centre({x, y}))) continue;
-        ++open;
-        if (walk.reached.has(x, y)) ++reached;
+    if (is_rectangle(room, bounds)) {
+      const auto column_inside = [&](int x) {
+        const double at = grid.centre({x, from.y}).x();
+        return at > bounds.low.x() && at < bounds.high.x();
+      };
+      int first = std::max(0, from.x), last = std::min(grid.width() - 1, to.x);
+      while (first <= last && !column_inside(first)) ++first;
+      while (first <= last && !column_inside(last)) --last;
+      for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
+        const double at = grid.centre({first, y}).y();
+        if (!(at > bounds.low.y() && at < bounds.high.y())) continue;
+        open += grid.free_cells().count(y, first, last);
+        reached += walk.reached.count(y, first, last);
+      }
+    } else {
+      for (int y = from.y; y <= to.y; ++y) {
+        for (int x = from.x; x <= to.x; ++x) {
+          if (!grid.free({x, y}) || !contains(room.polygon, grid.centre({x, y}))) continue;
+          ++open;
+          if (walk.reached.has(x, y)) ++reached;
+        }
       }
     }
     if (reached == 0 || 2 * reached < open) return room.id;

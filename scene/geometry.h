@@ -58,6 +58,20 @@ inline bool overlap(const Bounds& a, const Bounds& b, double gap = 0.0) {
   return true;
 }
 
+/// Visits each x at which a polygon's border crosses the height y, in no order. An edge owns its lower end only, so a
+/// point on the border that two rooms share lies in exactly one of them.
+template <class Visit>
+void each_crossing(const std::vector<Vec2>& polygon, double y, Visit visit) {
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vec2& a = polygon[i];
+    const Vec2& b = polygon[j];
+    if ((a.y() > y) == (b.y() > y)) continue;
+    const Vec2& low = a.y() < b.y() ? a : b;  // the same operand order for both rooms of a shared wall
+    const Vec2& high = a.y() < b.y() ? b : a;
+    visit(low.x() + (y - low.y()) / (high.y() - low.y()) * (high.x() - low.x()));
+  }
+}
+
 /// True when the point lies in the polygon (counter-clockwise or clockwise, metres).
 bool contains(const std::vector<Vec2>& polygon, const Vec2& point);
 

@@ -1,5 +1,7 @@
 #include "simulation/cell_set.h"
 
+#include <algorithm>
+#include <bit>
 #include <span>
 
 namespace unietp {
@@ -43,13 +45,15 @@ CellSet::CellSet(int width, int height)
       words_(static_cast<std::size_t>(width + kWord - 1) / kWord),
       bits_(words_ * static_cast<std::size_t>(height), 0) {}
 
-void CellSet::set(int x, int y, bool there) {
-  const std::uint64_t bit = std::uint64_t{1} << (x % kWord);
-  if (there) {
-    bits_[word(x, y)] |= bit;
-  } else {
-    bits_[word(x, y)] &= ~bit;
+int CellSet::count(int y, int from, int to) const {
+  int found = 0;
+  for (int x = from; x <= to;) {
+    const int end = std::min(to + 1, (x / kWord + 1) * kWord);  // of the cells that share a word
+    const std::uint64_t all = ~std::uint64_t{0} >> (kWord - (end - x));
+    found += std::popcount((bits_[word(x, y)] >> (x % kWord)) & all);
+    x = end;
   }
+  return found;
 }
 
 CellSet CellSet::connected_to(int x, int y) const {

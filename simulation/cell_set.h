@@ -19,7 +19,13 @@ class CellSet {
     return ((bits_[word(x, y)] >> (x % kWord)) & 1U) != 0;
   }
   /// The cell must lie in the grid.
-  void set(int x, int y, bool there);
+  void set(int x, int y, bool there) {
+    const std::uint64_t bit = std::uint64_t{1} << (x % kWord);
+    std::uint64_t& bits = bits_[word(x, y)];
+    bits = there ? bits | bit : bits & ~bit;
+  }
+  /// How many of a row's cells it has from `from` to `to`, both included and in the grid.
+  int count(int y, int from, int to) const;
   /// The cells that one gets to from that one by steps to the four neighbours, it among them, without leaving the set;
   /// none when the set does not have it.
   CellSet connected_to(int x, int y) const;

@@ -51,9 +51,15 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
       room_high = room_high.cwiseMax(p);
     }
     const Cell from = cell_at(room_low), to = cell_at(room_high);
+    std::vector<double> crossings;
     for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
+      crossings.clear();
+      each_crossing(room.polygon, centre({0, y}).y(), [&](double x) { crossings.push_back(x); });
+      std::sort(crossings.begin(), crossings.end());
+      std::size_t passed = 0;
       for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
-        if (contains(room.polygon, centre({x, y}))) open_floor({x, y});
+        while (passed < crossings.size() && crossings[passed] <= centre({x, y}).x()) ++passed;
+        if ((crossings.size() - passed) % 2 == 1) open_floor({x, y});  // as `contains` tells
       }
     }
   }
@@ -101,8 +107,9 @@ void NavigationGrid::count(const Shadow& f, int by) {
       const double out_v = std::max(0.0, std::abs(d.dot(v)) - f.half.y());
       if (out_u * out_u + out_v * out_v >= limit) continue;
       std::uint16_t& blockers = blockers_[index({x, y})];
+      const bool was_free = blockers == 0;
       blockers = static_cast<std::uint16_t>(blockers + by);
-      free_.set(x, y, blockers == 0);
+      if (was_free != (blockers == 0)) free_.set(x, y, !was_free);
     }
   }
 }
@@ -117,15 +124,6 @@ void NavigationGrid::update(std::size_t i, const Node* node, const Shape* shape)
   digest_ -= digest_of(i, shadows_[i]);
   digest_ += digest_of(i, shadow);
   shadows_.edit(i) = std::move(shadow);
-}
-
-NavigationGrid::Cell NavigationGrid::cell_at(const Vec2& point) const {
-  const Vec2 cells = (point - origin_) / kCell_m;
-  return {static_cast<std::int32_t>(std::floor(cells.x())), static_cast<std::int32_t>(std::floor(cells.y()))};
-}
-
-Vec2 NavigationGrid::centre(Cell cell) const {
-  return origin_ + Vec2((cell.x + 0.5) * kCell_m, (cell.y + 0.5) * kCell_m);
 }
 
 std::optional<NavigationGrid::Cell> NavigationGrid::nearest_free(const Vec2& point) const {

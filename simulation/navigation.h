@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -31,8 +32,11 @@ class NavigationGrid {
 
   bool free(Cell cell) const { return free_.has(cell.x, cell.y); }
   const CellSet& free_cells() const { return free_; }
-  Cell cell_at(const Vec2& point) const;
-  Vec2 centre(Cell cell) const;
+  Cell cell_at(const Vec2& point) const {
+    const Vec2 cells = (point - origin_) / kCell_m;
+    return {static_cast<std::int32_t>(std::floor(cells.x())), static_cast<std::int32_t>(std::floor(cells.y()))};
+  }
+  Vec2 centre(Cell cell) const { return origin_ + Vec2((cell.x + 0.5) * kCell_m, (cell.y + 0.5) * kCell_m); }
   int width() const { return width_; }
   int height() const { return height_; }
 

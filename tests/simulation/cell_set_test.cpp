@@ -44,6 +44,11 @@ TEST(CellSet, WhatIsConnectedIsWhatAWalkReachesForAnySeed) {
     }
     const int from_x = static_cast<int>(rng.below(static_cast<std::uint64_t>(width)));
     const int from_y = static_cast<int>(rng.below(static_cast<std::uint64_t>(height)));
+    int in_row = 0;  // from there to the row's end
+    for (int x = from_x; x < width; ++x) in_row += cells.has(x, from_y) ? 1 : 0;
+    EXPECT_EQ(cells.count(from_y, from_x, width - 1), in_row);
+    EXPECT_EQ(cells.count(from_y, from_x, from_x), cells.has(from_x, from_y) ? 1 : 0);
+    EXPECT_EQ(cells.count(from_y, from_x, from_x - 1), 0);
     const auto steps = steps_in(cells, width, height, from_x, from_y);
     const CellSet connected = cells.connected_to(from_x, from_y);
     for (int y = 0; y < height; ++y) {
