@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <unordered_set>
 
@@ -59,10 +58,13 @@ bool effect_holds(const DomainConstraint& constraint, const ConstraintKind& kind
 }
 
 bool all_distinct(const DomainConstraint& constraint, const Binding& binding) {
-  std::set<std::string> seen;
+  std::vector<const std::string*> seen;
   for (const auto& argument : constraint.arguments) {
     const auto* category = bound_to(binding, placeholder_use(argument).name);
-    if (category != nullptr && !seen.insert(*category).second) return false;
+    if (category == nullptr) continue;
+    if (std::any_of(seen.begin(), seen.end(), [&](const std::string* other) { return *other == *category; }))
+      return false;
+    seen.push_back(category);
   }
   return true;
 }
@@ -137,24 +139,47 @@ bool is_word_for(const Parameter& parameter, const std::string& word, const Know
   });
 }
 
+/// The first of a parameter's affordances that the knowledge base knows; nullptr when it has none.
+const std::string* first_affordance(const Parameter& parameter) {
+  const auto& pseudo = pseudo_affordances();
+  for (const auto& affordance : parameter.affordances) {
+    if (std::find(pseudo.begin(), pseudo.end(), affordance) == pseudo.end()) return &affordance;
+  }
+  return nullptr;
+}
+
+/// Sorted: for a category, all that have the first affordance.
 std::vector<std::string> all_names(const Parameter& parameter, const Knowledge& knowledge) {
   if (is_room(parameter)) return room_types(knowledge);
   if (is_value(parameter)) return words_for(parameter, knowledge);
-  for (const auto& affordance : parameter.affordances) {
-    const auto& pseudo = pseudo_affordances();
-    if (std::find(pseudo.begin(), pseudo.end(), affordance) != pseudo.end()) continue;
-    return sorted_unique(knowledge.with_affordance(affordance));
-  }
+  if (const auto* first = first_affordance(parameter)) return sorted_unique(knowledge.with_affordance(*first));
   std::vector<std::string> names;
   for (const auto& category : knowledge.categories()) names.push_back(category.name);
   return sorted_unique(std::move(names));
 }
 
+/// Those of the first list that the other has, too; both are sorted.
+std::vector<std::string> common_names(const std::vector<std::string>& names, const std::vector<std::string>& other) {
+  const bool few = names.size() * 8 < other.size();
+  std::vector<std::string> common;
+  auto from = other.begin();
+  for (const auto& name : names) {
+    if (few)
+      from = std::lower_bound(from, other.end(), name);
+    else
+      while (from != other.end() && *from < name) ++from;
+    if (from != other.end() && *from == name) common.push_back(name);
+  }
+  return common;
+}
+
 /// What a parameter asks of a category; its words are read once for many categories.
 class Wish {
  public:
-  explicit Wish(const Parameter& parameter) {
+  /// `all_have`: an affordance that need not be asked for; may be nullptr.
+  explicit Wish(const Parameter& parameter, const std::string* all_have = nullptr) {
     for (const auto& affordance : parameter.affordances) {
+      if (&affordance == all_have) continue;
       if (affordance == "furniture")
         furniture_ = true;
       else if (affordance == "movable")
@@ -292,7 +317,9 @@ std::vector<std::string> candidates_for(const Parameter& parameter, const std::v
     auto names = narrowed(constraint, parameter.name, binding, knowledge);
     if (names && (!base || names->size() < base->size())) base = std::move(names);
   }
-  if (!base && among == nullptr) base = all_names(parameter, knowledge);
+  const bool all = !base;
+  auto names = all ? all_names(parameter, knowledge) : std::move(*base);
+  if (among != nullptr) names = common_names(names, *among);
   std::vector<const DomainConstraint*> own;
   auto trial = binding;
   trial.emplace_back(parameter.name, "");
@@ -303,20 +330,16 @@ std::vector<std::string> candidates_for(const Parameter& parameter, const std::v
   }
   const bool room = is_room(parameter), value = is_value(parameter);
   const auto types = room ? room_types(knowledge) : std::vector<std::string>{};
-  const Wish wish(parameter);
-  std::vector<std::string> fitting;
-  for (const auto& name : base ? *base : *among) {
-    if (base && among != nullptr && !std::binary_search(among->begin(), among->end(), name)) continue;
+  const Wish wish(parameter, all ? first_affordance(parameter) : nullptr);
+  std::erase_if(names, [&](const std::string& name) {
     const bool offers = room    ? std::binary_search(types.begin(), types.end(), name)
                         : value ? is_word_for(parameter, name, knowledge)
                                 : wish.met_by(name, knowledge);
-    if (!offers) continue;
+    if (!offers) return true;
     trial.back().second = name;
-    const bool fits =
-        std::all_of(own.begin(), own.end(), [&](const DomainConstraint* c) { return satisfies(*c, trial, knowledge); });
-    if (fits) fitting.push_back(name);
-  }
-  return fitting;
+    return !std::all_of(own.begin(), own.end(), [&](const auto* one) { return satisfies(*one, trial, knowledge); });
+  });
+  return names;
 }
 
 }  // namespace unietp
