@@ -35,6 +35,8 @@ struct Node {
   std::span<const EntityIndex> members;  // of the domain
   const Node* where = nullptr;           // still to be read for each member; null when `members` has it done
   std::span<const Node> children;
+  const Node* link = nullptr;  // of `exists`: R(x, y) that its body needs of the bound y; y is looked for along R
+  bool link_at_end = false;
 };
 
 class Reading {
@@ -213,10 +215,23 @@ class Reading {
     for (std::size_t i = 0; i < formula.children.size(); ++i) fill(children[i], formula.children[i]);
     if (!formula.variable.empty()) pop();
     set_cost(node);
+    if (node.op == Op::Exists) find_link(node);
     if (node.op == Op::And || node.op == Op::Or) {  // cheap parts first: they often decide
       std::stable_sort(children, children + formula.children.size(),
                        [](const Node& a, const Node& b) { return a.cost < b.cost; });
     }
+  }
+
+  static void find_link(Node& node) {
+    const Node* body = &node.children[0];
+    node.link_at_end = body->op == Op::AtEnd;
+    if (node.link_at_end) body = &body->children[0];
+    const auto links = [&](const Node& part) {
+      return part.op == Op::Atom && part.arity == 2 && part.slots[1] == node.slot && part.slots[0] != node.slot;
+    };
+    const auto parts = body->op == Op::And ? body->children : std::span(body, 1);
+    const auto found = std::find_if(parts.begin(), parts.end(), links);
+    if (found != parts.end()) node.link = &*found;
   }
 
   void set_cost(Node& node) const {
@@ -263,6 +278,14 @@ class Reading {
 
   /// Whether the body of a quantifier has the value `wanted` for some member of its domain.
   bool some_member(const Node& node, std::size_t i, bool wanted) {
+    if (wanted && node.link != nullptr) {  // a thing stands in few relations
+      const Facts& facts = trace_.states[node.link_at_end ? last_ : i];
+      return facts.any_related(node.link->predicate, value(node.link->slots[0]), [&](EntityIndex e) {
+        assign(node.slot, e);
+        return std::binary_search(node.members.begin(), node.members.end(), e) &&
+               (node.where == nullptr || holds(*node.where, 0)) && holds(node.children[0], i);
+      });
+    }
     for (const EntityIndex e : node.members) {
       assign(node.slot, e);
       if (node.where != nullptr && !holds(*node.where, 0)) continue;

@@ -44,6 +44,17 @@ class Facts {
   /// The relations in which an entity is the first, to what exists, sorted.
   std::vector<std::pair<Predicate, EntityIndex>> relations(EntityIndex first) const;
 
+  /// Whether what is asked is true of some entity that exists and to which the first one stands in the relation.
+  template <class Asked>
+  bool any_related(Predicate relation, EntityIndex first, const Asked& asked) const {
+    if (!exists(first)) return false;
+    for (const Pair pair : pairs(first)) {
+      const auto second = static_cast<EntityIndex>(pair);
+      if (static_cast<Predicate>(pair >> 32) == relation && exists(second) && asked(second)) return true;
+    }
+    return false;
+  }
+
   /// Equal when the same was set.
   bool operator==(const Facts& other) const;
 
