@@ -73,6 +73,15 @@ std::optional<Literal> carry_out(Attempt& attempt, Methods& methods, const Habit
   return bring_about(attempt, methods, wanted_at_end(alternative), habits);
 }
 
+/// How many things are not as they are to be in the end: each takes a step at least.
+std::size_t things_to_change(const Attempt& attempt) {
+  std::set<EntityIndex> things;
+  for (const Literal& literal : wanted_at_end(attempt.alternative())) {
+    if (!attempt.holds(literal)) things.insert(literal.subject);
+  }
+  return things.size();
+}
+
 void shun(Experience& experience, const Situation& situation, const std::string& id) {
   if (const auto entity = situation.find(id)) experience.things.emplace_back(*entity, kFailedThing);
 }
@@ -111,6 +120,11 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
     const auto choice = next_choice(read_goal(goal, situation, experience), situation, tried);
     if (!choice) break;
     Attempt attempt(rehearsal, situation, choice->alternative, options);
+    if (things_to_change(attempt) > static_cast<std::size_t>(options.max_steps)) {
+      ++out_of_steps;
+      last = {"expert", "too-many-steps", "more than " + std::to_string(options.max_steps) + " things have to change"};
+      continue;
+    }
     for (const Action& action : beginning.done) attempt.act(action);
     Methods methods(attempt, categories_of(goal), beginning.shunned, clears);
     const auto failed = carry_out(attempt, methods, choice->habits);

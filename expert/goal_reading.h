@@ -9,7 +9,7 @@ namespace unietp {
 
 struct ReadingOptions {
   std::size_t beam = 24;           // alternatives kept wherever two choices meet
-  std::size_t witnesses = 24;      // looked at for one `exists`, the nearest
+  std::size_t witnesses = 8;       // looked at for one `exists`, the nearest
   std::size_t assignments = 4000;  // tuples of witnesses looked at for nested `exists`
 };
 

@@ -101,6 +101,14 @@ TEST_F(Replanning, SaysWhyThereIsNoPlan) {
       "action-failed");
 }
 
+TEST_F(Replanning, TriesNothingWhereMoreThingsHaveToChangeThanThereAreSteps) {
+  const std::string goal = "(forall (?x - Mug) (exists (?y - SideTable) (at-end (on ?x ?y))))";
+  const Rejection refused = refusal(goal, house(), {.max_steps = 2});
+  EXPECT_EQ(refused.reason, "too-many-steps");
+  EXPECT_THAT(refused.detail, HasSubstr("more than 2 things have to change"));
+  EXPECT_THAT(refusal(goal, house(), {.max_steps = 3}).detail, HasSubstr("needs more than 3 steps"));
+}
+
 TEST_F(Replanning, GivesUpAfterTooManyFailures) {
   EXPECT_EQ(refusal("(exists (?x - Apple) (exists (?f - Fridge) (and (always (closed ?f)) (at-end (inside ?x ?f)))))",
                     house(), {.max_failures = 0})
