@@ -58,34 +58,33 @@ const Views& views() {
 }
 
 template <class Workplace, class Look>
-void look_around(benchmark::State& state, Look look) {
+void look_around(benchmark::State& state, Workplace workplace, Look look) {
   const Views& all = views();
-  Workplace workplace;
   std::size_t i = 0;
   for (auto _ : state) look(all.scenes[i++ % kViews], all.profile, workplace);
   state.counters["frames/s"] = benchmark::Counter(static_cast<double>(i), benchmark::Counter::kIsRate);
 }
 
 void Segmentation(benchmark::State& state) {
-  look_around<Rays>(state, [](const Scene& scene, const Profile& profile, Rays& rays) {
+  look_around(state, Rays(), [](const Scene& scene, const Profile& profile, Rays& rays) {
     benchmark::DoNotOptimize(segmentation_of(scene, profile, rays).node.data());
   });
 }
 void Boxes(benchmark::State& state) {
   std::size_t objects = 0, frames = 0;
-  look_around<Viewer>(state, [&](const Scene& scene, const Profile& profile, Viewer& viewer) {
+  look_around(state, Viewer(views().scenes.front()), [&](const Scene& scene, const Profile& profile, Viewer& viewer) {
     objects += viewer.view(viewed(scene), scene.agent, profile, profile.sight_m).size();
     ++frames;
   });
   state.counters["objects"] = static_cast<double>(objects) / static_cast<double>(frames);
 }
 void Rgb(benchmark::State& state) {
-  look_around<Rays>(state, [](const Scene& scene, const Profile& profile, Rays& rays) {
+  look_around(state, Rays(), [](const Scene& scene, const Profile& profile, Rays& rays) {
     benchmark::DoNotOptimize(picture_of(scene, profile, rays).rgb.data());
   });
 }
 void RgbAsPng(benchmark::State& state) {
-  look_around<Rays>(state, [](const Scene& scene, const Profile& profile, Rays& rays) {
+  look_around(state, Rays(), [](const Scene& scene, const Profile& profile, Rays& rays) {
     const Picture picture = picture_of(scene, profile, rays);
     benchmark::DoNotOptimize(png(picture.width, picture.height, picture.rgb));
   });

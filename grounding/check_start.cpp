@@ -5,7 +5,6 @@
 #include "generator/goal_parts.h"
 #include "grounding/check_goal.h"
 #include "grounding/goal_places.h"
-#include "grounding/present.h"
 #include "grounding/reach.h"
 #include "logic/evaluate.h"
 #include "scene/comparisons.h"
@@ -80,29 +79,34 @@ std::size_t needed(const QuantifiedDomain& one, std::size_t members) {
 std::optional<GroundingFailure> check_reach(const Specification& specification, const Scene& start,
                                             const NodeIndex& places, const Trace& trace, Reach& reach) {
   const auto check = [&](const QuantifiedDomain& one, std::size_t wanted,
-                         std::vector<EntityIndex> members) -> std::optional<GroundingFailure> {
+                         const std::vector<EntityIndex>& members) -> std::optional<GroundingFailure> {
     std::size_t reached = 0;
     std::string missed;
-    // Behind doors the way of the body is looked for anew.
-    if (wanted < members.size()) {
-      std::stable_partition(members.begin(), members.end(), [&](EntityIndex entity) {
-        const auto place = places.find(trace.entities[entity].id);
-        return !place || reach.lies_open(*place);
-      });
-    }
-    for (const EntityIndex entity : members) {
-      if (reached >= wanted) break;
+    const auto look_at = [&](EntityIndex entity) {
       const Entity& thing = trace.entities[entity];
       bool near = thing.kind == Entity::Kind::Agent;
       if (thing.kind == Entity::Kind::Room) near = reach.room(*find_room(start, thing.id));
-      if (thing.kind == Entity::Kind::Object) {
-        near = reach.object(places.find(thing.id).value());
-      }
+      if (thing.kind == Entity::Kind::Object) near = reach.object(places.find(thing.id).value());
       if (near) {
         ++reached;
       } else {
         missed = thing.id;
       }
+    };
+    // Behind doors the way of the body is looked for anew: what lies there is asked last, if at all.
+    std::vector<EntityIndex> shut_away;
+    for (const EntityIndex entity : members) {
+      if (reached >= wanted) break;
+      const auto place = wanted < members.size() ? places.find(trace.entities[entity].id) : std::nullopt;
+      if (place && !reach.lies_open(*place)) {
+        shut_away.push_back(entity);
+      } else {
+        look_at(entity);
+      }
+    }
+    for (const EntityIndex entity : shut_away) {
+      if (reached >= wanted) break;
+      look_at(entity);
     }
     if (reached >= wanted) return std::nullopt;
     auto problem = failure(GroundingReason::NotReachable, "of " + to_text(one.domain) + " " + std::to_string(reached) +
@@ -120,20 +124,20 @@ std::optional<GroundingFailure> check_reach(const Specification& specification, 
           std::all_of(free.begin(), free.end(), [&](const auto& name) { return name == one.variable; });
       if (!own_only) domain.where.clear();
     }
-    auto members = members_of(domain, one.variable, trace);
+    const auto members = members_of(domain, one.variable, trace);
     const std::size_t wanted = needed(one, members.size());
-    if (auto problem = check(one, wanted, std::move(members))) return problem;
+    if (auto problem = check(one, wanted, members)) return problem;
   }
   for (const Formula& constraint : specification.init) {
     if (constraint.op != Op::Exists && constraint.op != Op::Count) continue;
     const QuantifiedDomain one{constraint.op, constraint.variable, constraint.domain, true};
-    auto members = members_of(constraint.domain, constraint.variable, trace);
+    const auto members = members_of(constraint.domain, constraint.variable, trace);
     // What has to be there k times is needed k times: one for each place, both to be swapped.
     const bool counted = constraint.op == Op::Count &&
                          (constraint.comparison == Comparison::Equal || constraint.comparison == Comparison::AtLeast);
     const std::size_t wanted = counted ? static_cast<std::size_t>(std::max(1, constraint.number)) : 1;
     const std::size_t least = std::min(wanted, members.size());
-    if (auto problem = check(one, least, std::move(members))) return problem;
+    if (auto problem = check(one, least, members)) return problem;
   }
   return std::nullopt;
 }
@@ -162,25 +166,22 @@ std::optional<GroundingFailure> check_calm(const Scene& start, const NodeIndex& 
 }  // namespace
 
 std::optional<GroundingFailure> check_start(const Specification& specification, const Home& home, const Scene& start,
-                                            const std::set<std::string>& touched, const Knowledge& knowledge,
-                                            const Profile& profile, bool pictured) {
-  const Differences changed = differences(home, start);
-  const PhysicsWorld world = physics_of(home, start, changed);
-  GrownScene read = read_grown(home, start, changed, world);
-  if (read.edges.applied_to(home.scene.edges) != start.edges)
+                                            const GrownScene& grown, const std::set<std::string>& touched,
+                                            const Knowledge& knowledge, const Profile& profile, bool pictured) {
+  if (grown.edges.applied_to(home.scene.edges) != start.edges)
     return failure(GroundingReason::StartNotMet, "the relations of the start are not those that physics shows");
   Compared compared;
   compared.add(specification.goal);
   for (const Formula& constraint : specification.init) compared.add(constraint);
-  const Trace& trace = read.now;
-  Facts& facts = read.now.states.front();
-  if (!compared.none()) facts = with_comparisons(facts, start, read.reader, compared);
+  Trace trace = grown.now;
+  Facts& facts = trace.states.front();
+  if (!compared.none()) facts = with_comparisons(facts, start, grown.reader, compared);
   if (auto problem = check_formulas(specification, trace)) return problem;
   if (auto problem = check_referring(specification, trace)) return problem;
-  if (auto problem = check_calm(start, read.places, touched, world)) return problem;
-  Reach reach(home, start, changed, read.places, world, profile);
-  if (auto problem = check_reach(specification, start, read.places, trace, reach)) return problem;
-  if (auto problem = check_goal(specification, start, read.places, trace, knowledge, profile, reach, pictured))
+  if (auto problem = check_calm(start, grown.places, touched, grown.physics)) return problem;
+  Reach reach(home, start, grown, profile);
+  if (auto problem = check_reach(specification, start, grown.places, trace, reach)) return problem;
+  if (auto problem = check_goal(specification, start, grown.places, trace, knowledge, profile, reach, pictured))
     return problem;
   if (const auto room = reach.unreached())
     return GroundingFailure{GroundingReason::NotReachable, *room + " cannot be walked to any more", *room};

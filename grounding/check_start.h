@@ -6,7 +6,7 @@
 
 #include "akb/knowledge.h"
 #include "generator/specification.h"
-#include "grounding/home.h"
+#include "grounding/grown_scene.h"
 #include "grounding/reasons.h"
 #include "scene/scene.h"
 #include "simulation/profile.h"
@@ -20,9 +20,9 @@ namespace unietp {
 /// is there to tell things apart, excludes something of the same category); what the goal and its constraints name can
 /// be reached; what was touched stays where it is (5 mm); the goal passes its geometric gates (check_goal, with
 /// `pictured`); every room can be walked to. The first failure, or nullopt when the start is sound. The start's edges
-/// must be those that are read.
+/// must be those that are read. `grown`: the start as read_grown gives it.
 std::optional<GroundingFailure> check_start(const Specification& specification, const Home& home, const Scene& start,
-                                            const std::set<std::string>& touched, const Knowledge& knowledge,
-                                            const Profile& profile, bool pictured = false);
+                                            const GrownScene& grown, const std::set<std::string>& touched,
+                                            const Knowledge& knowledge, const Profile& profile, bool pictured = false);
 
 }  // namespace unietp

@@ -82,9 +82,9 @@ void keep_standing(Workspace& workspace, const Home& home) {
 
 }  // namespace
 
-std::variant<Episode, Rejection> ground(const Specification& specification, const Home& home,
-                                        const Knowledge& knowledge, const Profile& profile,
-                                        const GroundingOptions& options, Rng rng) {
+std::variant<Grounded, Rejection> ground(const Specification& specification, const Home& home,
+                                         const Knowledge& knowledge, const Profile& profile,
+                                         const GroundingOptions& options, Rng rng) {
   std::vector<Formula> constraints = specification.init;
   const auto referring = referring_constraints(specification);
   constraints.insert(constraints.end(), referring.begin(), referring.end());
@@ -99,6 +99,7 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
   Enforcer enforcer(editor, std::move(compared), rng.fork("choices", 0));
   const auto parts = goal_parts(specification.goal);
   Episode episode;
+  GrownScene grown;
   std::optional<GroundingFailure> problem;
   for (int attempt = 0; attempt < kRepairs; ++attempt) {
     if (!within_rounds(enforcer, editor, constraints, parts, options.rounds)) {
@@ -108,7 +109,9 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
     editor.refresh();
     episode.changes = workspace.changes();
     episode.start = start_in(home.scene, home.places, episode.changes);  // in the order that it will be read in
-    problem = check_start(specification, home, episode.start, editor.touched(), knowledge, profile, options.pictured);
+    grown = read_grown(home, episode.start);
+    problem =
+        check_start(specification, home, episode.start, grown, editor.touched(), knowledge, profile, options.pictured);
     if (!problem) break;
     // What stands out of reach or unsteadily gets another place, then all is checked again.
     const bool misplaced =
@@ -120,7 +123,8 @@ std::variant<Episode, Rejection> ground(const Specification& specification, cons
   episode.specification = specification;
   episode.layout = home.scene.id;
   episode.edits = editor.edits();
-  return episode;
+  KnownStart known = known_start(home, episode.start, std::move(grown));
+  return Grounded{std::move(episode), std::move(known)};
 }
 
 }  // namespace unietp

@@ -6,6 +6,7 @@
 #include "core/rng.h"
 #include "grounding/episode.h"
 #include "grounding/home.h"
+#include "simulation/known_start.h"
 #include "simulation/profile.h"
 
 namespace unietp {
@@ -16,12 +17,18 @@ struct GroundingOptions {
   bool pictured = false;      // what the goal needs has to show clearly in a picture from somewhere
 };
 
+/// An episode, with what is known of its start already.
+struct Grounded {
+  Episode episode;
+  KnownStart known;
+};
+
 /// Stage: (specification, home, rng) → episode. Edits a copy of the home's scene until every start constraint holds and
 /// the goal does not, then checks the result from physics alone: constraints hold, each conjunct of the goal is false,
 /// what the goal names can be reached by the body, a referring constraint picks out what it should and leaves a
 /// distractor. Deterministic. Budgets are tries, never time.
-std::variant<Episode, Rejection> ground(const Specification& specification, const Home& home,
-                                        const Knowledge& knowledge, const Profile& profile,
-                                        const GroundingOptions& options, Rng rng);
+std::variant<Grounded, Rejection> ground(const Specification& specification, const Home& home,
+                                         const Knowledge& knowledge, const Profile& profile,
+                                         const GroundingOptions& options, Rng rng);
 
 }  // namespace unietp

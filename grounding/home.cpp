@@ -45,9 +45,9 @@ std::optional<Bounds> sweep_of(const Node& node) {
 Home prepare_home(Scene scene, const Profile& profile) {
   Home home;
   home.physics = physics_of(scene);
-  scene.edges = read_relations(scene, home.physics);
   home.physics.prepare();
   home.links = LinkTable(scene, home.physics);
+  scene.edges = home.links.edges(scene);
   PlacementChecker solids;
   set_walls(solids, scene);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -66,6 +66,7 @@ Home prepare_home(Scene scene, const Profile& profile) {
   home.reader.share();
   home.now.entities = home.reader.entities();
   home.places = NodeIndex(scene.nodes);
+  home.viewer = std::make_shared<const Viewer>(scene);
   home.scene = std::move(scene);
   return home;
 }

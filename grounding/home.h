@@ -11,10 +11,10 @@
 #include "scene/node_index.h"
 #include "scene/scene.h"
 #include "scene/trace.h"
-#include "simulation/known_start.h"
 #include "simulation/link_table.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
+#include "simulation/view.h"
 
 namespace unietp {
 
@@ -34,6 +34,7 @@ struct Home {
   std::optional<std::string> unreached;  // a room that the agent cannot walk to
   Trace now;                             // the scene in the logic, without comparisons
   FactReader reader;                     // that read it
+  std::shared_ptr<const Viewer> viewer;  // for its rooms
 };
 
 /// Reads the scene's edges anew. Deterministic.
@@ -57,8 +58,6 @@ Differences differences(const Home& home, const Scene& scene);
 /// The bodies of such a scene, at the cost of the differences.
 PhysicsWorld physics_of(const Home& home, const Scene& scene, const Differences& changed);
 PhysicsWorld physics_of(const Home& home, const Scene& scene);
-/// What a world of such a scene need not work out again.
-KnownStart known_start(const Home& home, const Scene& scene);
 /// Where a body can walk in it: the home's own while nothing that a body bumps into has changed and the agent stands
 /// where it stood.
 std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const Differences& changed);

@@ -96,24 +96,4 @@ EdgeChange Present::since_home() const {
   return change;
 }
 
-GrownScene read_grown(const Home& home, const Scene& scene, const Differences& changed, const PhysicsWorld& physics) {
-  Present present(home);
-  GrownScene grown;
-  grown.places = home.places;
-  for (const std::size_t i : changed.gone) {
-    present.touch(home.scene.nodes[i].id, home.physics.bounds(static_cast<BodyId>(i)));
-    grown.places.remove(i, home.scene.nodes[i]);
-  }
-  for (const std::size_t i : changed.nodes) {
-    present.touch(scene.nodes[i].id, physics.bounds(static_cast<BodyId>(i)));
-    grown.places.add(i, scene.nodes[i]);
-  }
-  for (const std::size_t i : changed.states) present.touch(scene.nodes[i].id);
-  present.read(scene, grown.places, physics);
-  grown.edges = present.since_home();
-  grown.now = present.now();
-  grown.reader = present.reader();
-  return grown;
-}
-
 }  // namespace unietp

@@ -48,13 +48,4 @@ class Present {
   std::set<std::string> ever_touched_;
 };
 
-/// A scene that grew out of a home, compared with it and read at the cost of the differences.
-struct GrownScene {
-  NodeIndex places;
-  EdgeChange edges;  // from the home's to those that read_relations gives
-  Trace now;
-  FactReader reader;  // that read it
-};
-GrownScene read_grown(const Home& home, const Scene& scene, const Differences& changed, const PhysicsWorld& physics);
-
 }  // namespace unietp

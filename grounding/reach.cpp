@@ -169,14 +169,14 @@ bool shows_in(const Scene& scene, const std::vector<Vec2>& places, const Profile
 
 }  // namespace
 
-Reach::Reach(const Home& home, const Scene& scene, const Differences& changed, const NodeIndex& places,
-             const PhysicsWorld& world, const Profile& profile)
+Reach::Reach(const Home& home, const Scene& scene, const GrownScene& grown, const Profile& profile)
     : home_(home),
       scene_(scene),
-      places_(places),
-      world_(world),
+      places_(grown.places),
+      world_(grown.physics),
       profile_(profile),
-      walk_(walk_of(home, scene, changed)) {}
+      walk_(grown.walk),
+      viewer_(*home.viewer) {}
 
 std::optional<std::string> Reach::unreached() const {
   return walk_ == home_.walk ? home_.unreached : unreached_room(scene_, *walk_);

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "grounding/home.h"
+#include "grounding/grown_scene.h"
 #include "scene/scene.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
@@ -22,10 +22,7 @@ namespace unietp {
 /// must outlive it.
 class Reach {
  public:
-  /// `changed`: the scene's differences from the home, looked at here only; `places`: of its nodes; `world`: its
-  /// bodies.
-  Reach(const Home& home, const Scene& scene, const Differences& changed, const NodeIndex& places,
-        const PhysicsWorld& world, const Profile& profile);
+  Reach(const Home& home, const Scene& scene, const GrownScene& grown, const Profile& profile);
 
   /// Id of a room that the agent cannot walk to, as unreached_room says.
   std::optional<std::string> unreached() const;

@@ -73,7 +73,7 @@ Result<std::string> seen(const Scene& scene, const Profile& profile, bool boxes)
   Picture picture = picture_of(scene, profile, rays);
   constexpr std::array<std::uint8_t, 3> kFrame{255, 60, 20};
   if (boxes) {
-    for (const VisibleObject& object : Viewer().view(viewed(scene), scene.agent, profile, profile.sight_m))
+    for (const VisibleObject& object : Viewer(scene).view(viewed(scene), scene.agent, profile, profile.sight_m))
       draw_box(picture, object.box, kFrame);
   }
   return png(picture.width, picture.height, picture.rgb);

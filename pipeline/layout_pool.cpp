@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "core/sort_unique.h"
+#include "scene/comparisons.h"
 #include "scene/trace.h"
 
 namespace unietp {
@@ -21,7 +22,10 @@ std::string layout_id(Simulator simulator, int index) {
 Layout layout_of(Scene scene, const Backend& backend) {
   Layout layout;
   layout.home = prepare_home(std::move(scene), backend.profile);
-  layout.offer = {offered_categories(layout.home.scene, backend.knowledge), to_logic(layout.home.scene, {}, true)};
+  const Home& home = layout.home;
+  layout.offer = {offered_categories(home.scene, backend.knowledge), home.now};
+  Facts& now = layout.offer.now.states.front();
+  now = with_comparisons(now, home.scene, home.reader, {.all = true, .categories = {}});
   return layout;
 }
 

@@ -119,16 +119,12 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   auto grounded =
       ground(specification, layout->home, backend.knowledge, backend.profile, grounding, root.fork("grounding", item));
   if (auto* why = std::get_if<Rejection>(&grounded)) return rejected(std::move(*why));
-  Task task{task_id(slot), std::move(std::get<Episode>(grounded)), {}, {}, {}, {}, configuration.seed, slot.index,
-            plan.attempt};
-
+  auto& [episode, known] = std::get<Grounded>(grounded);
+  Task task{task_id(slot), std::move(episode), {}, {}, {}, {}, configuration.seed, slot.index, plan.attempt};
   task.episode.start.id = task.id;  // as its file will say; its text reads back to the same bits
 
-  timer.enter(Stage::Expert);
-  const Scene& start = task.episode.start;
-  KnownStart known = known_start(layout->home, start);
-
   timer.enter(Stage::Annotator);
+  const Scene& start = task.episode.start;
   const auto categories = known.places ? categories_in(start, *known.places) : categories_in(start);
   auto instruction = instruct(specification, backend, {configuration.phrasings, categories},
                               wording_stream(configuration.seed, slot.index, plan.attempt));

@@ -8,6 +8,7 @@
 #include "simulation/link_table.h"
 #include "simulation/navigation.h"
 #include "simulation/physics.h"
+#include "simulation/view.h"
 
 namespace unietp {
 
@@ -25,6 +26,7 @@ struct KnownStart {
   std::optional<NavigationGrid> grid{};                                    // of the scene
   std::optional<NodeIndex> places{};                                       // of its nodes
   std::optional<ReadScene> read{};
+  std::optional<Viewer> viewer{};  // for its rooms
 };
 
 }  // namespace unietp

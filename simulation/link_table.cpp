@@ -24,6 +24,16 @@ LinkTable::LinkTable(const Scene& scene, const PhysicsWorld& physics) {
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) set(i, links_of(scene, physics, i));
 }
 
+std::vector<Edge> LinkTable::edges(const Scene& scene) const {
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    for (const Link& link : links_[i]) edges.push_back(edge_of(scene, i, link));
+  }
+  if (const Room* room = room_at(scene, scene.agent.position)) edges.push_back({Predicate::InRoom, "agent", room->id});
+  sort_unique(edges);
+  return edges;
+}
+
 void LinkTable::resize(std::size_t nodes) {
   while (links_.size() < nodes) links_.emplace_back(), carried_.emplace_back();
   while (links_.size() > nodes) links_.pop_back(), carried_.pop_back();

@@ -25,6 +25,9 @@ class LinkTable {
   /// What lies on or in a node, directly. Sorted.
   const std::vector<std::uint32_t>& carried(std::size_t node) const { return carried_[node]; }
 
+  /// All of them as edges, and in_room of the agent; sorted.
+  std::vector<Edge> edges(const Scene& scene) const;
+
   /// Nodes at the end, without links and carrying nothing, until there are so many; or fewer of such nodes.
   void resize(std::size_t nodes);
   /// Gives the node other links, sorted ones, and takes the present ones away in `links`.

@@ -16,7 +16,7 @@ std::string key_of(const Action& action) {
 
 }  // namespace
 
-MomentTree::MomentTree(WorldState start) : state_(std::move(start)) {
+MomentTree::MomentTree(WorldState start, Viewer viewer) : state_(std::move(start)), viewer_(std::move(viewer)) {
   moments_.emplace_back();  // moments are told apart by what they gained since the start, which gained nothing
   known_.emplace(Digest{}, 0);
 }

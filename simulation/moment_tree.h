@@ -21,7 +21,7 @@ using MomentId = std::uint32_t;
 /// that was done once is not done again: mutants of a plan are mostly the plan itself.
 class MomentTree {
  public:
-  explicit MomentTree(WorldState start);
+  MomentTree(WorldState start, Viewer viewer);
 
   struct Step {
     Outcome outcome;

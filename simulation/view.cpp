@@ -33,18 +33,6 @@ struct Viewer::Body {
   }
 };
 
-struct Viewer::House {
-  std::vector<Room> rooms;
-  std::vector<Opening> openings;
-  double wall_height = 0, wall_thickness = 0;
-  std::vector<Solid> walls;
-
-  bool is_of(const Scene& scene) const {
-    return wall_height == scene.wall_height && wall_thickness == scene.wall_thickness && rooms == scene.rooms &&
-           openings == scene.openings;
-  }
-};
-
 struct Viewer::Look {
   /// A node, with the part of the outlines that are its own.
   struct Seen {
@@ -56,7 +44,6 @@ struct Viewer::Look {
   };
 
   Camera camera;
-  std::shared_ptr<const House> house;
   std::vector<Seen> asked, others;  // by node
   std::vector<Outline> outlines;    // of all of them in order, then of walls
 
@@ -115,6 +102,12 @@ void add_wall_outlines(const std::vector<Solid>& walls, const Camera& camera, do
 
 }  // namespace
 
+Viewer::Viewer(const Scene& scene) {
+  std::vector<Solid> walls;
+  for (const WallPiece& piece : walls_of(scene)) walls.push_back({Part::Kind::Box, piece.pose, piece.size, -1, false});
+  walls_ = std::make_shared<const std::vector<Solid>>(std::move(walls));
+}
+
 const std::shared_ptr<const Viewer::Body>& Viewer::body_of(const Scene& scene, std::size_t i) {
   const Node& node = scene.nodes[i];
   if (bodies_.size() < scene.nodes.size()) bodies_.resize(scene.nodes.size());
@@ -125,17 +118,6 @@ const std::shared_ptr<const Viewer::Body>& Viewer::body_of(const Scene& scene, s
     bodies_[i] = std::move(body);
   }
   return bodies_[i];
-}
-
-const std::shared_ptr<const Viewer::House>& Viewer::house_of(const Scene& scene) {
-  if (house_ == nullptr || !house_->is_of(scene)) {
-    auto house = std::make_shared<House>();
-    *house = {scene.rooms, scene.openings, scene.wall_height, scene.wall_thickness, {}};
-    for (const WallPiece& piece : walls_of(scene))
-      house->walls.push_back({Part::Kind::Box, piece.pose, piece.size, -1, false});
-    house_ = std::move(house);
-  }
-  return house_;
 }
 
 std::vector<std::size_t> ViewedScene::within(const Vec3& middle, double radius_m) const {
@@ -159,9 +141,8 @@ std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& 
   const Scene& scene = around.scene;
   auto look = std::make_shared<Look>();
   look->camera = camera_of(eye, profile);
-  look->house = house_of(scene);
   const Camera& camera = look->camera;
-  const bool same_eye = last_ != nullptr && last_->camera == camera && last_->house == look->house;
+  const bool same_eye = last_ != nullptr && last_->camera == camera;
   std::vector<PixelBox> changed;  // where the picture may differ from the last one
   const auto see = [&](std::size_t i, std::vector<Look::Seen>& list, const std::vector<Look::Seen>* before) {
     Look::Seen seen{i, body_of(scene, i)};
@@ -197,7 +178,7 @@ std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& 
     if (distance > sight_m && distance - sight_radius(node) <= farthest && shown(i))
       see(i, look->others, same_eye ? &last_->others : nullptr);
   }
-  add_wall_outlines(look->house->walls, camera, farthest, look->outlines);
+  add_wall_outlines(*walls_, camera, farthest, look->outlines);
   if (same_eye) {
     for (const auto& [before, now] :
          {std::pair(&last_->asked, &look->asked), std::pair(&last_->others, &look->others)}) {
@@ -240,7 +221,7 @@ std::optional<PixelBox> Viewer::box_of(const ViewedScene& around, std::size_t ta
     if (around.hides(i)) continue;
     add_outlines(body_of(scene, i)->solids, camera, outlines);
   }
-  add_wall_outlines(house_of(scene)->walls, camera, farthest, outlines);
+  add_wall_outlines(*walls_, camera, farthest, outlines);
   return VisibleBoxes(camera, outlines).of(static_cast<std::int32_t>(target));
 }
 

@@ -36,6 +36,9 @@ ViewedScene viewed(const Scene& scene);
 /// any result. Not thread-safe; copies share what they keep.
 class Viewer {
  public:
+  /// For scenes that have the rooms and openings of this one.
+  explicit Viewer(const Scene& scene);
+
   /// The objects whose box's centre is at most `sight_m` from the eye and of which the image shows a pixel, with the
   /// box around those pixels: exactly what a ray through the middle of every pixel finds (segmentation_of), at the cost
   /// of a few hundred. Sorted by id. `eye`: place, yaw and pitch.
@@ -44,15 +47,13 @@ class Viewer {
   std::optional<PixelBox> box_of(const ViewedScene& around, std::size_t node, const Agent& eye, const Profile& profile);
 
  private:
-  struct Body;   // a node's solids, and what they were made of
-  struct House;  // the walls, and what they were made of
-  struct Look;   // what a view was of, and what came of it
+  struct Body;  // a node's solids, and what they were made of
+  struct Look;  // what a view was of, and what came of it
   const std::shared_ptr<const Body>& body_of(const Scene& scene, std::size_t node);
-  const std::shared_ptr<const House>& house_of(const Scene& scene);
 
   // Shared by copies, and never changed: a branch of an episode keeps what its copies have in common.
   std::vector<std::shared_ptr<const Body>> bodies_;
-  std::shared_ptr<const House> house_;
+  std::shared_ptr<const std::vector<Solid>> walls_;
   std::shared_ptr<const Look> last_;
 };
 

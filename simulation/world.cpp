@@ -53,9 +53,10 @@ Result<World> World::create(Scene start, const Knowledge& knowledge, const Profi
   if (room_at(start, start.agent.position) == nullptr) {
     return Error{Error::Kind::Schema, start.id, {}, "the agent stands in no room"};
   }
+  Viewer viewer = known.viewer ? *known.viewer : Viewer(start);
   auto state = WorldState::of(std::move(start), knowledge, profile, std::move(known));
   if (!state) return state.error();
-  return World(std::make_shared<MomentTree>(std::move(*state)));
+  return World(std::make_shared<MomentTree>(std::move(*state), std::move(viewer)));
 }
 
 Outcome World::step(const Action& action) {

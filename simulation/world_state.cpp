@@ -140,12 +140,7 @@ ViewedScene WorldState::viewed() const {
 
 Scene WorldState::whole_scene() const {
   Scene scene = scene_;
-  std::vector<Edge> edges;
-  for (std::size_t i = 0; i < count(); ++i) {
-    for (const Link& link : links(i)) edges.push_back(edge_of(scene, i, link));
-  }
-  if (const Room* room = room_at(scene, scene.agent.position)) edges.push_back({Predicate::InRoom, "agent", room->id});
-  scene.edges = std::move(edges);
+  scene.edges = links_.edges(scene);
   return scene;
 }
 

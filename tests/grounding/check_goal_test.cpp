@@ -48,8 +48,8 @@ class CheckGoal : public ::testing::Test {
     EXPECT_TRUE(formula) << format(formula.error());
     specification.goal = *formula;
     const Home home = prepare_home(scene_, style_->profile);
-    const Differences none;
-    Reach reach(home, home.scene, none, home.places, home.physics, style_->profile);
+    const GrownScene grown = read_grown(home, home.scene);
+    Reach reach(home, home.scene, grown, style_->profile);
     const auto problem = check_goal(specification, home.scene, home.places, to_logic(home.scene, {}, true),
                                     style_->knowledge, style_->profile, reach, pictured_);
     if (problem) {

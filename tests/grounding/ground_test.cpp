@@ -48,7 +48,7 @@ class Ground : public ::testing::Test {
     ASSERT_TRUE(home) << format(home.error());
     home_ = std::move(*home);
   }
-  std::variant<Episode, Rejection> grounded(const Specification& spec, std::uint64_t seed = 0) const {
+  std::variant<Grounded, Rejection> grounded(const Specification& spec, std::uint64_t seed = 0) const {
     return ground(spec, prepare_home(home_, style_->profile), style_->knowledge, style_->profile, {}, Rng(seed));
   }
   /// The episode, whose start is read anew from physics and held against the specification by the evaluator alone.
@@ -58,7 +58,7 @@ class Ground : public ::testing::Test {
       ADD_FAILURE() << rejection->reason << ": " << rejection->detail;
       return {};
     }
-    Episode episode = std::get<Episode>(result);
+    Episode episode = std::get<Grounded>(result).episode;
     expect_read_and_written_exactly(episode.start);
     const Trace trace = to_logic(episode.start, {}, true);
     for (const Formula& constraint : spec.init) EXPECT_TRUE(holds_in(constraint, trace, 0)) << to_text(constraint);
@@ -196,7 +196,7 @@ TEST_F(Ground, RejectsAGoalAboutNothing) {
 std::string verdict(const Specification& spec, const Home& home, Scene start, const std::set<std::string>& touched,
                     const Surroundings& style) {
   start.edges = read_relations(start);
-  const auto problem = check_start(spec, home, start, touched, style.knowledge, style.profile);
+  const auto problem = check_start(spec, home, start, read_grown(home, start), touched, style.knowledge, style.profile);
   return problem ? name_of(problem->reason) : "sound";
 }
 
@@ -236,7 +236,7 @@ TEST_F(Ground, CheckFindsEachFaultPlantedInASoundStart) {
 
   Scene misread = start;
   misread.edges.erase(*misread.edges.begin());
-  EXPECT_TRUE(check_start(spec, home, misread, {}, style_->knowledge, style_->profile));
+  EXPECT_TRUE(check_start(spec, home, misread, read_grown(home, misread), {}, style_->knowledge, style_->profile));
 }
 
 TEST_F(Ground, BringsOneClearlyNearestAndLeavesAnotherFurtherAway) {
@@ -370,8 +370,8 @@ TEST(GroundTheLibrary, FindsStartsForMostTemplatesOnEverySimulator) {
         continue;
       }
       ++found;
-      expect_read_and_written_exactly(std::get<Episode>(result).start);
-      const Trace trace = to_logic(std::get<Episode>(result).start, {}, true);
+      expect_read_and_written_exactly(std::get<Grounded>(result).episode.start);
+      const Trace trace = to_logic(std::get<Grounded>(result).episode.start, {}, true);
       for (const Formula& constraint : spec->init) EXPECT_TRUE(holds_in(constraint, trace, 0)) << to_text(constraint);
       EXPECT_FALSE(holds(spec->goal, trace)) << to_text(spec->goal);
     }

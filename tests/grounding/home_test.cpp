@@ -104,19 +104,18 @@ TEST(Home, WhatIsReadAtTheCostOfTheDifferenceIsWhatAWholeReadingGives) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
       SCOPED_TRACE(seed);
       Scene scene = grown_out_of(home.scene, Rng(seed));
-      const Differences changed = differences(home, scene);
-      const PhysicsWorld physics = physics_of(home, scene, changed);
-      const GrownScene grown = read_grown(home, scene, changed, physics);
+      const GrownScene grown = read_grown(home, scene);
       scene.edges = grown.edges.applied_to(home.scene.edges);
       expect_places(grown.places, scene);
       ASSERT_EQ(texts(scene.edges), texts(read_relations(scene)));
       expect_shows(grown.now, scene, home.scene.edges);
 
       const Walk whole = walk_in(scene, style->profile);
-      EXPECT_EQ(walk_of(home, scene)->reached, whole.reached);
+      EXPECT_EQ(grown.walk->reached, whole.reached);
 
       const auto afresh = World::create(scene, style->knowledge, style->profile);
-      const auto from_home = World::create(scene, style->knowledge, style->profile, known_start(home, scene));
+      const auto from_home =
+          World::create(scene, style->knowledge, style->profile, known_start(home, scene, read_grown(home, scene)));
       ASSERT_TRUE(afresh && from_home);
       EXPECT_TRUE(from_home->scene() == afresh->scene());
       for (const Node& node : scene.nodes)

@@ -1,6 +1,7 @@
 // What the agent's camera shows: boxes of objects, the segmentation behind them, and the picture.
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -61,7 +62,7 @@ class ACamera : public ::testing::TestWithParam<Simulator> {};
 TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
   const Profile profile = profile_of(GetParam());
   Rng rng(5);
-  Viewer viewer;
+  Viewer viewer(testing::wide_kitchen(GetParam()));
   Rays rays;
   std::size_t listed = 0;
   for (int i = 0; i < 16; ++i) {
@@ -89,6 +90,37 @@ TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
   EXPECT_GT(listed, 60U);
 }
 
+/// Things come, go, move and open before an eye that stays where it is for some looks.
+TEST_P(ACamera, LookingAgainSeesWhatAFirstLookSees) {
+  const Profile profile = profile_of(GetParam());
+  Rng rng(7);
+  Scene scene = drawn_view(GetParam(), rng);
+  Viewer viewer(scene);
+  std::vector<VisibleObject> before;
+  int other = 0;
+  for (int look = 0; look < 200; ++look) {
+    SCOPED_TRACE(look);
+    if (look % 20 == 0) scene.agent = drawn_view(GetParam(), rng).agent;
+    std::set<std::size_t> hidden;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+      if (rng.chance(0.05)) hidden.insert(i);
+    }
+    Node& node = scene.nodes.edit(rng.below(scene.nodes.size()));
+    if (node.openable) {
+      node.opening = 1 - node.opening;
+    } else if (node.movable) {
+      node.pose.position += Vec3(rng.uniform(-0.3, 0.3), rng.uniform(-0.3, 0.3), 0);
+    }
+    const ViewedScene seen{scene, [&](std::size_t i) { return hidden.contains(i); }};
+    const double sight_m = rng.chance(0.8) ? profile.sight_m : kEndless_m;
+    const auto now = viewer.view(seen, scene.agent, profile, sight_m);
+    EXPECT_EQ(now, Viewer(scene).view(seen, scene.agent, profile, sight_m));
+    other += now == before ? 0 : 1;
+    before = now;
+  }
+  EXPECT_GT(other, 60);
+}
+
 /// In a large world only what is near is looked at.
 TEST_P(ACamera, ShowsInAWorldOfManyThingsWhatALookAtAllOfThemShows) {
   const Knowledge knowledge = testing::kitchen_knowledge(GetParam());
@@ -107,9 +139,9 @@ TEST_P(ACamera, ShowsInAWorldOfManyThingsWhatALookAtAllOfThemShows) {
     profile.sight_m = rng.uniform(1, 6);
     const auto world = World::create(strewn, knowledge, profile);
     ASSERT_TRUE(world) << format(world.error());
-    const auto all = Viewer().view(viewed(strewn), strewn.agent, profile, profile.sight_m);
+    const auto all = Viewer(strewn).view(viewed(strewn), strewn.agent, profile, profile.sight_m);
     EXPECT_EQ(world->visible(), all);
-    EXPECT_EQ(world->pictured(), Viewer().view(viewed(strewn), strewn.agent, profile, kEndless_m));
+    EXPECT_EQ(world->pictured(), Viewer(strewn).view(viewed(strewn), strewn.agent, profile, kEndless_m));
     for (const VisibleObject& one : all) EXPECT_EQ(world->pictured_from(strewn.agent, one.id), one.box);
     listed += all.size();
   }
@@ -121,7 +153,7 @@ TEST_P(ACamera, GivesTheSameBytesInEveryThread) {
   Rng rng(6);
   const Scene scene = drawn_view(GetParam(), rng);
   Rays rays;
-  const auto visible = Viewer().view(viewed(scene), scene.agent, profile, profile.sight_m);
+  const auto visible = Viewer(scene).view(viewed(scene), scene.agent, profile, profile.sight_m);
   const auto picture = picture_of(scene, profile, rays).rgb;
   std::vector<std::vector<VisibleObject>> views(3);
   std::vector<std::vector<std::uint8_t>> pictures(3);
@@ -129,7 +161,7 @@ TEST_P(ACamera, GivesTheSameBytesInEveryThread) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     threads.emplace_back([&, i] {
       Rays own;
-      views[i] = Viewer().view(viewed(scene), scene.agent, profile, profile.sight_m);
+      views[i] = Viewer(scene).view(viewed(scene), scene.agent, profile, profile.sight_m);
       pictures[i] = picture_of(scene, profile, own).rgb;
     });
   }

@@ -76,7 +76,7 @@ std::string broken_invariant(const World& world) {
   }
   for (const auto& [seen, sight_m] :
        {std::pair(world.visible(), world.profile().sight_m), std::pair(world.pictured(), kEndless_m)}) {
-    if (seen != Viewer().view(viewed(scene), scene.agent, world.profile(), sight_m))
+    if (seen != Viewer(scene).view(viewed(scene), scene.agent, world.profile(), sight_m))
       return "what is seen is not what a first look sees";
   }
   if (const std::string pair = deep_overlap(scene); !pair.empty()) return pair;

@@ -1,4 +1,4 @@
-#include "simulation/known_start.h"
+#include "grounding/grown_scene.h"
 
 #include <algorithm>
 
@@ -6,9 +6,33 @@
 
 namespace unietp {
 
-KnownStart known_start(const Home& home, const Scene& scene) {
-  const Differences changed = differences(home, scene);
-  KnownStart known{.physics = physics_of(home, scene, changed)};
+GrownScene read_grown(const Home& home, const Scene& scene) {
+  GrownScene grown;
+  grown.changed = differences(home, scene);
+  grown.physics = physics_of(home, scene, grown.changed);
+  grown.walk = walk_of(home, scene, grown.changed);
+  grown.places = home.places;
+  Present present(home);
+  for (const std::size_t i : grown.changed.gone) {
+    present.touch(home.scene.nodes[i].id, home.physics.bounds(static_cast<BodyId>(i)));
+    grown.places.remove(i, home.scene.nodes[i]);
+  }
+  for (const std::size_t i : grown.changed.nodes) {
+    present.touch(scene.nodes[i].id, grown.physics.bounds(static_cast<BodyId>(i)));
+    grown.places.add(i, scene.nodes[i]);
+  }
+  for (const std::size_t i : grown.changed.states) present.touch(scene.nodes[i].id);
+  present.read(scene, grown.places, grown.physics);
+  grown.edges = present.since_home();
+  grown.now = present.now();
+  grown.reader = present.reader();
+  return grown;
+}
+
+KnownStart known_start(const Home& home, const Scene& scene, GrownScene grown) {
+  const Differences& changed = grown.changed;
+  KnownStart known{.physics = std::move(grown.physics)};
+  known.viewer = *home.viewer;
   if (!scene.agent.held.empty() || !home.scene.agent.held.empty()) return known;
   const PhysicsWorld& physics = known.physics;
   LinkTable& links = known.links.emplace(home.links);
@@ -24,13 +48,7 @@ KnownStart known_start(const Home& home, const Scene& scene) {
   for (const std::size_t i : changed.nodes) touched.push_back(physics.bounds(static_cast<BodyId>(i)));
   for (const std::size_t i : affected_by(physics, touched, changed.nodes)) links.set(i, links_of(scene, physics, i));
   links.resize(count);
-  NavigationGrid& grid = known.grid.emplace(home.walk->grid);
-  for (const std::size_t i : changed.gone) {
-    if (i >= scene.nodes.size()) grid.update(i, nullptr, nullptr);
-  }
-  for (const std::size_t i : changed.nodes)
-    grid.update(i, &scene.nodes[i], &physics.collider(static_cast<BodyId>(i)).shape);
-  GrownScene grown = read_grown(home, scene, changed, physics);
+  known.grid = grown.walk->grid;
   known.places = std::move(grown.places);
   known.read = ReadScene{std::move(grown.reader), std::move(grown.now.states.front())};
   return known;
