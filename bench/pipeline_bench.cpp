@@ -125,7 +125,7 @@ void one_home_of_objects(benchmark::State& state) {
   if (!reading.errors.empty()) return state.SkipWithError(format(reading.errors.front()).c_str());
   const auto& backend = reading.resources.backend(Simulator::Ai2thor);
   RunConfiguration configuration;
-  configuration.count = 60;
+  configuration.count = 400;
   configuration.simulators = {Simulator::Ai2thor};
   LayoutOptions options;
   options.rooms = 7;
