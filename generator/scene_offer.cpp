@@ -1,6 +1,8 @@
 #include "generator/scene_offer.h"
 
-#include <map>
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
 
 #include "logic/evaluate.h"
 
@@ -8,14 +10,15 @@ namespace unietp {
 namespace {
 
 std::vector<std::string> single(const SceneOffer& offer, Entity::Kind kind) {
-  std::map<std::string, int> numbers;
+  std::unordered_map<std::string_view, int> numbers;
   for (const auto& entity : offer.now.entities) {
     if (entity.kind == kind) ++numbers[entity.category];
   }
   std::vector<std::string> names;
   for (const auto& [name, number] : numbers) {
-    if (number == 1) names.push_back(name);
+    if (number == 1) names.emplace_back(name);
   }
+  std::sort(names.begin(), names.end());
   return names;
 }
 
