@@ -73,11 +73,13 @@ std::optional<Literal> carry_out(Attempt& attempt, Methods& methods, const Habit
   return bring_about(attempt, methods, wanted_at_end(alternative), habits);
 }
 
-/// How many things are not as they are to be in the end: each takes a step at least.
-std::size_t things_to_change(const Attempt& attempt) {
+/// How many things still have to come to lie on something: each takes a step of its own, since what lies on or in a
+/// thing that is put down lies on nothing new. Pieces aside, which come many at a cut.
+std::size_t things_to_put_down(const Attempt& attempt) {
   std::set<EntityIndex> things;
   for (const Literal& literal : wanted_at_end(attempt.alternative())) {
-    if (!attempt.holds(literal)) things.insert(literal.subject);
+    if (literal.predicate != Predicate::On || !literal.positive || attempt.holds(literal)) continue;
+    if (!attempt.situation().is_imagined(literal.subject)) things.insert(literal.subject);
   }
   return things.size();
 }
@@ -120,9 +122,10 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
     const auto choice = next_choice(read_goal(goal, situation, experience), situation, tried);
     if (!choice) break;
     Attempt attempt(rehearsal, situation, choice->alternative, options);
-    if (things_to_change(attempt) > static_cast<std::size_t>(options.max_steps)) {
+    if (things_to_put_down(attempt) > static_cast<std::size_t>(options.max_steps)) {
       ++out_of_steps;
-      last = {"expert", "too-many-steps", "more than " + std::to_string(options.max_steps) + " things have to change"};
+      last = {"expert", "too-many-steps",
+              "more than " + std::to_string(options.max_steps) + " things have to be put down"};
       continue;
     }
     for (const Action& action : beginning.done) attempt.act(action);

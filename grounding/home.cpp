@@ -87,10 +87,6 @@ Differences differences(const Home& home, const Scene& scene) {
   return found;
 }
 
-PhysicsWorld physics_of(const Home& home, const Scene& scene) {
-  return physics_of(home, scene, differences(home, scene));
-}
-
 PhysicsWorld physics_of(const Home& home, const Scene& scene, const Differences& changed) {
   PhysicsWorld physics = home.physics;
   for (const std::size_t i : changed.gone) {

@@ -57,7 +57,6 @@ Differences differences(const Home& home, const Scene& scene);
 
 /// The bodies of such a scene, at the cost of the differences.
 PhysicsWorld physics_of(const Home& home, const Scene& scene, const Differences& changed);
-PhysicsWorld physics_of(const Home& home, const Scene& scene);
 /// Where a body can walk in it: the home's own while nothing that a body bumps into has changed and the agent stands
 /// where it stood.
 std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const Differences& changed);

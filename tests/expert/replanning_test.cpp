@@ -101,11 +101,11 @@ TEST_F(Replanning, SaysWhyThereIsNoPlan) {
       "action-failed");
 }
 
-TEST_F(Replanning, TriesNothingWhereMoreThingsHaveToChangeThanThereAreSteps) {
+TEST_F(Replanning, TriesNothingWhereMoreThingsHaveToBePutDownThanThereAreSteps) {
   const std::string goal = "(forall (?x - Mug) (exists (?y - SideTable) (at-end (on ?x ?y))))";
   const Rejection refused = refusal(goal, house(), {.max_steps = 2});
   EXPECT_EQ(refused.reason, "too-many-steps");
-  EXPECT_THAT(refused.detail, HasSubstr("more than 2 things have to change"));
+  EXPECT_THAT(refused.detail, HasSubstr("more than 2 things have to be put down"));
   EXPECT_THAT(refusal(goal, house(), {.max_steps = 3}).detail, HasSubstr("needs more than 3 steps"));
 }
 
