@@ -14,8 +14,8 @@ namespace {
 
 using Op = Formula::Op;
 
-constexpr std::size_t kMostWitnesses = 24;  // looked at beyond those that are wanted, as many as the expert reads
-constexpr std::size_t kMostTools = 8;       // for one thing; twice as many as the expert tries
+constexpr std::size_t kMostWitnesses = 8;  // looked at beyond those that are wanted, as many as the expert reads
+constexpr std::size_t kMostTools = 8;      // for one thing; twice as many as the expert tries
 
 /// The effects of the knowledge base that bring a state about.
 std::vector<std::string_view> effects_for(Predicate state) {

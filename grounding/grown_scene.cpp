@@ -48,7 +48,7 @@ KnownStart known_start(const Home& home, const Scene& scene, GrownScene grown) {
   for (const std::size_t i : changed.nodes) touched.push_back(physics.bounds(static_cast<BodyId>(i)));
   for (const std::size_t i : affected_by(physics, touched, changed.nodes)) links.set(i, links_of(scene, physics, i));
   links.resize(count);
-  known.grid = grown.walk->grid;
+  known.walk = std::move(grown.walk);
   known.places = std::move(grown.places);
   known.read = ReadScene{std::move(grown.reader), std::move(grown.now.states.front())};
   return known;

@@ -60,7 +60,11 @@ Home prepare_home(Scene scene, const Profile& profile) {
     home.rooms.push_back(room_number(scene, node.pose.position.head<2>()));
   }
   home.solids = PlacementChecker::shared(std::move(solids));
-  home.walk = std::make_shared<const Walk>(walk_in(scene, profile));
+  Walk walk = walk_in(scene, profile);
+  Ripple steps(walk.grid, walk.grid.cell_at(scene.agent.position));
+  steps.finish();
+  walk.steps = std::make_shared<const Ripple>(std::move(steps));
+  home.walk = std::make_shared<const Walk>(std::move(walk));
   home.unreached = unreached_room(scene, *home.walk);
   home.now.states.push_back(home.reader.read(scene));
   home.reader.share();
@@ -114,7 +118,7 @@ std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const 
     return !(i < before.size() && stops_a_body(before[i])) && !(i < after.size() && stops_a_body(after[i]));
   });
   if (places.empty() && scene.agent.position == home.scene.agent.position) return home.walk;
-  auto walk = std::make_shared<Walk>(Walk{home.walk->grid, {}});
+  auto walk = std::make_shared<Walk>(Walk{home.walk->grid, {}, {}});
   for (const std::size_t i : places) {
     if (i < after.size()) {
       const Shape shape = shape_of(after[i]);

@@ -165,7 +165,7 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
       continue;
     }
     CellSet reached = grid.reached_from(grid.cell_at(scene.agent.position));
-    const Walk walk{std::move(grid), std::move(reached)};
+    const Walk walk{std::move(grid), std::move(reached), {}};
     if (const auto room = unreached_room(scene, walk)) {
       obstacle = *room + " cannot be walked to";
       continue;

@@ -350,7 +350,7 @@ const std::vector<Vec2>& Reach::standing_by(Opened& opened, std::size_t index) c
 
 const Walk& Reach::walk(Opened& opened) const {
   if (opened.walk == nullptr) {
-    auto walk = std::make_shared<Walk>(Walk{walk_->grid, {}});
+    auto walk = std::make_shared<Walk>(Walk{walk_->grid, {}, {}});
     for (const std::size_t door : opened.doors) {
       const Shape shape = shape_of(opened.scene.nodes[door]);
       walk->grid.update(door, &opened.scene.nodes[door], &shape);

@@ -40,7 +40,7 @@ bool is_rectangle(const Room& room, const Bounds& bounds) {
 Walk walk_in(const Scene& scene, const Profile& profile) {
   NavigationGrid grid(scene, profile);
   CellSet reached = grid.reached_from(grid.cell_at(scene.agent.position));
-  return {std::move(grid), std::move(reached)};
+  return {std::move(grid), std::move(reached), {}};
 }
 
 bool stand_in_first_room(Scene& scene, const NavigationGrid& grid) {

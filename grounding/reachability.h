@@ -7,17 +7,12 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "simulation/navigation.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
+#include "simulation/walk.h"
 
 namespace unietp {
 
-/// Where a body can stand, and which of it the agent can walk to.
-struct Walk {
-  NavigationGrid grid;
-  CellSet reached;
-};
 Walk walk_in(const Scene& scene, const Profile& profile);
 
 /// Puts the agent on the free cell nearest to the middle of the first room, facing along an axis towards the room's

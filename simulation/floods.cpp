@@ -1,6 +1,7 @@
 #include "simulation/floods.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace unietp {
 namespace {
@@ -16,6 +17,10 @@ T& keep(std::vector<T>& list, std::uint64_t before, T one) {
 
 }  // namespace
 
+Floods::Floods(std::shared_ptr<const Walk> start) : start_(std::move(start)) {
+  floods_.push_back({start_->grid.digest(), start_->reached, made_++});
+}
+
 const Flood& Floods::around(const NavigationGrid& grid, NavigationGrid::Cell cell) {
   const auto known = std::find_if(floods_.begin(), floods_.end(), [&](const Flood& flood) {
     return flood.grid == grid.digest() && flood.to.has(cell.x, cell.y);
@@ -25,12 +30,18 @@ const Flood& Floods::around(const NavigationGrid& grid, NavigationGrid::Cell cel
   return keep(floods_, number, Flood{grid.digest(), grid.reached_from(cell), number});
 }
 
-Ripple& Floods::from(const NavigationGrid& grid, NavigationGrid::Cell cell) {
+std::int32_t Floods::steps(const NavigationGrid& grid, NavigationGrid::Cell from, NavigationGrid::Cell low,
+                           NavigationGrid::Cell high, std::int32_t most) {
+  const Ripple* all = start_ != nullptr ? start_->steps.get() : nullptr;
+  if (all != nullptr && all->from() == from && start_->grid.digest() == grid.digest())
+    return all->fewest_found(low, high, most);
   const auto known = std::find_if(ripples_.begin(), ripples_.end(), [&](const Steps& steps) {
-    return steps.grid == grid.digest() && steps.from == cell;
+    return steps.grid == grid.digest() && steps.ripple.from() == from;
   });
-  if (known != ripples_.end()) return known->ripple;
-  return keep(ripples_, rippled_++, Steps{grid.digest(), cell, Ripple(grid, cell)}).ripple;
+  Ripple& ripple = known != ripples_.end()
+                       ? known->ripple
+                       : keep(ripples_, rippled_++, Steps{grid.digest(), Ripple(grid, from)}).ripple;
+  return ripple.fewest_to(low, high, most);
 }
 
 }  // namespace unietp

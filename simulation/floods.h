@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "simulation/navigation.h"
-#include "simulation/ripple.h"
+#include "simulation/walk.h"
 
 namespace unietp {
 
@@ -20,17 +20,22 @@ struct Flood {
 /// returned is valid until the next call.
 class Floods {
  public:
+  Floods() = default;
+  /// What is known to begin with.
+  explicit Floods(std::shared_ptr<const Walk> start);
+
   /// From a cell.
   const Flood& around(const NavigationGrid& grid, NavigationGrid::Cell cell);
-  /// The steps from a cell.
-  Ripple& from(const NavigationGrid& grid, NavigationGrid::Cell cell);
+  /// The fewest steps from a cell to one of a rectangle, as Ripple::fewest_to tells.
+  std::int32_t steps(const NavigationGrid& grid, NavigationGrid::Cell from, NavigationGrid::Cell low,
+                     NavigationGrid::Cell high, std::int32_t most = Ripple::kAny);
 
  private:
   struct Steps {
     Digest grid;
-    NavigationGrid::Cell from;
     Ripple ripple;
   };
+  std::shared_ptr<const Walk> start_;
   std::vector<Flood> floods_;
   std::vector<Steps> ripples_;
   std::uint64_t made_ = 0, rippled_ = 0;

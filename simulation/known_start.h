@@ -1,14 +1,15 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "scene/node_index.h"
 #include "scene/trace.h"
 #include "simulation/link_table.h"
-#include "simulation/navigation.h"
 #include "simulation/physics.h"
 #include "simulation/view.h"
+#include "simulation/walk.h"
 
 namespace unietp {
 
@@ -23,7 +24,7 @@ struct KnownStart {
   PhysicsWorld physics;              // as physics_of gives it
   std::optional<LinkTable> links{};  // of the nodes, while the agent holds nothing
   std::optional<SharedList<std::shared_ptr<const Collider>>> colliders{};  // by node
-  std::optional<NavigationGrid> grid{};                                    // of the scene
+  std::shared_ptr<const Walk> walk{};                                      // of the scene
   std::optional<NodeIndex> places{};                                       // of its nodes
   std::optional<ReadScene> read{};
   std::optional<Viewer> viewer{};  // for its rooms

@@ -42,7 +42,10 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
   origin_ = low;
   width_ = static_cast<int>(std::ceil((high.x() - low.x()) / kCell_m));
   height_ = static_cast<int>(std::ceil((high.y() - low.y()) / kCell_m));
-  blockers_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 1);
+  stretches_ = (static_cast<std::size_t>(width_) + kStretch - 1) / kStretch;
+  Stretch outside;
+  outside.fill(1);
+  for (std::size_t i = 0; i < stretches_ * static_cast<std::size_t>(height_); ++i) blockers_.push_back(outside);
   free_ = CellSet(width_, height_);
   for (const Room& room : scene.rooms) {
     Vec2 room_low = room.polygon.front(), room_high = room_low;
@@ -91,7 +94,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
 }
 
 void NavigationGrid::open_floor(Cell cell) {
-  blockers_[index(cell)] = 0;
+  blockers_.edit(stretch(cell))[static_cast<std::size_t>(cell.x) % kStretch] = 0;
   free_.set(cell.x, cell.y, true);
 }
 
@@ -101,12 +104,16 @@ void NavigationGrid::count(const Shadow& f, int by) {
   const Cell from = cell_at(f.centre - reach), to = cell_at(f.centre + reach);
   const double limit = body_radius_ * body_radius_;
   for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
+    Stretch* here = nullptr;
     for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
+      const std::size_t at = static_cast<std::size_t>(x) % kStretch;
+      if (at == 0) here = nullptr;
       const Vec2 d = centre({x, y}) - f.centre;
       const double out_u = std::max(0.0, std::abs(d.dot(u)) - f.half.x());
       const double out_v = std::max(0.0, std::abs(d.dot(v)) - f.half.y());
       if (out_u * out_u + out_v * out_v >= limit) continue;
-      std::uint16_t& blockers = blockers_[index({x, y})];
+      if (here == nullptr) here = &blockers_.edit(stretch({x, y}));
+      std::uint16_t& blockers = (*here)[at];
       const bool was_free = blockers == 0;
       blockers = static_cast<std::uint16_t>(blockers + by);
       if (was_free != (blockers == 0)) free_.set(x, y, !was_free);

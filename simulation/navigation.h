@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -51,15 +52,18 @@ class NavigationGrid {
   std::vector<Vec2> walk(const Vec2& from, const Vec2& to) const;
 
  private:
-  std::size_t index(Cell cell) const {
-    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(cell.x);
-  }
   void open_floor(Cell cell);
   void count(const Shadow& shadow, int by);
   int width_ = 0, height_ = 0;
   Vec2 origin_ = Vec2::Zero();
   double body_radius_ = 0, body_height_ = 0;
-  std::vector<std::uint16_t> blockers_;      // by cell: solids over it, and 1 outside of all rooms
+  static constexpr std::size_t kStretch = 64;
+  using Stretch = std::array<std::uint16_t, kStretch>;
+  std::size_t stretch(Cell cell) const {
+    return static_cast<std::size_t>(cell.y) * stretches_ + static_cast<std::size_t>(cell.x) / kStretch;
+  }
+  std::size_t stretches_ = 0;     // a row
+  SharedList<Stretch> blockers_;  // by cell, in stretches of a row: solids over it, and 1 outside of all rooms
   SharedList<std::vector<Shadow>> shadows_;  // by node: what of it is counted
   CellSet free_;                             // those that nothing blocks
   Digest digest_;                            // the sum over nodes

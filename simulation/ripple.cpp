@@ -7,7 +7,8 @@ namespace unietp {
 using Cell = NavigationGrid::Cell;
 
 Ripple::Ripple(const NavigationGrid& grid, Cell from)
-    : width_(grid.width()),
+    : from_(from),
+      width_(grid.width()),
       height_(grid.height()),
       open_(grid.free_cells()),
       steps_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1) {
@@ -32,14 +33,23 @@ void Ripple::go_on() {
   front_.swap(next);
 }
 
-std::int32_t Ripple::fewest_to(Cell low, Cell high, std::int32_t most) {
+void Ripple::finish() {
+  while (!front_.empty()) go_on();
+}
+
+std::int32_t Ripple::fewest_found(Cell low, Cell high, std::int32_t most) const {
   std::int32_t fewest = -1;
   for (int y = std::max(0, low.y); y <= std::min(height_ - 1, high.y); ++y) {
     for (int x = std::max(0, low.x); x <= std::min(width_ - 1, high.x); ++x) {
       const std::int32_t here = found({x, y});
-      if (here >= 0 && (fewest < 0 || here < fewest)) fewest = here;
+      if (here >= 0 && here <= most && (fewest < 0 || here < fewest)) fewest = here;
     }
   }
+  return fewest;
+}
+
+std::int32_t Ripple::fewest_to(Cell low, Cell high, std::int32_t most) {
+  std::int32_t fewest = fewest_found(low, high, most);
   const auto is_there = [&](const Cell& cell) {
     return cell.x >= low.x && cell.x <= high.x && cell.y >= low.y && cell.y <= high.y;
   };

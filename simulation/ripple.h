@@ -9,16 +9,21 @@
 namespace unietp {
 
 /// The steps from one cell of a grid to the others, found as far as they are asked for: what is near is found without
-/// a look at a whole street.
+/// a look at a whole street. Or all at once, for many to ask.
 class Ripple {
  public:
   Ripple(const NavigationGrid& grid, NavigationGrid::Cell from);
 
+  static constexpr std::int32_t kAny = std::numeric_limits<std::int32_t>::max();
+
   /// The fewest steps (to the four neighbours, over free cells) to a cell of a rectangle, both corners included, which
-  /// may lie in part outside of the grid; -1 when there is no way to any, or none of at most so many steps has been
-  /// found before or is found now.
-  std::int32_t fewest_to(NavigationGrid::Cell low, NavigationGrid::Cell high,
-                         std::int32_t most = std::numeric_limits<std::int32_t>::max());
+  /// may lie in part outside of the grid; -1 when there is no way of at most so many to any.
+  std::int32_t fewest_to(NavigationGrid::Cell low, NavigationGrid::Cell high, std::int32_t most = kAny);
+  /// Finds all; from then on `fewest_found` answers as `fewest_to` does.
+  void finish();
+  /// Of what has been found.
+  std::int32_t fewest_found(NavigationGrid::Cell low, NavigationGrid::Cell high, std::int32_t most = kAny) const;
+  NavigationGrid::Cell from() const { return from_; }
   /// To a cell of the grid, when that has been found; else -1. All that are nearer have been found then, too.
   std::int32_t found(NavigationGrid::Cell cell) const { return steps_[index(cell)]; }
 
@@ -28,6 +33,7 @@ class Ripple {
   }
   void go_on();
 
+  NavigationGrid::Cell from_;
   int width_, height_;
   CellSet open_;  // free, and not found yet
   std::vector<std::int32_t> steps_;

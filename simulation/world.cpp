@@ -189,7 +189,7 @@ double World::walking_distance(std::string_view id) const {
   if (state.held(id)) return 0;
   constexpr std::int32_t kMostSteps = 400;
   const auto [low, high] = cells_beside(state, *node);
-  const std::int32_t fewest = state.steps().fewest_to(low, high, kMostSteps);
+  const std::int32_t fewest = state.steps_to(low, high, kMostSteps);
   if (fewest >= 0) return fewest * NavigationGrid::kCell_m;
   const CellSet& walk = state.walk();
   for (int y = low.y; y <= high.y; ++y) {

@@ -13,7 +13,10 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
   state.knowledge = &knowledge;
   state.profile = &profile;
   state.physics_ = std::move(known.physics);
-  state.grid_ = std::move(known.grid);
+  if (known.walk != nullptr) {
+    state.grid_ = known.walk->grid;
+    state.floods_ = Floods(std::move(known.walk));
+  }
   const EdgeSet edges = std::exchange(start.edges, {});
   state.scene_ = std::move(start);
   const std::size_t count = state.count();

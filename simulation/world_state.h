@@ -113,8 +113,8 @@ class WorldState {
   const CellSet& walk() const;
   /// Where the agent stands, or the free cell nearest to that.
   NavigationGrid::Cell cell() const;
-  /// The steps from the agent; valid until more is asked about ways.
-  Ripple& steps() const;
+  /// The fewest steps from the agent to a cell of a rectangle, as Ripple::fewest_to tells.
+  std::int32_t steps_to(NavigationGrid::Cell low, NavigationGrid::Cell high, std::int32_t most) const;
   /// Where the agent would stand to reach a node that it does not hold, as standing_place of simulation/standing.h.
   std::optional<Vec2> standing_place(std::size_t i) const;
 

@@ -22,7 +22,9 @@ NavigationGrid::Cell WorldState::cell() const {
 
 const CellSet& WorldState::walk() const { return floods_.around(grid(), cell()).to; }
 
-Ripple& WorldState::steps() const { return floods_.from(grid(), cell()); }
+std::int32_t WorldState::steps_to(NavigationGrid::Cell low, NavigationGrid::Cell high, std::int32_t most) const {
+  return floods_.steps(grid(), cell(), low, high, most);
+}
 
 std::optional<Vec2> WorldState::standing_place(std::size_t i) const {
   constexpr std::size_t kMostRemembered = 256;

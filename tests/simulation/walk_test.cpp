@@ -9,7 +9,7 @@
 namespace unietp {
 namespace {
 
-class Walk : public ::testing::Test {
+class Walking : public ::testing::Test {
  protected:
   void swing(NavigationGrid& grid, const std::string& id, double opening) {
     Node& node = *edit_node(scene_, id);
@@ -22,7 +22,7 @@ class Walk : public ::testing::Test {
   Profile profile_ = testing::kitchen_profile();
 };
 
-TEST_F(Walk, ADoorThatShutsAgainLeavesTheGridAsItWas) {
+TEST_F(Walking, ADoorThatShutsAgainLeavesTheGridAsItWas) {
   NavigationGrid grid(scene_, profile_);
   const Digest shut = grid.digest();
   swing(grid, "fridge_1", 1);
@@ -32,7 +32,7 @@ TEST_F(Walk, ADoorThatShutsAgainLeavesTheGridAsItWas) {
   EXPECT_EQ(grid.digest(), shut);
 }
 
-TEST_F(Walk, AFloodIsFoundAgainAndIsRight) {
+TEST_F(Walking, AFloodIsFoundAgainAndIsRight) {
   NavigationGrid grid(scene_, profile_);
   const auto here = *grid.nearest_free(scene_.agent.position);
   const auto beside = NavigationGrid::Cell{here.x + 1, here.y};
@@ -40,8 +40,8 @@ TEST_F(Walk, AFloodIsFoundAgainAndIsRight) {
   Floods floods;
   const std::uint64_t first = floods.around(grid, here).number;
   EXPECT_EQ(floods.around(grid, beside).number, first);  // where one gets is the same
-  EXPECT_EQ(floods.from(grid, here).fewest_to(beside, beside), 1);
-  EXPECT_EQ(floods.from(grid, beside).fewest_to(beside, beside), 0);  // how far it is, is not
+  EXPECT_EQ(floods.steps(grid, here, beside, beside), 1);
+  EXPECT_EQ(floods.steps(grid, beside, beside, beside), 0);  // how far it is, is not
   swing(grid, "fridge_1", 1);
   EXPECT_NE(floods.around(grid, here).number, first);
   EXPECT_EQ(floods.around(grid, here).to, grid.reached_from(here));
@@ -49,7 +49,7 @@ TEST_F(Walk, AFloodIsFoundAgainAndIsRight) {
   EXPECT_EQ(floods.around(grid, here).number, first);
 }
 
-TEST_F(Walk, OnlyAFewFloodsAreKept) {
+TEST_F(Walking, OnlyAFewFloodsAreKept) {
   NavigationGrid grid(scene_, profile_);
   Floods floods;
   const auto first = *grid.nearest_free(scene_.agent.position);
@@ -63,7 +63,7 @@ TEST_F(Walk, OnlyAFewFloodsAreKept) {
   EXPECT_EQ(floods.around(grid, first).to, grid.reached_from(first));
 }
 
-TEST_F(Walk, CellsToStandOnComeBestFirstAndEachOnce) {
+TEST_F(Walking, CellsToStandOnComeBestFirstAndEachOnce) {
   const NavigationGrid grid(scene_, profile_);
   const auto walk = grid.reached_from(*grid.nearest_free(scene_.agent.position));
   const Node& mug = *find_node(scene_, "mug_1");
