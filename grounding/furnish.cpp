@@ -114,9 +114,7 @@ Pose beside(const Node& host, const Node& node, Rng& rng) {
 std::optional<std::size_t> draw_row_mate(const Workspace& workspace, std::size_t room, Rng& rng) {
   std::vector<std::size_t> mates;
   const Scene& scene = workspace.scene();
-  std::vector<bool> here(scene.rooms.size() + 1, false);
-  here[room] = true;
-  for (const std::size_t i : workspace.nodes_in(here)) {
+  for (const std::size_t i : workspace.nodes_in(room)) {
     const Node& node = scene.nodes[i];
     const bool in_rows = node.archetype == Archetype::Block || node.archetype == Archetype::Cabinet ||
                          node.archetype == Archetype::Drawers || node.archetype == Archetype::Basin;
@@ -274,8 +272,8 @@ bool fits(const Workspace& workspace, const Bounds& room, const Node& node, cons
   const SharedList<Bounds>& standing = workspace.bounds();
   for (const Bounds& space : own_spaces) {
     if (!within({space.low.cwiseMax(Vec3(-1e9, -1e9, 0)), space.high}, room)) return false;
-    for (std::size_t i = 0; i < standing.size(); ++i) {
-      if (host != i && overlap(space, standing[i])) return false;
+    for (const BodyId near : workspace.physics().near(space, kGap_m)) {
+      if (near < standing.size() && host != near && overlap(space, standing[near])) return false;
     }
   }
   return !workspace.checker().hit(shape, node.pose, 0, host ? PlacementChecker::kGap_m : kGap_m) &&

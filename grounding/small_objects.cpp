@@ -176,7 +176,6 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
   if (category == nullptr) return hosts;
   struct Receptacle {
     double on = 0, inside = 0;  // how likely
-    int nodes = 0;
   };
   std::map<std::string_view, Receptacle> receptacles;
   for (const Placement* placement : knowledge.placements_of(object.category, "on"))
@@ -184,20 +183,17 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
   for (const Placement* placement : knowledge.placements_of(object.category, "inside"))
     receptacles[placement->receptacle].inside = placement->likelihood;
   const auto& nodes = workspace.scene().nodes;
-  std::vector<std::pair<std::size_t, const Receptacle*>> usable;
-  for (auto& [name, receptacle] : receptacles) {
-    for (const std::size_t i : workspace.places().of(name)) {
-      if (nodes[i].id == object.id) continue;
-      ++receptacle.nodes;
-      usable.emplace_back(i, &receptacle);
-    }
-  }
-  std::sort(usable.begin(), usable.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [node, receptacle] : usable) {
-    const double usual = in_usual_room(workspace, *category, node) ? kUsualRoomFactor : 1;
-    for (const auto& [relation, likelihood] :
-         {std::pair(Predicate::On, receptacle->on), std::pair(Predicate::Inside, receptacle->inside)}) {
-      if (likelihood > 0) hosts.push_back({node, relation, likelihood / receptacle->nodes * usual});
+  for (const auto& [name, receptacle] : receptacles) {
+    const auto& there = workspace.places().of(name);
+    const bool itself = name == object.category && workspace.places().find(object.id);
+    const auto count = static_cast<double>(there.size() - (itself ? 1 : 0));
+    for (const std::size_t node : there) {
+      if (itself && nodes[node].id == object.id) continue;
+      const double usual = in_usual_room(workspace, *category, node) ? kUsualRoomFactor : 1;
+      for (const auto& [relation, likelihood] :
+           {std::pair(Predicate::On, receptacle.on), std::pair(Predicate::Inside, receptacle.inside)}) {
+        if (likelihood > 0) hosts.push_back({node, relation, likelihood / count * usual});
+      }
     }
   }
   return hosts;

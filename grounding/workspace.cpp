@@ -147,6 +147,15 @@ const Room* Workspace::room_of(std::size_t index) const {
   return rooms_[index] < 0 ? nullptr : &scene_.rooms[static_cast<std::size_t>(rooms_[index])];
 }
 
+std::vector<std::size_t> Workspace::nodes_in(std::size_t room) const {
+  std::vector<std::size_t> nodes;
+  const auto here = static_cast<std::int32_t>(room);
+  for (std::size_t i = 0; i < rooms_.size(); ++i) {
+    if (rooms_[i] == here) nodes.push_back(i);
+  }
+  return nodes;
+}
+
 std::vector<std::size_t> Workspace::nodes_in(const std::vector<bool>& rooms) const {
   std::vector<std::size_t> nodes;
   for (std::size_t i = 0; i < rooms_.size(); ++i) {

@@ -59,7 +59,9 @@ class Workspace {
   const NodeIndex& places() const { return places_; }
   /// The room around the middle of a node, nullptr for none.
   const Room* room_of(std::size_t index) const;
-  /// The nodes with their middle in one of the rooms, ascending; the last of `rooms` says of those in no room.
+  /// The nodes with their middle in a room, ascending.
+  std::vector<std::size_t> nodes_in(std::size_t room) const;
+  /// The same of several rooms; the last of `rooms` says of those in no room.
   std::vector<std::size_t> nodes_in(const std::vector<bool>& rooms) const;
   std::string name_of(BodyId body) const;  // node's id, "wall" or "floor"
 
