@@ -114,8 +114,8 @@ std::optional<Binding> CandidatePlanner::draw_binding(const CandidatePlan& plan,
     const auto stands = rooms.find(category);
     if (stands == rooms.end()) return own;
     double room = 0;
-    for (const auto& type : stands->second) room += counts.weight(Dimension::Room, key(slot.simulator, type));
-    return own * room / static_cast<double>(stands->second.size());
+    for (const auto& [type, share] : stands->second) room += share * counts.weight(Dimension::Room, type);
+    return own * room;
   };
   return sample_binding(source, resources_.backend(slot.simulator).knowledge, layout.offer.categories,
                         configuration_.binding, weight, rng);
@@ -133,8 +133,7 @@ void CandidatePlanner::count(const CandidatePlan& plan, const TaskSlot& slot, Fr
     counts.add({dimension_of(source.parameters[i], source), key(slot.simulator, category)});
     const auto stands = rooms.find(category);
     if (stands == rooms.end()) continue;
-    for (const auto& type : stands->second)
-      counts.add({Dimension::Room, key(slot.simulator, type)}, 1.0 / static_cast<double>(stands->second.size()));
+    for (const auto& [type, share] : stands->second) counts.add({Dimension::Room, type}, share);
   }
 }
 
@@ -142,12 +141,17 @@ const CandidatePlanner::RoomTypes& CandidatePlanner::room_types_in(Simulator sim
                                                                    const Layout& layout) {
   const auto [at, fresh] = rooms_.try_emplace({simulator, home});
   if (!fresh) return at->second;
-  std::map<std::string, std::string> type_of, category_of;
-  for (const auto& room : layout.home.scene.rooms) type_of[room.id] = room.type;
-  for (const auto& node : layout.home.scene.nodes) category_of[node.id] = node.category;
-  for (const auto& edge : layout.home.scene.edges) {
-    if (edge.relation == Predicate::InRoom && category_of.count(edge.from) > 0)
-      at->second[category_of[edge.from]].push_back(type_of[edge.to]);
+  const auto& scene = layout.home.scene;
+  std::map<std::string_view, int> in_rooms;  // nodes of a category
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const auto room = layout.home.rooms[node];
+    if (room < 0) continue;
+    const auto& category = scene.nodes[node].category;
+    ++in_rooms[category];
+    at->second[category][key(simulator, scene.rooms[static_cast<std::size_t>(room)].type)] += 1;
+  }
+  for (auto& [category, types] : at->second) {
+    for (auto& [type, share] : types) share /= in_rooms[category];
   }
   return at->second;
 }

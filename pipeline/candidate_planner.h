@@ -48,7 +48,8 @@ class CandidatePlanner {
     int left = 0;                    // attempts with it
     std::vector<std::size_t> tried;  // before it, and it
   };
-  using RoomTypes = std::map<std::string, std::vector<std::string>>;  // category -> types of the rooms that have it
+  /// Category -> the kinds of room that have it, as Frequencies names them -> what share of it.
+  using RoomTypes = std::map<std::string, std::map<std::string, double>>;
 
   std::size_t next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts, Rng rng) const;
   void settle_home(CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts, const Rng& rng);
