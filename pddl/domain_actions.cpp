@@ -124,7 +124,8 @@ class ActionWriter {
   }
 
   void add_going() {
-    add(ActionType::GoTo, "", "?x ?f - thing ?r - room", {"(rests ?x ?f)", "(standing ?f)", "(in_room ?f ?r)"},
+    // To what stands on the floor; with it to all that rests on it.
+    add(ActionType::GoTo, "", "?f - thing ?r - room", {"(standing ?f)", "(in_room ?f ?r)"},
         {"(agent-in ?r)", for_all("?q - room", when("(not (= ?q ?r))", "(not (agent-in ?q))")),
          for_all("?w - thing", when("(rests ?w ?f)", "(near ?w)")),
          for_all("?w - thing", when("(not (rests ?w ?f))", "(not (near ?w))"))});
@@ -155,7 +156,8 @@ class ActionWriter {
     Lines opens = {becomes(Predicate::Open, "?t"),
                    for_all("?w - thing", when("(shut ?w ?t)", "(not (shut ?w ?t)) (free ?w)"))};
     run_on_content(processes_, {false, {}, false}, opens);
-    add(ActionType::Open, "", "?t - thing",
+    // No action bears the name of a predicate: some tools keep one list of names.
+    add(ActionType::Open, "-shut", "?t - thing",
         {"(openable ?t)", "(closed ?t)", "(near ?t)", "(free ?t)", "(not (power_on ?t))"}, std::move(opens));
     Lines closes = {becomes(Predicate::Closed, "?t"),
                     for_all("?w - thing", when("(inside ?w ?t) (free ?w)", "(shut ?w ?t) (not (free ?w))"))};
@@ -235,14 +237,20 @@ class ActionWriter {
     if (!action || !has(*action)) return;
     const bool fills = process.treatment == symbolic::Treatment::Fills;
     Lines needs = {"(held ?x)", "(" + name_of(process) + " ?t ?x" + (fills ? " ?u)" : ")"), "(near ?t)", "(free ?t)"};
-    if (process.door) needs.emplace_back("(not (power_on ?t))");
-    if (process.door && process.power && !process.closed) needs.emplace_back("(not (shuts-to-run ?t))");
+    const auto place = process.tap || process.place == Place::Inside ? Place::Inside : Place::On;
+    // A door that has to open on the way opens only while the tool is off; what is open already may stay so.
+    if (process.door) needs.emplace_back(process.closed ? "(not (power_on ?t))" : "(or (not (power_on ?t)) (open ?t))");
+    // What runs only shut is not switched on with its door open, as it is for all that goes inside.
+    if (process.door && process.power && !process.closed) {
+      needs.emplace_back(place == Place::Inside ? "(or (not (shuts-to-run ?t)) (power_on ?t))"
+                                                : "(or (not (shuts-to-run ?t)) (power_on ?t) (not (open ?t)))");
+    }
     if (process.treatment == symbolic::Treatment::Freezes) needs.emplace_back("(not (can-cool ?t ?x))");
     const auto yes = [](bool known) { return known ? std::optional(true) : std::nullopt; };
-    const auto place = process.tap || process.place == Place::Inside ? Place::Inside : Place::On;
     Lines effects;
     run_on_content(processes_, {yes(process.closed), yes(process.power), process.tap}, effects);
-    const auto shut = process.closed ? std::optional(true) : std::optional(false);
+    auto shut = std::optional(process.closed);
+    if (process.door && !process.closed && place == Place::On) shut.reset();  // the door stays as it is
     run_on_new(processes_, {shut, yes(process.power), process.tap}, place, effects);
     const auto name = composite_name(process).substr(info(*action).name.size());
     add(*action, name, std::string("?x - movable ?t - thing") + (fills ? " ?u - substance" : ""), std::move(needs),

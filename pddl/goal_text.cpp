@@ -10,7 +10,14 @@ namespace {
 using symbolic::Goal;
 
 constexpr std::size_t kMostText = 400'000;  // bytes of a goal
-const std::string kTrue = "(and)", kFalse = "(or)";
+constexpr double kMostCases = 20'000;       // conjunctions of literals that it comes to, as many planners write it
+
+/// A part of a goal, and how many conjunctions of literals it comes to when it is written as one of several.
+struct Part {
+  std::string text;
+  double cases = 1;
+};
+const Part kTrue{"(and)", 1}, kFalse{"(or)", 0};
 
 class GoalTextWriter {
  public:
@@ -18,8 +25,11 @@ class GoalTextWriter {
 
   Result<GoalText> write() {
     if (!goal_.understood()) refuse("a temporal operator stands within another");
-    made_.goal = text(goal_.root(), true);
-    if (made_.goal.size() > kMostText) refuse("its numbers take too many literals");
+    const Part goal = text(goal_.root(), true);
+    made_.goal = goal.text;
+    if (goal.text.size() > kMostText) refuse("its numbers take too many literals");
+    if (goal.cases > kMostCases) refuse("it is one of too many cases");
+    if (goal.text == kTrue.text || goal.text == kFalse.text) refuse("it does not depend on what is done");
     if (!problem_.empty()) return Error{Error::Kind::Unsatisfiable, "goal", {}, problem_};
     return std::move(made_);
   }
@@ -29,23 +39,26 @@ class GoalTextWriter {
     if (problem_.empty()) problem_ = why;
   }
 
-  static std::string joined(const std::string& op, std::vector<std::string> parts) {
-    const auto& neutral = op == "and" ? kTrue : kFalse;
-    const auto& zero = op == "and" ? kFalse : kTrue;
-    std::string text;
+  static Part joined(const std::string& op, const std::vector<Part>& parts) {
+    const bool all = op == "and";
+    const Part& neutral = all ? kTrue : kFalse;
+    const Part& zero = all ? kFalse : kTrue;
+    Part joint{"", neutral.cases};
     std::size_t number = 0;
-    for (const auto& part : parts) {
-      if (part == zero) return zero;
-      if (part == neutral) continue;
-      text += " " + part;
+    for (const Part& part : parts) {
+      if (part.text == zero.text) return zero;
+      if (part.text == neutral.text) continue;
+      joint.text += " " + part.text;
+      joint.cases = all ? joint.cases * part.cases : joint.cases + part.cases;
       ++number;
     }
     if (number == 0) return neutral;
-    return number == 1 ? text.substr(1) : "(" + op + text + ")";
+    joint.text = number == 1 ? joint.text.substr(1) : "(" + op + joint.text + ")";
+    return joint;
   }
 
   /// The node, or with `wanted` false its opposite; "not" stands only before atoms.
-  std::string text(std::size_t index, bool wanted) {
+  Part text(std::size_t index, bool wanted) {
     if (!problem_.empty()) return kTrue;
     const auto& node = goal_.node(index);
     switch (node.op) {
@@ -57,11 +70,15 @@ class GoalTextWriter {
         return text(node.children[0], wanted);
       case Goal::Op::And:
       case Goal::Op::Or: {
-        std::vector<std::string> parts;
-        for (const auto child : node.children) parts.push_back(text(child, wanted));
-        return joined((node.op == Goal::Op::And) == wanted ? "and" : "or", std::move(parts));
+        std::vector<Part> parts;
+        for (const auto child : node.children) {
+          if (node.op != Goal::Op::And || !goes_without_saying(child, node.children))
+            parts.push_back(text(child, wanted));
+        }
+        return joined((node.op == Goal::Op::And) == wanted ? "and" : "or", parts);
       }
       case Goal::Op::Count: {
+        if (wanted && node.least == node.most) return choices(node.children, node.least, true, true);
         const auto enough = at_least(node.children, node.least, wanted);
         const auto few =
             node.most == INT_MAX ? (wanted ? kTrue : kFalse) : at_least(node.children, node.most + 1, !wanted);
@@ -74,44 +91,72 @@ class GoalTextWriter {
     }
   }
 
-  /// At least k of the children, or not, as one of all choices of k.
-  std::string at_least(const std::vector<std::size_t>& children, int k, bool wanted) {
-    if (k <= 0) return wanted ? kTrue : kFalse;
-    const auto n = static_cast<int>(children.size());
-    if (k > n) return wanted ? kFalse : kTrue;
-    std::vector<std::string> ways;
-    std::vector<int> chosen(static_cast<std::size_t>(k));
-    std::size_t length = 0;
-    const auto choose = [&](auto&& self, int from, int place) -> void {
-      if (length > kMostText) return refuse("its numbers take too many literals");
-      if (place == k) {
-        std::vector<std::string> parts;
-        for (const int i : chosen) parts.push_back(text(children[static_cast<std::size_t>(i)], wanted));
-        ways.push_back(joined(wanted ? "and" : "or", std::move(parts)));
-        length += ways.back().size();
-        return;
-      }
-      for (int i = from; i <= n - (k - place); ++i) {
-        chosen[static_cast<std::size_t>(place)] = i;
-        self(self, i + 1, place + 1);
-      }
-    };
-    choose(choose, 0, 0);
-    return joined(wanted ? "or" : "and", std::move(ways));
+  /// The thing that a node says one truth of that only what is there can have; -1 for all other nodes.
+  symbolic::Id certainly_there(std::size_t index) const {
+    const auto& node = goal_.node(index);
+    const bool wraps = node.op == Goal::Op::AtEnd ||
+                       ((node.op == Goal::Op::And || node.op == Goal::Op::Or) && node.children.size() == 1);
+    if (wraps) return certainly_there(node.children[0]);
+    const bool says = node.op == Goal::Op::Atom && node.atom.predicate != Predicate::SliceOf;
+    return says && node.atom.first >= 0 ? node.atom.first : -1;
   }
 
-  std::string compared(const Goal::Node& node, bool wanted) {
+  /// Of a piece with another truth beside: what is not there has none.
+  bool goes_without_saying(std::size_t index, const std::vector<std::size_t>& beside) const {
+    const auto& node = goal_.node(index);
+    if (node.op != Goal::Op::Atom || node.atom.predicate != Predicate::SliceOf) return false;
+    return std::any_of(beside.begin(), beside.end(),
+                       [&](std::size_t other) { return certainly_there(other) == node.atom.first; });
+  }
+
+  /// One of all choices of k of the children that hold, or do not; with `no_other` the rest does not, or does.
+  Part choices(const std::vector<std::size_t>& children, int k, bool wanted, bool no_other) {
+    const auto n = static_cast<int>(children.size());
+    if (k < 0 || k > n) return kFalse;
+    std::vector<Part> ways;
+    std::vector<bool> chosen(children.size(), false);
+    std::size_t length = 0;
+    const auto choose = [&](auto&& self, int from, int left) -> void {
+      if (length > kMostText) return refuse("its numbers take too many literals");
+      if (left == 0) {
+        std::vector<Part> parts;
+        for (std::size_t i = 0; i < children.size(); ++i) {
+          if (chosen[i] || no_other) parts.push_back(text(children[i], chosen[i] == wanted));
+        }
+        ways.push_back(joined("and", parts));
+        length += ways.back().text.size();
+        return;
+      }
+      for (int i = from; i <= n - left; ++i) {
+        chosen[static_cast<std::size_t>(i)] = true;
+        self(self, i + 1, left - 1);
+        chosen[static_cast<std::size_t>(i)] = false;
+      }
+    };
+    choose(choose, 0, k);
+    return joined("or", ways);
+  }
+
+  /// At least k of the children hold; or fewer do: all but k - 1 of them do not.
+  Part at_least(const std::vector<std::size_t>& children, int k, bool wanted) {
+    const auto n = static_cast<int>(children.size());
+    if (k <= 0) return wanted ? kTrue : kFalse;
+    if (k > n) return wanted ? kFalse : kTrue;
+    return choices(children, wanted ? k : n - k + 1, wanted, false);
+  }
+
+  Part compared(const Goal::Node& node, bool wanted) {
     const auto middle = node.children.begin() + static_cast<std::ptrdiff_t>(node.split);
     std::vector<std::size_t> a(node.children.begin(), middle), b(middle, node.children.end());
     // `more` of `x` than of `y`, by `margin`: for each k, k of y bring k + margin of x.
     const auto more = [&](const auto& x, const auto& y, int margin) {
-      std::vector<std::string> parts;
+      std::vector<Part> parts;
       for (int k = 0; k <= static_cast<int>(y.size()); ++k) {
         const auto y_has = at_least(y, k, !wanted);
         const auto x_has = at_least(x, k + margin, wanted);
         parts.push_back(joined(wanted ? "or" : "and", {y_has, x_has}));
       }
-      return joined(wanted ? "and" : "or", std::move(parts));
+      return joined(wanted ? "and" : "or", parts);
     };
     switch (node.comparison) {
       case Comparison::AtLeast:
@@ -128,27 +173,27 @@ class GoalTextWriter {
     return joined(wanted ? "and" : "or", {more(a, b, 0), more(b, a, 0)});
   }
 
-  std::string atom(const symbolic::Atom& atom, bool wanted) {
+  Part atom(const symbolic::Atom& atom, bool wanted) {
     const auto fact = fact_of(atom, names_);
     if (!fact) {
       refuse("(" + std::string(info(atom.predicate).name) + " …) is nothing that the domain's actions bring about");
       return kTrue;
     }
-    return wanted ? *fact : "(not " + *fact + ")";
+    return flag(*fact, wanted);
   }
 
-  std::string flag(const std::string& fact, bool wanted) { return wanted ? fact : "(not " + fact + ")"; }
+  static Part flag(const std::string& fact, bool wanted) { return {wanted ? fact : "(not " + fact + ")", 1}; }
 
-  std::string monitored(const Goal::Node& node, bool wanted) {
+  Part monitored(const Goal::Node& node, bool wanted) {
     // Parts of parts: what is said of all of several is said of each.
     const auto& children = node.children;
     if (node.op == Goal::Op::Always && goal_.node(children[0]).op == Goal::Op::And) {
-      std::vector<std::string> parts;
+      std::vector<Part> parts;
       for (const auto child : goal_.node(children[0]).children) {
         const auto watch = monitor(child);
         if (watch) parts.push_back(flag("(missed " + name(*watch) + ")", !wanted));
       }
-      return joined(wanted ? "and" : "or", std::move(parts));
+      return joined(wanted ? "and" : "or", parts);
     }
     const auto first = monitor(children[0]);
     const auto second = children.size() > 1 ? monitor(children[1]) : first;

@@ -1,15 +1,64 @@
 #include "pddl/names.h"
 
+#include <algorithm>
 #include <array>
 #include <set>
 
 namespace unietp::pddl {
 namespace {
 
-constexpr std::array<std::string_view, 24> kReserved{
-    "and",    "or",       "not",      "imply",    "forall",   "exists",  "when", "either",
-    "object", "number",   "define",   "domain",   "action",   "problem", "init", "goal",
-    "metric", "minimize", "maximize", "increase", "decrease", "assign",  "at",   "total-time"};
+/// Of PDDL 3, and the types of our domains.
+constexpr auto kReserved = std::to_array<std::string_view>({"and",
+                                                            "or",
+                                                            "not",
+                                                            "imply",
+                                                            "forall",
+                                                            "exists",
+                                                            "when",
+                                                            "either",
+                                                            "object",
+                                                            "number",
+                                                            "define",
+                                                            "domain",
+                                                            "action",
+                                                            "problem",
+                                                            "init",
+                                                            "goal",
+                                                            "metric",
+                                                            "minimize",
+                                                            "maximize",
+                                                            "increase",
+                                                            "decrease",
+                                                            "assign",
+                                                            "scale-up",
+                                                            "scale-down",
+                                                            "at",
+                                                            "start",
+                                                            "end",
+                                                            "over",
+                                                            "all",
+                                                            "total-time",
+                                                            "total-cost",
+                                                            "always",
+                                                            "sometime",
+                                                            "within",
+                                                            "at-most-once",
+                                                            "sometime-after",
+                                                            "sometime-before",
+                                                            "always-within",
+                                                            "hold-during",
+                                                            "hold-after",
+                                                            "preference",
+                                                            "thing",
+                                                            "movable",
+                                                            "room",
+                                                            "substance",
+                                                            "monitor"});
+
+/// "m12": what the monitors of a problem are called.
+bool names_a_monitor(std::string_view name) {
+  return name.size() > 1 && name[0] == 'm' && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
 
 }  // namespace
 
@@ -21,10 +70,8 @@ std::string name_for(std::string_view text) {
     name += upper ? static_cast<char>(c - 'A' + 'a') : plain ? c : '_';
   }
   if (name.empty() || name[0] < 'a' || name[0] > 'z') name.insert(0, "x_");
-  for (const auto word : kReserved) {
-    if (name == word) name += "_1";
-  }
-  return name;
+  const bool taken = names_a_monitor(name) || std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end();
+  return taken ? name + "_1" : name;
 }
 
 std::vector<std::string> names_for(const std::vector<std::string>& texts) {

@@ -26,8 +26,10 @@ class StepWriter {
       case ActionType::GoTo: {
         if (symbolic::is_room(step.target)) return "(" + word + "-room" + at() + ")";
         const Id root = root_of(world_, step.target);
-        return "(" + word + at() + " " + name(root) + " " + name(world_[root].at) + ")";
+        return "(" + word + " " + name(root) + " " + name(world_[root].at) + ")";
       }
+      case ActionType::Open:
+        return "(" + word + "-shut" + at() + ")";
       case ActionType::PlaceOn:
       case ActionType::PlaceIn:
       case ActionType::Slice:

@@ -16,8 +16,14 @@ TEST(PddlDomain, OfEachSimulatorReadsStrictly) {
     ASSERT_NO_THROW(testing::read_pddl_domain(text));
     const auto domain = testing::read_pddl_domain(text);
     EXPECT_EQ(domain.name, pddl::domain_name(simulator));
-    for (const char* action : {"go_to", "pick_up", "place_on", "place_in", "open", "close", "note", "judge"})
+    for (const char* action : {"go_to", "pick_up", "place_on", "place_in", "open-shut", "close", "note", "judge"})
       EXPECT_EQ(domain.actions.count(action), 1U) << action;
+    // Some planners keep one list of names for all that a domain declares.
+    for (const auto& [name, action] : domain.actions) {
+      EXPECT_EQ(domain.predicates.count(name), 0U) << name;
+      EXPECT_EQ(domain.types.count(name), 0U) << name;
+    }
+    for (const auto& [name, parent] : domain.types) EXPECT_EQ(domain.predicates.count(name), 0U) << name;
   }
   const auto habitat = testing::read_pddl_domain(pddl::domain_text(real_tables(Simulator::Habitat)));
   EXPECT_EQ(habitat.actions.count("turn_on"), 0U) << "an action that the simulator does not offer";
@@ -43,6 +49,9 @@ TEST(PddlNames, AreWordsOfPddlAndDifferWhateverTheCase) {
   EXPECT_EQ(pddl::name_for("coffee_table.n.01"), "coffee_table_n_01");
   EXPECT_EQ(pddl::name_for("3d printer"), "x_3d_printer");
   EXPECT_EQ(pddl::name_for("Object"), "object_1");
+  EXPECT_EQ(pddl::name_for("Room"), "room_1");              // a type
+  EXPECT_EQ(pddl::name_for("m12"), "m12_1");                // a monitor
+  EXPECT_EQ(pddl::name_for("hold-after"), "hold-after_1");  // a word of PDDL 3
   EXPECT_EQ(pddl::names_for({"Mug 1", "mug_1", "MUG_1"}), (std::vector<std::string>{"mug_1", "mug_1-2", "mug_1-3"}));
 }
 

@@ -58,6 +58,18 @@ std::string difference(const PddlMachine& machine, const NaiveScene& scene, cons
   return text;
 }
 
+/// Of how many conjunctions of literals a condition is one of, as planners write it that know no other form.
+double cases_of(const testing::PddlList& condition) {
+  const auto& op = condition.parts.front().word;
+  if (op != "and" && op != "or") return 1;
+  double cases = op == "and" ? 1 : 0;
+  for (std::size_t i = 1; i < condition.parts.size(); ++i) {
+    const double part = cases_of(condition.parts[i]);
+    cases = op == "and" ? cases * part : cases + part;
+  }
+  return cases;
+}
+
 struct Drawn {
   Specification specification;
   std::unique_ptr<NaiveScenes> scenes;
@@ -82,6 +94,7 @@ std::unique_ptr<Drawn> draw(const Template& source, Simulator simulator, std::ui
 /// make the same of it, and reach the goal with the last step and not before.
 TEST(PddlProblem, AWitnessIsAPlanOfItAndEachStepDoesWhatTheSymbolsDo) {
   std::size_t written = 0, watching = 0;
+  double most_cases = 0;
   std::map<std::string, std::string> left_out;
   for (const auto& source : library()) {
     for (const auto simulator : source.simulators) {
@@ -100,6 +113,8 @@ TEST(PddlProblem, AWitnessIsAPlanOfItAndEachStepDoesWhatTheSymbolsDo) {
       const auto& domain = domain_of(simulator);
       testing::PddlProblem read;
       ASSERT_NO_THROW(read = testing::read_pddl_problem(problem->text, domain)) << problem->text;
+      EXPECT_LE(cases_of(read.goal), 20'000) << problem->text;
+      most_cases = std::max(most_cases, cases_of(read.goal));
       PddlMachine machine(domain, read);
       auto world = scene.start;
       ASSERT_EQ(difference(machine, scene, world, *problem), "");
@@ -117,9 +132,80 @@ TEST(PddlProblem, AWitnessIsAPlanOfItAndEachStepDoesWhatTheSymbolsDo) {
     }
   }
   for (const auto& [name, why] : left_out) std::cout << "left out " << name << ": " << why << "\n";
-  std::cout << written << " problems, " << watching << " with monitors\n";
+  std::cout << written << " problems, " << watching << " with monitors, goals of at most " << most_cases << " cases\n";
   EXPECT_GE(written, 300U);
   EXPECT_GE(watching, 30U);
+}
+
+/// The same of steps drawn at random: the domain is nowhere stricter than the symbols, and does the same.
+TEST(PddlProblem, WhateverTheSymbolsAllowTheActionsDo) {
+  constexpr int kTries = 10;
+  std::map<ActionType, int> done;
+  for (const auto& source : library()) {
+    for (const auto simulator : source.simulators) {
+      SCOPED_TRACE(source.name + " " + std::string(name_of(simulator)));
+      const auto drawn = draw(source, simulator, 2);
+      if (drawn == nullptr) continue;
+      const auto& scene = *drawn->scene;
+      const symbolic::Goal goal(drawn->specification.goal, scene.setting, scene.start);
+      const auto problem = pddl::problem_for(source.name, simulator, scene.setting, scene.start, goal);
+      if (!problem) continue;
+      const auto& domain = domain_of(simulator);
+      const auto read = testing::read_pddl_problem(problem->text, domain);
+      PddlMachine machine(domain, read);
+      auto world = scene.start;
+      const auto take = [&](const symbolic::Step& step) {
+        auto then = world;
+        const Failure failure = perform(scene.setting, then, step);
+        if (failure != Failure::None) return failure;
+        const auto text = pddl::step_text(scene.setting, *problem, world, step);
+        EXPECT_TRUE(machine.perform(words(text))) << text;
+        for (const char* watch : {"note", "judge"}) EXPECT_EQ(machine.perform({watch}), problem->watching);
+        world = std::move(then);
+        EXPECT_EQ(difference(machine, scene, world, *problem), "") << text;
+        ++done[step.action];
+        return failure;
+      };
+      const auto reach = [&](const symbolic::Step& step) {
+        const bool in_hand = world.held != symbolic::kNobody && rests_on(world, step.target, world.held);
+        if (!world[step.target].exists || (step.action == ActionType::GoTo && in_hand)) return;
+        if (take(step) == Failure::TooFar && take({ActionType::GoTo, step.target}) == Failure::None) take(step);
+      };
+      std::vector<std::pair<symbolic::Id, symbolic::Id>> pairs;  // a tool and what it does something to
+      for (symbolic::Id tool = 0; tool < std::ssize(world.things); ++tool) {
+        for (symbolic::Id thing = 0; thing < std::ssize(world.things); ++thing) {
+          const auto& rules = *scene.setting.rules;
+          if (tool != thing &&
+              !rules.reactions(scene.setting.kind_number(tool), scene.setting.kind_number(thing)).empty())
+            pairs.emplace_back(tool, thing);
+        }
+      }
+      Rng rng = Rng(7).fork(source.name, static_cast<std::uint64_t>(simulator));
+      for (int tries = 0; tries < kTries && !HasFailure(); ++tries) {
+        const symbolic::Step step{static_cast<ActionType>(rng.below(kActionCount)),
+                                  static_cast<symbolic::Id>(rng.below(world.things.size()))};
+        const bool of_body = step.action <= ActionType::RotateHand || step.action == ActionType::TurnTo ||
+                             step.action == ActionType::Stop;
+        if (!of_body) reach(step);  // the others change no symbol
+        if (pairs.empty()) continue;
+        const auto& [tool, thing] = rng.pick(pairs);
+        if (world.held != symbolic::kNobody) take({ActionType::Drop, symbolic::kNobody});
+        reach({ActionType::PickUp, rng.chance(0.5) ? thing : tool});
+        using enum ActionType;
+        for (const auto action : {Open, TurnOn, Close, TurnOff}) {
+          if (rng.chance(0.3)) reach({action, tool});
+        }
+        for (const auto action : {HeatWith, CoolWith, CookWith, BurnWith, WashWith, SoakWith, FillWith, Slice})
+          reach({action, world.held == thing ? tool : thing});
+      }
+      if (HasFailure()) return;
+    }
+  }
+  for (const auto& [action, times] : done) std::cout << info(action).name << " " << times << " ";
+  std::cout << "\n";
+  for (const auto action : {ActionType::PlaceIn, ActionType::Open, ActionType::TurnOn, ActionType::BurnWith,
+                            ActionType::CookWith, ActionType::FillWith, ActionType::WashWith, ActionType::Slice})
+    EXPECT_GE(done[action], 1) << info(action).name;
 }
 
 /// The shortest plan of the exported problem is no longer than the witness, and there is one.
