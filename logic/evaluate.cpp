@@ -37,6 +37,7 @@ struct Node {
   std::span<const Node> children;
   const Node* link = nullptr;  // of `exists`: R(x, y) that its body needs of the bound y; y is looked for along R
   bool link_at_end = false;
+  std::span<std::int8_t> known;  // by position, -1 until read: of what says the same whatever is chosen around it
 };
 
 class Reading {
@@ -58,6 +59,7 @@ class Reading {
       names_.push_back(name);
       values_.push_back(entity);
     }
+    given_ = static_cast<int>(names_.size());
     for (const Facts& facts : trace.states) {
       const auto& words = facts.existing();
       if (any_position_.size() < words.size()) any_position_.resize(words.size());
@@ -72,6 +74,49 @@ class Reading {
   }
 
   bool holds(const Node& node, std::size_t i) {
+    if (node.known.empty()) return read(node, i);
+    if (node.known[i] < 0) node.known[i] = read(node, i) ? 1 : 0;
+    return node.known[i] == 1;
+  }
+
+  std::span<const EntityIndex> members(const Domain& domain) {
+    for (const auto& known : domains_) {
+      if (known.domain->kind == domain.kind && known.domain->members == domain.members) return known.members;
+    }
+    const std::vector<EntityIndex> all = trace_.entities.of(domain);
+    EntityIndex* list = array<EntityIndex>(all.size());
+    std::size_t size = 0;
+    for (const EntityIndex e : all) {
+      if (exists_somewhere(e)) list[size++] = e;
+    }
+    domains_.push_back({&domain, {list, size}});
+    return domains_.back().members;
+  }
+
+  /// The members that also satisfy the domain's `:where`, under the present assignment.
+  std::vector<EntityIndex> chosen_members(const Domain& domain, const std::string& variable) {
+    std::vector<EntityIndex> chosen;
+    for (const EntityIndex e : members(domain)) {
+      const int slot = push(variable);
+      values_[static_cast<std::size_t>(slot)] = e;
+      if (domain.where.empty() || (trace_.states[0].exists(e) && holds(*prepare(domain.where.front()), 0))) {
+        chosen.push_back(e);
+      }
+      pop();
+    }
+    return chosen;
+  }
+
+  int push(std::string_view variable) {
+    names_.push_back(variable);
+    values_.resize(std::max(values_.size(), names_.size()), kNobody);
+    return static_cast<int>(names_.size()) - 1;
+  }
+  void pop() { names_.pop_back(); }
+  void assign(int slot, EntityIndex entity) { values_[static_cast<std::size_t>(slot)] = entity; }
+
+ private:
+  bool read(const Node& node, std::size_t i) {
     switch (node.op) {
       case Op::Atom:
         return holds_atom(node, i);
@@ -130,43 +175,6 @@ class Reading {
     return false;
   }
 
-  std::span<const EntityIndex> members(const Domain& domain) {
-    for (const auto& known : domains_) {
-      if (known.domain->kind == domain.kind && known.domain->members == domain.members) return known.members;
-    }
-    const std::vector<EntityIndex> all = trace_.entities.of(domain);
-    EntityIndex* list = array<EntityIndex>(all.size());
-    std::size_t size = 0;
-    for (const EntityIndex e : all) {
-      if (exists_somewhere(e)) list[size++] = e;
-    }
-    domains_.push_back({&domain, {list, size}});
-    return domains_.back().members;
-  }
-
-  /// The members that also satisfy the domain's `:where`, under the present assignment.
-  std::vector<EntityIndex> chosen_members(const Domain& domain, const std::string& variable) {
-    std::vector<EntityIndex> chosen;
-    for (const EntityIndex e : members(domain)) {
-      const int slot = push(variable);
-      values_[static_cast<std::size_t>(slot)] = e;
-      if (domain.where.empty() || (trace_.states[0].exists(e) && holds(*prepare(domain.where.front()), 0))) {
-        chosen.push_back(e);
-      }
-      pop();
-    }
-    return chosen;
-  }
-
-  int push(std::string_view variable) {
-    names_.push_back(variable);
-    values_.resize(std::max(values_.size(), names_.size()), kNobody);
-    return static_cast<int>(names_.size()) - 1;
-  }
-  void pop() { names_.pop_back(); }
-  void assign(int slot, EntityIndex entity) { values_[static_cast<std::size_t>(slot)] = entity; }
-
- private:
   static EntityIndex find_agent(const Trace& trace) {
     for (std::size_t e = 0; e < trace.entities.size(); ++e) {
       if (trace.entities[e].kind == Entity::Kind::Agent) return static_cast<EntityIndex>(e);
@@ -216,6 +224,11 @@ class Reading {
     if (!formula.variable.empty()) pop();
     set_cost(node);
     if (node.op == Op::Exists) find_link(node);
+    const bool quantifies = node.op == Op::Forall || node.op == Op::Exists || node.op == Op::Count;
+    if (quantifies && node.slot > given_ && !names_any(node, given_, node.slot)) {
+      node.known = {array<std::int8_t>(last_ + 1), last_ + 1};
+      std::fill(node.known.begin(), node.known.end(), std::int8_t{-1});
+    }
     if (node.op == Op::And || node.op == Op::Or) {  // cheap parts first: they often decide
       std::stable_sort(children, children + formula.children.size(),
                        [](const Node& a, const Node& b) { return a.cost < b.cost; });
@@ -247,7 +260,7 @@ class Reading {
   void fill_where(Node& node, const Formula& formula) {
     Node* where = array<Node>(1);
     fill(*where, formula.domain.where.front());
-    const bool own = only_names(*where, node.slot);
+    const bool own = !names_any(*where, 0, node.slot);
     EntityIndex* list = array<EntityIndex>(node.members.size());
     std::size_t size = 0;
     for (const EntityIndex e : node.members) {
@@ -258,12 +271,14 @@ class Reading {
     if (!own) node.where = where;
   }
 
-  static bool only_names(const Node& node, int slot) {
+  /// Whether it speaks of a variable in one of the slots from `from` to before `to`.
+  static bool names_any(const Node& node, int from, int to) {
     for (std::size_t i = 0; i < node.arity; ++i) {
-      if (node.slots[i] >= 0 && node.slots[i] < slot) return false;
+      if (node.slots[i] >= from && node.slots[i] < to) return true;
     }
-    if (node.where != nullptr && !only_names(*node.where, slot)) return false;
-    return std::all_of(node.children.begin(), node.children.end(), [&](const Node& c) { return only_names(c, slot); });
+    if (node.where != nullptr && names_any(*node.where, from, to)) return true;
+    return std::any_of(node.children.begin(), node.children.end(),
+                       [&](const Node& child) { return names_any(child, from, to); });
   }
 
   EntityIndex value(int slot) const { return slot == kAgentSlot ? agent_ : values_[static_cast<std::size_t>(slot)]; }
@@ -321,6 +336,7 @@ class Reading {
   std::pmr::monotonic_buffer_resource buffer_;
   std::pmr::vector<std::string_view> names_;  // by slot; those in scope while a formula is prepared
   std::pmr::vector<EntityIndex> values_;      // by slot
+  int given_ = 0;                             // how many of the slots were assigned before
   EntityIndex agent_;
   Bits any_position_;
   std::pmr::vector<KnownDomain> domains_;
