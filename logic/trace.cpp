@@ -1,6 +1,8 @@
 #include "logic/trace.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 namespace unietp {
 namespace {
@@ -183,8 +185,14 @@ bool Facts::holds(Predicate predicate, EntityIndex entity, std::string_view symb
 std::vector<EntityIndex> Facts::with(Predicate state) const {
   std::vector<EntityIndex> entities;
   const std::size_t count = ground_ == nullptr ? 0 : ground_->states.size();
-  for (EntityIndex entity = 0; entity < count; ++entity) {
-    if ((ground_->states[entity] & bit_of(state)) != 0) entities.push_back(entity);
+  constexpr std::size_t kAtOnce = 32;  // of most states few things have any
+  for (std::size_t from = 0; from < count; from += kAtOnce) {
+    const auto some = std::span(ground_->states).subspan(from, std::min(kAtOnce, count - from));
+    const States any = std::accumulate(some.begin(), some.end(), States{0}, std::bit_or<>());
+    if ((any & bit_of(state)) == 0) continue;
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      if ((some[i] & bit_of(state)) != 0) entities.push_back(static_cast<EntityIndex>(from + i));
+    }
   }
   for (const Own& mine : own_) entities.push_back(mine.entity);
   std::sort(entities.begin(), entities.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <span>
+#include <utility>
 
 namespace unietp {
 namespace {
@@ -21,20 +22,37 @@ std::uint64_t spread(std::uint64_t some, std::uint64_t open) {
   return some;
 }
 
-/// The same along a row of words.
-void spread(std::span<std::uint64_t> some, std::span<const std::uint64_t> open) {
-  std::uint64_t carry = 0;
-  for (std::size_t w = 0; w < some.size(); ++w) {
-    const std::uint64_t here = some[w] | (open[w] & carry);
-    some[w] = here == 0 ? 0 : spread(here, open[w]);
-    carry = some[w] >> 63;
+/// Words of a row, both included; none while it is empty.
+struct Stretch {
+  std::size_t from = 1, to = 0;
+  bool empty() const { return from > to; }
+  void take_in(std::size_t word) {
+    if (empty()) from = to = word;
+    from = std::min(from, word);
+    to = std::max(to, word);
   }
-  carry = 0;
-  for (std::size_t w = some.size(); w-- > 0;) {
+};
+
+/// The same along a row, of which only the bits of some words are new. What it came to.
+Stretch spread(std::span<std::uint64_t> some, std::span<const std::uint64_t> open, Stretch fresh) {
+  for (std::size_t w = fresh.from; w < some.size(); ++w) {
+    const std::uint64_t carry = w == 0 ? 0 : some[w - 1] >> 63;
     const std::uint64_t here = some[w] | (open[w] & carry);
-    if (here != some[w]) some[w] = spread(here, open[w]);
-    carry = some[w] << 63;
+    if (w > fresh.to && here == some[w]) break;
+    some[w] = spread(here, open[w]);
+    fresh.take_in(w);
   }
+  for (std::size_t w = fresh.to + 1; w-- > 0;) {
+    const std::uint64_t carry = w + 1 == some.size() ? 0 : some[w + 1] << 63;
+    const std::uint64_t here = some[w] | (open[w] & carry);
+    if (here != some[w]) {
+      some[w] = spread(here, open[w]);
+      fresh.take_in(w);
+    } else if (w < fresh.from) {
+      break;
+    }
+  }
+  return fresh;
 }
 
 }  // namespace
@@ -60,26 +78,27 @@ CellSet CellSet::connected_to(int x, int y) const {
   CellSet found(width_, height_);
   if (!has(x, y)) return found;
   found.set(x, y, true);
-  std::vector<int> due{y};  // rows whose cells have not been spread yet
-  std::vector<bool> is_due(static_cast<std::size_t>(height_), false);
+  std::vector<Stretch> fresh(static_cast<std::size_t>(height_));  // of each row what has not been spread yet
+  fresh[static_cast<std::size_t>(y)].take_in(static_cast<std::size_t>(x) / kWord);
+  std::vector<int> due{y};  // rows of which something is fresh
   while (!due.empty()) {
     const int row = due.back();
     due.pop_back();
-    is_due[static_cast<std::size_t>(row)] = false;
     const std::size_t here = word(0, row);
-    spread(std::span(found.bits_).subspan(here, words_), std::span(bits_).subspan(here, words_));
+    const Stretch spreads = spread(std::span(found.bits_).subspan(here, words_), std::span(bits_).subspan(here, words_),
+                                   std::exchange(fresh[static_cast<std::size_t>(row)], {}));
     for (const int next : {row - 1, row + 1}) {
       if (next < 0 || next >= height_) continue;
       const std::size_t there = word(0, next);
-      std::uint64_t fresh = 0;
-      for (std::size_t w = 0; w < words_; ++w) {
+      Stretch& fresh_there = fresh[static_cast<std::size_t>(next)];
+      const bool was_due = !fresh_there.empty();
+      for (std::size_t w = spreads.from; w <= spreads.to; ++w) {
         const std::uint64_t more = found.bits_[here + w] & bits_[there + w] & ~found.bits_[there + w];
+        if (more == 0) continue;
         found.bits_[there + w] |= more;
-        fresh |= more;
+        fresh_there.take_in(w);
       }
-      if (fresh == 0 || is_due[static_cast<std::size_t>(next)]) continue;
-      is_due[static_cast<std::size_t>(next)] = true;
-      due.push_back(next);
+      if (!was_due && !fresh_there.empty()) due.push_back(next);
     }
   }
   return found;

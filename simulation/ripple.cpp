@@ -11,7 +11,7 @@ Ripple::Ripple(const NavigationGrid& grid, Cell from)
       width_(grid.width()),
       height_(grid.height()),
       open_(grid.free_cells()),
-      steps_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1) {
+      steps_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), kNoWay) {
   if (!open_.has(from.x, from.y)) return;
   front_.push_back(from);
   open_.set(from.x, from.y, false);
@@ -26,7 +26,7 @@ void Ripple::go_on() {
          {Cell{cell.x + 1, cell.y}, Cell{cell.x - 1, cell.y}, Cell{cell.x, cell.y + 1}, Cell{cell.x, cell.y - 1}}) {
       if (!open_.has(there.x, there.y)) continue;
       open_.set(there.x, there.y, false);
-      steps_[index(there)] = far_;
+      steps_[index(there)] = static_cast<std::uint16_t>(far_);
       next.push_back(there);
     }
   }
@@ -34,7 +34,7 @@ void Ripple::go_on() {
 }
 
 void Ripple::finish() {
-  while (!front_.empty()) go_on();
+  while (!ended()) go_on();
 }
 
 std::int32_t Ripple::fewest_found(Cell low, Cell high, std::int32_t most) const {
@@ -53,7 +53,7 @@ std::int32_t Ripple::fewest_to(Cell low, Cell high, std::int32_t most) {
   const auto is_there = [&](const Cell& cell) {
     return cell.x >= low.x && cell.x <= high.x && cell.y >= low.y && cell.y <= high.y;
   };
-  while (fewest < 0 && !front_.empty() && far_ < most) {
+  while (fewest < 0 && !ended() && far_ < most) {
     go_on();
     if (std::any_of(front_.begin(), front_.end(), is_there)) fewest = far_;
   }

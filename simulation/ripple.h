@@ -17,7 +17,8 @@ class Ripple {
   static constexpr std::int32_t kAny = std::numeric_limits<std::int32_t>::max();
 
   /// The fewest steps (to the four neighbours, over free cells) to a cell of a rectangle, both corners included, which
-  /// may lie in part outside of the grid; -1 when there is no way of at most so many to any.
+  /// may lie in part outside of the grid; -1 when there is no way of at most so many to any. No way is farther than
+  /// 65,534 steps, 6.5 km.
   std::int32_t fewest_to(NavigationGrid::Cell low, NavigationGrid::Cell high, std::int32_t most = kAny);
   /// Finds all; from then on `fewest_found` answers as `fewest_to` does.
   void finish();
@@ -25,18 +26,24 @@ class Ripple {
   std::int32_t fewest_found(NavigationGrid::Cell low, NavigationGrid::Cell high, std::int32_t most = kAny) const;
   NavigationGrid::Cell from() const { return from_; }
   /// To a cell of the grid, when that has been found; else -1. All that are nearer have been found then, too.
-  std::int32_t found(NavigationGrid::Cell cell) const { return steps_[index(cell)]; }
+  std::int32_t found(NavigationGrid::Cell cell) const {
+    const std::uint16_t steps = steps_[index(cell)];
+    return steps == kNoWay ? -1 : steps;
+  }
 
  private:
   std::size_t index(NavigationGrid::Cell cell) const {
     return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(cell.x);
   }
+  /// One step more, from all that were found last.
   void go_on();
+  bool ended() const { return front_.empty() || far_ + 1 == kNoWay; }
 
+  static constexpr std::uint16_t kNoWay = std::numeric_limits<std::uint16_t>::max();
   NavigationGrid::Cell from_;
   int width_, height_;
-  CellSet open_;  // free, and not found yet
-  std::vector<std::int32_t> steps_;
+  CellSet open_;                             // free, and not found yet
+  std::vector<std::uint16_t> steps_;         // a whole street is cleared for each of them
   std::vector<NavigationGrid::Cell> front_;  // those that were found last
   std::int32_t far_ = 0;                     // their steps
 };
