@@ -78,9 +78,12 @@ class SharedList {
     list = std::move(kept);
   }
 
-  /// Whether element i is one and the same object in both; false says nothing of whether they are equal.
-  bool shares(const SharedList& other, std::size_t i) const {
-    return i < size_ && i < other.size_ && pieces_[i / kPiece] == other.pieces_[i / kPiece];
+  /// The first place from i on where the two lists do not have one and the same object in common, or the size of the
+  /// longer; what stands there may still be equal.
+  std::size_t first_of_its_own(const SharedList& other, std::size_t i) const {
+    while (i < size_ && i < other.size_ && pieces_[i / kPiece] == other.pieces_[i / kPiece])
+      i = (i / kPiece + 1) * kPiece;
+    return std::min(i, std::max(size_, other.size_));
   }
   bool operator==(const SharedList& other) const {
     return size_ == other.size_ && std::equal(pieces_.begin(), pieces_.end(), other.pieces_.begin(),

@@ -1,8 +1,7 @@
 #include "generator/scene_offer.h"
 
 #include <algorithm>
-#include <string_view>
-#include <unordered_map>
+#include <string>
 
 #include "logic/evaluate.h"
 
@@ -10,15 +9,13 @@ namespace unietp {
 namespace {
 
 std::vector<std::string> single(const SceneOffer& offer, Entity::Kind kind) {
-  std::unordered_map<std::string_view, int> numbers;
-  for (const auto& entity : offer.now.entities) {
-    if (entity.kind == kind) ++numbers[entity.category];
-  }
+  const auto& entities = offer.now.entities;
   std::vector<std::string> names;
-  for (const auto& [name, number] : numbers) {
-    if (number == 1) names.emplace_back(name);
+  for (const auto category : entities.categories()) {
+    const auto all = entities.of(of_category(std::string(category)));
+    const auto of_kind = [&](EntityIndex e) { return entities[e].kind == kind; };
+    if (std::count_if(all.begin(), all.end(), of_kind) == 1) names.emplace_back(category);
   }
-  std::sort(names.begin(), names.end());
   return names;
 }
 

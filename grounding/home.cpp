@@ -42,6 +42,11 @@ std::optional<Bounds> sweep_of(const Node& node) {
   return swept;
 }
 
+double goes_beyond(const std::optional<Bounds>& space, const Bounds& bounds) {
+  if (!space) return 0;
+  return std::max({0.0, (bounds.low - space->low).maxCoeff(), (space->high - bounds.high).maxCoeff()});
+}
+
 Home prepare_home(Scene scene, const Profile& profile) {
   Home home;
   home.physics = physics_of(scene);
@@ -56,6 +61,7 @@ Home prepare_home(Scene scene, const Profile& profile) {
     solids.set(static_cast<BodyId>(i), shape, node.pose, node.opening);
     home.bounds.push_back(bounds_of(shape, node.pose, node.opening));
     home.sweeps.push_back(node.movable ? std::nullopt : sweep_of(node));
+    home.farthest_sweep = std::max(home.farthest_sweep, goes_beyond(home.sweeps.back(), home.bounds.back()));
     home.colliders.push_back(home.physics.share(static_cast<BodyId>(i)));
     home.rooms.push_back(room_number(scene, node.pose.position.head<2>()));
   }
@@ -79,8 +85,8 @@ Differences differences(const Home& home, const Scene& scene) {
   Differences found;
   const auto& before = home.scene.nodes;
   const auto& after = scene.nodes;
-  for (std::size_t i = 0; i < std::max(before.size(), after.size()); ++i) {
-    if (before.shares(after, i)) continue;
+  const std::size_t end = std::max(before.size(), after.size());
+  for (std::size_t i = 0; (i = before.first_of_its_own(after, i)) < end; ++i) {
     if (i < before.size() && i < after.size() && same_body(before[i], after[i])) {
       if (before[i] != after[i]) found.states.push_back(i);
       continue;

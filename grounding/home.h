@@ -30,6 +30,7 @@ struct Home {
   std::shared_ptr<const PlacementChecker> solids;         // of the scene
   SharedList<Bounds> bounds;                              // of each node where it stands
   SharedList<std::optional<Bounds>> sweeps;  // space that doors and drawers of furniture pass through, by node
+  double farthest_sweep = 0;                 // how far any of them goes beyond the bounds of its node, m
   std::shared_ptr<const Walk> walk;
   std::optional<std::string> unreached;  // a room that the agent cannot walk to
   Trace now;                             // the scene in the logic, without comparisons
@@ -42,6 +43,8 @@ Home prepare_home(Scene scene, const Profile& profile);
 
 /// The space that a node's moving parts pass through when it is opened, in W; nullopt when nothing moves.
 std::optional<Bounds> sweep_of(const Node& node);
+/// How far a space goes beyond some bounds, along the axis where it goes farthest; 0 for one within them or none, m.
+double goes_beyond(const std::optional<Bounds>& space, const Bounds& bounds);
 
 /// Whether two nodes are one thing with the same body in the same place: states and colours may differ, relations
 /// cannot.

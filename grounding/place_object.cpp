@@ -88,11 +88,12 @@ std::string misplaced(const Workspace& workspace, BodyId body, std::optional<Pre
 }
 
 bool blocks_a_door(const Workspace& workspace, const Bounds& bounds, std::size_t except) {
+  constexpr double kSlack_m = 1e-6;
   const auto& sweeps = workspace.sweeps();
-  for (std::size_t i = 0; i < sweeps.size(); ++i) {
-    if (i != except && sweeps[i] && overlap(*sweeps[i], bounds)) return true;
-  }
-  return false;
+  const auto near = workspace.physics().near(bounds, workspace.farthest_sweep() + kSlack_m);
+  return std::any_of(near.begin(), near.end(), [&](BodyId i) {
+    return i != except && i < sweeps.size() && sweeps[i] && overlap(*sweeps[i], bounds);
+  });
 }
 
 /// Whether a thing that stands with its whole footprint on a surface is in equilibrium there: flat below, its weight

@@ -21,6 +21,7 @@ Workspace::Workspace(Scene scene, const Knowledge& knowledge)
     checker_.set(static_cast<BodyId>(i), shape, node.pose, node.opening);
     bounds_.push_back(bounds_of(shape, node.pose, node.opening));
     sweeps_.push_back(node.movable ? std::nullopt : sweep_of(node));
+    farthest_sweep_ = std::max(farthest_sweep_, goes_beyond(sweeps_.back(), bounds_.back()));
     rooms_.push_back(room_number(scene_, node.pose.position.head<2>()));
   }
   places_ = NodeIndex(scene_.nodes);
@@ -33,6 +34,7 @@ Workspace::Workspace(const Home& home, const Knowledge& knowledge)
       physics_(home.physics),
       checker_(home.solids),
       sweeps_(home.sweeps),
+      farthest_sweep_(home.farthest_sweep),
       bounds_(home.bounds),
       places_(home.places),
       rooms_(home.rooms),
@@ -49,6 +51,7 @@ void Workspace::place(std::size_t index, Node node) {
   checker_.set(body, shape, node.pose, node.opening);
   bounds_.edit(index) = bounds_of(shape, node.pose, node.opening);
   sweeps_.edit(index) = node.movable ? std::nullopt : sweep_of(node);
+  farthest_sweep_ = std::max(farthest_sweep_, goes_beyond(sweeps_[index], bounds_[index]));
   rooms_[index] = room_number(scene_, node.pose.position.head<2>());
   Node& here = scene_.nodes.edit(index);
   if (here.id != node.id || here.category != node.category) {

@@ -53,6 +53,8 @@ class Workspace {
 
   /// The space that the doors and drawers of furniture pass through, by node; empty bounds for nodes without.
   const SharedList<std::optional<Bounds>>& sweeps() const { return sweeps_; }
+  /// No such space goes farther than this beyond the bounds of its node, m.
+  double farthest_sweep() const { return farthest_sweep_; }
   /// The bounds of each node where it stands, by node.
   const SharedList<Bounds>& bounds() const { return bounds_; }
   /// Where things stand in the scene's list. A trial is not in it.
@@ -76,6 +78,7 @@ class Workspace {
   PhysicsWorld physics_;
   PlacementChecker checker_;
   SharedList<std::optional<Bounds>> sweeps_;
+  double farthest_sweep_ = 0;
   SharedList<Bounds> bounds_;
   NodeIndex places_;
   std::vector<std::int32_t> rooms_;  // by node: place of its room, -1 for none

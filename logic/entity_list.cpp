@@ -14,6 +14,7 @@ struct EntityList::Block {
   // Keys are texts of the entities; never iterated.
   std::unordered_map<std::string_view, EntityIndex> by_id;
   std::unordered_map<std::string_view, Numbers> by_category, by_whole;  // of those that are no agent
+  std::vector<std::string_view> categories;
 
   explicit Block(std::vector<Entity> all) : entities(std::move(all)) {
     for (EntityIndex e = 0; e < entities.size(); ++e) {
@@ -22,7 +23,9 @@ struct EntityList::Block {
       if (entity.kind == Entity::Kind::Agent) continue;
       by_category[entity.category].push_back(e);
       if (!entity.slice_of.empty()) by_whole[entity.slice_of].push_back(e);
+      categories.push_back(entity.category);
     }
+    sort_unique(categories);
   }
 };
 
@@ -62,6 +65,15 @@ std::vector<EntityIndex> EntityList::of(const Domain& domain) const {
     if (is_of((*this)[e], domain)) numbers.push_back(static_cast<EntityIndex>(e));
   }
   return numbers;
+}
+
+std::vector<std::string_view> EntityList::categories() const {
+  auto all = shared_ == nullptr ? std::vector<std::string_view>() : shared_->categories;
+  for (const Entity& entity : own_) {
+    if (entity.kind != Entity::Kind::Agent) all.push_back(entity.category);
+  }
+  if (!own_.empty()) sort_unique(all);
+  return all;
 }
 
 bool EntityList::operator==(const EntityList& other) const {

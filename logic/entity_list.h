@@ -53,6 +53,9 @@ class EntityList {
   /// Those of a domain's kind and category (is_of of logic/membership.h), ascending.
   std::vector<EntityIndex> of(const Domain& domain) const;
 
+  /// That something other than the agent is of, sorted.
+  std::vector<std::string_view> categories() const;
+
   bool operator==(const EntityList& other) const;
 
  private:

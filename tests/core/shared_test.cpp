@@ -62,15 +62,18 @@ TEST(SharedList, ACopySharesAllButThePiecesThatOneOfThemChanged) {
   SharedList<std::string> list;
   for (std::uint64_t i = 0; i < 100; ++i) list.push_back(text_of(i));
   SharedList<std::string> copy = list;
-  for (std::size_t i = 0; i < 100; ++i) EXPECT_TRUE(copy.shares(list, i)) << i;
+  for (std::size_t i = 0; i <= 100; ++i) EXPECT_EQ(copy.first_of_its_own(list, i), 100U) << i;
   const std::string* first = &list[0];
   copy.edit(40) = "other";
   EXPECT_EQ(list[40], text_of(40));
-  EXPECT_TRUE(copy.shares(list, 0) && copy.shares(list, 99));
-  EXPECT_FALSE(copy.shares(list, 40));
+  const std::size_t own = copy.first_of_its_own(list, 0);
+  EXPECT_TRUE(own > 0 && own <= 40) << own;
+  EXPECT_EQ(copy.first_of_its_own(list, 40), 40U);
+  EXPECT_EQ(copy.first_of_its_own(list, 99), 100U);
   EXPECT_EQ(&copy[0], first);
-  EXPECT_FALSE(copy.shares(list, 100));
   copy.push_back(copy[3]);  // an element of its own
+  EXPECT_EQ(copy.first_of_its_own(list, 100), 100U);
+  EXPECT_EQ(list.first_of_its_own(copy, 101), 101U);
   EXPECT_EQ(copy.back(), text_of(3));
 }
 
