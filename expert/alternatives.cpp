@@ -101,16 +101,16 @@ void Choices::add(List& to, List more) const {
   if (!more.empty()) to = either(std::move(to), std::move(more));
 }
 
-Choices::List Choices::both(const List& a, const List& b) const {
+Choices::List Choices::both(List a, const List& b) const {
   List list;
-  for (const Alternative& left : a) {
+  for (Alternative& left : a) {
     for (const Alternative& right : b) {
       if (contradict(left, right, situation_)) continue;
-      Alternative merged = left;
-      merged.end.clear();
-      std::set_union(left.end.begin(), left.end.end(), right.end.begin(), right.end.end(),
-                     std::back_inserter(merged.end));
-      merged.standing = both_stand(left.standing, right.standing);
+      std::vector<Literal> end;
+      std::set_union(left.end.begin(), left.end.end(), right.end.begin(), right.end.end(), std::back_inserter(end));
+      Alternative merged = &right == &b.back() ? std::move(left) : left;  // of hundreds of members each has one way
+      merged.end = std::move(end);
+      merged.standing = both_stand(merged.standing, right.standing);
       append_later_parts(merged, right);
       merged.cost = estimate(merged, situation_, experience_);
       list.push_back(std::move(merged));
@@ -149,7 +149,7 @@ void Choices::add_all_of(List& to, const std::vector<const List*>& lists, std::v
   List common = nothing_to_do();
   for (const List* list : lists) {
     if (only_stands(*list)) continue;
-    common = both(common, *list);
+    common = both(std::move(common), *list);
     leave_out_dearer(common, to);
     if (common.empty()) return;
   }

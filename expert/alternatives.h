@@ -21,7 +21,7 @@ class Choices {
   /// `to` becomes either(to, more).
   void add(List& to, List more) const;
   /// Every pair that does not contradict itself.
-  List both(const List& a, const List& b) const;
+  List both(List a, const List& b) const;
   /// All of several lists, and truths that hold at the start.
   List all(const std::vector<const List*>& lists, std::vector<Literal> standing) const;
   /// As `both`, but nothing has to hold together: the parts are moments of their own.

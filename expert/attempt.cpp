@@ -22,7 +22,9 @@ std::optional<EntityIndex> Attempt::current(EntityIndex entity) const {
   const ImaginedSlice& slice = situation_->slice(entity);
   const std::string& whole = situation_->entity(slice.whole).id;
   int ordinal = 0;
-  for (const Node& node : world_.nodes()) {
+  const auto& nodes = world_.nodes();
+  for (std::size_t i = situation_->start->nodes.size(); i < nodes.size(); ++i) {  // it came after all that was there
+    const Node& node = nodes[i];
     if (node.slice_of != whole || ordinal++ != slice.ordinal) continue;
     for (EntityIndex index = situation_->first_imagined; index < trace_.entities.size(); ++index) {
       if (trace_.entities[index].id == node.id) return index;
