@@ -72,11 +72,22 @@ class Explorer {
   bool see(const std::string& id, int detours = 0) {
     if (look(id)) return true;
     if (detours == kMostDetours) return false;
+    const Course before = course_;
     for (const std::string& lookout : lookouts_for(world(), id)) {
       const Action approach{ActionType::GoTo, {lookout}};
       if (can_say(approach) || !see(lookout, detours + 1) || !act(approach)) continue;
       if (look(id)) return true;
     }
+    return detours == 0 && see_from_nearby(id, before);
+  }
+  /// Where long steps and wide turns lead to few places, each thing nearby that is gone to leads to others.
+  bool see_from_nearby(const std::string& id, const Course& before) {
+    for (const std::string& other : things_near(world(), id)) {
+      course_ = before;
+      const Action approach{ActionType::GoTo, {other}};
+      if ((can_say(approach) || look(other)) && act(approach) && look(id)) return true;
+    }
+    course_ = before;
     return false;
   }
 
