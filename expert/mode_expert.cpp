@@ -109,6 +109,7 @@ std::variant<std::vector<Action>, std::string> explore(Mode mode, Rehearsal& reh
     if (replans == kMostReplans) return trouble;
     if (!explorer.lost().empty()) beginning.shunned.push_back(explorer.lost());
     const bool goes_on = replans % 2 == 0 && !explorer.over();
+    beginning.clears = replans >= kMostReplans / 2;
     beginning.done = goes_on ? explorer.done() : std::vector<Action>{};
     auto other = find_plan_from(rehearsal, beginning, options);
     if (std::holds_alternative<Rejection>(other) && goes_on) {
