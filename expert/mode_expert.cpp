@@ -1,6 +1,7 @@
 #include "expert/mode_expert.h"
 
 #include <algorithm>
+#include <set>
 #include <span>
 
 #include "expert/course.h"
@@ -80,19 +81,23 @@ class Explorer {
     }
     return detours == 0 && see_from_nearby(id, before);
   }
-  /// Where long steps and wide turns lead to few places, each thing nearby that is gone to leads to others.
+  /// Where long steps and wide turns lead to few places, each thing nearby that is gone to leads to others. Once for
+  /// each thing that is not found so.
   bool see_from_nearby(const std::string& id, const Course& before) {
+    if (given_up_.contains(id)) return false;
     for (const std::string& other : things_near(world(), id)) {
       course_ = before;
       const Action approach{ActionType::GoTo, {other}};
       if ((can_say(approach) || look(other)) && act(approach) && look(id)) return true;
     }
     course_ = before;
+    given_up_.insert(id);
     return false;
   }
 
   Course course_;
   bool stays_ = false;
+  std::set<std::string> given_up_;
   std::string trouble_, lost_;
 };
 
