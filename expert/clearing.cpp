@@ -71,11 +71,15 @@ bool Methods::make_room(const std::string& id, ActionType action, const std::str
   const std::vector<Action> again{
       {ActionType::GoTo, {id}}, {ActionType::PickUp, {id}}, {ActionType::GoTo, {target}}, {action, {target}}};
   bool cleared = false;
-  for (const std::string& other : in_the_way_on(target, id)) {
-    if (attempt_.exhausted()) return false;
-    if (!carry_away(other, id, target)) continue;
-    cleared = true;
-    if (works(again)) break;
+  // What could not be got at may stand behind what is gone by then.
+  for (bool more = true; more && !works(again);) {
+    more = false;
+    for (const std::string& other : in_the_way_on(target, id)) {
+      if (attempt_.exhausted()) return false;
+      if (!carry_away(other, id, target)) continue;
+      cleared = more = true;
+      if (works(again)) break;
+    }
   }
   return cleared && hold(id) && reopen(id, action, target) && do_at(action, target);
 }
@@ -85,7 +89,7 @@ bool Methods::carry_away(const std::string& other, const std::string& id, const 
   return put_aside(id, target) && hold(other) && put_aside(other, target);
 }
 
-/// The largest of the other things that are to come to the same place and lie open.
+/// The largest of the other things that are to come to the same place.
 std::string Methods::next_for(const std::string& target, const std::string& but) const {
   std::string next;
   double most = 0;
@@ -95,31 +99,52 @@ std::string Methods::next_for(const std::string& target, const std::string& but)
     if (literal.predicate != Predicate::On && literal.predicate != Predicate::Inside) continue;
     const double room = node->size.x() * node->size.y();
     if (attempt_.id_of(literal.object) != target || room <= most) continue;
-    if (!attempt_.world().closed_around(node->id).empty()) continue;
     most = room;
     next = node->id;
   }
   return next;
 }
 
-/// Where several things share a place: this one so that the next still finds room, at need after carrying away what is
-/// in the way.
+/// What is to be open at the end and is not yet.
+bool Methods::still_opens(const std::string& id) const {
+  const auto& end = attempt_.alternative().end;
+  return !is(id, Predicate::Open) && std::any_of(end.begin(), end.end(), [&](const Literal& literal) {
+    return literal.predicate == Predicate::Open && literal.positive && attempt_.id_of(literal.subject) == id;
+  });
+}
+
+/// What a place is to leave room for: the next thing that comes there, and the lid that is opened there.
+Aim Methods::room_at(const std::string& id, ActionType action, const std::string& target) const {
+  const bool inside = action == ActionType::PlaceIn, opens = still_opens(id);
+  const std::string next = next_for(target, id);
+  Aim aim;
+  aim.reached = [=](const World& world) {
+    World later = world;
+    if (opens && !later.step({ActionType::Open, {id}}).success) return false;
+    return next.empty() || !later.free_spots_for(next, target, inside).empty();
+  };
+  if (next.empty()) return aim;
+  const Vec3 size = find(id)->size, size_of_next = find(next)->size;
+  const auto spots = attempt_.world().free_spots_for(next, target, inside);
+  aim.at = [=](const Pose& spot) {
+    const Bounds taken = bounds_of(spot, size);
+    return std::any_of(spots.begin(), spots.end(),
+                       [&](const Pose& other) { return !overlap(bounds_of(other, size_of_next), taken); });
+  };
+  return aim;
+}
+
+/// Where several things share a place: this one so that the next still finds room; and where a lid is to be opened: so
+/// that it can be. At need after carrying away what is in the way.
 bool Methods::leave_room(const std::string& id, ActionType action, const std::string& target) {
-  const std::string next = clears_ ? next_for(target, id) : "";
-  if (next.empty()) return false;
-  const Aim aim{[&](const World& world) {
-                  World later = world;
-                  return later.step({ActionType::GoTo, {next}}).success &&
-                         later.step({ActionType::PickUp, {next}}).success &&
-                         !later.free_spots(target, action == ActionType::PlaceIn).empty();
-                },
-                {}};
-  if (from_elsewhere({action, {target}}, target, aim)) return true;
+  if (!clears_ || (next_for(target, id).empty() && !still_opens(id))) return false;
+  if (from_elsewhere({action, {target}}, target, room_at(id, action, target))) return true;
   for (const std::string& other : in_the_way_on(target, id)) {
     if (attempt_.exhausted()) return false;
     if (!carry_away(other, id, target)) continue;
     World trial = attempt_.world();
     const bool back = trial.step({ActionType::GoTo, {id}}).success && trial.step({ActionType::PickUp, {id}}).success;
+    const Aim aim = room_at(id, action, target);
     if (!back || !way_to_do(trial, {action, {target}}, target, aim)) continue;
     return hold(id) && reopen(id, action, target) && from_elsewhere({action, {target}}, target, aim);
   }
@@ -144,10 +169,11 @@ bool Methods::nest(const std::string& id, const std::string& target) {
   return false;
 }
 
-/// After something was in the way of a door or a lid: that is carried to where it is not; or, where it cannot be
-/// carried, the thing itself is.
+/// After something was in the way of a door or a lid: an open door is shut; what can be carried is carried to where it
+/// is not; or, where it cannot be carried, the thing itself is.
 bool Methods::unblock(ActionType action, const std::string& id) {
   if (!clears_) return false;
+  if (shut_in_the_way(action, id)) return true;
   for (std::size_t cleared = 0; cleared < kMostCleared; ++cleared) {
     const auto& trouble = attempt_.trouble();
     if (!trouble || trouble->failure != Failure::Blocked || attempt_.exhausted()) return false;
@@ -161,6 +187,17 @@ bool Methods::unblock(ActionType action, const std::string& id) {
   }
   const Node* self = find(id);
   return self != nullptr && self->movable && hold(id) && put_so_that(id, {{action, {id}}});
+}
+
+/// The open door of another piece, but not of one that it stands in.
+bool Methods::shut_in_the_way(ActionType action, const std::string& id) {
+  const auto& trouble = attempt_.trouble();
+  if (!trouble || trouble->failure != Failure::Blocked || attempt_.exhausted()) return false;
+  const std::string blocker = blocker_named_in(trouble->text);
+  const Node* other = find(blocker);
+  const bool open = other != nullptr && !other->movable && is(blocker, Predicate::Open);
+  if (!open || blocker == id || attempt_.world().linked(id, Predicate::Inside, blocker)) return false;
+  return do_at(ActionType::Close, blocker) && do_at(action, id);
 }
 
 /// Puts what is held where further steps can be done afterwards, and does them.

@@ -16,6 +16,7 @@ std::variant<std::vector<Action>, Rejection> find_plan(Rehearsal& rehearsal, con
 struct Beginning {
   std::vector<Action> done;          // from the start; all of them succeed
   std::vector<std::string> shunned;  // ids of what was not come to: others are taken where they will do
+  bool clears = false;               // also carries out of the way what only may be in it
 };
 /// How to go on from there: the actions after those that were done, ending with `stop`; some may not be needed.
 std::variant<std::vector<Action>, Rejection> find_plan_from(Rehearsal& rehearsal, const Beginning& beginning,

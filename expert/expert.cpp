@@ -162,9 +162,9 @@ std::variant<std::vector<Action>, Rejection> find_plan_from(Rehearsal& rehearsal
                                                             const ExpertOptions& options) {
   const Situation situation = look_around(rehearsal, options.mode);
   bool lacked_room = false;
-  auto plan = try_plans(rehearsal, situation, beginning, options, false, lacked_room);
+  auto plan = try_plans(rehearsal, situation, beginning, options, beginning.clears, lacked_room);
   // What is in the way is carried away only where no other witness, place or tool will do.
-  if (lacked_room && std::holds_alternative<Rejection>(plan))
+  if (!beginning.clears && lacked_room && std::holds_alternative<Rejection>(plan))
     plan = try_plans(rehearsal, situation, beginning, options, true, lacked_room);
   return plan;
 }

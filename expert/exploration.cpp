@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "expert/course.h"
 #include "expert/poses.h"
 #include "simulation/view.h"
 
@@ -13,9 +14,10 @@ namespace {
 
 constexpr double kMostSteps = 16;         // of a search, from where it begins
 constexpr std::size_t kMostPoses = 5000;  // looked from
+constexpr int kMostNamings = 50;          // poses that it is come to, to see whether the object can be named there
 constexpr std::size_t kMostLookouts = 5;
-constexpr std::size_t kMostNearby = 12;
-constexpr double kNearby_m = 2;
+constexpr std::size_t kMostNearby = 12, kMostNear = 24;
+constexpr double kNearby_m = 2, kNear_m = 3;
 constexpr double kElsewhere = 0.5;  // surcharge for looking from furniture that has nothing to do with the object
 
 constexpr std::array kLooks{ActionType::TurnLeft, ActionType::TurnRight, ActionType::LookDown, ActionType::LookUp};
@@ -29,6 +31,26 @@ Poses::Key key_of(const Agent& agent) {
           std::lround(agent.yaw * kAngles), std::lround(agent.pitch * kAngles)};
 }
 
+struct Range {
+  double farthest_m;
+  std::size_t most;
+};
+
+/// Ids of the nearest things around one that pass the test.
+template <class Test>
+std::vector<std::string> nearest(const World& world, const Node& to, const Range& range, const Test& test) {
+  std::vector<std::pair<double, std::string>> found;
+  for (const Node& node : world.nodes()) {
+    const double away = (node.pose.position - to.pose.position).norm();
+    if (node.id != to.id && away < range.farthest_m && test(node)) found.emplace_back(away, node.id);
+  }
+  std::sort(found.begin(), found.end());
+  if (found.size() > range.most) found.resize(range.most);
+  std::vector<std::string> ids;
+  for (auto& [away, id] : found) ids.push_back(std::move(id));
+  return ids;
+}
+
 class Search {
  public:
   Search(const ModeEpisode& episode, const Node& target, const Profile& profile, Standing standing)
@@ -40,7 +62,9 @@ class Search {
     add({world_.agent(), 0, 0, {}});
     if (standing_ != Standing::Here) begin_elsewhere();
     while (const auto at = poses_.next()) {
-      if (shows(poses_[*at].agent)) return poses_.steps_to(*at);
+      if (trials_ < kMostNamings && shows(poses_[*at].agent)) {
+        if (auto steps = poses_.steps_to(*at); can_be_named_after(steps)) return steps;
+      }
       if (poses_.size() < kMostPoses && poses_[*at].cost < kMostSteps) expand(*at);
     }
     return std::nullopt;
@@ -66,14 +90,9 @@ class Search {
     if (auto agent = world_.led_to(world_.agent(), action)) add({std::move(*agent), cost, 0, action});
   }
   void begin_nearby() {
-    std::vector<std::pair<double, std::string>> found;
-    for (const Node& node : world_.nodes()) {
-      const double away = (node.pose.position - target_.pose.position).norm();
-      if (node.movable && away < kNearby_m && node.id != target_.id) found.emplace_back(away, node.id);
-    }
-    std::sort(found.begin(), found.end());
-    if (found.size() > kMostNearby) found.resize(kMostNearby);
-    for (const auto& [away, id] : found) begin_with(id, 1 + kElsewhere);
+    const auto movable = [](const Node& node) { return node.movable; };
+    for (const std::string& id : nearest(world_, target_, {kNearby_m, kMostNearby}, movable))
+      begin_with(id, 1 + kElsewhere);
   }
   void expand(std::size_t at) {
     for (const ActionType type : kLooks) go_on(at, type);
@@ -95,11 +114,20 @@ class Search {
     return box && (episode_.mode() == Mode::M2 || shows_clearly(*box));
   }
 
+  /// What lies before or behind it may have the same box in the picture, and be meant by it.
+  bool can_be_named_after(const std::vector<Action>& steps) {
+    ++trials_;
+    ModeEpisode trial = episode_;
+    const auto does = [&trial](const Action& step) { return do_in(trial, step).success; };
+    return std::all_of(steps.begin(), steps.end(), does) && clearly_said(trial, {ActionType::GoTo, {target_.id}});
+  }
+
   const ModeEpisode& episode_;
   const World& world_;
   const Node& target_;
   const Profile& profile_;
   Standing standing_;
+  int trials_ = 0;
   Poses poses_;
 };
 
@@ -122,6 +150,12 @@ std::vector<std::string> lookouts_for(const World& world, const std::string& id)
   std::vector<std::string> ids;
   for (auto& [other, away, name] : found) ids.push_back(std::move(name));
   return ids;
+}
+
+std::vector<std::string> things_near(const World& world, const std::string& id) {
+  const Node* target = world.find(id);
+  if (target == nullptr) return {};
+  return nearest(world, *target, {kNear_m, kMostNear}, [&world](const Node& node) { return !world.holds(node.id); });
 }
 
 std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const std::string& id, Standing standing) {

@@ -25,5 +25,7 @@ std::optional<std::vector<Action>> way_to_see(const ModeEpisode& episode, const 
 
 /// Furniture to look from when the object itself cannot be found: what it lies on or in first, then what is nearest.
 std::vector<std::string> lookouts_for(const World& world, const std::string& id);
+/// All that is near an object and not in the hand, the nearest first: what is gone to leads to places of its own.
+std::vector<std::string> things_near(const World& world, const std::string& id);
 
 }  // namespace unietp

@@ -117,6 +117,9 @@ bool Methods::with_held_tool(const Literal& literal, ActionType action, std::str
                                                  *attempt_.situation().knowledge);
   if (rules.empty()) return false;
   if (attempt_.is_held(id) && !put_aside(id)) return false;
+  // Slices may lie where they cannot be got at: out with it before it is cut.
+  const bool shut_in = action == ActionType::Slice && !attempt_.world().linked_from(id, Predicate::Inside).empty();
+  if (clears_ && shut_in && !(hold(id) && put_aside(id))) return false;
   for (const std::string& tool : nearest_of(rules, id)) {
     if (action == ActionType::PourTo && !is(tool, Predicate::Filled)) continue;
     if (!hold(tool)) continue;

@@ -34,6 +34,7 @@ class Methods {
   bool in_appliance(const Literal& literal, std::string_view effect);
   bool place(const Literal& literal);
   bool place_in_room(const std::string& id, const std::string& room);
+  bool put_down_in(const std::string& id, const std::string& room);
   bool place_beside(const std::string& id, const std::string& neighbour);
   bool set_beside(const std::string& id, const std::string& neighbour);
   std::vector<Action> ways_beside(const std::string& neighbour) const;
@@ -50,7 +51,10 @@ class Methods {
   bool reopen(const std::string& id, ActionType action, const std::string& target);
   std::vector<std::string> in_the_way_on(const std::string& target, const std::string& but) const;
   std::string next_for(const std::string& target, const std::string& but) const;
+  bool still_opens(const std::string& id) const;
+  Aim room_at(const std::string& id, ActionType action, const std::string& target) const;
   bool unblock(ActionType action, const std::string& id);
+  bool shut_in_the_way(ActionType action, const std::string& id);
   std::vector<Action> ways_to_rid(const std::string& id, const std::string& room, const std::string& except) const;
   bool is_relevant(const Node& node) const;
   bool is_named(const std::string& id) const;

@@ -1,6 +1,7 @@
 #include "expert/mode_expert.h"
 
 #include <algorithm>
+#include <set>
 #include <span>
 
 #include "expert/course.h"
@@ -72,16 +73,31 @@ class Explorer {
   bool see(const std::string& id, int detours = 0) {
     if (look(id)) return true;
     if (detours == kMostDetours) return false;
+    const Course before = course_;
     for (const std::string& lookout : lookouts_for(world(), id)) {
       const Action approach{ActionType::GoTo, {lookout}};
       if (can_say(approach) || !see(lookout, detours + 1) || !act(approach)) continue;
       if (look(id)) return true;
     }
+    return detours == 0 && see_from_nearby(id, before);
+  }
+  /// Where long steps and wide turns lead to few places, each thing nearby that is gone to leads to others. Once for
+  /// each thing that is not found so.
+  bool see_from_nearby(const std::string& id, const Course& before) {
+    if (given_up_.contains(id)) return false;
+    for (const std::string& other : things_near(world(), id)) {
+      course_ = before;
+      const Action approach{ActionType::GoTo, {other}};
+      if ((can_say(approach) || look(other)) && act(approach) && look(id)) return true;
+    }
+    course_ = before;
+    given_up_.insert(id);
     return false;
   }
 
   Course course_;
   bool stays_ = false;
+  std::set<std::string> given_up_;
   std::string trouble_, lost_;
 };
 
@@ -98,6 +114,7 @@ std::variant<std::vector<Action>, std::string> explore(Mode mode, Rehearsal& reh
     if (replans == kMostReplans) return trouble;
     if (!explorer.lost().empty()) beginning.shunned.push_back(explorer.lost());
     const bool goes_on = replans % 2 == 0 && !explorer.over();
+    beginning.clears = replans >= kMostReplans / 2;
     beginning.done = goes_on ? explorer.done() : std::vector<Action>{};
     auto other = find_plan_from(rehearsal, beginning, options);
     if (std::holds_alternative<Rejection>(other) && goes_on) {

@@ -19,7 +19,15 @@ bool manipulates(const Action& action) {
   return group == ActionClass::Manipulation || group == ActionClass::Composite;
 }
 
-/// From walking up to something to the hands being as they were: the parts whose order a goal may fix.
+/// What is done with the thing in the hand, which stays there.
+bool uses_the_held(ActionType type) {
+  using enum ActionType;
+  return type == Slice || type == PourTo || type == Wipe || type == SpreadTo ||
+         info(type).group == ActionClass::Composite;
+}
+
+/// From walking up to something to the hands being as they were, or having done their work: the parts whose order a
+/// goal may fix.
 struct Block {
   std::size_t begin = 0, end = 0;
 };
@@ -33,7 +41,7 @@ std::vector<Block> blocks_of(const std::vector<Action>& actions) {
     if (type == ActionType::PickUp) ++in_hand;
     if (type == ActionType::PlaceOn || type == ActionType::PlaceIn || type == ActionType::Drop) --in_hand;
     const bool changes_state = manipulates(actions[i]) && type != ActionType::PickUp;
-    if (in_hand <= 0 ? changes_state : info(type).group == ActionClass::Composite || type == ActionType::Slice) {
+    if (in_hand <= 0 ? changes_state : uses_the_held(type)) {
       blocks.push_back({begin, i + 1});
       begin = i + 1;
     }

@@ -112,9 +112,13 @@ bool Methods::set_beside(const std::string& id, const std::string& neighbour) {
   return false;
 }
 
-/// On the furniture that it is usual on, then on or in any other; on the floor only where there is nothing else.
 bool Methods::place_in_room(const std::string& id, const std::string& room) {
   if (!hold(id)) return false;
+  return put_down_in(id, room) || (shut_out_of_the_way(room) && put_down_in(id, room));
+}
+
+/// On the furniture that it is usual on, then on or in any other; on the floor only where there is nothing else.
+bool Methods::put_down_in(const std::string& id, const std::string& room) {
   for (const Action& way : ways_to_rid(id, room, "")) {
     if (works_at(way)) return do_at(way.type, way.args.front());
   }
@@ -123,6 +127,9 @@ bool Methods::place_in_room(const std::string& id, const std::string& room) {
   for (const Action& way : ways_to_rid(id, room, "")) {
     if (from_elsewhere(way, way.args.front(), {})) return true;
   }
+  const Aim aim{[&](const World& world) { return world.room_of(id) == room; }, {}};
+  if (attempt_.situation().profile.offers(ActionType::Drop) && from_elsewhere({ActionType::Drop, {}}, room, aim))
+    return true;
   return attempt_.act(ActionType::GoTo, room) && attempt_.act(ActionType::Drop);
 }
 

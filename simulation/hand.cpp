@@ -210,10 +210,8 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
                 "There is no free place in reach " + std::string(inside ? "inside " : "on ") + target_id + ".");
 }
 
-std::vector<Pose> free_spots(const WorldState& state, std::size_t target, bool inside) {
+std::vector<Pose> free_spots(const WorldState& state, std::size_t i, std::size_t target, bool inside) {
   std::vector<Pose> free;
-  if (state.agent().held.empty()) return free;
-  const std::size_t i = *state.index_of(state.agent().held.front());
   const std::vector<std::size_t> group = state.group_of(i);
   if (std::find(group.begin(), group.end(), target) != group.end()) return free;
   for_each_spot(state.node(target), state.collider(target).shape, state.node(i).size, inside, group.size() == 1,

@@ -225,9 +225,14 @@ bool World::in_reach_from(const Vec2& place, std::string_view id) const {
 }
 
 std::vector<Pose> World::free_spots(std::string_view id, bool inside) const {
+  const auto& held = agent().held;
+  return held.empty() ? std::vector<Pose>() : free_spots_for(held.front(), id, inside);
+}
+
+std::vector<Pose> World::free_spots_for(std::string_view thing, std::string_view id, bool inside) const {
   const WorldState& state = tree_->at(moment_);
-  const auto node = state.index_of(id);
-  return node ? unietp::free_spots(state, *node, inside) : std::vector<Pose>();
+  const auto what = state.index_of(thing), node = state.index_of(id);
+  return what && node ? unietp::free_spots(state, *what, *node, inside) : std::vector<Pose>();
 }
 
 std::string World::closed_around(std::string_view id) const {

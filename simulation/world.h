@@ -113,6 +113,8 @@ class World {
   /// Poses at which place_on (place_in, with `inside`) could let go of what the hand holds over an object, were they in
   /// reach: those at which it meets nothing. Empty for empty hands.
   std::vector<Pose> free_spots(std::string_view id, bool inside) const;
+  /// The same for a thing that lies elsewhere, as if it were held.
+  std::vector<Pose> free_spots_for(std::string_view thing, std::string_view id, bool inside) const;
   /// Id of the outermost closed container around the object, or "".
   std::string closed_around(std::string_view id) const;
 

@@ -204,8 +204,8 @@ Outcome turn_to(WorldState& state, std::size_t node);
 Outcome pick_up(WorldState& state, std::size_t node);
 /// `within_grasp`: only where the hand can take it back from where the agent stands.
 Outcome place(WorldState& state, std::size_t target, bool inside, bool within_grasp = false);
-/// Poses at which `place` could let go of what the hand holds, were they in reach: those that meet nothing.
-std::vector<Pose> free_spots(const WorldState& state, std::size_t target, bool inside);
+/// Poses at which `place` could let go of a thing, were it held and they in reach: those that meet nothing.
+std::vector<Pose> free_spots(const WorldState& state, std::size_t thing, std::size_t target, bool inside);
 Outcome swing(WorldState& state, std::size_t node, bool open);
 Outcome switch_power(WorldState& state, std::size_t node, bool on);
 Outcome slice(WorldState& state, std::size_t node);

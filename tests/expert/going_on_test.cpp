@@ -94,6 +94,17 @@ TEST_F(GoingOn, TakesAnotherToolForOneThatWasNotComeTo) {
   EXPECT_NE(taken({{}, {first, second}}), "") << "one that is shunned is better than none";
 }
 
+TEST_F(GoingOn, CutsInTheOpenWhereItIsAskedToClear) {
+  Scene scene = house();
+  erase_if(scene.nodes, [](const Node& node) { return node.id == "apple_2"; });
+  move_to(scene, "apple_1", 4.4, 3.55, 0.9);
+  const Scene start = at_rest(std::move(scene));
+  const char* const slice = "(exists (?s - Apple/slice) (exists (?b - SideTable) (at-end (on ?s ?b))))";
+  const Action out{ActionType::PickUp, {"apple_1"}};
+  EXPECT_THAT(plan(slice, start, {}), Not(Contains(out)));
+  EXPECT_THAT(plan(slice, start, {{}, {}, true}), Contains(out));
+}
+
 TEST_F(GoingOn, LooksAroundFromWhereItStands) {
   Scene scene = house();
   scene.agent.yaw = 0;

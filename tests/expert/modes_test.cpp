@@ -1,6 +1,7 @@
 // The expert in M2 and M3: the goals of M1 under the rules of the other modes.
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <set>
 
 #include "expert/course.h"
@@ -151,6 +152,52 @@ TEST(ModeExpert, IsHeldAgainstMutationsUnderTheRulesOfTheMode) {
     EXPECT_EQ(needless_steps(placed, start, shown, knowledge, profile),
               std::vector<std::string>{"without step " + std::to_string(shown.steps.size() - 1) + ": turn_left"});
   }
+}
+
+TEST(Exploration, LooksAgainWhereTheBoxOfAThingIsThatOfAnother) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  // Two small slabs that cross each other have one outline from many places.
+  Scene scene = house();
+  erase_if(scene.nodes, [](const Node& node) { return node.movable; });
+  for (const auto& [id, yaw] : {std::pair("potato_1", 0.4), std::pair("potato_2", 0.4 + std::numbers::pi / 2)}) {
+    add(scene, knowledge, id, "Potato", 8.5, 3.5, 0, yaw).size = {0.04, 0.01, 0.04};
+    move_to(scene, id, 8.5, 3.5, 0.602);
+  }
+  for (const char* id : {"potato_1", "potato_2"}) {
+    ModeEpisode episode(*World::create(scene, knowledge, profile), Mode::M3);
+    const auto way = way_to_see(episode, id);
+    ASSERT_TRUE(way);
+    for (const Action& step : *way) EXPECT_TRUE(do_in(episode, step).success) << to_text(step);
+    EXPECT_TRUE(clearly_said(episode, {ActionType::GoTo, {id}})) << id;
+  }
+}
+
+TEST(ModeExpert, LooksFromWhatIsNearbyWhereLongStepsLeadToFewPlaces) {
+  const Knowledge knowledge = house_knowledge();
+  Profile profile = house_profile();
+  profile.step_m = 1;
+  profile.turn_deg = 90;
+  profile.image_width = profile.image_height = 200;
+  Scene scene = strewn_house(Rng(8));
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (scene.nodes[i].category == "Potato") scene.nodes.edit(i).size *= 0.35;
+  }
+  const Scene start = at_rest(std::move(scene));
+  const Formula each = goal("(forall (?x - Potato) (sometime (held ?x)))");
+  const auto first = std::get<Demonstration>(demonstrate(each, start, knowledge, profile, {}));
+  const auto shown = demonstrate_in(Mode::M3, each, start, knowledge, profile, first);
+  ASSERT_TRUE(std::holds_alternative<Demonstration>(shown)) << std::get<Rejection>(shown).detail;
+}
+
+TEST(Exploration, TellsWhatIsNearAThingTheNearestFirst) {
+  const Knowledge knowledge = house_knowledge();
+  const Profile profile = house_profile();
+  const World world = *World::create(at_rest(house()), knowledge, profile);
+  const auto near = things_near(world, "lamp_1");
+  ASSERT_FALSE(near.empty());
+  EXPECT_EQ(near.front(), "plate_2");
+  EXPECT_TRUE(things_near(world, "nothing_1").empty());
 }
 
 TEST(Exploration, LooksFirstFromWhatCarriesTheObject) {

@@ -94,6 +94,30 @@ TEST_F(Placing, CarriesAwayWhatTakesUpTheOnlyPlace) {
   EXPECT_THAT(steps, HasSubstr("place_on(sidetable_1)"));
 }
 
+TEST_F(Placing, CarriesAwayWhatStandsBehindSomethingElseInTheWay) {
+  Scene scene = house_with({"plate_1", "plate_2", "potato_1"});
+  erase_if(scene.nodes, [](const Node& node) { return node.id == "sidetable_2"; });
+  // A niche as high as the eye. What fills it at the back is larger than what hides it.
+  edit_node(scene, "sidetable_1")->size = {0.6, 0.36, 1.35};
+  move_to(scene, "sidetable_1", 8.0, 3.8, 0);
+  for (const auto& [id, x] : {std::pair("countertop_2", 7.35), std::pair("countertop_3", 8.65)}) {
+    add(scene, knowledge, id, "CounterTop", x, 3.8, 0).size = {0.68, 0.4, 1.8};
+    move_to(scene, id, x, 3.8, 0);
+  }
+  edit_node(scene, "plate_2")->size = {0.5, 0.2, 0.02};
+  edit_node(scene, "plate_2")->archetype = Archetype::Box;
+  move_to(scene, "plate_2", 8.0, 3.87, 1.351);
+  edit_node(scene, "potato_1")->size = {0.4, 0.12, 0.2};
+  move_to(scene, "potato_1", 7.91, 3.69, 1.351);
+  add(scene, knowledge, "potato_2", "Potato", 8.21, 3.69, 1.351).size = {0.16, 0.12, 0.2};
+  move_to(scene, "potato_2", 8.21, 3.69, 1.351);
+  const std::string steps = plan(
+      "(exists (?x - (Plate :where (exists (?d - DiningTable) (on ?x ?d)))) (exists (?y - SideTable) (at-end (on "
+      "?x ?y))))",
+      at_rest(std::move(scene)));
+  EXPECT_THAT(steps, HasSubstr("pick_up(plate_2)"));
+}
+
 TEST_F(Placing, OpensElsewhereWhatCannotOpenWhereItStands) {
   Scene scene = house_with({"box_1"});
   Node& shelf = add(scene, knowledge, "countertop_2", "CounterTop", 1.95, 1.2, 0);
@@ -113,8 +137,8 @@ TEST_F(Placing, TakesWhatIsInTheWayOfADoorOutOfIt) {
   EXPECT_THAT(steps, HasSubstr("open(microwave_1)"));
 }
 
-TEST_F(Placing, LeavesTheCornerBehindAnOpenDoor) {
-  // Counters on three sides of who stands before the fridge; its open door is the fourth.
+/// Counters on three sides of who stands before the fridge; its open door is the fourth.
+Scene behind_the_open_door(const Knowledge& knowledge) {
   Scene scene = house_with({"apple_1"});
   erase_if(scene.nodes, [](const Node& node) {
     return node.id == "sink_1" || node.id == "diningtable_1" || node.id == "countertop_1" || node.id == "microwave_1";
@@ -126,10 +150,103 @@ TEST_F(Placing, LeavesTheCornerBehindAnOpenDoor) {
   add(scene, knowledge, "countertop_4", "CounterTop", 2.6, 1.95, 0).size = {0.5, 1.0, 0.9};
   set_state(scene, "fridge_1", Predicate::Open);
   scene.agent.position = {3.2, 2.0};
-  const std::string steps =
-      plan("(exists (?x - Apple) (exists (?y - SideTable) (at-end (on ?x ?y))))", at_rest(std::move(scene)));
+  return scene;
+}
+
+TEST_F(Placing, LeavesTheCornerBehindAnOpenDoor) {
+  const std::string steps = plan("(exists (?x - Apple) (exists (?y - SideTable) (at-end (on ?x ?y))))",
+                                 at_rest(behind_the_open_door(knowledge)));
   EXPECT_THAT(steps, HasSubstr("close(fridge_1)"));
   EXPECT_THAT(steps, HasSubstr("place_on(sidetable_"));
+}
+
+/// Two fridges in a corner, whose doors cross each other's way; one is open.
+Scene with_doors_in_a_corner(const Knowledge& knowledge) {
+  Scene scene = house_with({"apple_1"});
+  erase_if(scene.nodes, [](const Node& node) { return node.id == "sink_1" || node.id == "diningtable_1"; });
+  add(scene, knowledge, "fridge_2", "Fridge", 4.0, 3.55, 0);
+  edit_node(scene, "fridge_1")->pose = upright(Vec3(4.35, 2.75, 0.85), -std::numbers::pi / 2);
+  edit_node(scene, "apple_1")->pose.position = Vec3(8.5, 3.3, 0.7);
+  return scene;
+}
+
+TEST_F(Placing, ShutsAnOpenDoorThatIsInTheWayOfAnother) {
+  Scene scene = with_doors_in_a_corner(knowledge);
+  set_state(scene, "fridge_2", Predicate::Open);
+  const std::string steps = plan("(exists (?x - (Fridge :where (closed ?x))) (at-end (open ?x)))", at_rest(scene));
+  EXPECT_THAT(steps, HasSubstr("close(fridge_2)"));
+}
+
+TEST_F(Placing, ShutsADoorThatBarsTheWayIntoARoom) {
+  Scene scene = behind_the_open_door(knowledge);
+  const std::string steps =
+      plan("(exists (?x - Apple) (at-end (exists (?r - living_room) (in_room ?x ?r))))", at_rest(std::move(scene)));
+  EXPECT_THAT(steps, HasSubstr("close(fridge_1)"));
+}
+
+TEST_F(Placing, LetsAThingFallElsewhereInARoomThanWhereOneComesIn) {
+  Scene scene = house_with({"mug_3"});
+  erase_if(scene.nodes, [](const Node& node) { return node.id.starts_with("sidetable"); });
+  // Screens on three sides of the middle, to which one is led.
+  erase_if(scene.nodes, [](const Node& node) { return node.id == "television_1"; });
+  for (const auto& [id, x, y, yaw] :
+       {std::tuple("television_1", 7.4, 2.0, std::numbers::pi / 2), std::tuple("television_2", 7.0, 2.4, 0.0),
+        std::tuple("television_3", 7.0, 1.6, 0.0)}) {
+    Node& screen = add(scene, knowledge, id, "Television", x, y, 0.451, yaw);
+    screen.size = {0.8, 0.1, 1.5};
+  }
+  const std::string steps =
+      plan("(exists (?x - Mug) (at-end (exists (?r - living_room) (in_room ?x ?r))))", at_rest(std::move(scene)));
+  EXPECT_THAT(steps, HasSubstr("drop stop"));
+}
+
+TEST_F(Placing, TakesOutWhatIsCutWhereItsSlicesCannotBeGotAt) {
+  Scene scene = house_with({"knife_1", "apple_1"});
+  erase_if(scene.nodes, [](const Node& node) { return node.id == "countertop_1" || node.id == "microwave_1"; });
+  move_to(scene, "diningtable_1", 7.0, 1.0, 0);
+  move_to(scene, "knife_1", 7.0, 1.0, 0.751);
+  // As long as a loaf of bread, in a fridge as deep as a tunnel: only its near end is within reach.
+  Node& fridge = *edit_node(scene, "fridge_1");
+  fridge.size = {0.7, 2.6, 1.7};
+  fridge.pose.position = Vec3(2.0, 2.7, 0.85);
+  Node& apple = *edit_node(scene, "apple_1");
+  apple.archetype = Archetype::Box;
+  apple.size = {0.06, 1.4, 0.06};
+  move_to(scene, "apple_1", 2.0, 3.1, 1.27);
+  const std::string steps =
+      plan("(exists (?x - Apple/slice) (exists (?y - SideTable) (at-end (on ?x ?y))))", at_rest(std::move(scene)));
+  EXPECT_THAT(steps, HasSubstr("pick_up(apple_1)"));
+}
+
+TEST_F(Placing, LeavesRoomForAThingThatIsStillShutAway) {
+  Scene scene = house_with({"plate_1", "plate_2"});
+  erase_if(scene.nodes, [](const Node& node) {
+    return node.id == "sidetable_2" || node.id == "countertop_1" || node.id == "microwave_1";
+  });
+  add(scene, knowledge, "fridge_2", "Fridge", 1.8, 3.55, 0);
+  move_to(scene, "plate_1", 1.8, 3.55, 0.9);
+  move_to(scene, "plate_2", 4.4, 3.55, 0.9);
+  // Put in the middle, a plate leaves no room for the other.
+  edit_node(scene, "sidetable_1")->size = {0.6, 0.4, 0.6};
+  move_to(scene, "sidetable_1", 8.5, 2.0, 0);
+  const std::string steps =
+      plan("(exists (?y - SideTable) (at-end (forall (?x - Plate) (on ?x ?y))))", at_rest(std::move(scene)));
+  EXPECT_THAT(steps, HasSubstr("place_on(sidetable_1) stop"));
+}
+
+TEST_F(Placing, PutsABoxWhereItsLidCanBeLifted) {
+  Scene scene = house_with({"box_1", "plate_1", "plate_2"});
+  erase_if(scene.nodes, [](const Node& node) { return node.id == "sidetable_2"; });
+  for (const auto& [plate, y] : {std::pair("plate_1", 3.35), std::pair("plate_2", 3.65)})
+    move_to(scene, plate, 7.82, y, 0.601);
+  edit_node(scene, "sidetable_1")->size = {1.6, 0.6, 0.6};
+  edit_node(scene, "sidetable_1")->pose.position = Vec3(7.2, 3.5, 0.3);
+  Node& shelf = add(scene, knowledge, "countertop_2", "CounterTop", 7.0, 3.5, 0);
+  shelf.size = {1.2, 0.6, 0.3};
+  shelf.pose.position.z() = 0.6 + 0.24 + 0.15;  // over all of the table but its end
+  const std::string steps = plan("(exists (?x - Box) (exists (?y - SideTable) (at-end (and (open ?x) (on ?x ?y)))))",
+                                 at_rest(std::move(scene)));
+  EXPECT_THAT(steps, HasSubstr("pick_up(plate_"));
 }
 
 TEST_F(Placing, ShutsABoxThatDoesNotFitWithItsLidUp) {
