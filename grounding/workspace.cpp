@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "grounding/floor_plan.h"
 #include "simulation/relations.h"
 #include "simulation/shape.h"
 
@@ -151,10 +152,10 @@ const Room* Workspace::room_of(std::size_t index) const {
 }
 
 std::vector<std::size_t> Workspace::nodes_in(std::size_t room) const {
+  constexpr double kAbove_m = 1;  // the walls
   std::vector<std::size_t> nodes;
-  const auto here = static_cast<std::int32_t>(room);
-  for (std::size_t i = 0; i < rooms_.size(); ++i) {
-    if (rooms_[i] == here) nodes.push_back(i);
+  for (const BodyId i : physics_.near(room_bounds(scene_.rooms[room], scene_.wall_height), kAbove_m)) {
+    if (i < rooms_.size() && rooms_[i] == static_cast<std::int32_t>(room)) nodes.push_back(i);
   }
   return nodes;
 }

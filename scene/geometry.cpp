@@ -12,10 +12,13 @@ double yaw_of(const Pose& pose) {
 }
 
 bool contains(const std::vector<Vec2>& polygon, const Vec2& point) {
-  if (polygon.empty()) return false;
-  Vec2 low = polygon.front(), high = low;
-  for (const Vec2& corner : polygon) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
-  if (point.x() < low.x() || point.x() >= high.x() || point.y() < low.y() || point.y() >= high.y()) return false;
+  // Of most polygons that are asked the point lies far outside.
+  bool right = false, left = false, above = false, below = false;
+  for (const Vec2& corner : polygon) {
+    (corner.x() > point.x() ? right : left) = true;
+    (corner.y() > point.y() ? above : below) = true;
+  }
+  if (!right || !left || !above || !below) return false;
   bool inside = false;
   each_crossing(polygon, point.y(), [&](double x) {
     if (point.x() < x) inside = !inside;

@@ -10,11 +10,8 @@ namespace {
 
 /// The bits of `open` that hang together with one of `some`, which are among them.
 std::uint64_t spread(std::uint64_t some, std::uint64_t open) {
-  std::uint64_t up = open, down = open;
-  for (int by = 1; by < 64; by *= 2) {
-    some |= up & (some << by);
-    up &= up << by;
-  }
+  some |= open & ~(open + some);  // a carry runs from the lowest to the upper end of what hangs together
+  std::uint64_t down = open;
   for (int by = 1; by < 64; by *= 2) {
     some |= down & (some >> by);
     down &= down >> by;
