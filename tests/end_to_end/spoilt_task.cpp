@@ -102,6 +102,25 @@ bool has_size(const std::string& text, std::size_t words) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')) + 1 >= words;
 }
 
+/// Whether there is another thing of the same category that is in nothing with a door.
+bool another_lies_open(const SpoiltTask& s, const std::string& id) {
+  const auto opens = [&s](const Json& thing) {
+    const auto& nodes = s.scene["nodes"];
+    return std::any_of(nodes.begin(), nodes.end(),
+                       [&](const Json& node) { return node["id"] == thing && node["openable"].get<bool>(); });
+  };
+  const auto shut_in = [&](const Json& thing) {
+    const auto& edges = s.scene["edges"];
+    return std::any_of(edges.begin(), edges.end(), [&](const Json& edge) {
+      return edge["relation"] == "inside" && edge["from"] == thing && opens(edge["to"]);
+    });
+  };
+  const auto& nodes = s.scene["nodes"];
+  return std::any_of(nodes.begin(), nodes.end(), [&](const Json& node) {
+    return node["category"] == s.category_of(id) && node["id"] != id && !shut_in(node["id"]);
+  });
+}
+
 }  // namespace
 
 const std::vector<Corruption> kCorruptions{
@@ -247,7 +266,8 @@ const std::vector<Corruption> kCorruptions{
      [](SpoiltTask& s) {
        const auto goal = s.goal();
        const auto where = where_in(goal);
-       if (!where || s.last_step({"pick_up"}) == nullptr) return false;
+       const auto* step = s.last_step({"pick_up"});
+       if (!where || step == nullptr || !another_lies_open(s, (*step)["args"][0])) return false;
        const auto f = goal.substr(where->from, where->to - where->from);
        s.set_goal("(or " + goal + " " + goal.substr(0, where->from) + "(not " + f + ")" + goal.substr(where->to) + ")");
        return true;
