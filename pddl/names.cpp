@@ -1,59 +1,16 @@
 #include "pddl/names.h"
 
-#include <algorithm>
-#include <array>
 #include <set>
 
 namespace unietp::pddl {
 namespace {
 
-/// Of PDDL 3, and the types of our domains.
-constexpr auto kReserved = std::to_array<std::string_view>({"and",
-                                                            "or",
-                                                            "not",
-                                                            "imply",
-                                                            "forall",
-                                                            "exists",
-                                                            "when",
-                                                            "either",
-                                                            "object",
-                                                            "number",
-                                                            "define",
-                                                            "domain",
-                                                            "action",
-                                                            "problem",
-                                                            "init",
-                                                            "goal",
-                                                            "metric",
-                                                            "minimize",
-                                                            "maximize",
-                                                            "increase",
-                                                            "decrease",
-                                                            "assign",
-                                                            "scale-up",
-                                                            "scale-down",
-                                                            "at",
-                                                            "start",
-                                                            "end",
-                                                            "over",
-                                                            "all",
-                                                            "total-time",
-                                                            "total-cost",
-                                                            "always",
-                                                            "sometime",
-                                                            "within",
-                                                            "at-most-once",
-                                                            "sometime-after",
-                                                            "sometime-before",
-                                                            "always-within",
-                                                            "hold-during",
-                                                            "hold-after",
-                                                            "preference",
-                                                            "thing",
-                                                            "movable",
-                                                            "room",
-                                                            "substance",
-                                                            "monitor"});
+/// Words of PDDL 3, and the types of our domains, each between blanks.
+constexpr std::string_view kReserved =
+    " and or not imply forall exists when either object number define domain action problem init goal metric "
+    "minimize maximize increase decrease assign scale-up scale-down at start end over all total-time "
+    "total-cost always sometime within at-most-once sometime-after sometime-before always-within hold-during "
+    "hold-after preference thing movable room substance monitor ";
 
 /// "m12": what the monitors of a problem are called.
 bool names_a_monitor(std::string_view name) {
@@ -70,7 +27,7 @@ std::string name_for(std::string_view text) {
     name += upper ? static_cast<char>(c - 'A' + 'a') : plain ? c : '_';
   }
   if (name.empty() || name[0] < 'a' || name[0] > 'z') name.insert(0, "x_");
-  const bool taken = names_a_monitor(name) || std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end();
+  const bool taken = names_a_monitor(name) || kReserved.find(" " + name + " ") != std::string_view::npos;
   return taken ? name + "_1" : name;
 }
 
