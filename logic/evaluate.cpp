@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory_resource>
 #include <span>
+#include <utility>
 
 #include "logic/comparison.h"
 #include "logic/membership.h"
@@ -34,7 +35,7 @@ struct Node {
   int slot = 0;                          // of the bound variable
   std::span<const EntityIndex> members;  // of the domain
   const Node* where = nullptr;           // still to be read for each member; null when `members` has it done
-  std::span<const Node> children;
+  std::span<Node> children;
   const Node* link = nullptr;  // of `exists`: R(x, y) that its body needs of the bound y; y is looked for along R
   bool link_at_end = false;
   std::span<std::int8_t> known;  // by position, -1 until read: of what says the same whatever is chosen around it
@@ -222,6 +223,12 @@ class Reading {
     node.children = {children, formula.children.size()};
     for (std::size_t i = 0; i < formula.children.size(); ++i) fill(children[i], formula.children[i]);
     if (!formula.variable.empty()) pop();
+    if (node.op == Op::Exists && set_apart(node)) return;
+    finish(node);
+  }
+
+  /// What speeds up the reading of a node whose parts are there.
+  void finish(Node& node) {
     set_cost(node);
     if (node.op == Op::Exists) find_link(node);
     const bool quantifies = node.op == Op::Forall || node.op == Op::Exists || node.op == Op::Count;
@@ -230,9 +237,46 @@ class Reading {
       std::fill(node.known.begin(), node.known.end(), std::int8_t{-1});
     }
     if (node.op == Op::And || node.op == Op::Or) {  // cheap parts first: they often decide
-      std::stable_sort(children, children + formula.children.size(),
+      std::stable_sort(node.children.begin(), node.children.end(),
                        [](const Node& a, const Node& b) { return a.cost < b.cost; });
     }
+  }
+
+  /// `exists y: P(x) and Q(y)` is `P(x) and exists y: Q(y)`: what does not speak of y is read once for all of them, and
+  /// what is left may say the same for every x. Makes the node that `and`, unless all of its parts speak of y.
+  bool set_apart(Node& node) {
+    const bool at_end = node.children[0].op == Op::AtEnd;
+    Node& body = at_end ? node.children[0].children[0] : node.children[0];
+    if (body.op != Op::And) return false;
+    const auto others = std::stable_partition(body.children.begin(), body.children.end(), [&](const Node& part) {
+      return names_any(part, node.slot, node.slot + 1);
+    });
+    const auto own = static_cast<std::size_t>(others - body.children.begin());
+    if (own == body.children.size()) return false;
+    Node* parts = array<Node>(2);
+    parts[0] = conjunction_of(body.children.subspan(own));
+    body.children = body.children.first(own);
+    finish(body);
+    if (at_end) {
+      Node* inner = array<Node>(1);
+      *inner = std::exchange(parts[0], {});
+      parts[0].op = Op::AtEnd;
+      parts[0].children = {inner, 1};
+      finish(parts[0]);
+      finish(node.children[0]);
+    }
+    finish(node);
+    parts[1] = node;
+    node = conjunction_of({parts, 2});
+    return true;
+  }
+
+  Node conjunction_of(std::span<Node> parts) {
+    Node all;
+    all.op = Op::And;
+    all.children = parts;
+    finish(all);
+    return all;
   }
 
   static void find_link(Node& node) {
@@ -242,7 +286,7 @@ class Reading {
     const auto links = [&](const Node& part) {
       return part.op == Op::Atom && part.arity == 2 && part.slots[1] == node.slot && part.slots[0] != node.slot;
     };
-    const auto parts = body->op == Op::And ? body->children : std::span(body, 1);
+    const auto parts = body->op == Op::And ? std::span<const Node>(body->children) : std::span(body, 1);
     const auto found = std::find_if(parts.begin(), parts.end(), links);
     if (found != parts.end()) node.link = &*found;
   }
