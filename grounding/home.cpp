@@ -133,7 +133,8 @@ std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const 
       walk->grid.update(i, nullptr, nullptr);
     }
   }
-  walk->reached = walk->grid.reached_from(walk->grid.cell_at(scene.agent.position));
+  walk->reached =
+      walk->grid.reached_from(walk->grid.cell_at(scene.agent.position), home.walk->grid, home.walk->reached);
   return walk;
 }
 

@@ -355,7 +355,7 @@ const Walk& Reach::walk(Opened& opened) const {
       const Shape shape = shape_of(opened.scene.nodes[door]);
       walk->grid.update(door, &opened.scene.nodes[door], &shape);
     }
-    walk->reached = walk->grid.reached_from(walk->grid.cell_at(scene_.agent.position));
+    walk->reached = walk->grid.reached_from(walk->grid.cell_at(scene_.agent.position), walk_->grid, walk_->reached);
     opened.walk = std::move(walk);
   }
   return *opened.walk;

@@ -101,4 +101,58 @@ CellSet CellSet::connected_to(int x, int y) const {
   return found;
 }
 
+CellSet::Window CellSet::around_differences(const CellSet& other) const {
+  constexpr int kAround = 5;  // a way around a door that opened is about so wide
+  Window found{width_, 0, height_, 0};
+  for (int y = 0; y < height_; ++y) {
+    for (std::size_t w = word(0, y); w < word(0, y) + words_; ++w) {
+      const std::uint64_t differ = bits_[w] ^ other.bits_[w];
+      if (differ == 0) continue;
+      const int first = static_cast<int>(w - word(0, y)) * kWord;
+      found.low_x = std::min(found.low_x, first + std::countr_zero(differ) - kAround);
+      found.high_x = std::max(found.high_x, first + kWord - std::countl_zero(differ) + kAround);
+      found.low_y = std::min(found.low_y, y - kAround);
+      found.high_y = std::max(found.high_y, y + 1 + kAround);
+    }
+  }
+  return {std::max(0, found.low_x), std::min(width_, found.high_x), std::max(0, found.low_y),
+          std::min(height_, found.high_y)};
+}
+
+CellSet CellSet::connected_to(int x, int y, const CellSet& before, const CellSet& reached) const {
+  if (!has(x, y) || !reached.has(x, y)) return connected_to(x, y);
+  if (bits_ == before.bits_) return reached;
+  constexpr int kWorthwhile = 8;  // a flood takes whole words
+  const Window around = around_differences(before);
+  const int wide = around.high_x - around.low_x, high = around.high_y - around.low_y;
+  if (wide * high > width_ * height_ / kWorthwhile) return connected_to(x, y);
+  const auto each = [&](const auto& look) {
+    for (int j = around.low_y; j < around.high_y; ++j) {
+      for (int i = around.low_x; i < around.high_x; ++i) {
+        if (!look(i, j)) return false;
+      }
+    }
+    return true;
+  };
+  CellSet here(wide, high);
+  int from_x = -1, from_y = -1;
+  each([&](int i, int j) {
+    here.set(i - around.low_x, j - around.low_y, has(i, j));
+    if (has(i, j) && reached.has(i, j)) from_x = i, from_y = j;
+    return true;
+  });
+  if (from_x < 0) return connected_to(x, y);
+  // If all that was reached here still hangs together here, ways through here are as good as before. If nothing that
+  // was there before is reached anew, no way leads farther than before.
+  const CellSet now = here.connected_to(from_x - around.low_x, from_y - around.low_y);
+  CellSet found = reached;
+  const bool as_before = each([&](int i, int j) {
+    const bool there = now.has(i - around.low_x, j - around.low_y);
+    found.set(i, j, there);
+    if (!has(i, j) || there == reached.has(i, j)) return true;
+    return there && !before.has(i, j);
+  });
+  return as_before ? found : connected_to(x, y);
+}
+
 }  // namespace unietp

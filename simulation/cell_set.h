@@ -29,10 +29,18 @@ class CellSet {
   /// The cells that one gets to from that one by steps to the four neighbours, it among them, without leaving the set;
   /// none when the set does not have it.
   CellSet connected_to(int x, int y) const;
+  /// The same, by what is known of another set of the same grid: `reached` is what it has connected to that cell. Where
+  /// little differs, and that in one place, only a look around there is taken.
+  CellSet connected_to(int x, int y, const CellSet& before, const CellSet& reached) const;
   bool operator==(const CellSet&) const = default;
 
  private:
   static constexpr int kWord = 64;
+  struct Window {  // columns and rows, from low to before high
+    int low_x = 0, high_x = 0, low_y = 0, high_y = 0;
+  };
+  /// All cells that the two do not both have or lack, and some around them.
+  Window around_differences(const CellSet& other) const;
   std::size_t word(int x, int y) const {
     return static_cast<std::size_t>(y) * words_ + static_cast<std::size_t>(x) / kWord;
   }

@@ -27,7 +27,8 @@ const Flood& Floods::around(const NavigationGrid& grid, NavigationGrid::Cell cel
   });
   if (known != floods_.end()) return *known;
   const std::uint64_t number = made_++;
-  return keep(floods_, number, Flood{grid.digest(), grid.reached_from(cell), number});
+  CellSet to = start_ != nullptr ? grid.reached_from(cell, start_->grid, start_->reached) : grid.reached_from(cell);
+  return keep(floods_, number, Flood{grid.digest(), std::move(to), number});
 }
 
 std::int32_t Floods::steps(const NavigationGrid& grid, NavigationGrid::Cell from, NavigationGrid::Cell low,

@@ -43,6 +43,10 @@ class NavigationGrid {
 
   /// Where the body can walk to by steps to the four neighbours, `from` among it; nowhere when that is not free.
   CellSet reached_from(Cell from) const { return free_.connected_to(from.x, from.y); }
+  /// The same, at less cost, for a grid that differs from `before` in few places; `reached`: from there in that one.
+  CellSet reached_from(Cell from, const NavigationGrid& before, const CellSet& reached) const {
+    return free_.connected_to(from.x, from.y, before.free_, reached);
+  }
   /// The free cell nearest to a point, ties by row then column.
   std::optional<Cell> nearest_free(const Vec2& point) const;
   /// Cells of a shortest walk, both ends included; empty when there is none.

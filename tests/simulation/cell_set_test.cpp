@@ -59,6 +59,35 @@ TEST(CellSet, WhatIsConnectedIsWhatAWalkReachesForAnySeed) {
   }
 }
 
+TEST(CellSet, WhatIsKnownOfAnotherSetChangesNothingForAnySeed) {
+  int differ = 0;
+  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const int width = 40 + static_cast<int>(rng.below(160)), height = 20 + static_cast<int>(rng.below(30));
+    const double open = rng.uniform(0.5, 0.98);
+    CellSet before(width, height);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) before.set(x, y, rng.chance(open));
+    }
+    CellSet now = before;
+    const int span = 1 + static_cast<int>(rng.below(6));
+    const auto draw = [&](int below) { return static_cast<int>(rng.below(static_cast<std::uint64_t>(below))); };
+    const int low_x = draw(width - span), low_y = draw(height - span);
+    const double still_open = rng.chance(0.3) ? 0 : rng.chance(0.3) ? 1 : 0.5;
+    for (int y = low_y; y < low_y + span; ++y) {
+      for (int x = low_x; x < low_x + span; ++x) now.set(x, y, rng.chance(still_open));
+    }
+    for (int asked = 0; asked < 4; ++asked) {
+      const int x = draw(width), y = draw(height);
+      const CellSet reached = before.connected_to(x, y), anew = now.connected_to(x, y);
+      EXPECT_EQ(now.connected_to(x, y, before, reached), anew) << x << " " << y;
+      differ += anew == reached ? 0 : 1;
+    }
+  }
+  EXPECT_GT(differ, 1000);
+}
+
 TEST(Ripple, TheFewestStepsToARectangleAreThoseOfAWholeSearchWhateverWasAskedBefore) {
   const Scene scene = testing::kitchen();
   const NavigationGrid grid(scene, testing::kitchen_profile());
