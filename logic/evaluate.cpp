@@ -204,7 +204,72 @@ class Reading {
     return kAgentSlot;
   }
 
+  /// `exists` in `exists`: any of them may come first.
+  using Some = std::pmr::vector<const Formula*>;
+
   void fill(Node& node, const Formula& formula) {
+    Some some(&buffer_);
+    const Formula* body = &formula;
+    const auto is_another = [&](const Formula& one) {
+      return one.op == Op::Exists && one.domain.where.empty() &&
+             std::none_of(some.begin(), some.end(), [&](auto* other) { return other->variable == one.variable; });
+    };
+    for (; is_another(*body); body = &body->children[0]) some.push_back(body);
+    if (some.size() < 2) return fill_one(node, formula);
+    fill_some(node, easiest_order(std::move(some), *body), *body);
+  }
+
+  /// What a thing stands in relation to comes after that thing, for then it can be looked up.
+  Some easiest_order(Some left, const Formula& body) {
+    Some order(&buffer_);
+    while (!left.empty()) {
+      const auto leads_to = [&](const Formula* one) {
+        return [&body, one](const Formula* other) {
+          return other != one && relates(body, other->variable, one->variable);
+        };
+      };
+      auto next = std::find_if(left.begin(), left.end(),
+                               [&](auto* one) { return std::any_of(order.begin(), order.end(), leads_to(one)); });
+      if (next == left.end())
+        next = std::find_if(left.begin(), left.end(),
+                            [&](auto* one) { return std::none_of(left.begin(), left.end(), leads_to(one)); });
+      if (next == left.end()) next = left.begin();
+      order.push_back(*next);
+      left.erase(next);
+    }
+    return order;
+  }
+
+  /// Whether it holds only where x stands in a relation to y.
+  static bool relates(const Formula& formula, std::string_view x, std::string_view y) {
+    const auto is = [](const Term& term, std::string_view name) {
+      return term.kind == Term::Kind::Variable && term.name == name;
+    };
+    switch (formula.op) {
+      case Op::Atom:
+        return formula.terms.size() == 2 && is(formula.terms[0], x) && is(formula.terms[1], y);
+      case Op::And:
+      case Op::AtEnd:
+      case Op::Exists:
+        return std::any_of(formula.children.begin(), formula.children.end(),
+                           [&](const Formula& child) { return relates(child, x, y); });
+      default:
+        return false;
+    }
+  }
+
+  void fill_some(Node& node, std::span<const Formula* const> some, const Formula& body) {
+    if (some.empty()) return fill(node, body);
+    node.op = Op::Exists;
+    node.members = members(some.front()->domain);
+    node.slot = push(some.front()->variable);
+    node.children = {array<Node>(1), 1};
+    fill_some(node.children[0], some.subspan(1), body);
+    pop();
+    if (!set_apart(node)) finish(node);
+  }
+
+  void fill_one(Node& node, const Formula& formula) {
     node.op = formula.op;
     node.predicate = formula.predicate;
     node.comparison = formula.comparison;
@@ -279,16 +344,24 @@ class Reading {
     return all;
   }
 
-  static void find_link(Node& node) {
-    const Node* body = &node.children[0];
-    node.link_at_end = body->op == Op::AtEnd;
-    if (node.link_at_end) body = &body->children[0];
-    const auto links = [&](const Node& part) {
-      return part.op == Op::Atom && part.arity == 2 && part.slots[1] == node.slot && part.slots[0] != node.slot;
-    };
-    const auto parts = body->op == Op::And ? std::span<const Node>(body->children) : std::span(body, 1);
-    const auto found = std::find_if(parts.begin(), parts.end(), links);
-    if (found != parts.end()) node.link = &*found;
+  static void find_link(Node& node) { static_cast<void>(find_link(node, node.children[0], false)); }
+  /// In what must hold for the node to hold.
+  static bool find_link(Node& node, const Node& part, bool at_end) {
+    switch (part.op) {
+      case Op::Atom:
+        if (part.arity != 2 || part.slots[1] != node.slot || part.slots[0] >= node.slot) return false;
+        node.link = &part;
+        node.link_at_end = at_end;
+        return true;
+      case Op::AtEnd:
+        return find_link(node, part.children[0], true);
+      case Op::And:
+      case Op::Exists:
+        return std::any_of(part.children.begin(), part.children.end(),
+                           [&](const Node& child) { return find_link(node, child, at_end); });
+      default:
+        return false;
+    }
   }
 
   void set_cost(Node& node) const {
