@@ -10,12 +10,22 @@ Ripple::Ripple(const NavigationGrid& grid, Cell from)
     : from_(from),
       width_(grid.width()),
       height_(grid.height()),
+      stretches_((static_cast<std::size_t>(width_) + kStretch - 1) / kStretch),
       open_(grid.free_cells()),
-      steps_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), kNoWay) {
+      places_(stretches_ * static_cast<std::size_t>(height_), 0) {
   if (!open_.has(from.x, from.y)) return;
   front_.push_back(from);
   open_.set(from.x, from.y, false);
-  steps_[index(from)] = 0;
+  set(from, 0);
+}
+
+void Ripple::set(Cell cell, std::int32_t steps) {
+  std::uint32_t& place = places_[stretch(cell)];
+  if (place == 0) {
+    steps_.emplace_back().fill(kNoWay);
+    place = static_cast<std::uint32_t>(steps_.size());
+  }
+  steps_[place - 1][static_cast<std::size_t>(cell.x) % kStretch] = static_cast<std::uint16_t>(steps);
 }
 
 void Ripple::go_on() {
@@ -26,7 +36,7 @@ void Ripple::go_on() {
          {Cell{cell.x + 1, cell.y}, Cell{cell.x - 1, cell.y}, Cell{cell.x, cell.y + 1}, Cell{cell.x, cell.y - 1}}) {
       if (!open_.has(there.x, there.y)) continue;
       open_.set(there.x, there.y, false);
-      steps_[index(there)] = static_cast<std::uint16_t>(far_);
+      set(there, far_);
       next.push_back(there);
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -27,14 +28,19 @@ class Ripple {
   NavigationGrid::Cell from() const { return from_; }
   /// To a cell of the grid, when that has been found; else -1. All that are nearer have been found then, too.
   std::int32_t found(NavigationGrid::Cell cell) const {
-    const std::uint16_t steps = steps_[index(cell)];
+    const std::uint32_t place = places_[stretch(cell)];
+    if (place == 0) return -1;
+    const std::uint16_t steps = steps_[place - 1][static_cast<std::size_t>(cell.x) % kStretch];
     return steps == kNoWay ? -1 : steps;
   }
 
  private:
-  std::size_t index(NavigationGrid::Cell cell) const {
-    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(cell.x);
+  static constexpr std::size_t kStretch = 64;
+  using Stretch = std::array<std::uint16_t, kStretch>;
+  std::size_t stretch(NavigationGrid::Cell cell) const {
+    return static_cast<std::size_t>(cell.y) * stretches_ + static_cast<std::size_t>(cell.x) / kStretch;
   }
+  void set(NavigationGrid::Cell cell, std::int32_t steps);
   /// One step more, from all that were found last.
   void go_on();
   bool ended() const { return front_.empty() || far_ + 1 == kNoWay; }
@@ -42,8 +48,10 @@ class Ripple {
   static constexpr std::uint16_t kNoWay = std::numeric_limits<std::uint16_t>::max();
   NavigationGrid::Cell from_;
   int width_, height_;
+  std::size_t stretches_;                    // a row
   CellSet open_;                             // free, and not found yet
-  std::vector<std::uint16_t> steps_;         // a whole street is cleared for each of them
+  std::vector<std::uint32_t> places_;        // by stretch of a row: its place in `steps_`, from 1; 0 for none
+  std::vector<Stretch> steps_;               // of the stretches that were come to
   std::vector<NavigationGrid::Cell> front_;  // those that were found last
   std::int32_t far_ = 0;                     // their steps
 };
