@@ -72,8 +72,8 @@ bool within_rounds(Enforcer& enforcer, SceneEditor& editor, const std::vector<Fo
 
 /// A door that was opened may stand where the agent stood.
 void keep_standing(Workspace& workspace, const Home& home) {
-  const auto walk = walk_of(home, workspace.scene());
-  const NavigationGrid& grid = walk->grid;
+  const auto other = workspace.other_grid();
+  const NavigationGrid& grid = other ? *other : home.walk->grid;
   const Vec2 at = workspace.scene().agent.position;
   if (grid.free(grid.cell_at(at))) return;
   if (const auto cell = grid.nearest_free(at)) workspace.agent().position = grid.centre(*cell);

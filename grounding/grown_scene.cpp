@@ -10,7 +10,9 @@ GrownScene read_grown(const Home& home, const Scene& scene) {
   GrownScene grown;
   grown.changed = differences(home, scene);
   grown.physics = physics_of(home, scene, grown.changed);
-  grown.walk = walk_of(home, scene, grown.changed);
+  std::vector<std::size_t> moved = grown.changed.nodes;
+  moved.insert(moved.end(), grown.changed.gone.begin(), grown.changed.gone.end());
+  grown.walk = walk_of(home, scene, std::move(moved));
   grown.places = home.places;
   Present present(home);
   for (const std::size_t i : grown.changed.gone) {

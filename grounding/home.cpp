@@ -63,7 +63,7 @@ Home prepare_home(Scene scene, const Profile& profile) {
     home.sweeps.push_back(node.movable ? std::nullopt : sweep_of(node));
     home.farthest_sweep = std::max(home.farthest_sweep, goes_beyond(home.sweeps.back(), home.bounds.back()));
     home.colliders.push_back(home.physics.share(static_cast<BodyId>(i)));
-    home.rooms.push_back(room_number(scene, node.pose.position.head<2>()));
+    home.rooms.push_back(room_number(home.physics, node.pose.position.head<2>()));
   }
   home.solids = PlacementChecker::shared(std::move(solids));
   Walk walk = walk_in(scene, profile);
@@ -109,32 +109,33 @@ PhysicsWorld physics_of(const Home& home, const Scene& scene, const Differences&
   return physics;
 }
 
-std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene) {
-  return walk_of(home, scene, differences(home, scene));
-}
-
-std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const Differences& changed) {
+std::optional<NavigationGrid> other_grid(const Home& home, const Scene& scene, std::vector<std::size_t> places) {
   const auto& before = home.scene.nodes;
   const auto& after = scene.nodes;
-  std::vector<std::size_t> places = changed.nodes;
-  places.insert(places.end(), changed.gone.begin(), changed.gone.end());
   sort_unique(places);
   std::erase_if(places, [&](std::size_t i) {
     if (i < before.size() && i < after.size() && same_solids(before[i], after[i])) return true;
     return !(i < before.size() && stops_a_body(before[i])) && !(i < after.size() && stops_a_body(after[i]));
   });
-  if (places.empty() && scene.agent.position == home.scene.agent.position) return home.walk;
-  auto walk = std::make_shared<Walk>(Walk{home.walk->grid, {}, {}});
+  if (places.empty()) return std::nullopt;
+  NavigationGrid grid = home.walk->grid;
   for (const std::size_t i : places) {
     if (i < after.size()) {
       const Shape shape = shape_of(after[i]);
-      walk->grid.update(i, &after[i], &shape);
+      grid.update(i, &after[i], &shape);
     } else {
-      walk->grid.update(i, nullptr, nullptr);
+      grid.update(i, nullptr, nullptr);
     }
   }
-  walk->reached =
-      walk->grid.reached_from(walk->grid.cell_at(scene.agent.position), home.walk->grid, home.walk->reached);
+  return grid;
+}
+
+std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, std::vector<std::size_t> places) {
+  auto grid = other_grid(home, scene, std::move(places));
+  if (!grid && scene.agent.position == home.scene.agent.position) return home.walk;
+  auto walk = std::make_shared<Walk>(Walk{grid ? std::move(*grid) : home.walk->grid, {}, {}});
+  const auto from = walk->grid.cell_at(scene.agent.position);
+  walk->reached = walk->grid.reached_from(from, home.walk->grid, home.walk->reached);
   return walk;
 }
 
@@ -143,9 +144,9 @@ Scene without_edges(const Scene& scene) {
           {},       scene.agent};
 }
 
-std::int32_t room_number(const Scene& scene, const Vec2& point) {
-  const Room* room = room_at(scene, point);
-  return room == nullptr ? -1 : static_cast<std::int32_t>(room - scene.rooms.data());
+std::int32_t room_number(const PhysicsWorld& world, const Vec2& point) {
+  const auto room = world.floor().at(point);
+  return room ? static_cast<std::int32_t>(*room) : -1;
 }
 
 }  // namespace unietp

@@ -60,13 +60,14 @@ Differences differences(const Home& home, const Scene& scene);
 
 /// The bodies of such a scene, at the cost of the differences.
 PhysicsWorld physics_of(const Home& home, const Scene& scene, const Differences& changed);
-/// Where a body can walk in it: the home's own while nothing that a body bumps into has changed and the agent stands
-/// where it stood.
-std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, const Differences& changed);
-std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene);
+/// Where a body can stand in it, when it may have changed at some `places` of the lists: nullopt while nothing that a
+/// body bumps into has.
+std::optional<NavigationGrid> other_grid(const Home& home, const Scene& scene, std::vector<std::size_t> places);
+/// Where it can walk: the home's own while there is no other grid and the agent stands where it stood.
+std::shared_ptr<const Walk> walk_of(const Home& home, const Scene& scene, std::vector<std::size_t> places);
 /// A copy of all but the edges, most of which are two names each.
 Scene without_edges(const Scene& scene);
 /// The place of the room at a point in Scene::rooms, -1 for none.
-std::int32_t room_number(const Scene& scene, const Vec2& point);
+std::int32_t room_number(const PhysicsWorld& world, const Vec2& point);
 
 }  // namespace unietp

@@ -23,7 +23,7 @@ Workspace::Workspace(Scene scene, const Knowledge& knowledge)
     bounds_.push_back(bounds_of(shape, node.pose, node.opening));
     sweeps_.push_back(node.movable ? std::nullopt : sweep_of(node));
     farthest_sweep_ = std::max(farthest_sweep_, goes_beyond(sweeps_.back(), bounds_.back()));
-    rooms_.push_back(room_number(scene_, node.pose.position.head<2>()));
+    rooms_.push_back(room_number(physics_, node.pose.position.head<2>()));
   }
   places_ = NodeIndex(scene_.nodes);
 }
@@ -53,13 +53,14 @@ void Workspace::place(std::size_t index, Node node) {
   bounds_.edit(index) = bounds_of(shape, node.pose, node.opening);
   sweeps_.edit(index) = node.movable ? std::nullopt : sweep_of(node);
   farthest_sweep_ = std::max(farthest_sweep_, goes_beyond(sweeps_[index], bounds_[index]));
-  rooms_[index] = room_number(scene_, node.pose.position.head<2>());
+  rooms_[index] = room_number(physics_, node.pose.position.head<2>());
   Node& here = scene_.nodes.edit(index);
   if (here.id != node.id || here.category != node.category) {
     places_.remove(index, here);
     places_.add(index, node);
   }
   here = std::move(node);
+  moved_.push_back(index);
   note(index);
 }
 
@@ -89,6 +90,7 @@ void Workspace::remove(std::size_t index) {
   Node moved = scene_.nodes[last];
   places_.remove(last, moved);
   if (index != last) place(index, std::move(moved));
+  moved_.push_back(last);
   physics_.remove(static_cast<BodyId>(last));
   checker_.remove(static_cast<BodyId>(last));
   scene_.nodes.pop_back();

@@ -39,6 +39,9 @@ class Workspace {
   void read_edges();
   /// The state of a workspace that began as a home, as last read.
   const Present& present() const { return *present_; }
+  /// Of such a one: where a body can stand, and where it can walk, as home.h says.
+  std::optional<NavigationGrid> other_grid() const { return unietp::other_grid(*home_, scene_, moved_); }
+  std::shared_ptr<const Walk> walk() const { return walk_of(*home_, scene_, moved_); }
   /// Of such a one: ids of everything that rests on or in a thing, directly or through others, in scene order, as last
   /// read.
   std::vector<std::string> carried_by(std::size_t index) const;
@@ -82,6 +85,7 @@ class Workspace {
   SharedList<Bounds> bounds_;
   NodeIndex places_;
   std::vector<std::int32_t> rooms_;  // by node: place of its room, -1 for none
+  std::vector<std::size_t> moved_;   // where in the list another body was set, or none is left
   std::optional<Present> present_;   // when it began as a home
   int reading_ = 0;
 };

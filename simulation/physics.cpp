@@ -73,6 +73,7 @@ void append(std::string& bytes, const Body& body) {
 
 struct PhysicsWorld::Impl {
   SharedList<Body> things, walls;
+  std::shared_ptr<const RoomFinder> floor = std::make_shared<RoomFinder>();
   mutable std::optional<BodyGrid> grid;  // made at the first question
   // What settles came to: plans are tried, shortened and mutated, and let the same things fall again and again.
   mutable std::unordered_map<std::string, Rest> settled;
@@ -123,6 +124,7 @@ PhysicsWorld::PhysicsWorld() : impl_(std::make_unique<Impl>()) {}
 PhysicsWorld::PhysicsWorld(const PhysicsWorld& other) : impl_(std::make_unique<Impl>()) {
   impl_->things = other.impl_->things;
   impl_->walls = other.impl_->walls;
+  impl_->floor = other.impl_->floor;
   impl_->grid = other.impl_->grid;
 }
 PhysicsWorld::PhysicsWorld(PhysicsWorld&&) noexcept = default;
@@ -132,6 +134,12 @@ PhysicsWorld& PhysicsWorld::operator=(const PhysicsWorld& other) {
 }
 PhysicsWorld& PhysicsWorld::operator=(PhysicsWorld&&) noexcept = default;
 PhysicsWorld::~PhysicsWorld() = default;
+
+void PhysicsWorld::divide_floor(const std::vector<Room>& rooms) {
+  impl_->floor = std::make_shared<const RoomFinder>(rooms);
+}
+
+const RoomFinder& PhysicsWorld::floor() const { return *impl_->floor; }
 
 void PhysicsWorld::prepare() {
   impl_->ask();

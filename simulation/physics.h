@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/geometry.h"
+#include "scene/room_finder.h"
 #include "simulation/collider.h"
 
 namespace unietp {
@@ -69,6 +70,11 @@ class PhysicsWorld {
   void move(BodyId id, const Pose& pose);
   void remove(BodyId id);
   bool has(BodyId id) const;
+
+  /// The rooms that the floor is divided into; none before.
+  void divide_floor(const std::vector<Room>& rooms);
+  /// Copies have it in common.
+  const RoomFinder& floor() const;
 
   /// What holds the body up, or would if it sank by `gap`: every body that it then overlaps, the floor included;
   /// several contacts with one body are merged into the one whose normal points most upwards. In order of BodyId, floor

@@ -98,7 +98,8 @@ void add_links(const Scene& scene, const PhysicsWorld& world, std::size_t i, std
   for (const Link& link : links_of(scene, world, i)) edges.push_back(edge_of(scene, i, link));
 }
 
-void add_walls(const Scene& scene, PhysicsWorld& world) {
+void add_rooms(const Scene& scene, PhysicsWorld& world) {
+  world.divide_floor(scene.rooms);
   BodyId wall = kFirstWall;
   for (const WallPiece& piece : walls_of(scene)) {
     Shape box;
@@ -120,7 +121,7 @@ PhysicsWorld physics_of(const Scene& scene, ColliderBook& colliders) {
     const Node& node = scene.nodes[i];
     world.set(static_cast<BodyId>(i), colliders.of(node), node.pose, node.movable ? node.mass : 0);
   }
-  add_walls(scene, world);
+  add_rooms(scene, world);
   return world;
 }
 
@@ -137,11 +138,8 @@ std::vector<Link> links_of(const Scene& scene, const PhysicsWorld& world, std::s
   if (!node.slice_of.empty()) links.push_back({Predicate::SliceOf, 0});
   const auto id = static_cast<BodyId>(i);
   if (world.has(id)) {  // what is in the hand is at no place
-    std::optional<std::uint32_t> room;
-    if (const Room* here = room_at(scene, node.pose.position.head<2>())) {
-      room = static_cast<std::uint32_t>(here - scene.rooms.data());
-      links.push_back({Predicate::InRoom, *room});
-    }
+    const auto room = world.floor().at(node.pose.position.head<2>());
+    if (room) links.push_back({Predicate::InRoom, *room});
     const Bounds bounds = world.bounds(id);
     std::vector<BodyId> around = world.near(bounds, kNextTo_m);
     std::erase_if(around, [&](BodyId other) { return other == id || other >= scene.nodes.size(); });

@@ -85,10 +85,11 @@ WorldState::Change WorldState::change() const {
     change.gained -= digest_of(*agent_before);
     change.gained += digest_of(agent_now);
     if (agent_before->agent != agent()) change.seen.agent = agent();
-    const Room* from = room_at(scene_, agent_before->agent.position);
-    const Room* to = room_at(scene_, agent().position);
-    if (from != to && from != nullptr) change.seen.edges_removed.push_back({Predicate::InRoom, "agent", from->id});
-    if (from != to && to != nullptr) change.seen.edges_added.push_back({Predicate::InRoom, "agent", to->id});
+    const auto from = physics_.floor().at(agent_before->agent.position);
+    const auto to = physics_.floor().at(agent().position);
+    const auto edge_to = [&](std::uint32_t room) { return Edge{Predicate::InRoom, "agent", scene_.rooms[room].id}; };
+    if (from != to && from) change.seen.edges_removed.push_back(edge_to(*from));
+    if (from != to && to) change.seen.edges_added.push_back(edge_to(*to));
   }
   std::sort(change.seen.edges_removed.begin(), change.seen.edges_removed.end());
   std::sort(change.seen.edges_added.begin(), change.seen.edges_added.end());

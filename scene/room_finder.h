@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace unietp {
+
+/// Which room lies around a point, asked again and again: as room_at, with a look at the few rooms that may be it.
+class RoomFinder {
+ public:
+  RoomFinder() = default;
+  explicit RoomFinder(const std::vector<Room>& rooms);
+
+  /// Its place in Scene::rooms; nullopt for a point in none.
+  std::optional<std::uint32_t> at(const Vec2& point) const;
+
+ private:
+  struct Extent {
+    Vec2 low, high;
+  };
+  std::vector<Extent> extents_;  // of each room
+  std::vector<std::vector<Vec2>> polygons_;
+};
+
+}  // namespace unietp
