@@ -1,7 +1,9 @@
 #include "expert/ordering.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "expert/ways.h"
 
@@ -140,9 +142,15 @@ std::optional<Literal> next_literal(const Attempt& attempt, const std::vector<Li
     open.push_back(cut_for(attempt, literal).value_or(literal));
   }
   if (open.empty()) return std::nullopt;
+  if (open.size() == 1) return open.front();
   const Ranker ranker(attempt, open, habits);
-  return *std::min_element(open.begin(), open.end(),
-                           [&ranker](const Literal& a, const Literal& b) { return ranker.key(a) < ranker.key(b); });
+  const Literal* first = &open.front();
+  auto least = ranker.key(*first);
+  for (const Literal& literal : std::span(open).subspan(1)) {
+    auto key = ranker.key(literal);
+    if (key < least) least = std::move(key), first = &literal;
+  }
+  return *first;
 }
 
 std::vector<std::size_t> order_of_moments(const Alternative& alternative, const Habits& habits) {

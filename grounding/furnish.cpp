@@ -110,8 +110,8 @@ Pose beside(const Node& host, const Node& node, Rng& rng) {
   return host.pose * Pose{spot, Quat::Identity()};
 }
 
-/// A piece in the room that others stand next to in a row: on the floor, its back to a wall.
-std::optional<std::size_t> draw_row_mate(const Workspace& workspace, std::size_t room, Rng& rng) {
+/// Pieces in the room that others stand next to in a row: on the floor, their backs to a wall.
+std::vector<std::size_t> row_mates(const Workspace& workspace, std::size_t room) {
   std::vector<std::size_t> mates;
   const Scene& scene = workspace.scene();
   for (const std::size_t i : workspace.nodes_in(room)) {
@@ -121,13 +121,20 @@ std::optional<std::size_t> draw_row_mate(const Workspace& workspace, std::size_t
     if (!in_rows || node.movable || node.size.x() < 0.4 || node.pose.position.z() > node.size.z() / 2 + 0.01) continue;
     mates.push_back(i);
   }
-  if (mates.empty()) return std::nullopt;
-  return rng.pick(mates);
+  return mates;
 }
 
-std::optional<Candidate> draw_at_host(const Workspace& workspace, std::size_t room, const Node& node,
-                                      const Where& where, Rng& rng) {
-  const auto hosts = hosts_in(workspace, room, where.host);
+/// The pieces in the room that it may stand by.
+std::vector<std::size_t> company_in(const Workspace& workspace, std::size_t room, const Where& where) {
+  using enum Where::Kind;
+  if (where.kind == Wall) return row_mates(workspace, room);
+  const bool alone = where.kind == Corner || where.kind == WallHung || where.kind == OuterWall ||
+                     where.kind == Ceiling || where.kind == Centre;
+  return alone ? std::vector<std::size_t>() : hosts_in(workspace, room, where.host);
+}
+
+std::optional<Candidate> draw_at_host(const Workspace& workspace, const std::vector<std::size_t>& hosts,
+                                      const Node& node, const Where& where, Rng& rng) {
   if (hosts.empty()) return std::nullopt;
   const std::size_t index = rng.pick(hosts);
   const Node& host = workspace.scene().nodes[index];
@@ -160,8 +167,9 @@ std::optional<Candidate> draw_at_host(const Workspace& workspace, std::size_t ro
   return Candidate{host.pose * upright(spot, yaw_facing(-outward)), index};
 }
 
+/// `company`: company_in that room.
 std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t room, const Node& node,
-                                        const Where& where, Rng& rng) {
+                                        const Where& where, const std::vector<std::size_t>& company, Rng& rng) {
   const Scene& scene = workspace.scene();
   const Bounds bounds = room_bounds(scene.rooms[room], scene.wall_height);
   const auto against = [&](const WallStretch& wall, double share, double bottom) -> std::optional<Candidate> {
@@ -171,11 +179,8 @@ std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t 
   };
   switch (where.kind) {
     case Where::Kind::Wall:
-      if (rng.chance(kInRow)) {
-        if (const auto mate = draw_row_mate(workspace, room, rng)) {
-          return Candidate{beside(scene.nodes[*mate], node, rng), std::nullopt};
-        }
-      }
+      if (rng.chance(kInRow) && !company.empty())
+        return Candidate{beside(scene.nodes[rng.pick(company)], node, rng), std::nullopt};
       return against(whole_wall(bounds, rng.below(4)), rng.unit(), 0);
     case Where::Kind::Corner:
       return against(whole_wall(bounds, rng.below(4)), rng.chance(0.5) ? 0.0 : 1.0, 0);
@@ -206,7 +211,7 @@ std::optional<Candidate> draw_candidate(const Workspace& workspace, std::size_t 
       return Candidate{upright(position, yaw), std::nullopt};
     }
     default:
-      return draw_at_host(workspace, room, node, where, rng);
+      return draw_at_host(workspace, company, node, where, rng);
   }
 }
 
@@ -298,6 +303,8 @@ std::vector<KeepOut> keep_outs_at_openings(const Scene& scene) {
 std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptions& options, std::size_t room) {
   const Scene& scene = workspace.scene();
   std::vector<KeepOut> keep_outs = keep_outs_at_openings(scene);
+  const Bounds bounds = room_bounds(scene.rooms[room], scene.wall_height);
+  std::erase_if(keep_outs, [&](const KeepOut& one) { return !overlap(one.space, bounds, kFarthestKeepOut_m); });
   for (const std::size_t i : nodes_near(workspace, room, kFarthestKeepOut_m)) {
     if (scene.nodes[i].movable) continue;
     // The front of what stands free is not known to be needed: only pieces with their back near a wall keep it.
@@ -312,8 +319,9 @@ bool place_furniture(Workspace& workspace, std::vector<KeepOut>& keep_outs, std:
                      const Where& where, const FurnishOptions& options, Rng rng) {
   const Bounds bounds = room_bounds(workspace.scene().rooms[room], workspace.scene().wall_height);
   const Shape shape = shape_of(node);
+  const auto company = company_in(workspace, room, where);
   for (int draw = 0; draw < options.draws; ++draw) {
-    const auto candidate = draw_candidate(workspace, room, node, where, rng);
+    const auto candidate = draw_candidate(workspace, room, node, where, company, rng);
     if (!candidate) continue;
     node.pose = candidate->pose;
     if (!keeps_out(keep_outs, bounds, bounds_of(shape, node.pose, 0), candidate->host)) continue;

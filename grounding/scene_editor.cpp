@@ -1,6 +1,8 @@
 #include "grounding/scene_editor.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
 #include "grounding/floor_plan.h"
 #include "grounding/furnish.h"
@@ -53,10 +55,10 @@ Rng SceneEditor::next_rng() { return rng_.fork("edit", edit_number_++); }
 bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Node&)>& accept, std::string& where) {
   const Scene& scene = workspace_.scene();
   const auto avoided = avoid_.find(node.category);
-  const auto is_avoided = [&](std::size_t host) {
+  const auto is_avoided = [&](const Host& host) {
     if (avoided == avoid_.end()) return false;
-    if (avoided->second.contains(scene.nodes[host].category)) return true;
-    const Room* room = workspace_.room_of(host);
+    if (avoided->second.contains(scene.nodes[host.node].category)) return true;
+    const Room* room = workspace_.room_of(host.node);
     return room != nullptr && avoided->second.contains(room->type);
   };
   std::vector<Host> hosts = hosts_for(workspace_, node);
@@ -68,9 +70,10 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
   Rng rng = next_rng();
   const std::size_t index = index_of(node.id).value_or(scene.nodes.size());
   std::string obstacle;
-  for (const bool with_avoided : {false, true}) {
-    std::vector<Host> left = hosts;
-    std::erase_if(left, [&](const Host& host) { return is_avoided(host.node) != with_avoided; });
+  const auto split = std::stable_partition(hosts.begin(), hosts.end(), std::not_fn(is_avoided));
+  std::vector<Host> last(split, hosts.end());
+  hosts.erase(split, hosts.end());
+  for (std::vector<Host>& left : std::array{std::ref(hosts), std::ref(last)}) {
     for (int tried = 0; tried < kHostsTried && !left.empty(); ++tried) {
       std::vector<double> weights;
       for (const Host& host : left) {
@@ -161,7 +164,7 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
 }
 
 bool SceneEditor::leaves_rooms_open() {
-  const auto walk = walk_of(*workspace_.home(), workspace_.scene());
+  const auto walk = workspace_.walk();
   const auto room =
       walk == workspace_.home()->walk ? workspace_.home()->unreached : unreached_room(workspace_.scene(), *walk);
   return !room || fail(GroundingReason::NotReachable, *room + " cannot be walked to any more");
@@ -287,8 +290,8 @@ bool SceneEditor::put_on_floor(const std::string& id, const std::string& room) {
 
 bool SceneEditor::move_agent(const std::string& room, bool into) {
   const Scene& scene = workspace_.scene();
-  const auto walk = walk_of(*workspace_.home(), scene);
-  const NavigationGrid& grid = walk->grid;
+  const auto other = workspace_.other_grid();
+  const NavigationGrid& grid = other ? *other : workspace_.home()->walk->grid;
   for (const Room& candidate : scene.rooms) {
     if ((candidate.id == room) != into) continue;
     const Bounds bounds = room_bounds(candidate, 0);

@@ -117,7 +117,7 @@ std::optional<EntityIndex> FactReader::find(std::string_view id) const {
 
 void FactReader::share() {
   entities_.share();
-  by_id_ = {};  // with its buckets, which every copy would have to clear
+  by_id_ = std::unordered_map<std::string, EntityIndex>();  // `= {}` keeps the buckets, which every copy would clear
 }
 
 EntityIndex FactReader::index_of(Entity entity) {
