@@ -22,6 +22,7 @@ constexpr double kRestGap_m = 0.002;
 constexpr double kWallMargin_m = 0.02;
 constexpr double kUnderCeiling_m = 0.01;
 constexpr double kInRow = 0.5;     // how often what stands at a wall is tried next to another piece first
+constexpr double kAbove_m = 0.25;  // of what treats a thing that stands on it: more than a pot's height
 constexpr double kLidLean = 0.36;  // how far an open lid stands out behind, as a share of its length
 
 struct Candidate {
@@ -226,10 +227,28 @@ bool needs_front(const Node& node) {
   return bottom < 0.9 && node.archetype != Archetype::Panel && node.archetype != Archetype::Fixture;
 }
 
+/// Such as a coffee machine or a burner.
+bool treats_what_is_on_it(const Knowledge& knowledge, const std::string& category) {
+  for (const std::string_view name : {"fills", "heats", "cooks", "burns"}) {
+    const auto effects = knowledge.effects_of(category, name);
+    if (std::any_of(effects.begin(), effects.end(), [](const Effect* effect) {
+          return std::find(effect->needs.begin(), effect->needs.end(), "on") != effect->needs.end();
+        }))
+      return true;
+  }
+  return false;
+}
+
+Bounds above(const Node& node) {
+  const Bounds body = bounds_of(node.pose, node.size);
+  return {{body.low.x(), body.low.y(), body.high.z()}, {body.high.x(), body.high.y(), body.high.z() + kAbove_m}};
+}
+
 /// The keep-outs that a placed piece brings with it; `sweep`: where its doors and drawers pass.
-std::vector<Bounds> own_keep_outs(const Node& node, const std::optional<Bounds>& sweep, bool with_front,
-                                  const FurnishOptions& options) {
+std::vector<Bounds> own_keep_outs(const Knowledge& knowledge, const Node& node, const std::optional<Bounds>& sweep,
+                                  bool with_front, const FurnishOptions& options) {
   std::vector<Bounds> spaces;
+  if (treats_what_is_on_it(knowledge, node.category)) spaces.push_back(above(node));
   if (with_front && needs_front(node)) {
     spaces.push_back(front_of(node, node.openable ? options.clearance_open_m : options.clearance_m));
   }
@@ -309,7 +328,8 @@ std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptio
     if (scene.nodes[i].movable) continue;
     // The front of what stands free is not known to be needed: only pieces with their back near a wall keep it.
     const bool front = scene.nodes[i].openable || scene.nodes[i].archetype == Archetype::Block;
-    for (const Bounds& space : own_keep_outs(scene.nodes[i], workspace.sweeps()[i], front, options))
+    for (const Bounds& space :
+         own_keep_outs(workspace.knowledge(), scene.nodes[i], workspace.sweeps()[i], front, options))
       keep_outs.push_back({space, i});
   }
   return keep_outs;
@@ -325,7 +345,8 @@ bool place_furniture(Workspace& workspace, std::vector<KeepOut>& keep_outs, std:
     if (!candidate) continue;
     node.pose = candidate->pose;
     if (!keeps_out(keep_outs, bounds, bounds_of(shape, node.pose, 0), candidate->host)) continue;
-    const auto spaces = own_keep_outs(node, sweep_of(node), backs_onto_a_wall(where.kind), options);
+    const auto spaces =
+        own_keep_outs(workspace.knowledge(), node, sweep_of(node), backs_onto_a_wall(where.kind), options);
     if (!fits(workspace, bounds, node, shape, candidate->host, spaces)) continue;
     const std::size_t index = workspace.add(std::move(node));
     for (const Bounds& space : spaces) keep_outs.push_back({space, index});

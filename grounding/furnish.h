@@ -16,7 +16,7 @@ struct FurnishOptions {
   double clearance_open_m = 0.9;  // of what opens
 };
 
-/// Space that has to stay free: before openings, in front of furniture, where doors swing.
+/// Space that has to stay free: before openings, in front of furniture, where doors swing, above a coffee machine.
 struct KeepOut {
   Bounds space;
   std::optional<std::size_t> owner;  // node it belongs to
@@ -24,7 +24,8 @@ struct KeepOut {
 
 /// Space before the openings of a scene.
 std::vector<KeepOut> keep_outs_at_openings(const Scene& scene);
-/// All keep-outs of a furnished scene that what stands in a room may come into: openings, fronts and sweeps.
+/// All keep-outs of a furnished scene that what stands in a room may come into: openings, fronts, sweeps and
+/// what lies above devices that things are put on.
 std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptions& options, std::size_t room);
 
 /// Sets a piece down in a room (index) as `where` says; its pose is overwritten. Back to the wall, front free, doors
