@@ -21,6 +21,7 @@ constexpr double kFailedLiteral = 100;  // surcharges that a failure teaches, in
 constexpr double kFailedThing = 30;
 constexpr int kTriesPerLiteral = 3;  // a truth that later steps keep undoing is given up after so many
 
+constexpr int kMostActions = 3;     // times the steps of a plan: what fails after so many is given up
 constexpr int kMostOutOfSteps = 3;  // attempts; what asks for so much is not met by another order
 
 struct Choice {
@@ -108,6 +109,14 @@ std::string missing_after(Rehearsal& rehearsal, const std::vector<Action>& actio
   return monitor.missing();
 }
 
+/// Much was still to be done: another order saves a step here and there.
+bool was_far(const Attempt& attempt) {
+  const auto& end = attempt.alternative().end;
+  const auto open =
+      std::count_if(end.begin(), end.end(), [&](const Literal& literal) { return !attempt.holds(literal); });
+  return 4 * open > std::ssize(end);
+}
+
 /// `lacked_room` becomes true when something failed for want of it.
 std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, const Situation& situation,
                                                        const Beginning& beginning, const ExpertOptions& options,
@@ -117,8 +126,9 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
   for (const std::string& id : beginning.shunned) shun(experience, situation, id);
   std::set<std::string> tried;
   Rejection last{"expert", "no-plan", "no way to meet the goal with what the scene has: " + to_text(goal)};
-  int out_of_steps = 0;
-  for (int plan = 0; plan < options.max_plans && out_of_steps < kMostOutOfSteps; ++plan) {
+  int out_of_steps = 0, actions_done = 0;
+  for (int plan = 0; plan < options.max_plans; ++plan) {
+    if (out_of_steps >= kMostOutOfSteps || actions_done >= kMostActions * options.max_steps) break;
     const auto choice = next_choice(read_goal(goal, situation, experience), situation, tried);
     if (!choice) break;
     Attempt attempt(rehearsal, situation, choice->alternative, options);
@@ -131,12 +141,13 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
     for (const Action& action : beginning.done) attempt.act(action);
     Methods methods(attempt, categories_of(goal), beginning.shunned, clears);
     const auto failed = carry_out(attempt, methods, choice->habits);
+    actions_done += static_cast<int>(std::ssize(attempt.actions()) - std::ssize(beginning.done)) + attempt.failures();
     if (failed) {
       lacked_room = lacked_room || Methods::lacked_room(attempt);
       learn(experience, situation, attempt, *failed);
       const std::string aim = to_text(*failed, situation);
       if (attempt.trouble()) {
-        out_of_steps += attempt.trouble()->reason == "too-many-steps" ? 1 : 0;
+        if (attempt.trouble()->reason == "too-many-steps") out_of_steps += was_far(attempt) ? kMostOutOfSteps : 1;
         last = {"expert", attempt.trouble()->reason, "for " + aim + ": " + attempt.trouble()->text};
       } else {
         last = {"expert", "action-failed", "no way to " + aim};
