@@ -26,6 +26,7 @@ GrownScene read_grown(const Home& home, const Scene& scene) {
   for (const std::size_t i : grown.changed.states) present.touch(scene.nodes[i].id);
   present.read(scene, grown.places, grown.physics);
   grown.edges = present.since_home();
+  grown.links = present.links_read();
   grown.now = present.now();
   grown.reader = present.reader();
   return grown;
@@ -45,10 +46,7 @@ KnownStart known_start(const Home& home, const Scene& scene, GrownScene grown) {
   while (colliders.size() > count) colliders.pop_back();
   for (const std::size_t i : changed.nodes) colliders.edit(i) = physics.share(static_cast<BodyId>(i));
   for (const std::size_t i : changed.gone) links.set(i, {});
-  std::vector<Bounds> touched;
-  for (const std::size_t i : changed.gone) touched.push_back(home.physics.bounds(static_cast<BodyId>(i)));
-  for (const std::size_t i : changed.nodes) touched.push_back(physics.bounds(static_cast<BodyId>(i)));
-  for (const std::size_t i : affected_by(physics, touched, changed.nodes)) links.set(i, links_of(scene, physics, i));
+  for (auto& [i, read] : grown.links) links.set(i, std::move(read));
   links.resize(count);
   known.walk = std::move(grown.walk);
   known.places = std::move(grown.places);

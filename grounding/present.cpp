@@ -56,29 +56,27 @@ void Present::read(const Scene& scene, const NodeIndex& places, const PhysicsWor
     if (place && !std::binary_search(changed.begin(), changed.end(), *place))
       change.nodes.push_back(scene.nodes[*place]);
   }
+  for (const std::string& id : change.removed) note({{}, edges_from(id)});
   EdgeChange edges;
-  std::vector<std::string_view> reread(change.removed.begin(), change.removed.end());
+  links_read_.clear();
   for (const std::size_t i : affected_by(physics, bounds_, changed)) {
     std::vector<Edge> after;
-    for (const Link& link : links_of(scene, physics, i)) after.push_back(edge_of(scene, i, link));
+    const auto& links = links_read_.emplace_back(i, links_of(scene, physics, i)).second;
+    for (const Link& link : links) after.push_back(edge_of(scene, i, link));
     sort_unique(after);
     edges.replace(edges_from(scene.nodes[i].id), after);
-    reread.push_back(scene.nodes[i].id);
   }
   if (scene.agent != agent_) {
     edges.replace(edges_from("agent"), edges_of_agent(scene));
-    reread.emplace_back("agent");
     change.agent = agent_ = scene.agent;
   }
   edges.sort();
+  note(edges);
   change.edges_added = std::move(edges.added);
   change.edges_removed = std::move(edges.removed);
   Facts& facts = trace_.states.front();
   facts = reader_.read(std::move(facts), change);
   trace_.entities.follow(reader_.entities());
-  for (const std::string_view id : reread) {
-    if (const auto entity = reader_.find(id)) reread_.insert(*entity);
-  }
   ever_touched_.insert(touched_.begin(), touched_.end());
   ever_touched_.insert(restated_.begin(), restated_.end());
   touched_.clear();
@@ -86,14 +84,15 @@ void Present::read(const Scene& scene, const NodeIndex& places, const PhysicsWor
   bounds_.clear();
 }
 
-EdgeChange Present::since_home() const {
-  EdgeChange change;
-  for (const EntityIndex entity : reread_) {
-    const std::string& id = trace_.entities[entity].id;
-    change.replace(unietp::edges_from(home_->scene.edges, id), edges_from(id));
+void Present::note(const EdgeChange& edges) {
+  for (const Edge& edge : edges.removed) {
+    if (added_.erase(edge) == 0) removed_.insert(edge);
   }
-  change.sort();
-  return change;
+  for (const Edge& edge : edges.added) {
+    if (removed_.erase(edge) == 0) added_.insert(edge);
+  }
 }
+
+EdgeChange Present::since_home() const { return {{added_.begin(), added_.end()}, {removed_.begin(), removed_.end()}}; }
 
 }  // namespace unietp

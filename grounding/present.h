@@ -3,12 +3,14 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "grounding/home.h"
 #include "scene/edge_change.h"
 #include "scene/node_index.h"
 #include "scene/trace.h"
+#include "simulation/relations.h"
 
 namespace unietp {
 
@@ -34,6 +36,9 @@ class Present {
   std::vector<Edge> edges_from(std::string_view id) const;
   /// How the edges as last read differ from the home's.
   EdgeChange since_home() const;
+  /// Of the nodes whose relations were read last, with their places in the scene.
+  using NodeLinks = std::vector<std::pair<std::size_t, std::vector<Link>>>;
+  const NodeLinks& links_read() const { return links_read_; }
   /// Ids of all things that were ever touched, those since the last reading aside.
   const std::set<std::string>& ever_touched() const { return ever_touched_; }
 
@@ -44,7 +49,10 @@ class Present {
   Agent agent_;
   std::vector<std::string> touched_, restated_;  // since the last reading
   std::vector<Bounds> bounds_;
-  std::set<EntityIndex> reread_;  // whose edges may differ from the home's
+  void note(const EdgeChange& edges);
+
+  NodeLinks links_read_;
+  std::set<Edge> added_, removed_;  // since the home
   std::set<std::string> ever_touched_;
 };
 

@@ -126,8 +126,16 @@ void NavigationGrid::update(std::size_t i, const Node* node, const Shape* shape)
   std::vector<Shadow> shadow;
   if (node != nullptr) shadow = shadow_of(*node, *shape, body_height_);
   if (shadow == shadows_[i]) return;
-  for (const Shadow& f : shadows_[i]) count(f, -1);
-  for (const Shadow& f : shadow) count(f, 1);
+  std::vector<Shadow> gone = shadows_[i];
+  for (const Shadow& f : shadow) {  // of a door that opens the cupboard stays
+    const auto before = std::find(gone.begin(), gone.end(), f);
+    if (before == gone.end()) {
+      count(f, 1);
+    } else {
+      gone.erase(before);
+    }
+  }
+  for (const Shadow& f : gone) count(f, -1);
   digest_ -= digest_of(i, shadows_[i]);
   digest_ += digest_of(i, shadow);
   shadows_.edit(i) = std::move(shadow);
