@@ -116,6 +116,21 @@ TEST_P(EveryHome, HasWhatEveryHomeHasAndBedsAndFridgesWhereTheyBelong) {
   }
 }
 
+TEST_P(EveryHome, HasRoomAboveWhatHeatsOrFillsAThingThatIsPutOnIt) {
+  const std::set<std::string> devices{"CoffeeMachine", "StoveBurner", "coffee_maker", "burner"};
+  for (const Scene& home : homes_) {
+    const PhysicsWorld world = physics_of(home);
+    for (std::size_t i = 0; i < home.nodes.size(); ++i) {
+      if (!devices.contains(home.nodes[i].category)) continue;
+      Bounds above = bounds_of(home.nodes[i].pose, home.nodes[i].size);
+      above.low.z() = above.high.z() + 0.01;
+      above.high.z() += 0.2;
+      for (const BodyId other : world.near(above, 0))
+        EXPECT_TRUE(other >= home.nodes.size() || home.nodes[other].movable) << home.nodes[other].id;
+    }
+  }
+}
+
 TEST_P(EveryHome, HasWindowsOnlyInWallsWithNoRoomBehind) {
   std::set<std::string> outer;
   for (const FurnitureRule& rule : style_->recipe.furniture) {

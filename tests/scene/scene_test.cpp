@@ -1,10 +1,12 @@
 #include "scene/scene.h"
+#include "scene/room_finder.h"
 
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "random_scene.h"
+#include "scene/room_finder.h"
 
 namespace unietp {
 namespace {
@@ -74,6 +76,22 @@ TEST(Scenes, TellTheRoomOfAPoint) {
   EXPECT_EQ(room_at(scene, {3, 1}), &scene.rooms[1]);
   EXPECT_NE(room_at(scene, {2, 1}), nullptr);
   EXPECT_EQ(room_at(scene, {5, 1}), nullptr);
+}
+
+TEST(Scenes, TheRoomsOfManyPointsAreThoseOfEach) {
+  Scene scene;
+  scene.rooms = {{"corner", "hall", {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}},  // an L, and one in its bend
+                 {"bend", "kitchen", {{1, 1}, {4, 1}, {4, 4}, {1, 4}}},
+                 {"slope", "attic", {{4, 0}, {6, 2}, {4, 4}}}};
+  const RoomFinder finder(scene.rooms);
+  for (double x = -0.5; x <= 6.5; x += 0.125) {
+    for (double y = -0.5; y <= 4.5; y += 0.125) {
+      const Room* room = room_at(scene, {x, y});
+      const auto found = finder.at({x, y});
+      ASSERT_EQ(found ? &scene.rooms[*found] : nullptr, room) << x << " " << y;
+    }
+  }
+  EXPECT_FALSE(RoomFinder().at({0, 0}));
 }
 
 TEST(Names, OfSimulatorsAndArchetypesLeadBack) {
