@@ -24,8 +24,8 @@ struct KeepOut {
 
 /// Space before the openings of a scene.
 std::vector<KeepOut> keep_outs_at_openings(const Scene& scene);
-/// All keep-outs of a furnished scene that what stands in a room may come into: openings, fronts, sweeps and
-/// what lies above devices that things are put on.
+/// All keep-outs of a furnished scene that what stands in a room may come into: openings, fronts, sweeps and what
+/// lies above devices that things are put on.
 std::vector<KeepOut> keep_outs_of(const Workspace& workspace, const FurnishOptions& options, std::size_t room);
 
 /// Sets a piece down in a room (index) as `where` says; its pose is overwritten. Back to the wall, front free, doors
