@@ -63,25 +63,25 @@ Facts::Ground& Facts::ground() {
   return *ground_;
 }
 
-const Facts::Own* Facts::own(EntityIndex entity) const {
-  const auto at = std::lower_bound(own_.begin(), own_.end(), entity,
+const Facts::Part* Facts::own(EntityIndex entity) const {
+  const auto at = std::lower_bound(own_->begin(), own_->end(), entity,
                                    [](const Own& one, EntityIndex wanted) { return one.entity < wanted; });
-  return at != own_.end() && at->entity == entity ? &*at : nullptr;
+  return at != own_->end() && at->entity == entity ? &*at->part : nullptr;
 }
 
-Facts::Own& Facts::make_own(EntityIndex entity) {
-  const auto at = std::lower_bound(own_.begin(), own_.end(), entity,
+Facts::Part& Facts::make_own(EntityIndex entity) {
+  std::vector<Own>& all = own_.edit();
+  const auto at = std::lower_bound(all.begin(), all.end(), entity,
                                    [](const Own& one, EntityIndex wanted) { return one.entity < wanted; });
-  if (at != own_.end() && at->entity == entity) return *at;
+  if (at != all.end() && at->entity == entity) return at->part.edit();
   const auto pairs_here = pairs(entity);
   const auto symbols_here = symbols(entity);
-  return *own_.insert(
-      at,
-      Own{entity, states(entity), {pairs_here.begin(), pairs_here.end()}, {symbols_here.begin(), symbols_here.end()}});
+  Part part{states(entity), {pairs_here.begin(), pairs_here.end()}, {symbols_here.begin(), symbols_here.end()}};
+  return all.insert(at, Own{entity, std::move(part)})->part.edit();
 }
 
 Facts::States Facts::states(EntityIndex entity) const {
-  if (const Own* mine = own_.empty() ? nullptr : own(entity)) return mine->states;
+  if (const Part* mine = own_->empty() ? nullptr : own(entity)) return mine->states;
   return ground_ == nullptr || entity >= ground_->states.size() ? 0 : ground_->states[entity];
 }
 
@@ -97,16 +97,18 @@ void Facts::set_states(EntityIndex entity, States states) {
 }
 
 std::span<const Facts::Pair> Facts::pairs(EntityIndex entity) const {
-  if (const Own* mine = own_.empty() ? nullptr : own(entity)) return mine->pairs;
+  if (const Part* mine = own_->empty() ? nullptr : own(entity)) return mine->pairs;
   return ground_ == nullptr ? std::span<const Pair>() : ground_->pairs.of(entity);
 }
 
 std::span<const Facts::Symbol> Facts::symbols(EntityIndex entity) const {
-  if (const Own* mine = own_.empty() ? nullptr : own(entity)) return mine->symbols;
+  if (const Part* mine = own_->empty() ? nullptr : own(entity)) return mine->symbols;
   return ground_ == nullptr ? std::span<const Symbol>() : ground_->symbols.of(entity);
 }
 
-void Facts::set_exists(EntityIndex entity) { mark(existing_, entity); }
+void Facts::set_exists(EntityIndex entity) {
+  if (!exists(entity)) mark(existing_.edit(), entity);
+}
 
 void Facts::set(Predicate predicate, EntityIndex entity) { set_states(entity, states(entity) | bit_of(predicate)); }
 
@@ -149,12 +151,12 @@ void Facts::clear_states(EntityIndex entity) {
 }
 
 void Facts::forget(EntityIndex entity) {
-  if (exists(entity)) existing_[entity / kWordBits] &= ~(std::uint64_t{1} << (entity % kWordBits));
+  if (exists(entity)) existing_.edit()[entity / kWordBits] &= ~(std::uint64_t{1} << (entity % kWordBits));
   clear_states(entity);
   if (!pairs(entity).empty()) make_own(entity).pairs.clear();
 }
 
-bool Facts::exists(EntityIndex entity) const { return test(existing_, entity); }
+bool Facts::exists(EntityIndex entity) const { return test(*existing_, entity); }
 
 bool Facts::holds(Predicate predicate, EntityIndex entity) const {
   return exists(entity) && (states(entity) & bit_of(predicate)) != 0;
@@ -194,7 +196,7 @@ std::vector<EntityIndex> Facts::with(Predicate state) const {
       if ((some[i] & bit_of(state)) != 0) entities.push_back(static_cast<EntityIndex>(from + i));
     }
   }
-  for (const Own& mine : own_) entities.push_back(mine.entity);
+  for (const Own& mine : *own_) entities.push_back(mine.entity);
   std::sort(entities.begin(), entities.end());
   entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
   std::erase_if(entities, [&](EntityIndex entity) { return !holds(state, entity); });
@@ -213,9 +215,9 @@ std::vector<std::pair<Predicate, EntityIndex>> Facts::relations(EntityIndex firs
 
 bool Facts::operator==(const Facts& other) const {
   const auto same = [](const auto& a, const auto& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
-  if (!same(significant(existing_), significant(other.existing_))) return false;
+  if (!same(significant(*existing_), significant(*other.existing_))) return false;
   const auto count_of = [](const Facts& facts) {
-    std::size_t count = facts.own_.empty() ? 0 : facts.own_.back().entity + std::size_t{1};
+    std::size_t count = facts.own_->empty() ? 0 : facts.own_->back().entity + std::size_t{1};
     if (facts.ground_ == nullptr) return count;
     const Ground& ground = *facts.ground_;
     return std::max({count, ground.states.size(), ground.pairs.start.size(), ground.symbols.start.size()});

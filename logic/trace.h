@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/shared_value.h"
 #include "logic/entity_list.h"
 #include "logic/vocabulary.h"
 
@@ -33,7 +34,7 @@ class Facts {
 
   bool exists(EntityIndex entity) const;
   /// The entities that exist, one bit each, lowest bit first.
-  const std::vector<std::uint64_t>& existing() const { return existing_; }
+  const std::vector<std::uint64_t>& existing() const { return *existing_; }
   bool holds(Predicate predicate, EntityIndex entity) const;
   bool holds(Predicate predicate, EntityIndex first, EntityIndex second) const;
   /// With the symbol `any`: for some symbol.
@@ -82,25 +83,28 @@ class Facts {
     Lists<Symbol> symbols;
   };
   /// What one entity has in place of its part of the ground.
-  struct Own {
-    EntityIndex entity = 0;
+  struct Part {
     States states = 0;
     std::vector<Pair> pairs;
     std::vector<Symbol> symbols;
   };
+  struct Own {
+    EntityIndex entity = 0;
+    SharedValue<Part> part;
+  };
 
-  const Own* own(EntityIndex entity) const;
-  Own& make_own(EntityIndex entity);
+  const Part* own(EntityIndex entity) const;
+  Part& make_own(EntityIndex entity);
   States states(EntityIndex entity) const;
   void set_states(EntityIndex entity, States states);
   std::span<const Pair> pairs(EntityIndex entity) const;
   std::span<const Symbol> symbols(EntityIndex entity) const;
-  bool alone() const { return own_.empty() && (ground_ == nullptr || ground_.use_count() == 1); }
+  bool alone() const { return own_->empty() && (ground_ == nullptr || ground_.use_count() == 1); }
   Ground& ground();
 
-  Bits existing_;
-  std::shared_ptr<Ground> ground_;  // shared by a state and those that were copied from it; never changed then
-  std::vector<Own> own_;            // by entity, sorted
+  SharedValue<Bits> existing_;
+  std::shared_ptr<Ground> ground_;     // shared by a state and those that were copied from it; never changed then
+  SharedValue<std::vector<Own>> own_;  // by entity, sorted
 };
 
 /// A finite sequence of states over one list of entities: the start state, then the state after each action.

@@ -9,6 +9,7 @@
 #include "core/rng.h"
 #include "core/shared_list.h"
 #include "core/shared_set.h"
+#include "core/shared_value.h"
 
 namespace unietp {
 namespace {
@@ -18,6 +19,21 @@ std::string text_of(std::uint64_t n) { return "a text that is kept apart from it
 template <class List>
 std::vector<std::string> texts(const List& list) {
   return {list.begin(), list.end()};
+}
+
+TEST(SharedValue, IsOneObjectUntilACopyIsChanged) {
+  SharedValue<std::string> none, text(text_of(1));
+  EXPECT_EQ(*none, "");
+  const SharedValue<std::string> copy = text;
+  EXPECT_EQ(&*copy, &*text);
+  text.edit() += "!";
+  EXPECT_EQ(*copy, text_of(1));
+  EXPECT_EQ(*text, text_of(1) + "!");
+  const std::string* alone = &*text;
+  text.edit() += "!";
+  EXPECT_EQ(&*text, alone);
+  none.edit() = "some";
+  EXPECT_EQ(*none, "some");
 }
 
 TEST(SharedList, IsAsAVectorAndItsCopiesStayWhatTheyWereForAnySeed) {
