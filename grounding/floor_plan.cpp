@@ -234,15 +234,6 @@ std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomWish>& wishes, Rn
   return plan;
 }
 
-Bounds room_bounds(const Room& room, double height) {
-  Vec2 low = room.polygon.front(), high = low;
-  for (const Vec2& corner : room.polygon) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
-  }
-  return {{low.x(), low.y(), 0}, {high.x(), high.y(), height}};
-}
-
 std::vector<WallStretch> outer_walls(const Scene& scene, std::size_t room) {
   constexpr double kSame_m = 0.02;
   const Bounds own = room_bounds(scene.rooms[room], 1);

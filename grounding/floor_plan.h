@@ -31,9 +31,6 @@ struct RoomWish {
 /// this draw gives a room that is too narrow or cannot be joined so. Deterministic in rng.
 std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomWish>& wishes, Rng rng);
 
-/// The rectangle around a room's polygon.
-Bounds room_bounds(const Room& room, double height);
-
 /// A part of a room's wall, seen from inside: side 0 is the wall at the low y, 1 at the high x, 2 at the high y, 3 at
 /// the low x; from and to along it, W.
 struct WallStretch {

@@ -4,6 +4,7 @@
 
 #include "akb/default_states.h"
 #include "akb/fit.h"
+#include "scene/fresh_id.h"
 
 namespace unietp {
 namespace {
@@ -20,25 +21,12 @@ bool shines(const Category& category) {
   return false;
 }
 
-/// As fresh_id, without looking through all nodes.
-std::string fresh_id_in(const Workspace& workspace, std::string_view category) {
-  const Scene& scene = workspace.scene();
-  std::string id = fresh_id(Scene(), category);
-  const std::string stem = id.substr(0, id.size() - 1);  // without the 1
-  const auto taken = [&] {
-    return workspace.places().find(id) || find_room(scene, id) != nullptr ||
-           std::any_of(scene.openings.begin(), scene.openings.end(), [&](const Opening& one) { return one.id == id; });
-  };
-  for (int number = 2; taken(); ++number) id = stem + std::to_string(number);
-  return id;
-}
-
 }  // namespace
 
 Node make_node(const Workspace& workspace, const Category& category, double spread, Rng& rng) {
   const Knowledge& knowledge = workspace.knowledge();
   Node node;
-  node.id = fresh_id_in(workspace, category.name);
+  node.id = fresh_id(workspace.scene(), workspace.places(), category.name);
   node.category = category.name;
   node.movable = category.movable;
   node.archetype = category.archetype;

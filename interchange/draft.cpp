@@ -9,6 +9,7 @@
 #include "akb/default_states.h"
 #include "core/text.h"
 #include "interchange/category_names.h"
+#include "scene/fresh_id.h"
 #include "simulation/shape.h"
 
 namespace unietp {

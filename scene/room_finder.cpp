@@ -4,13 +4,8 @@ namespace unietp {
 
 RoomFinder::RoomFinder(const std::vector<Room>& rooms) {
   for (const Room& room : rooms) {
-    Extent extent{Vec2::Zero(), Vec2::Zero()};
-    if (!room.polygon.empty()) extent = {room.polygon.front(), room.polygon.front()};
-    for (const Vec2& corner : room.polygon) {
-      extent.low = extent.low.cwiseMin(corner);
-      extent.high = extent.high.cwiseMax(corner);
-    }
-    extents_.push_back(extent);
+    const Bounds bounds = room_bounds(room, 0);
+    extents_.push_back({bounds.low.head<2>(), bounds.high.head<2>()});
     polygons_.push_back(room.polygon);
   }
 }

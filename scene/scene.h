@@ -92,9 +92,9 @@ const Node* find_node(const Scene& scene, std::string_view id);
 Node* edit_node(Scene& scene, std::string_view id);
 const Room* find_room(const Scene& scene, std::string_view id);
 bool has_edge(const Scene& scene, Predicate relation, std::string_view from, std::string_view to);
+/// The box around a room from its floor up to a height, metres.
+Bounds room_bounds(const Room& room, double height);
 /// Room whose polygon holds the point, or nullptr.
 const Room* room_at(const Scene& scene, const Vec2& point);
-/// An id that no node has yet: "mug_4". Lower snake case of the category plus the smallest free number from 1.
-std::string fresh_id(const Scene& scene, std::string_view category);
 
 }  // namespace unietp

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/fresh_id.h"
 #include "simulation/world_state.h"
 
 namespace unietp {
@@ -184,7 +185,7 @@ Outcome slice(WorldState& state, std::size_t i) {
       part.states.set({Predicate::Sliced, ""});
       state.replace(i, part);
     } else {
-      part.id = fresh_id(state.scene(), piece->name);
+      part.id = fresh_id(state.scene(), state.places(), piece->name);
       part.category = piece->name;
       part.slice_of = whole.id;
       part.whole_category = whole.category;

@@ -33,10 +33,9 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
       shadows_(std::vector<std::vector<Shadow>>(scene.nodes.size())) {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Room& room : scene.rooms) {
-    for (const Vec2& p : room.polygon) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+    const Bounds bounds = room_bounds(room, 0);
+    low = low.cwiseMin(bounds.low.head<2>());
+    high = high.cwiseMax(bounds.high.head<2>());
   }
   if (scene.rooms.empty()) return;
   origin_ = low;
@@ -48,12 +47,8 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
   for (std::size_t i = 0; i < stretches_ * static_cast<std::size_t>(height_); ++i) blockers_.push_back(outside);
   free_ = CellSet(width_, height_);
   for (const Room& room : scene.rooms) {
-    Vec2 room_low = room.polygon.front(), room_high = room_low;
-    for (const Vec2& p : room.polygon) {
-      room_low = room_low.cwiseMin(p);
-      room_high = room_high.cwiseMax(p);
-    }
-    const Cell from = cell_at(room_low), to = cell_at(room_high);
+    const Bounds bounds = room_bounds(room, 0);
+    const Cell from = cell_at(bounds.low.head<2>()), to = cell_at(bounds.high.head<2>());
     std::vector<double> crossings;
     for (int y = std::max(0, from.y); y <= std::min(height_ - 1, to.y); ++y) {
       crossings.clear();

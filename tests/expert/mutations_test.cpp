@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scene/fresh_id.h"
 #include "tests/expert/house.h"
 
 namespace unietp::testing {

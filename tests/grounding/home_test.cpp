@@ -8,6 +8,7 @@
 
 #include "grounding/workspace.h"
 #include "homes.h"
+#include "scene/fresh_id.h"
 #include "scene/start.h"
 #include "simulation/relations.h"
 #include "simulation/world.h"

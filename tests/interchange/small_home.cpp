@@ -7,6 +7,7 @@
 #include "akb/default_states.h"
 #include "core/rng.h"
 #include "interchange/category_names.h"
+#include "scene/fresh_id.h"
 
 namespace unietp::testing {
 namespace {

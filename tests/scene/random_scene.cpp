@@ -1,4 +1,5 @@
 #include "random_scene.h"
+#include "scene/fresh_id.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 #include "scene/scene.h"
-#include "scene/room_finder.h"
 
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "random_scene.h"
+#include "scene/fresh_id.h"
 #include "scene/room_finder.h"
 
 namespace unietp {

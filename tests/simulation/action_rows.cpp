@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/fresh_id.h"
 #include "tests/simulation/kitchen.h"
 
 namespace unietp::testing {

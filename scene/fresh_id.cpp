@@ -1,0 +1,54 @@
+#include "scene/fresh_id.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace unietp {
+namespace {
+
+bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+char to_lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+/// "coffee_table.n.01" without its WordNet part of speech and sense number.
+std::string_view without_sense(std::string_view category) {
+  const auto n = category.size();
+  const bool sense = n > 5 && category[n - 5] == '.' && is_lower(category[n - 4]) && category[n - 3] == '.' &&
+                     is_digit(category[n - 2]) && is_digit(category[n - 1]);
+  return sense ? category.substr(0, n - 5) : category;
+}
+
+/// "CoffeeMachine" → "coffee_machine", "TVStand" → "tv_stand", "wine glass" → "wine_glass".
+std::string snake_case(std::string_view category) {
+  std::string name;
+  for (std::size_t i = 0; i < category.size(); ++i) {
+    const char c = category[i];
+    const bool letter = is_upper(c) || is_lower(c) || is_digit(c);
+    const bool after_small = i > 0 && (is_lower(category[i - 1]) || is_digit(category[i - 1]));
+    const bool before_small = i > 0 && i + 1 < category.size() && is_lower(category[i + 1]);
+    const bool boundary = !letter || (is_upper(c) && (after_small || before_small));
+    if (boundary && !name.empty() && name.back() != '_') name += '_';
+    if (letter) name += to_lower(c);
+  }
+  while (!name.empty() && name.back() == '_') name.pop_back();
+  return name.empty() ? "object" : name;
+}
+
+}  // namespace
+
+std::string fresh_id(const Scene& scene, const NodeIndex& places, std::string_view category) {
+  const std::string stem = snake_case(without_sense(category)) + "_";
+  for (std::size_t number = 1;; ++number) {
+    std::string id = stem + std::to_string(number);
+    const bool is_opening = std::any_of(scene.openings.begin(), scene.openings.end(),
+                                        [&](const Opening& opening) { return opening.id == id; });
+    if (!places.find(id) && find_room(scene, id) == nullptr && !is_opening) return id;
+  }
+}
+
+std::string fresh_id(const Scene& scene, std::string_view category) {
+  return fresh_id(scene, NodeIndex(scene.nodes), category);
+}
+
+}  // namespace unietp
