@@ -7,6 +7,7 @@
 #include "expert/attempt.h"
 #include "expert/execution.h"
 #include "expert/goal_reading.h"
+#include "expert/least_steps.h"
 #include "expert/methods.h"
 #include "expert/ordering.h"
 #include "logic/monitor.h"
@@ -74,17 +75,6 @@ std::optional<Literal> carry_out(Attempt& attempt, Methods& methods, const Habit
   return bring_about(attempt, methods, wanted_at_end(alternative), habits);
 }
 
-/// How many things still have to come to lie on something: each takes a step of its own, since what lies on or in a
-/// thing that is put down lies on nothing new. Pieces aside, which come many at a cut.
-std::size_t things_to_put_down(const Attempt& attempt) {
-  std::set<EntityIndex> things;
-  for (const Literal& literal : wanted_at_end(attempt.alternative())) {
-    if (literal.predicate != Predicate::On || !literal.positive || attempt.holds(literal)) continue;
-    if (!attempt.situation().is_imagined(literal.subject)) things.insert(literal.subject);
-  }
-  return things.size();
-}
-
 void shun(Experience& experience, const Situation& situation, const std::string& id) {
   if (const auto entity = situation.find(id)) experience.things.emplace_back(*entity, kFailedThing);
 }
@@ -132,13 +122,15 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
     const auto choice = next_choice(read_goal(goal, situation, experience), situation, tried);
     if (!choice) break;
     Attempt attempt(rehearsal, situation, choice->alternative, options);
-    if (things_to_put_down(attempt) > static_cast<std::size_t>(options.max_steps)) {
+    for (const Action& action : beginning.done) attempt.act(action);
+    const std::size_t least = attempt.actions().size() + least_steps(attempt) + 1;
+    if (least > static_cast<std::size_t>(options.max_steps)) {
       ++out_of_steps;
       last = {"expert", "too-many-steps",
-              "more than " + std::to_string(options.max_steps) + " things have to be put down"};
+              "needs " + std::to_string(least) + " steps or more, and " + std::to_string(options.max_steps) +
+                  " are allowed"};
       continue;
     }
-    for (const Action& action : beginning.done) attempt.act(action);
     Methods methods(attempt, categories_of(goal), beginning.shunned, clears);
     const auto failed = carry_out(attempt, methods, choice->habits);
     actions_done += static_cast<int>(std::ssize(attempt.actions()) - std::ssize(beginning.done)) + attempt.failures();

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scene/fresh_id.h"
 #include "tests/expert/house.h"
 
 namespace unietp::testing {
@@ -101,12 +102,12 @@ TEST_F(Replanning, SaysWhyThereIsNoPlan) {
       "action-failed");
 }
 
-TEST_F(Replanning, TriesNothingWhereMoreThingsHaveToBePutDownThanThereAreSteps) {
+TEST_F(Replanning, TriesNothingThatNeedsMoreStepsThanThereAre) {
   const std::string goal = "(forall (?x - Mug) (exists (?y - SideTable) (at-end (on ?x ?y))))";
-  const Rejection refused = refusal(goal, house(), {.max_steps = 2});
+  const Rejection refused = refusal(goal, house(), {.max_steps = 6});
   EXPECT_EQ(refused.reason, "too-many-steps");
-  EXPECT_THAT(refused.detail, HasSubstr("more than 2 things have to be put down"));
-  EXPECT_THAT(refusal(goal, house(), {.max_steps = 3}).detail, HasSubstr("needs more than 3 steps"));
+  EXPECT_THAT(refused.detail, HasSubstr("needs 7 steps or more, and 6 are allowed"));
+  EXPECT_THAT(refusal(goal, house(), {.max_steps = 7}).detail, HasSubstr("needs more than 7 steps"));
 }
 
 TEST_F(Replanning, GivesUpAfterTooManyFailures) {
