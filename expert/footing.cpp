@@ -14,6 +14,7 @@ namespace unietp {
 namespace {
 
 constexpr std::size_t kMostBeginnings = 12;  // objects that are gone to first
+constexpr double kHighest_m = 3;             // no floor has anything farther above or below it
 constexpr std::size_t kMostFootings = 800;   // looked at
 constexpr int kLongestWay = 10;              // of one way
 constexpr int kMostTrials = 16;              // poses from which the action is done
@@ -29,7 +30,10 @@ std::vector<std::string> beginnings(const World& world, const std::string& about
   std::vector<std::string> ids{about};
   const Node* object = world.find(about);
   if (object == nullptr) {
-    for (const Node& node : world.nodes()) {
+    const Room* room = world.find_room(about);
+    if (room == nullptr) return ids;
+    for (const std::size_t place : world.places_near(room_bounds(*room, kHighest_m), kHighest_m)) {
+      const Node& node = world.nodes()[place];
       if (!node.movable && world.room_of(node.id) == about && ids.size() < kMostBeginnings) ids.push_back(node.id);
     }
     return ids;
@@ -38,7 +42,9 @@ std::vector<std::string> beginnings(const World& world, const std::string& about
   std::vector<std::tuple<double, std::string>> found;
   const std::string room = world.room_of(about);
   const double farthest = target.size.head<2>().norm() / 2 + 2 * world.profile().reach_m;
-  for (const Node& node : world.nodes()) {
+  const Vec3 middle = target.pose.position;
+  for (const std::size_t place : world.places_near({middle, middle}, farthest + kHighest_m)) {
+    const Node& node = world.nodes()[place];
     const double away = (node.pose.position - target.pose.position).head<2>().norm();
     if (away > farthest || node.id == target.id || world.holds(node.id)) continue;
     const bool rests_there = world.linked(node.id, Predicate::On, target.id) ||

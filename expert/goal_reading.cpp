@@ -5,8 +5,9 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 
-#include "core/keep_least.h"
+#include "core/least_first.h"
 #include "expert/alternatives.h"
 #include "expert/ways.h"
 #include "logic/comparison.h"
@@ -199,10 +200,11 @@ class Reader {
   List some_member(const Formula& formula, bool want) {
     std::vector<EntityIndex> witnesses = domain_of(formula);
     if (witnesses.size() > candidates_) {
-      witnesses = least_of(
-          witnesses, candidates_,
-          [this](EntityIndex e) { return situation_.straight_m(e) + 10 * experience_.surcharge(e); },
-          [this](EntityIndex e) { return situation_.walk_m(e) + 10 * experience_.surcharge(e); });
+      LeastFirst<EntityIndex, double> nearest(
+          candidates_, [this](EntityIndex e) { return situation_.walk_m(e) + 10 * experience_.surcharge(e); });
+      for (const EntityIndex e : std::exchange(witnesses, {}))
+        nearest.add(e, situation_.straight_m(e) + 10 * experience_.surcharge(e));
+      while (const auto witness = nearest.next()) witnesses.push_back(*witness);
     }
     List result;
     for (const EntityIndex witness : witnesses) {

@@ -4,7 +4,6 @@
 #include <set>
 #include <tuple>
 
-#include "core/keep_least.h"
 #include "expert/ways.h"
 
 namespace unietp {
@@ -88,24 +87,24 @@ bool Methods::change_state(const Literal& literal) {
   return false;
 }
 
-std::vector<std::string> Methods::nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const {
-  std::vector<std::string> found;
-  const World& world = attempt_.world();
+/// Those in hand first, then the nearest; by where they and the agent are now, whenever the next one is asked for.
+Methods::Tools Methods::nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const {
+  const World here = attempt_.world();
+  const auto rank = [this, here](const std::string& id, double away, std::string name) {
+    const bool shunned = std::find(shunned_.begin(), shunned_.end(), id) != shunned_.end();
+    const auto& held = here.agent().held;
+    return ToolRank(shunned, std::find(held.begin(), held.end(), id) == held.end(), away, std::move(name));
+  };
+  Tools tools(kMostTools, [here, rank](const std::string& id) { return rank(id, here.walking_distance(id), id); });
   std::set<std::string_view> categories;
   for (const Effect* rule : rules) categories.insert(rule->tool);
   for (const std::string_view category : categories) {
-    for (const std::size_t place : world.places().of(category)) {
-      const std::string& id = world.nodes()[place].id;
-      if (id != except) found.push_back(id);
+    for (const std::size_t place : here.places().of(category)) {
+      const Node& tool = here.nodes()[place];
+      if (tool.id != except) tools.add(tool.id, rank(tool.id, here.straight_distance(tool), ""));
     }
   }
-  const auto ranked = [&](const std::string& id, double away, std::string_view name) {
-    const bool shunned = std::find(shunned_.begin(), shunned_.end(), id) != shunned_.end();
-    return std::tuple(shunned, !attempt_.is_held(id), away, name);
-  };
-  return least_of(
-      found, kMostTools, [&](const std::string& id) { return ranked(id, world.straight_distance(id), ""); },
-      [&](const std::string& id) { return ranked(id, world.walking_distance(id), id); });
+  return tools;
 }
 
 bool Methods::with_held_tool(const Literal& literal, ActionType action, std::string_view effect) {
@@ -120,7 +119,9 @@ bool Methods::with_held_tool(const Literal& literal, ActionType action, std::str
   // Slices may lie where they cannot be got at: out with it before it is cut.
   const bool shut_in = action == ActionType::Slice && !attempt_.world().linked_from(id, Predicate::Inside).empty();
   if (clears_ && shut_in && !(hold(id) && put_aside(id))) return false;
-  for (const std::string& tool : nearest_of(rules, id)) {
+  Tools tools = nearest_of(rules, id);
+  while (const auto next = tools.next()) {
+    const std::string& tool = *next;
     if (action == ActionType::PourTo && !is(tool, Predicate::Filled)) continue;
     if (!hold(tool)) continue;
     if (do_at(action, id)) return true;
@@ -183,7 +184,9 @@ bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::
   const auto rules =
       rules_for(way, node->category, literal.symbol, attempt_.world().places(), *attempt_.situation().knowledge);
   if (rules.empty() || !hold(id)) return false;
-  for (const std::string& tool : nearest_of(rules, id)) {
+  Tools tools = nearest_of(rules, id);
+  while (const auto next = tools.next()) {
+    const std::string& tool = *next;
     if (do_at(action, tool)) return true;
     const auto& trouble = attempt_.trouble();
     if (attempt_.exhausted() || not_run_here(trouble)) return false;
@@ -215,7 +218,9 @@ bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
     // What needs no switch happens as a thing is put there, not to one that lay there from the beginning.
     if (!needs("power_on") && !needs("under_tap") && !hold(id)) continue;
     const Predicate relation = needs("on") ? Predicate::On : Predicate::Inside;
-    for (const std::string& tool : nearest_of({rule}, id)) {
+    Tools tools = nearest_of({rule}, id);
+    while (const auto next = tools.next()) {
+      const std::string& tool = *next;
       const bool there = attempt_.world().linked(id, relation, tool) ||
                          put_in_grasp(id, needs("on") ? ActionType::PlaceOn : ActionType::PlaceIn, tool);
       const bool runs = needs("power_on") || needs("under_tap");

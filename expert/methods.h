@@ -1,10 +1,13 @@
 #pragma once
 
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "core/least_first.h"
 #include "expert/attempt.h"
 #include "expert/footing.h"
+#include "expert/ways_to_rid.h"
 #include "logic/formula.h"
 
 namespace unietp {
@@ -55,8 +58,7 @@ class Methods {
   Aim room_at(const std::string& id, ActionType action, const std::string& target) const;
   bool unblock(ActionType action, const std::string& id);
   bool shut_in_the_way(ActionType action, const std::string& id);
-  std::vector<Action> ways_to_rid(const std::string& id, const std::string& room, const std::string& except) const;
-  bool is_relevant(const Node& node) const;
+  WaysToRid ways_to_rid(const std::string& id, const std::string& room, const std::string& except) const;
   bool is_named(const std::string& id) const;
   bool take_away(const Literal& literal);
 
@@ -74,7 +76,10 @@ class Methods {
   bool works_at(const Action& action) const;
   bool is(const std::string& id, Predicate state) const;
   const Node* find(const std::string& id) const;
-  std::vector<std::string> nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const;
+
+  using ToolRank = std::tuple<bool, bool, double, std::string>;  // shunned, not in hand, metres away, id
+  using Tools = LeastFirst<std::string, ToolRank>;
+  Tools nearest_of(const std::vector<const Effect*>& rules, const std::string& except) const;
 
   Attempt& attempt_;
   std::vector<std::string> relevant_, shunned_;

@@ -8,9 +8,6 @@
 namespace unietp {
 namespace {
 
-constexpr std::size_t kMostSpots = 12;  // places tried for putting something down anywhere
-constexpr double kBesides = 2.5;        // reaches between a piece's sphere and where walks to it are counted to end
-
 /// As `next_to` is read, of boxes that may yet come down.
 bool side_by_side(const Bounds& a, const Bounds& b) {
   const double dx = std::max(a.low.x() - b.high.x(), b.low.x() - a.high.x());
@@ -19,10 +16,6 @@ bool side_by_side(const Bounds& a, const Bounds& b) {
 }
 
 }  // namespace
-
-bool Methods::is_relevant(const Node& node) const {
-  return std::find(relevant_.begin(), relevant_.end(), node.category) != relevant_.end();
-}
 
 bool Methods::place(const Literal& literal) {
   const std::string id = attempt_.id_of(literal.subject), target = attempt_.id_of(literal.object);
@@ -86,7 +79,9 @@ bool Methods::place_beside(const std::string& id, const std::string& neighbour) 
 bool Methods::put_together(const std::string& id, const std::string& neighbour) {
   if (!hold(neighbour)) return false;
   const Aim aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbour); }, {}};
-  for (const Action& way : ways_to_rid(neighbour, "", "")) {
+  WaysToRid ways = ways_to_rid(neighbour, "", "");
+  while (const auto next = ways.next()) {
+    const Action& way = *next;
     const std::vector<Action> steps{
         {ActionType::GoTo, way.args}, way, {ActionType::GoTo, {id}}, {ActionType::PickUp, {id}}};
     World trial = attempt_.world();
@@ -119,12 +114,15 @@ bool Methods::place_in_room(const std::string& id, const std::string& room) {
 
 /// On the furniture that it is usual on, then on or in any other; on the floor only where there is nothing else.
 bool Methods::put_down_in(const std::string& id, const std::string& room) {
-  for (const Action& way : ways_to_rid(id, room, "")) {
-    if (works_at(way)) return do_at(way.type, way.args.front());
+  WaysToRid ways = ways_to_rid(id, room, "");
+  std::vector<Action> tried;
+  while (const auto way = ways.next()) {
+    if (works_at(*way)) return do_at(way->type, way->args.front());
+    tried.push_back(*way);
   }
   if (works({{ActionType::GoTo, {room}}, {ActionType::Drop, {}}}))
     return attempt_.act(ActionType::GoTo, room) && attempt_.act(ActionType::Drop);
-  for (const Action& way : ways_to_rid(id, room, "")) {
+  for (const Action& way : tried) {
     if (from_elsewhere(way, way.args.front(), {})) return true;
   }
   const Aim aim{[&](const World& world) { return world.room_of(id) == room; }, {}};
@@ -158,58 +156,24 @@ bool Methods::free_hand(const std::string& wanted) {
   return true;
 }
 
-/// Furniture that takes a thing, in a room or ("") in any, but for one: what the goal does not speak of and is usual
-/// first, then what is nearest.
-std::vector<Action> Methods::ways_to_rid(const std::string& id, const std::string& room,
-                                         const std::string& except) const {
-  const World& world = attempt_.world();
-  const Knowledge& knowledge = *attempt_.situation().knowledge;
-  const Node* thing = find(id);
-  const Room* within = room.empty() ? nullptr : world.find_room(room);
-  // By the least that a walk there can be: when the list is full of better ones, the rest need not be asked for.
-  std::vector<std::pair<double, const Node*>> furniture;
-  for (const Node& node : world.nodes()) {
-    if (node.movable || node.id == except) continue;
-    if (within != nullptr && !contains(within->polygon, node.pose.position.head<2>())) continue;
-    const double away = (node.pose.position.head<2>() - world.agent().position).norm();
-    furniture.emplace_back(std::max(0.0, away - node.size.norm() / 2 - kBesides * world.profile().reach_m), &node);
-  }
-  std::stable_sort(furniture.begin(), furniture.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  using Spot = std::tuple<bool, bool, bool, double, std::string, ActionType>;
-  std::vector<Spot> spots;  // the best, sorted
-  for (const auto& [least, node] : furniture) {
-    if (spots.size() == kMostSpots && spots.back() < Spot(false, false, least > 0, least, "", ActionType())) break;
-    if (!world.closed_around(node->id).empty() || (!room.empty() && world.room_of(node->id) != room)) continue;
-    const double walk = world.walking_distance(node->id);
-    if (walk >= Situation::kFar_m) continue;
-    const auto add = [&, &piece = *node](const char* relation, ActionType action) {
-      const bool usual = thing != nullptr && knowledge.placement(thing->category, relation, piece.category) != nullptr;
-      if (!usual && !knowledge.has(piece.category, "receptacle")) return;
-      const Spot spot(is_relevant(piece), !usual, !world.in_reach(piece.id), walk, piece.id, action);
-      spots.insert(std::lower_bound(spots.begin(), spots.end(), spot), spot);
-      if (spots.size() > kMostSpots) spots.pop_back();
-    };
-    add("on", ActionType::PlaceOn);
-    if (!room.empty() && (!node->openable || is(node->id, Predicate::Open))) add("inside", ActionType::PlaceIn);
-  }
-  std::vector<Action> ways;
-  for (const auto& spot : spots) ways.push_back({std::get<5>(spot), {std::get<4>(spot)}});
-  return ways;
+WaysToRid Methods::ways_to_rid(const std::string& id, const std::string& room, const std::string& except) const {
+  return {attempt_.world(), *attempt_.situation().knowledge, {id, room, except, &relevant_}};
 }
 
 bool Methods::put_aside(const std::string& id, const std::string& except) {
   if (!attempt_.is_held(id)) return true;
-  const auto ways = ways_to_rid(id, "", except);
-  for (const Action& way : ways) {
-    if (works_at(way) && do_at(way.type, way.args.front())) return true;
+  WaysToRid ways = ways_to_rid(id, "", except);
+  std::vector<Action> tried;
+  while (const auto way = ways.next()) {
+    if (works_at(*way) && do_at(way->type, way->args.front())) return true;
     if (attempt_.exhausted()) return false;
+    tried.push_back(*way);
   }
   if (attempt_.situation().profile.offers(ActionType::Drop) && attempt_.act(ActionType::Drop)) return true;
-  return std::any_of(ways.begin(), ways.end(),
+  return std::any_of(tried.begin(), tried.end(),
                      [this](const Action& way) { return from_elsewhere(way, way.args.front(), {}); });
 }
 
-/// Whether the steps would succeed from here, one after the other.
 bool Methods::works(const std::vector<Action>& steps) const {
   World trial = attempt_.world();
   return std::all_of(steps.begin(), steps.end(), [&trial](const Action& step) { return trial.step(step).success; });

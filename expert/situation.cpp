@@ -53,9 +53,18 @@ bool has_operator(const Formula& formula, std::initializer_list<Formula::Op> ope
                      [operators](const Formula& part) { return has_operator(part, operators); });
 }
 
+Situation::Known& Situation::known(EntityIndex index) const {
+  std::uint32_t& at = known_at_[index];
+  if (at == 0) {
+    known_.emplace_back();
+    at = static_cast<std::uint32_t>(known_.size());
+  }
+  return known_[at - 1];
+}
+
 const Node* Situation::node(EntityIndex index) const {
   if (is_imagined(index)) return node(slice(index).whole);
-  auto& known = nodes_[index];
+  auto& known = this->known(index).node;
   if (!known) {
     const auto place = places().find(entity(index).id);
     known = place ? &start->nodes[*place] : nullptr;
@@ -65,19 +74,20 @@ const Node* Situation::node(EntityIndex index) const {
 
 EntityIndex Situation::shut_in(EntityIndex index) const {
   if (is_imagined(index)) return shut_in(slice(index).whole);
-  auto& known = shut_in_[index];
+  auto& known = this->known(index).shut_in;
   if (!known) known = find(rehearsal_->world().closed_around(entity(index).id)).value_or(kNobody);
   return *known;
 }
 
 double Situation::straight_m(EntityIndex index) const {
   if (is_imagined(index)) return straight_m(slice(index).whole);
-  return node(index) == nullptr ? 0.0 : std::min(rehearsal_->world().straight_distance(entity(index).id), kFar_m);
+  const Node* here = node(index);
+  return here == nullptr ? 0.0 : std::min(rehearsal_->world().straight_distance(*here), kFar_m);
 }
 
 double Situation::walk_m(EntityIndex index) const {
   if (is_imagined(index)) return walk_m(slice(index).whole);
-  std::optional<double>& known = walked_m_[index];
+  auto& known = this->known(index).walked_m;
   if (!known)
     known = node(index) == nullptr ? 0.0 : std::min(rehearsal_->world().walking_distance(entity(index).id), kFar_m);
   return *known;
@@ -100,9 +110,7 @@ Situation look_around(const Rehearsal& rehearsal, Mode mode) {
   situation.trace.entities = rehearsal.entities_at_start();
   const std::size_t count = situation.trace.entities.size();
   situation.first_imagined = static_cast<EntityIndex>(count);
-  situation.walked_m_.resize(count);
-  situation.nodes_.resize(count);
-  situation.shut_in_.resize(count);
+  situation.known_at_.resize(count);
   if (ranges_over_slices(rehearsal.goal())) imagine_slices(situation);
   return situation;
 }

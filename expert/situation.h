@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -48,10 +50,15 @@ struct Situation {
   friend Situation look_around(const Rehearsal& rehearsal, Mode mode);
   explicit Situation(const Rehearsal& rehearsal) : rehearsal_(&rehearsal) {}
   const Rehearsal* rehearsal_;
-  // By entity, as far as asked for.
-  mutable std::vector<std::optional<double>> walked_m_;
-  mutable std::vector<std::optional<const Node*>> nodes_;
-  mutable std::vector<std::optional<EntityIndex>> shut_in_;
+  struct Known {
+    std::optional<double> walked_m;
+    std::optional<const Node*> node;
+    std::optional<EntityIndex> shut_in;
+  };
+  Known& known(EntityIndex index) const;
+  // Of the few that are asked for, among the thousands of a large home.
+  mutable std::deque<Known> known_;
+  mutable std::vector<std::uint32_t> known_at_;  // by entity, from 1; 0 for none
 };
 
 /// The start for one who plans with the actions of a mode. The rehearsal must outlive the situation.

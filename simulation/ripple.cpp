@@ -48,14 +48,19 @@ void Ripple::finish() {
 }
 
 std::int32_t Ripple::fewest_found(Cell low, Cell high, std::int32_t most) const {
-  std::int32_t fewest = -1;
+  const int left = std::max(0, low.x), right = std::min(width_ - 1, high.x) + 1;
+  std::uint16_t fewest = kNoWay;
   for (int y = std::max(0, low.y); y <= std::min(height_ - 1, high.y); ++y) {
-    for (int x = std::max(0, low.x); x <= std::min(width_ - 1, high.x); ++x) {
-      const std::int32_t here = found({x, y});
-      if (here >= 0 && here <= most && (fewest < 0 || here < fewest)) fewest = here;
+    for (int x = left; x < right;) {
+      const int first = x % static_cast<int>(kStretch), count = std::min(static_cast<int>(kStretch) - first, right - x);
+      if (const std::uint32_t place = places_[stretch({x, y})]) {
+        const std::uint16_t* steps = steps_[place - 1].data() + first;
+        for (int i = 0; i < count; ++i) fewest = std::min(fewest, steps[i]);
+      }
+      x += count;
     }
   }
-  return fewest;
+  return fewest == kNoWay || fewest > most ? -1 : fewest;
 }
 
 std::int32_t Ripple::fewest_to(Cell low, Cell high, std::int32_t most) {

@@ -13,8 +13,8 @@ namespace unietp {
 namespace {
 
 /// Lowest and highest cell of the rectangle around a node from which an arm may get to it.
-std::pair<NavigationGrid::Cell, NavigationGrid::Cell> cells_beside(const WorldState& state, std::size_t node) {
-  const Bounds bounds = bounds_of(state.node(node).pose, state.node(node).size);
+std::pair<NavigationGrid::Cell, NavigationGrid::Cell> cells_beside(const WorldState& state, const Node& node) {
+  const Bounds bounds = bounds_of(node.pose, node.size);
   const Vec2 beside = Vec2::Constant(state.profile->reach_m);
   return {state.grid().cell_at(bounds.low.head<2>() - beside), state.grid().cell_at(bounds.high.head<2>() + beside)};
 }
@@ -164,6 +164,15 @@ std::vector<std::string> World::resting_at(std::string_view id) const {
   return ids;
 }
 
+std::vector<std::size_t> World::places_near(const Bounds& bounds, double gap) const {
+  const WorldState& state = tree_->at(moment_);
+  std::vector<std::size_t> places;
+  for (const BodyId body : state.physics().near(bounds, gap)) {
+    if (body < state.count()) places.push_back(body);
+  }
+  return places;
+}
+
 std::string World::room_of(std::string_view id) const {
   const auto rooms = linked_from(id, Predicate::InRoom);
   return rooms.empty() ? "" : rooms.front();
@@ -188,24 +197,22 @@ double World::walking_distance(std::string_view id) const {
   if (!node) return std::numeric_limits<double>::infinity();
   if (state.held(id)) return 0;
   constexpr std::int32_t kMostSteps = 400;
-  const auto [low, high] = cells_beside(state, *node);
+  const auto [low, high] = cells_beside(state, state.node(*node));
   const std::int32_t fewest = state.steps_to(low, high, kMostSteps);
   if (fewest >= 0) return fewest * NavigationGrid::kCell_m;
   const CellSet& walk = state.walk();
   for (int y = low.y; y <= high.y; ++y) {
     for (int x = low.x; x <= high.x; ++x) {
-      if (walk.has(x, y)) return std::max(kMostSteps * NavigationGrid::kCell_m, straight_distance(id));
+      if (walk.has(x, y)) return std::max(kMostSteps * NavigationGrid::kCell_m, straight_distance(state.node(*node)));
     }
   }
   return std::numeric_limits<double>::infinity();
 }
 
-double World::straight_distance(std::string_view id) const {
+double World::straight_distance(const Node& node) const {
   const WorldState& state = tree_->at(moment_);
-  const auto node = state.index_of(id);
-  if (!node) return std::numeric_limits<double>::infinity();
-  if (state.held(id)) return 0;
-  const auto [low, high] = cells_beside(state, *node);
+  if (state.held(node.id)) return 0;
+  const auto [low, high] = cells_beside(state, node);
   const NavigationGrid::Cell here = state.cell();
   const int aside = std::max({0, low.x - here.x, here.x - high.x}),
             ahead = std::max({0, low.y - here.y, here.y - high.y});

@@ -87,6 +87,8 @@ class World {
   std::vector<std::string> linked_from(std::string_view from, Predicate relation) const;
   /// What lies on or in an object, directly, by place in the scene.
   std::vector<std::string> resting_at(std::string_view id) const;
+  /// Places in the scene of the nodes whose bounds come nearer than `gap` metres to some; what is held is nowhere.
+  std::vector<std::size_t> places_near(const Bounds& bounds, double gap) const;
   /// The room that an object is in, or "".
   std::string room_of(std::string_view id) const;
 
@@ -106,7 +108,7 @@ class World {
   /// walk of 40 m leads to counts as that far, or as far as it is straight ahead if that is more.
   double walking_distance(std::string_view id) const;
   /// No more than that, and found at once: what it would be if nothing stood in the way.
-  double straight_distance(std::string_view id) const;
+  double straight_distance(const Node& node) const;
   bool in_reach(std::string_view id) const;
   /// The same if the agent stood elsewhere.
   bool in_reach_from(const Vec2& place, std::string_view id) const;

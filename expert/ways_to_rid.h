@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "core/least_first.h"
+#include "scene/action.h"
+#include "simulation/world.h"
+
+namespace unietp {
+
+/// Furniture that takes a thing out of the hand, best first: what the goal does not speak of, what is usual for the
+/// thing, what is in reach, what is near. By how things are when it is made, whenever the next one is asked for.
+class WaysToRid {
+ public:
+  struct Wish {
+    std::string thing;                          // id
+    std::string room;                           // id; "" for any
+    std::string except;                         // id of furniture; may be ""
+    const std::vector<std::string>* spoken_of;  // categories
+  };
+  /// The knowledge must outlive it.
+  WaysToRid(const World& world, const Knowledge& knowledge, const Wish& wish);
+
+  /// `place_on` or, where a room was asked for, also `place_in`; nullopt when there are no more, or enough were given.
+  std::optional<Action> next();
+
+ private:
+  // What the goal speaks of, not usual, out of reach, metres to walk, id.
+  using Rank = std::tuple<bool, bool, bool, double, std::string, ActionType>;
+  struct Spot {
+    std::size_t place;  // of furniture among the nodes
+    ActionType action;
+    bool spoken_of, usual;
+  };
+  void add_all_of(std::string_view category, const Knowledge& knowledge, const Wish& wish);
+
+  World world_;
+  LeastFirst<Spot, Rank> spots_;
+};
+
+}  // namespace unietp
