@@ -23,6 +23,17 @@ bool Camera::may_show(const Vec3& centre, double radius) const {
   return within(way.dot(right), width / 2.0) && within(way.dot(down), height / 2.0);
 }
 
+Bounds Camera::shown_up_to(double depth_m) const {
+  Bounds bounds{at, at};
+  for (const double x : {0.0, static_cast<double>(width)}) {
+    for (const double y : {0.0, static_cast<double>(height)}) {
+      const Vec3 corner = at + depth_m * ray(x, y);
+      bounds = {bounds.low.cwiseMin(corner), bounds.high.cwiseMax(corner)};
+    }
+  }
+  return bounds;
+}
+
 Camera camera_of(const Agent& agent, const Profile& profile) {
   Camera camera;
   camera.at = Vec3(agent.position.x(), agent.position.y(), profile.camera_height_m);

@@ -23,6 +23,8 @@ struct Camera {
   double depth(const Vec3& point) const { return (point - at).dot(ahead); }
   /// Where a point is seen, also outside of the image; nullopt when it lies behind the camera.
   std::optional<Vec2> pixel(const Vec3& point) const;
+  /// The box around all of what the image shows up to a depth, metres.
+  Bounds shown_up_to(double depth_m) const;
   /// Whether a ball may be seen: it reaches into the pyramid of what the image shows, or nearly so.
   bool may_show(const Vec3& centre, double radius) const;
 };

@@ -109,7 +109,9 @@ struct PhysicsWorld::Impl {
   }
 
   std::vector<BodyId> near(const Bounds& bounds, double gap) const {
+    constexpr std::size_t kUsual = 32;
     std::vector<BodyId> ids;
+    ids.reserve(kUsual);
     const Vec3 grown = Vec3::Constant(gap);
     ask().visit({bounds.low - grown, bounds.high + grown}, [&](BodyId id) {
       if (unietp::overlap(at(id).bounds, bounds, gap)) ids.push_back(id);

@@ -120,10 +120,15 @@ const std::shared_ptr<const Viewer::Body>& Viewer::body_of(const Scene& scene, s
   return bodies_[i];
 }
 
-std::vector<std::size_t> ViewedScene::within(const Vec3& middle, double radius_m) const {
+std::vector<std::size_t> ViewedScene::shown_within(const Camera& camera, double sight_m) const {
   constexpr std::size_t kFew = 512;  // they are looked at sooner than the near ones are found
-  const Vec3 radius = Vec3::Constant(radius_m);
-  if (near && radius_m < kEndless_m && scene.nodes.size() > kFew) return near({middle - radius, middle + radius});
+  constexpr double kAround_m = 0.05;
+  if (near && sight_m < kEndless_m && scene.nodes.size() > kFew) {
+    // Bounds that meet both boxes meet what these have in common: so it is along each axis, and both hold the eye.
+    const Bounds shown = camera.shown_up_to(kEndless_m);
+    const Vec3 sight = Vec3::Constant(sight_m), around = Vec3::Constant(kAround_m);
+    return near({shown.low.cwiseMax(camera.at - sight) - around, shown.high.cwiseMin(camera.at + sight) + around});
+  }
   std::vector<std::size_t> all(scene.nodes.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   return all;
@@ -165,14 +170,14 @@ std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& 
     return camera.may_show(scene.nodes[i].pose.position, sight_radius(scene.nodes[i])) && !around.hides(i);
   };
   double farthest = 0;
-  for (const std::size_t i : around.within(camera.at, sight_m)) {
+  for (const std::size_t i : around.shown_within(camera, sight_m)) {
     const double distance = (scene.nodes[i].pose.position - camera.at).norm();
     if (distance > sight_m || !shown(i)) continue;
     see(i, look->asked, same_eye ? &last_->asked : nullptr);
     farthest = std::max(farthest, distance + sight_radius(scene.nodes[i]));
   }
   // What lies behind all that is asked for hides nothing of it.
-  for (const std::size_t i : around.within(camera.at, farthest)) {
+  for (const std::size_t i : around.shown_within(camera, farthest)) {
     const Node& node = scene.nodes[i];
     const double distance = (node.pose.position - camera.at).norm();
     if (distance > sight_m && distance - sight_radius(node) <= farthest && shown(i))
@@ -213,7 +218,7 @@ std::optional<PixelBox> Viewer::box_of(const ViewedScene& around, std::size_t ta
   const PixelBox cover = cover_of(outlines);
   double farthest = 0;
   for (const Outline& own : outlines) farthest = std::max(farthest, own.farthest);
-  for (const std::size_t i : around.within(camera.at, farthest)) {
+  for (const std::size_t i : around.shown_within(camera, farthest)) {
     const Node& node = scene.nodes[i];
     if (i == target || !camera.may_show(node.pose.position, sight_radius(node))) continue;
     const Ball ball(node.pose.position, sight_radius(node), camera);

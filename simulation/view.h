@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "simulation/camera.h"
 #include "simulation/profile.h"
 #include "simulation/rays.h"
 #include "simulation/world.h"
@@ -25,7 +26,9 @@ struct ViewedScene {
   std::function<std::vector<std::size_t>(const Bounds&)> near{};
 
   bool hides(std::size_t node) const { return hidden && hidden(node); }
-  std::vector<std::size_t> within(const Vec3& middle, double radius_m) const;
+  /// The nodes of which a camera may show something and which reach nearer than so many metres along each axis, and
+  /// perhaps more; ascending.
+  std::vector<std::size_t> shown_within(const Camera& camera, double sight_m) const;
 };
 
 /// Of a scene as it was written down.

@@ -36,8 +36,9 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
     state.read_links(edges);
   }
   // What is attached is nowhere but in the edges.
-  for (const Edge& edge : edges) {
-    if (edge.relation != Predicate::Attached) continue;
+  const auto attached = edges.partition_point([](const Edge& edge) { return edge.relation < Predicate::Attached; });
+  for (auto place = attached; place != edges.end() && place->relation == Predicate::Attached; ++place) {
+    const Edge& edge = *place;
     const auto from = state.index_of(edge.from), to = state.index_of(edge.to);
     if (from && to && state.linked(*from, Predicate::On, *to))
       state.add_link(*from, {edge.relation, static_cast<std::uint32_t>(*to)});

@@ -90,6 +90,44 @@ TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
   EXPECT_GT(listed, 60U);
 }
 
+/// Where there are many things, only those near enough are looked at.
+TEST_P(ACamera, AmongManyThingsOfAllSizesSeesWhatALookAtAllOfThemSees) {
+  const Profile profile = profile_of(GetParam());
+  Rng rng(9);
+  std::size_t seen = 0;
+  for (int home = 0; home < 3; ++home) {
+    Scene scene = testing::wide_kitchen(GetParam());
+    const std::vector<Node> before(scene.nodes.begin(), scene.nodes.end());
+    while (scene.nodes.size() < 700) {
+      Node more = rng.pick(before);
+      more.id += "_" + std::to_string(scene.nodes.size());
+      more.pose.position = {rng.uniform(-4, 9), rng.uniform(-4, 9), rng.uniform(0, 2.5)};
+      if (more.openable && rng.chance(0.5)) more.opening = 1;
+      scene.nodes.push_back(std::move(more));
+    }
+    const PhysicsWorld physics = physics_of(scene);
+    const auto near = [&](const Bounds& bounds) {
+      std::vector<std::size_t> nodes;
+      for (const BodyId body : physics.near(bounds, 0)) {
+        if (body < scene.nodes.size()) nodes.push_back(body);
+      }
+      return nodes;
+    };
+    Viewer some(scene), all(scene);
+    for (int look = 0; look < 30; ++look) {
+      SCOPED_TRACE(look);
+      scene.agent = drawn_view(GetParam(), rng).agent;
+      const auto boxes = all.view({scene}, scene.agent, profile, profile.sight_m);
+      EXPECT_EQ(some.view({scene, {}, near}, scene.agent, profile, profile.sight_m), boxes);
+      const std::size_t one = rng.below(scene.nodes.size());
+      EXPECT_EQ(some.box_of({scene, {}, near}, one, scene.agent, profile),
+                all.box_of({scene}, one, scene.agent, profile));
+      seen += boxes.size();
+    }
+  }
+  EXPECT_GT(seen, 300U);
+}
+
 /// Things come, go, move and open before an eye that stays where it is for some looks.
 TEST_P(ACamera, LookingAgainSeesWhatAFirstLookSees) {
   const Profile profile = profile_of(GetParam());
