@@ -54,12 +54,13 @@ Rng SceneEditor::next_rng() { return rng_.fork("edit", edit_number_++); }
 
 bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Node&)>& accept, std::string& where) {
   const Scene& scene = workspace_.scene();
-  const auto avoided = avoid_.find(node.category);
+  const auto known = avoid_.find(node.category);
+  static const std::set<std::string> kNone;
+  const std::set<std::string>& avoided = known == avoid_.end() ? kNone : known->second;
+  const auto avoided_rooms = workspace_.rooms_with([&](const std::string& type) { return avoided.contains(type); });
   const auto is_avoided = [&](const Host& host) {
-    if (avoided == avoid_.end()) return false;
-    if (avoided->second.contains(scene.nodes[host.node].category)) return true;
-    const Room* room = workspace_.room_of(host.node);
-    return room != nullptr && avoided->second.contains(room->type);
+    return workspace_.is_in(host.node, avoided_rooms) ||
+           std::find(avoided.begin(), avoided.end(), scene.nodes[host.node].category) != avoided.end();
   };
   std::vector<Host> hosts = hosts_for(workspace_, node);
   std::erase_if(hosts, [&](const Host& host) { return !accept(scene.nodes[host.node]); });
@@ -74,16 +75,17 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
   std::vector<Host> last(split, hosts.end());
   hosts.erase(split, hosts.end());
   for (std::vector<Host>& left : std::array{std::ref(hosts), std::ref(last)}) {
+    std::vector<double> weights;
+    for (const Host& host : left) {
+      const Node& there = scene.nodes[host.node];
+      const bool shut = host.relation == Predicate::Inside && there.openable && there.opening < 0.5;
+      weights.push_back(host.weight * (shut ? kClosedPenalty : 1) * (there.movable ? 0.3 : 1));
+    }
     for (int tried = 0; tried < kHostsTried && !left.empty(); ++tried) {
-      std::vector<double> weights;
-      for (const Host& host : left) {
-        const Node& there = scene.nodes[host.node];
-        const bool shut = host.relation == Predicate::Inside && there.openable && there.opening < 0.5;
-        weights.push_back(host.weight * (shut ? kClosedPenalty : 1) * (there.movable ? 0.3 : 1));
-      }
       const std::size_t at = rng.weighted(weights);
       const Host host = left[at];
       left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
+      weights.erase(weights.begin() + static_cast<std::ptrdiff_t>(at));
       const auto place =
           find_place(workspace_, node, index, host.relation, host.node, {.draws = std::max(4, draws_ / 4)}, next_rng());
       if (!place.pose) {

@@ -18,9 +18,11 @@ constexpr double kHeldByOthers = 0.5;  // things that a receptacle holds of whic
 constexpr int kReceptaclesPerTry = 3;
 constexpr double kMostOften = 1.5;  // times the number of a thing in real homes, when more things are asked for
 
-bool in_usual_room(const Workspace& workspace, const Category& category, std::size_t host) {
-  const Room* room = workspace.room_of(host);
-  return room != nullptr && std::find(category.rooms.begin(), category.rooms.end(), room->type) != category.rooms.end();
+/// Of a category's things, one bool a room.
+std::vector<bool> usual_rooms(const Workspace& workspace, const Category& category) {
+  return workspace.rooms_with([&](const std::string& type) {
+    return std::find(category.rooms.begin(), category.rooms.end(), type) != category.rooms.end();
+  });
 }
 
 /// A thing that some room shall have.
@@ -183,13 +185,14 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
   for (const Placement* placement : knowledge.placements_of(object.category, "inside"))
     receptacles[placement->receptacle].inside = placement->likelihood;
   const auto& nodes = workspace.scene().nodes;
+  const std::vector<bool> usual_here = usual_rooms(workspace, *category);
   for (const auto& [name, receptacle] : receptacles) {
     const auto& there = workspace.places().of(name);
     const bool itself = name == object.category && workspace.places().find(object.id);
     const auto count = static_cast<double>(there.size() - (itself ? 1 : 0));
     for (const std::size_t node : there) {
       if (itself && nodes[node].id == object.id) continue;
-      const double usual = in_usual_room(workspace, *category, node) ? kUsualRoomFactor : 1;
+      const double usual = workspace.is_in(node, usual_here) ? kUsualRoomFactor : 1;
       for (const auto& [relation, likelihood] :
            {std::pair(Predicate::On, receptacle.on), std::pair(Predicate::Inside, receptacle.inside)}) {
         if (likelihood > 0) hosts.push_back({node, relation, likelihood / count * usual});

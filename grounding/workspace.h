@@ -64,6 +64,17 @@ class Workspace {
   const NodeIndex& places() const { return places_; }
   /// The room around the middle of a node, nullptr for none.
   const Room* room_of(std::size_t index) const;
+  /// Whether that room is one of these, one bool a room of the scene.
+  bool is_in(std::size_t index, const std::vector<bool>& rooms) const {
+    return rooms_[index] >= 0 && rooms[static_cast<std::size_t>(rooms_[index])];
+  }
+  /// The rooms of which the type meets the test, one bool a room.
+  template <class Test>
+  std::vector<bool> rooms_with(const Test& type) const {
+    std::vector<bool> with;
+    for (const Room& room : scene_.rooms) with.push_back(type(room.type));
+    return with;
+  }
   /// The nodes with their middle in a room, ascending.
   std::vector<std::size_t> nodes_in(std::size_t room) const;
   /// The same of several rooms; the last of `rooms` says of those in no room.
