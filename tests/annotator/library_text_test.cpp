@@ -13,12 +13,17 @@ namespace {
 
 using Op = Formula::Op;
 
-std::filesystem::path database() {
-  const auto path =
-      std::filesystem::path(::testing::TempDir()) / ("annotator_" + std::to_string(::getpid()) + ".sqlite");
-  static const bool built = compile_knowledge(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/akb", path).empty();
-  EXPECT_TRUE(built);
-  return path;
+/// Of the committed tables; gone with the process.
+const std::filesystem::path& database() {
+  struct Database {
+    const std::filesystem::path path =
+        std::filesystem::path(::testing::TempDir()) / ("annotator_" + std::to_string(::getpid()) + ".sqlite");
+    const bool built = compile_knowledge(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/akb", path).empty();
+    ~Database() { std::filesystem::remove(path); }
+  };
+  static const Database kDatabase;
+  EXPECT_TRUE(kDatabase.built);
+  return kDatabase.path;
 }
 
 /// Goals one small step away from the given one.
