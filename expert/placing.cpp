@@ -157,7 +157,7 @@ bool Methods::free_hand(const std::string& wanted) {
 }
 
 WaysToRid Methods::ways_to_rid(const std::string& id, const std::string& room, const std::string& except) const {
-  return {attempt_.world(), *attempt_.situation().knowledge, {id, room, except, &relevant_}};
+  return {attempt_.world(), *attempt_.situation().knowledge, {id, room, except, relevant_}};
 }
 
 bool Methods::put_aside(const std::string& id, const std::string& except) {

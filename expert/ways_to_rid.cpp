@@ -1,6 +1,8 @@
 #include "expert/ways_to_rid.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "expert/situation.h"
 
@@ -18,46 +20,55 @@ double least_walk(const World& world, const Node& piece) {
 
 }  // namespace
 
-WaysToRid::WaysToRid(const World& world, const Knowledge& knowledge, const Wish& wish)
-    : world_(world), spots_(kMostSpots, [world, room = wish.room](const Spot& spot) -> std::optional<Rank> {
+WaysToRid::WaysToRid(const World& world, const Knowledge& knowledge, Wish wish)
+    : world_(world),
+      knowledge_(&knowledge),
+      wish_(std::move(wish)),
+      spots_(kMostSpots, [world, room = wish_.room](const Spot& spot) -> std::optional<Rank> {
         const std::string id = world.nodes()[spot.place].id;
         if (!world.closed_around(id).empty() || (!room.empty() && world.room_of(id) != room)) return std::nullopt;
         const double walk = world.walking_distance(id);
         if (walk >= Situation::kFar_m) return std::nullopt;
-        return Rank(spot.spoken_of, !spot.usual, !world.in_reach(id), walk, id, spot.action);
-      }) {
-  for (const std::string_view category : world.places().categories()) add_all_of(category, knowledge, wish);
+        return Rank(!world.in_reach(id), walk, id, spot.action);
+      }) {}
+
+std::optional<Action> WaysToRid::next() {
+  constexpr std::array<Class, 4> kBestFirst{{{false, true}, {false, false}, {true, true}, {true, false}}};
+  auto spot = spots_.next();
+  while (!spot && classes_ < kBestFirst.size()) {
+    add_all_of(kBestFirst[classes_++]);
+    spot = spots_.next();
+  }
+  if (!spot) return std::nullopt;
+  return Action{spot->action, {world_.nodes()[spot->place].id}};
 }
 
-void WaysToRid::add_all_of(std::string_view category, const Knowledge& knowledge, const Wish& wish) {
-  const Node* thing = world_.find(wish.thing);
-  const Room* within = wish.room.empty() ? nullptr : world_.find_room(wish.room);
-  const bool spoken_of = std::find(wish.spoken_of->begin(), wish.spoken_of->end(), category) != wish.spoken_of->end();
-  const bool takes = knowledge.has(category, "receptacle");
-  const auto usual = [&](const char* relation) {
-    return thing != nullptr && knowledge.placement(thing->category, relation, category) != nullptr;
-  };
-  const bool on = usual("on"), inside = within != nullptr && usual("inside");
-  if (!takes && !on && !inside) return;
-  for (const std::size_t place : world_.places().of(category)) {
-    const Node& piece = world_.nodes()[place];
-    if (piece.movable || piece.id == wish.except) continue;
-    if (within != nullptr && !contains(within->polygon, piece.pose.position.head<2>())) continue;
-    const double least = least_walk(world_, piece);
-    const auto add = [&](ActionType action, bool is_usual) {
-      if (!takes && !is_usual) return;
-      spots_.add({place, action, spoken_of, is_usual}, Rank(spoken_of, !is_usual, least > 0, least, "", action));
-    };
-    add(ActionType::PlaceOn, on);
-    const bool open = !piece.openable || piece.states.has(Predicate::Open);
-    if (within != nullptr && open) add(ActionType::PlaceIn, inside);
+void WaysToRid::add_all_of(Class wanted) {
+  for (const std::string_view category : world_.places().categories()) {
+    const auto& spoken_of = wish_.spoken_of;
+    const bool is_spoken_of = std::find(spoken_of.begin(), spoken_of.end(), category) != spoken_of.end();
+    if (is_spoken_of == wanted.spoken_of) add_all_of(category, wanted.usual);
   }
 }
 
-std::optional<Action> WaysToRid::next() {
-  const auto spot = spots_.next();
-  if (!spot) return std::nullopt;
-  return Action{spot->action, {world_.nodes()[spot->place].id}};
+void WaysToRid::add_all_of(std::string_view category, bool usual) {
+  const Node* thing = world_.find(wish_.thing);
+  const Room* within = wish_.room.empty() ? nullptr : world_.find_room(wish_.room);
+  const auto is_one = [&](const char* relation) {
+    const bool is_usual = thing != nullptr && knowledge_->placement(thing->category, relation, category) != nullptr;
+    return is_usual == usual && (is_usual || knowledge_->has(category, "receptacle"));
+  };
+  const bool on = is_one("on"), inside = within != nullptr && is_one("inside");
+  if (!on && !inside) return;
+  for (const std::size_t place : world_.places().of(category)) {
+    const Node& piece = world_.nodes()[place];
+    if (piece.movable || piece.id == wish_.except) continue;
+    if (within != nullptr && !contains(within->polygon, piece.pose.position.head<2>())) continue;
+    const double least = least_walk(world_, piece);
+    const auto add = [&](ActionType action) { spots_.add({place, action}, Rank(least > 0, least, "", action)); };
+    if (on) add(ActionType::PlaceOn);
+    if (inside && (!piece.openable || piece.states.has(Predicate::Open))) add(ActionType::PlaceIn);
+  }
 }
 
 }  // namespace unietp

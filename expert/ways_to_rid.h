@@ -18,28 +18,34 @@ namespace unietp {
 class WaysToRid {
  public:
   struct Wish {
-    std::string thing;                          // id
-    std::string room;                           // id; "" for any
-    std::string except;                         // id of furniture; may be ""
-    const std::vector<std::string>* spoken_of;  // categories
+    std::string thing;                   // id
+    std::string room;                    // id; "" for any
+    std::string except;                  // id of furniture; may be ""
+    std::vector<std::string> spoken_of;  // categories
   };
   /// The knowledge must outlive it.
-  WaysToRid(const World& world, const Knowledge& knowledge, const Wish& wish);
+  WaysToRid(const World& world, const Knowledge& knowledge, Wish wish);
 
   /// `place_on` or, where a room was asked for, also `place_in`; nullopt when there are no more, or enough were given.
   std::optional<Action> next();
 
  private:
-  // What the goal speaks of, not usual, out of reach, metres to walk, id.
-  using Rank = std::tuple<bool, bool, bool, double, std::string, ActionType>;
+  /// A home has a thousand pieces that would take a mug, and most mugs go to one where mugs usually are.
+  struct Class {
+    bool spoken_of, usual;
+  };
+  using Rank = std::tuple<bool, double, std::string, ActionType>;  // out of reach, metres to walk, id
   struct Spot {
     std::size_t place;  // of furniture among the nodes
     ActionType action;
-    bool spoken_of, usual;
   };
-  void add_all_of(std::string_view category, const Knowledge& knowledge, const Wish& wish);
+  void add_all_of(Class wanted);
+  void add_all_of(std::string_view category, bool usual);
 
   World world_;
+  const Knowledge* knowledge_;
+  Wish wish_;
+  std::size_t classes_ = 0;  // that were added, the best first
   LeastFirst<Spot, Rank> spots_;
 };
 
