@@ -11,12 +11,13 @@ namespace {
 
 constexpr std::size_t kFetchAndDo = 2;  // into the hand, and then what is done with it
 
-/// In or on something of the category, however deep.
-bool lies_at(const World& world, const std::string& id, std::string_view category) {
+/// In or on something of the category, up to five deep: in a home from a file two things may rest on each other.
+bool lies_at(const World& world, const std::string& id, std::string_view category, int deep = 5) {
+  if (deep == 0) return false;
   for (const Predicate relation : {Predicate::Inside, Predicate::On}) {
     for (const std::string& around : world.linked_from(id, relation)) {
       const Node* node = world.find(around);
-      if (node != nullptr && (node->category == category || lies_at(world, around, category))) return true;
+      if (node != nullptr && (node->category == category || lies_at(world, around, category, deep - 1))) return true;
     }
   }
   return false;
