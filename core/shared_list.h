@@ -1,24 +1,27 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
-#include <memory>
 #include <utility>
 #include <vector>
 
+#include "core/shared_value.h"
+
 namespace unietp {
 
-/// A list whose copies have in common what none of them has changed since: a copy costs a pointer for every 32
-/// elements, and so does comparing a list with what it became. Reading is as of a vector; whoever changes an element
-/// says so, with `edit`, and gets a piece of 32 of his own. Copies may belong to different threads.
+/// A list whose copies have in common what none of them has changed since. It is a tree of two levels: leaves of 8
+/// elements, 32 leaves to a branch. A copy costs a pointer for every 256 elements, a change copies the leaf and the
+/// branch that it is in, and what a list became is found by the branches and leaves that the two do not share. Reading
+/// is as of a vector; whoever changes an element says so, with `edit`. Copies may belong to different threads.
 template <class T>
 class SharedList {
-  static constexpr std::size_t kPiece = 32;
-  using Piece = std::shared_ptr<std::vector<T>>;  // changed only while one list has it
+  static constexpr std::size_t kLeaf = 8, kBranch = 32 * kLeaf;  // elements
+  using Leaf = SharedValue<std::array<T, kLeaf>>;                // behind the last element: T{}
+  using Branch = SharedValue<std::array<Leaf, kBranch / kLeaf>>;
 
  public:
   class Place;
@@ -38,35 +41,24 @@ class SharedList {
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  const T& operator[](std::size_t i) const { return (*pieces_[i / kPiece])[i % kPiece]; }
+  const T& operator[](std::size_t i) const { return element(branches_.data(), i); }
   const T& front() const { return (*this)[0]; }
   const T& back() const { return (*this)[size_ - 1]; }
-  Place begin() const { return {pieces_.data(), 0}; }
-  Place end() const { return {pieces_.data(), static_cast<std::ptrdiff_t>(size_)}; }
+  Place begin() const { return {branches_.data(), 0}; }
+  Place end() const { return {branches_.data(), static_cast<std::ptrdiff_t>(size_)}; }
 
   /// The element, to be changed. The reference is good until the list is copied or gets longer or shorter.
-  T& edit(std::size_t i) { return own(i / kPiece)[i % kPiece]; }
+  T& edit(std::size_t i) { return branches_[i / kBranch].edit()[i % kBranch / kLeaf].edit()[i % kLeaf]; }
   template <class... Arguments>
   T& emplace_back(Arguments&&... arguments) {
-    if (size_ % kPiece == 0) {
-      T first(std::forward<Arguments>(arguments)...);  // which may be of this list
-      pieces_.push_back(std::make_shared<std::vector<T>>());
-      pieces_.back()->reserve(kPiece);
-      ++size_;
-      return pieces_.back()->emplace_back(std::move(first));
-    }
-    T& last = own(size_ / kPiece).emplace_back(std::forward<Arguments>(arguments)...);
-    ++size_;
-    return last;
+    T last(std::forward<Arguments>(arguments)...);  // which may be of this list
+    if (size_ % kBranch == 0) branches_.emplace_back();
+    return edit(size_++) = std::move(last);
   }
   void push_back(T element) { emplace_back(std::move(element)); }
   void pop_back() {
-    --size_;
-    if (size_ % kPiece == 0) {
-      pieces_.pop_back();
-    } else {
-      own(size_ / kPiece).pop_back();
-    }
+    edit(--size_) = T{};
+    if (size_ % kBranch == 0) branches_.pop_back();
   }
   void clear() { *this = {}; }
   /// Takes out what `gone` is true of; the others stay in order.
@@ -81,30 +73,32 @@ class SharedList {
   /// The first place from i on where the two lists do not have one and the same object in common, or the size of the
   /// longer; what stands there may still be equal.
   std::size_t first_of_its_own(const SharedList& other, std::size_t i) const {
-    while (i < size_ && i < other.size_ && pieces_[i / kPiece] == other.pieces_[i / kPiece])
-      i = (i / kPiece + 1) * kPiece;
+    while (i < size_ && i < other.size_) {
+      const Branch &here = branches_[i / kBranch], &there = other.branches_[i / kBranch];
+      if (here.is(there)) {
+        i = (i / kBranch + 1) * kBranch;
+      } else if (here.given()[i % kBranch / kLeaf].is(there.given()[i % kBranch / kLeaf])) {
+        i = (i / kLeaf + 1) * kLeaf;
+      } else {
+        break;
+      }
+    }
     return std::min(i, std::max(size_, other.size_));
   }
   bool operator==(const SharedList& other) const {
-    return size_ == other.size_ && std::equal(pieces_.begin(), pieces_.end(), other.pieces_.begin(),
-                                              [](const Piece& a, const Piece& b) { return a == b || *a == *b; });
+    if (size_ != other.size_) return false;
+    for (std::size_t i = 0; (i = first_of_its_own(other, i)) < size_; ++i) {
+      if (!((*this)[i] == other[i])) return false;
+    }
+    return true;
   }
 
  private:
-  std::vector<T>& own(std::size_t piece) {
-    Piece& here = pieces_[piece];
-    if (here.use_count() > 1) {
-      auto copy = std::make_shared<std::vector<T>>();
-      copy->reserve(kPiece);
-      copy->assign(here->begin(), here->end());
-      here = std::move(copy);
-    } else {
-      std::atomic_thread_fence(std::memory_order_acquire);  // whoever had it in common has read it to the end
-    }
-    return *here;
+  static const T& element(const Branch* branches, std::size_t i) {
+    return branches[i / kBranch].given()[i % kBranch / kLeaf].given()[i % kLeaf];
   }
 
-  std::vector<Piece> pieces_;  // all but the last are full
+  std::vector<Branch> branches_;
   std::size_t size_ = 0;
 };
 
@@ -118,11 +112,8 @@ class SharedList<T>::Place {
   using reference = const T&;
 
   Place() = default;
-  Place(const Piece* pieces, difference_type at) : pieces_(pieces), at_(at) {}
-  reference operator*() const {
-    const auto at = static_cast<std::size_t>(at_);
-    return (*pieces_[at / kPiece])[at % kPiece];
-  }
+  Place(const Branch* branches, difference_type at) : branches_(branches), at_(at) {}
+  reference operator*() const { return element(branches_, static_cast<std::size_t>(at_)); }
   pointer operator->() const { return &**this; }
   reference operator[](difference_type n) const { return *(*this + n); }
   Place& operator+=(difference_type n) {
@@ -142,7 +133,7 @@ class SharedList<T>::Place {
   friend auto operator<=>(const Place& a, const Place& b) { return a.at_ <=> b.at_; }
 
  private:
-  const Piece* pieces_ = nullptr;
+  const Branch* branches_ = nullptr;
   difference_type at_ = 0;
 };
 

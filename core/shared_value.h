@@ -16,6 +16,10 @@ class SharedValue {
 
   const T& operator*() const { return value_ == nullptr ? nothing() : *value_; }
   const T* operator->() const { return &**this; }
+  /// Of one that was given a value: that, without a look whether it was.
+  const T& given() const { return *value_; }
+  /// Whether the two are one object in memory; two of which neither was ever given a value are.
+  bool is(const SharedValue& other) const { return value_ == other.value_; }
 
   /// The value, to be changed. The reference is good until this is copied.
   T& edit() {

@@ -50,7 +50,7 @@ struct Settled {
 /// All solids of a scene for questions (what touches, what is hit) and for letting things come to rest. The world is
 /// only poses: settling runs in a fresh small dynamics world (Bullet, double precision) around the loose bodies and
 /// gives poses back, so equal worlds give equal results. Floor: the plane z = 0. What a question costs depends on what
-/// is near, not on the size of the world, and so does a copy but for a pointer for every 32 bodies. Not thread-safe;
+/// is near, not on the size of the world, and so does a copy but for a pointer for every 256 bodies. Not thread-safe;
 /// one world a thread.
 class PhysicsWorld {
  public:

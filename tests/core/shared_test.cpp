@@ -42,6 +42,8 @@ TEST(SharedList, IsAsAVectorAndItsCopiesStayWhatTheyWereForAnySeed) {
     Rng rng(seed);
     std::vector<std::string> expected;
     SharedList<std::string> list;
+    for (std::uint64_t i = 0; i < rng.below(700); ++i) expected.push_back(text_of(i));
+    list = expected;
     std::vector<std::pair<SharedList<std::string>, std::vector<std::string>>> copies;
     for (std::uint64_t change = 0; change < 300; ++change) {
       const auto what = rng.below(10);
@@ -76,20 +78,22 @@ TEST(SharedList, IsAsAVectorAndItsCopiesStayWhatTheyWereForAnySeed) {
 
 TEST(SharedList, ACopySharesAllButThePiecesThatOneOfThemChanged) {
   SharedList<std::string> list;
-  for (std::uint64_t i = 0; i < 100; ++i) list.push_back(text_of(i));
+  for (std::uint64_t i = 0; i < 900; ++i) list.push_back(text_of(i));
   SharedList<std::string> copy = list;
-  for (std::size_t i = 0; i <= 100; ++i) EXPECT_EQ(copy.first_of_its_own(list, i), 100U) << i;
-  const std::string* first = &list[0];
-  copy.edit(40) = "other";
-  EXPECT_EQ(list[40], text_of(40));
+  for (std::size_t i = 0; i <= 900; ++i) EXPECT_EQ(copy.first_of_its_own(list, i), 900U) << i;
+  const std::string *first = &list[0], *near = &list[390], *far = &list[800];
+  copy.edit(340) = "other";
+  EXPECT_EQ(list[340], text_of(340));
   const std::size_t own = copy.first_of_its_own(list, 0);
-  EXPECT_TRUE(own > 0 && own <= 40) << own;
-  EXPECT_EQ(copy.first_of_its_own(list, 40), 40U);
-  EXPECT_EQ(copy.first_of_its_own(list, 99), 100U);
+  EXPECT_TRUE(own > 300 && own <= 340) << own;
+  EXPECT_EQ(copy.first_of_its_own(list, 340), 340U);
+  EXPECT_EQ(copy.first_of_its_own(list, 380), 900U);
   EXPECT_EQ(&copy[0], first);
+  EXPECT_EQ(&copy[390], near);
+  EXPECT_EQ(&copy[800], far);
   copy.push_back(copy[3]);  // an element of its own
-  EXPECT_EQ(copy.first_of_its_own(list, 100), 100U);
-  EXPECT_EQ(list.first_of_its_own(copy, 101), 101U);
+  EXPECT_EQ(copy.first_of_its_own(list, 900), 900U);
+  EXPECT_EQ(list.first_of_its_own(copy, 901), 901U);
   EXPECT_EQ(copy.back(), text_of(3));
 }
 
