@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/result.h"
 
@@ -13,11 +16,13 @@ struct sqlite3_stmt;
 
 namespace unietp {
 
-/// One prepared statement. A failure (a file that is no database, a table that it lacks) throws std::runtime_error,
-/// caught in the file of each room that uses it; only core's .cpp file sees SQLite.
+/// One prepared statement, which its file gives again to whoever asks for the same one later; it must not outlive the
+/// file. A failure (a file that is no database, a table that it lacks) throws std::runtime_error, caught in the file of
+/// each room that uses it; only core's .cpp file sees SQLite.
 class Statement {
  public:
-  Statement(sqlite3* database, std::string_view sql);
+  Statement(Statement&&) = default;
+  ~Statement();
   void bind(int index, std::string_view text);
   void bind(int index, double value);
   void bind(int index, std::int64_t value);
@@ -28,10 +33,16 @@ class Statement {
   std::int64_t integer(int column);
 
  private:
+  friend class SqliteFile;
   struct Finalize {
     void operator()(sqlite3_stmt* statement) const;
   };
-  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+  using Idle = std::multimap<std::string, std::unique_ptr<sqlite3_stmt, Finalize>, std::less<>>;  // by text
+  Statement(Idle::node_type own, std::shared_ptr<Idle> idle) : own_(std::move(own)), idle_(std::move(idle)) {}
+  sqlite3_stmt* get() { return own_.mapped().get(); }
+
+  Idle::node_type own_;
+  std::shared_ptr<Idle> idle_;
 };
 
 class SqliteFile {
@@ -40,13 +51,14 @@ class SqliteFile {
   /// Errors: std::runtime_error with SQLite's message.
   SqliteFile(const std::filesystem::path& path, Mode mode);
   void run(const char* sql);
-  Statement prepare(std::string_view sql) { return {database_.get(), sql}; }
+  Statement prepare(std::string_view sql);
 
  private:
   struct Close {
     void operator()(sqlite3* database) const;
   };
   std::unique_ptr<sqlite3, Close> database_;
+  std::shared_ptr<Statement::Idle> idle_ = std::make_shared<Statement::Idle>();  // gone before the database closes
 };
 
 }  // namespace unietp
