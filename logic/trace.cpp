@@ -1,8 +1,6 @@
 #include "logic/trace.h"
 
 #include <algorithm>
-#include <functional>
-#include <numeric>
 
 namespace unietp {
 namespace {
@@ -10,9 +8,11 @@ namespace {
 constexpr std::size_t kWordBits = 64;
 static_assert(kPredicateCount <= kWordBits, "the states of an entity are one word");
 
+bool has(std::uint64_t word, EntityIndex entity) { return ((word >> (entity % kWordBits)) & 1U) != 0; }
+
 bool test(const std::vector<std::uint64_t>& bits, EntityIndex entity) {
   const std::size_t word = entity / kWordBits;
-  return word < bits.size() && ((bits[word] >> (entity % kWordBits)) & 1U) != 0;
+  return word < bits.size() && has(bits[word], entity);
 }
 
 void mark(std::vector<std::uint64_t>& bits, EntityIndex entity) {
@@ -64,24 +64,27 @@ Facts::Ground& Facts::ground() {
 }
 
 const Facts::Part* Facts::own(EntityIndex entity) const {
-  const auto at = std::lower_bound(own_->begin(), own_->end(), entity,
+  const auto& [all, some] = *own_;
+  if (!has(some, entity)) return nullptr;
+  const auto at = std::lower_bound(all.begin(), all.end(), entity,
                                    [](const Own& one, EntityIndex wanted) { return one.entity < wanted; });
-  return at != own_->end() && at->entity == entity ? &*at->part : nullptr;
+  return at != all.end() && at->entity == entity ? &*at->part : nullptr;
 }
 
 Facts::Part& Facts::make_own(EntityIndex entity) {
-  std::vector<Own>& all = own_.edit();
+  auto& [all, some] = own_.edit();
   const auto at = std::lower_bound(all.begin(), all.end(), entity,
                                    [](const Own& one, EntityIndex wanted) { return one.entity < wanted; });
   if (at != all.end() && at->entity == entity) return at->part.edit();
   const auto pairs_here = pairs(entity);
   const auto symbols_here = symbols(entity);
   Part part{states(entity), {pairs_here.begin(), pairs_here.end()}, {symbols_here.begin(), symbols_here.end()}};
+  some |= std::uint64_t{1} << (entity % kWordBits);
   return all.insert(at, Own{entity, std::move(part)})->part.edit();
 }
 
 Facts::States Facts::states(EntityIndex entity) const {
-  if (const Part* mine = own_->empty() ? nullptr : own(entity)) return mine->states;
+  if (const Part* mine = own(entity)) return mine->states;
   return ground_ == nullptr || entity >= ground_->states.size() ? 0 : ground_->states[entity];
 }
 
@@ -91,18 +94,22 @@ void Facts::set_states(EntityIndex entity, States states) {
     make_own(entity).states = states;
     return;
   }
-  auto& all = ground().states;
-  if (entity >= all.size()) all.resize(entity + std::size_t{1});
-  all[entity] = states;
+  Ground& all = ground();
+  if (entity >= all.states.size()) {
+    all.states.resize(entity + std::size_t{1});
+    all.anywhere.resize(entity / Ground::kAtOnce + 1);
+  }
+  all.states[entity] = states;
+  all.anywhere[entity / Ground::kAtOnce] |= states;
 }
 
 std::span<const Facts::Pair> Facts::pairs(EntityIndex entity) const {
-  if (const Part* mine = own_->empty() ? nullptr : own(entity)) return mine->pairs;
+  if (const Part* mine = own(entity)) return mine->pairs;
   return ground_ == nullptr ? std::span<const Pair>() : ground_->pairs.of(entity);
 }
 
 std::span<const Facts::Symbol> Facts::symbols(EntityIndex entity) const {
-  if (const Part* mine = own_->empty() ? nullptr : own(entity)) return mine->symbols;
+  if (const Part* mine = own(entity)) return mine->symbols;
   return ground_ == nullptr ? std::span<const Symbol>() : ground_->symbols.of(entity);
 }
 
@@ -186,17 +193,15 @@ bool Facts::holds(Predicate predicate, EntityIndex entity, std::string_view symb
 
 std::vector<EntityIndex> Facts::with(Predicate state) const {
   std::vector<EntityIndex> entities;
-  const std::size_t count = ground_ == nullptr ? 0 : ground_->states.size();
-  constexpr std::size_t kAtOnce = 32;  // of most states few things have any
-  for (std::size_t from = 0; from < count; from += kAtOnce) {
-    const auto some = std::span(ground_->states).subspan(from, std::min(kAtOnce, count - from));
-    const States any = std::accumulate(some.begin(), some.end(), States{0}, std::bit_or<>());
-    if ((any & bit_of(state)) == 0) continue;
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      if ((some[i] & bit_of(state)) != 0) entities.push_back(static_cast<EntityIndex>(from + i));
+  const std::size_t stretches = ground_ == nullptr ? 0 : ground_->anywhere.size();
+  for (std::size_t i = 0; i < stretches; ++i) {
+    if ((ground_->anywhere[i] & bit_of(state)) == 0) continue;
+    const std::size_t end = std::min((i + 1) * Ground::kAtOnce, ground_->states.size());
+    for (std::size_t entity = i * Ground::kAtOnce; entity < end; ++entity) {
+      if ((ground_->states[entity] & bit_of(state)) != 0) entities.push_back(static_cast<EntityIndex>(entity));
     }
   }
-  for (const Own& mine : *own_) entities.push_back(mine.entity);
+  for (const Own& mine : own_->all) entities.push_back(mine.entity);
   std::sort(entities.begin(), entities.end());
   entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
   std::erase_if(entities, [&](EntityIndex entity) { return !holds(state, entity); });
@@ -217,7 +222,7 @@ bool Facts::operator==(const Facts& other) const {
   const auto same = [](const auto& a, const auto& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
   if (!same(significant(*existing_), significant(*other.existing_))) return false;
   const auto count_of = [](const Facts& facts) {
-    std::size_t count = facts.own_->empty() ? 0 : facts.own_->back().entity + std::size_t{1};
+    std::size_t count = facts.own_->all.empty() ? 0 : facts.own_->all.back().entity + std::size_t{1};
     if (facts.ground_ == nullptr) return count;
     const Ground& ground = *facts.ground_;
     return std::max({count, ground.states.size(), ground.pairs.start.size(), ground.symbols.start.size()});

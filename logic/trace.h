@@ -78,7 +78,9 @@ class Facts {
   };
   using States = std::uint64_t;  // a bit for each predicate
   struct Ground {
-    std::vector<States> states;  // by entity
+    static constexpr std::size_t kAtOnce = 32;
+    std::vector<States> states;    // by entity
+    std::vector<States> anywhere;  // by so many entities: what any of them has or had
     Lists<Pair> pairs;
     Lists<Symbol> symbols;
   };
@@ -92,6 +94,10 @@ class Facts {
     EntityIndex entity = 0;
     SharedValue<Part> part;
   };
+  struct Owned {
+    std::vector<Own> all;    // by entity, sorted
+    std::uint64_t some = 0;  // a bit for each, by the last digits of its number: most entities are seen to have none
+  };
 
   const Part* own(EntityIndex entity) const;
   Part& make_own(EntityIndex entity);
@@ -99,12 +105,12 @@ class Facts {
   void set_states(EntityIndex entity, States states);
   std::span<const Pair> pairs(EntityIndex entity) const;
   std::span<const Symbol> symbols(EntityIndex entity) const;
-  bool alone() const { return own_->empty() && (ground_ == nullptr || ground_.use_count() == 1); }
+  bool alone() const { return own_->all.empty() && (ground_ == nullptr || ground_.use_count() == 1); }
   Ground& ground();
 
   SharedValue<Bits> existing_;
-  std::shared_ptr<Ground> ground_;     // shared by a state and those that were copied from it; never changed then
-  SharedValue<std::vector<Own>> own_;  // by entity, sorted
+  std::shared_ptr<Ground> ground_;  // shared by a state and those that were copied from it; never changed then
+  SharedValue<Owned> own_;
 };
 
 /// A finite sequence of states over one list of entities: the start state, then the state after each action.
