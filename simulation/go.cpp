@@ -18,15 +18,25 @@ std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
     high = high.cwiseMax(corner);
   }
   const auto from = grid.cell_at(low), to = grid.cell_at(high);
-  for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
-    for (int x = std::max(0, from.x); x <= std::min(grid.width() - 1, to.x); ++x) {
-      if (!walk.has(x, y)) continue;
+  const int left = std::max(0, from.x), right = std::min(grid.width() - 1, to.x);
+  if (left > right) return std::nullopt;
+  const int centre = std::clamp(grid.cell_at(middle).x, left, right);
+  // In each row from the middle outwards, as long as there may be a nearer one. Of two at one distance the first in the
+  // order of rows and columns is taken.
+  const auto look_along = [&](int y, int x, int step) {
+    for (; x >= left && x <= right; x += step) {
       const Vec2 at = grid.centre({x, y});
       const double distance = (at - middle).squaredNorm();
-      if (distance >= best_distance || !contains(room.polygon, at)) continue;
+      if (distance >= best_distance) return;
+      if (!walk.has(x, y) || !contains(room.polygon, at)) continue;
       best_distance = distance;
       best = at;
+      return;
     }
+  };
+  for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
+    look_along(y, centre - 1, -1);
+    look_along(y, centre, 1);
   }
   return best;
 }

@@ -30,17 +30,17 @@ void Ripple::set(Cell cell, std::int32_t steps) {
 
 void Ripple::go_on() {
   ++far_;
-  std::vector<Cell> next;
   for (const Cell& cell : front_) {
     for (const Cell& there :
          {Cell{cell.x + 1, cell.y}, Cell{cell.x - 1, cell.y}, Cell{cell.x, cell.y + 1}, Cell{cell.x, cell.y - 1}}) {
       if (!open_.has(there.x, there.y)) continue;
       open_.set(there.x, there.y, false);
       set(there, far_);
-      next.push_back(there);
+      next_.push_back(there);
     }
   }
-  front_.swap(next);
+  front_.swap(next_);
+  next_.clear();
 }
 
 void Ripple::finish() {

@@ -53,6 +53,7 @@ class Ripple {
   std::vector<std::uint32_t> places_;        // by stretch of a row: its place in `steps_`, from 1; 0 for none
   std::vector<Stretch> steps_;               // of the stretches that were come to
   std::vector<NavigationGrid::Cell> front_;  // those that were found last
+  std::vector<NavigationGrid::Cell> next_;   // empty between steps
   std::int32_t far_ = 0;                     // their steps
 };
 

@@ -108,15 +108,16 @@ bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile,
   return sees(scene.nodes[node], static_cast<BodyId>(node), world, profile, at, ignore);
 }
 
-StandingCells::StandingCells(const Node& target, const Shape& shape, const NavigationGrid& grid, const CellSet& walk,
-                             const Profile& profile)
-    : way_(door_way(target, shape, profile)), body_radius_(profile.body_radius_m) {
+void StandingCells::look_farther(const StandingQuestion& asked, double limit_m) {
+  constexpr double kFirst_m = 0.75;  // as far from a thing on a table as most stand
+  const auto& [target, shape, grid, walk, profile] = asked;
+  const double limit = std::min(limit_m, looked_m_ < 0 ? kFirst_m : 2 * looked_m_);
+  if (looked_m_ < 0) way_ = door_way(target, shape, profile);
   const Reach reach(target, profile);
-  const double limit = profile.reach_m - kReachReserve_m;
   const Vec3 front = target.pose.rotation * -Vec3::UnitY();
   const Pose to_target = inverse(target.pose);
   const Bounds bounds = bounds_of(target.pose, target.size);
-  const Vec2 span = Vec2::Constant(profile.reach_m), middle = target.pose.position.head<2>();
+  const Vec2 span = Vec2::Constant(limit), middle = target.pose.position.head<2>();
   const auto from = grid.cell_at(bounds.low.head<2>() - span), to = grid.cell_at(bounds.high.head<2>() + span);
   for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
     for (int x = std::max(0, from.x); x <= std::min(grid.width() - 1, to.x); ++x) {
@@ -125,7 +126,7 @@ StandingCells::StandingCells(const Node& target, const Shape& shape, const Navig
       const Vec2 at = grid.centre(cell);
       if (reach.beyond(at, limit)) continue;
       const double distance = reach(at);
-      if (distance > limit) continue;
+      if (distance > limit || distance <= looked_m_) continue;
       double cost = distance;
       if (!target.movable && (at - middle).norm() > 1e-9) {
         cost += kFrontWeight_m * (1 - (at - middle).normalized().dot(front.head<2>()));
@@ -139,27 +140,33 @@ StandingCells::StandingCells(const Node& target, const Shape& shape, const Navig
     }
   }
   std::make_heap(open_.begin(), open_.end(), std::greater<>());
+  looked_m_ = limit;
 }
 
 bool StandingCells::Candidate::operator>(const Candidate& other) const {
   return std::tie(cost, cell.y, cell.x) > std::tie(other.cost, other.cell.y, other.cell.x);
 }
 
-const Vec2* StandingCells::best(std::size_t k) {
-  while (best_.size() <= k && !open_.empty()) {
+const Vec2* StandingCells::best(std::size_t k, const StandingQuestion& asked) {
+  if (k < best_.size()) return &best_[k];
+  const double limit_m = asked.profile.reach_m - kReachReserve_m;
+  while (best_.size() <= k) {
+    // A cell costs no less than it is away.
+    while (looked_m_ < limit_m && (open_.empty() || open_.front().cost > looked_m_)) look_farther(asked, limit_m);
+    if (open_.empty()) return nullptr;
     std::pop_heap(open_.begin(), open_.end(), std::greater<>());
-    if (!within(way_, open_.back().at, body_radius_)) best_.push_back(open_.back().at);
+    if (!within(way_, open_.back().at, asked.profile.body_radius_m)) best_.push_back(open_.back().at);
     open_.pop_back();
   }
-  return k < best_.size() ? &best_[k] : nullptr;
+  return &best_[k];
 }
 
-std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const Profile& profile,
-                                   std::size_t node, StandingCells& cells) {
+std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, std::size_t node,
+                                   const StandingQuestion& asked, StandingCells& cells) {
   for (std::size_t k = 0; k < kMostChecked; ++k) {
-    const Vec2* at = cells.best(k);
+    const Vec2* at = cells.best(k, asked);
     if (at == nullptr) break;
-    if (sees(scene, world, profile, *at, node)) return *at;
+    if (sees(scene, world, asked.profile, *at, node)) return *at;
   }
   return std::nullopt;
 }
@@ -167,9 +174,9 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
 std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const NavigationGrid& grid,
                                    const CellSet& walk_from_agent, const Profile& profile, std::size_t node) {
   const auto body = static_cast<BodyId>(node);
-  StandingCells cells(scene.nodes[node], world.has(body) ? world.collider(body).shape : shape_of(scene.nodes[node]),
-                      grid, walk_from_agent, profile);
-  return standing_place(scene, world, profile, node, cells);
+  const Shape shape = world.has(body) ? world.collider(body).shape : shape_of(scene.nodes[node]);
+  StandingCells cells;
+  return standing_place(scene, world, node, {scene.nodes[node], shape, grid, walk_from_agent, profile}, cells);
 }
 
 }  // namespace unietp

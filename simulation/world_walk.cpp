@@ -37,12 +37,8 @@ std::optional<Vec2> WorldState::standing_place(std::size_t i) const {
   for (const double part : target.pose.rotation.coeffs()) key.add(part);
   key.add(std::uint64_t{target.movable} * 2 + std::uint64_t{target.openable});
   if (standing_.size() >= kMostRemembered) standing_.clear();
-  auto known = standing_.find(key.digest());
-  if (known == standing_.end()) {
-    StandingCells cells(target, collider(i).shape, grid(), walk.to, *profile);
-    known = standing_.emplace(key.digest(), std::move(cells)).first;
-  }
-  return unietp::standing_place(scene_, physics_, *profile, i, known->second);
+  return unietp::standing_place(scene_, physics_, i, {target, collider(i).shape, grid(), walk.to, *profile},
+                                standing_[key.digest()]);
 }
 
 }  // namespace unietp

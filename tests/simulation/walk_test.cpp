@@ -1,9 +1,12 @@
 // What is remembered of walking must be what would be found anew.
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "simulation/floods.h"
 #include "simulation/shape.h"
 #include "simulation/standing.h"
+#include "simulation/world.h"
 #include "tests/simulation/kitchen.h"
 
 namespace unietp {
@@ -67,10 +70,12 @@ TEST_F(Walking, CellsToStandOnComeBestFirstAndEachOnce) {
   const NavigationGrid grid(scene_, profile_);
   const auto walk = grid.reached_from(*grid.nearest_free(scene_.agent.position));
   const Node& mug = *find_node(scene_, "mug_1");
-  StandingCells cells(mug, shape_of(mug), grid, walk, profile_);
+  const Shape shape = shape_of(mug);
+  const StandingQuestion asked{mug, shape, grid, walk, profile_};
+  StandingCells cells;
   double before = 0;
   std::size_t count = 0;
-  for (; const Vec2* at = cells.best(count); ++count) {
+  for (; const Vec2* at = cells.best(count, asked); ++count) {
     const double away = reach_distance(mug, *at, profile_);
     EXPECT_GE(away, before);
     EXPECT_LT(away, profile_.reach_m);
@@ -79,7 +84,64 @@ TEST_F(Walking, CellsToStandOnComeBestFirstAndEachOnce) {
     before = away;
   }
   EXPECT_GT(count, 10u);
-  EXPECT_EQ(*cells.best(0), *StandingCells(mug, shape_of(mug), grid, walk, profile_).best(0));
+  EXPECT_EQ(*cells.best(0, asked), *StandingCells().best(0, asked));
+}
+
+TEST_F(Walking, CellsToStandOnAreAllThatAreInReachAndOutOfTheDoorsWay) {
+  constexpr double kReserve_m = 0.02;
+  const NavigationGrid grid(scene_, profile_);
+  const auto walk = grid.reached_from(*grid.nearest_free(scene_.agent.position));
+  for (const char* id : {"mug_1", "fridge_1", "diningtable_1"}) {
+    SCOPED_TRACE(id);
+    const Node& node = *find_node(scene_, id);
+    const Shape shape = shape_of(node);
+    std::set<std::pair<double, double>> wanted, found;
+    for (int y = 0; y < grid.height(); ++y) {
+      for (int x = 0; x < grid.width(); ++x) {
+        const Vec2 at = grid.centre({x, y});
+        if (walk.has(x, y) && reach_distance(node, at, profile_) <= profile_.reach_m - kReserve_m &&
+            !in_door_way(node, at, profile_))
+          wanted.emplace(at.x(), at.y());
+      }
+    }
+    StandingCells cells;
+    std::size_t count = 0;
+    for (; const Vec2* at = cells.best(count, {node, shape, grid, walk, profile_}); ++count)
+      found.emplace(at->x(), at->y());
+    EXPECT_EQ(found, wanted);
+    EXPECT_EQ(count, wanted.size());
+  }
+}
+
+TEST_F(Walking, IntoARoomLeadsToTheCellNearestToTheMiddleOfItsCorners) {
+  const Knowledge knowledge = testing::kitchen_knowledge();
+  const std::vector<std::vector<Vec2>> shapes = {{{0, 0}, {5, 0}, {5, 4}, {0, 4}},
+                                                 {{0, 0}, {5, 0}, {5, 2.5}, {3, 2.5}, {3, 4}, {0, 4}},
+                                                 {{0, 0}, {5, 1}, {2.5, 4}},
+                                                 {{0.03, 0}, {5, 0}, {4.2, 3.9}, {1.1, 4}}};
+  for (const auto& shape : shapes) {
+    SCOPED_TRACE(shape.size());
+    scene_.rooms.front().polygon = shape;
+    Vec2 middle = Vec2::Zero();
+    for (const Vec2& corner : shape) middle += corner / static_cast<double>(shape.size());
+    const NavigationGrid grid(scene_, profile_);
+    const auto from = *grid.nearest_free(middle);
+    scene_.agent.position = grid.centre(from);
+    const auto walk = grid.reached_from(from);
+    std::optional<Vec2> nearest;  // the first of several
+    for (int y = 0; y < grid.height(); ++y) {
+      for (int x = 0; x < grid.width(); ++x) {
+        const Vec2 at = grid.centre({x, y});
+        if (!walk.has(x, y) || !contains(shape, at)) continue;
+        if (!nearest || (at - middle).squaredNorm() < (*nearest - middle).squaredNorm()) nearest = at;
+      }
+    }
+    ASSERT_TRUE(nearest);
+    auto world = World::create(scene_, knowledge, profile_);
+    ASSERT_TRUE(world);
+    ASSERT_TRUE(world->step({ActionType::GoTo, {scene_.rooms.front().id}}).success);
+    EXPECT_EQ(world->agent().position, *nearest);
+  }
 }
 
 }  // namespace
