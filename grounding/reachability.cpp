@@ -64,14 +64,25 @@ std::optional<std::string> unreached_room(const Scene& scene, const Walk& walk) 
         const double at = grid.centre({x, from.y}).x();
         return at > bounds.low.x() && at < bounds.high.x();
       };
-      int first = std::max(0, from.x), last = std::min(grid.width() - 1, to.x);
-      while (first <= last && !column_inside(first)) ++first;
-      while (first <= last && !column_inside(last)) --last;
-      for (int y = std::max(0, from.y); y <= std::min(grid.height() - 1, to.y); ++y) {
-        const double at = grid.centre({first, y}).y();
-        if (!(at > bounds.low.y() && at < bounds.high.y())) continue;
-        open += grid.free_cells().count(y, first, last);
-        reached += walk.reached.count(y, first, last);
+      const auto row_inside = [&](int y) {
+        const double at = grid.centre({from.x, y}).y();
+        return at > bounds.low.y() && at < bounds.high.y();
+      };
+      int left = std::max(0, from.x), right = std::min(grid.width() - 1, to.x);
+      int first = std::max(0, from.y), last = std::min(grid.height() - 1, to.y);
+      while (left <= right && !column_inside(left)) ++left;
+      while (left <= right && !column_inside(right)) --right;
+      while (first <= last && !row_inside(first)) ++first;
+      while (first <= last && !row_inside(last)) --last;
+      bool all = true, some = false;  // as nearly always: all that is free is reached
+      for (int y = first; y <= last && all; ++y) {
+        all = walk.reached.covers(grid.free_cells(), y, left, right);
+        some = some || walk.reached.count(y, left, right) > 0;
+      }
+      if (all && some) continue;
+      for (int y = first; y <= last; ++y) {
+        open += grid.free_cells().count(y, left, right);
+        reached += walk.reached.count(y, left, right);
       }
     } else {
       for (int y = from.y; y <= to.y; ++y) {

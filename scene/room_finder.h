@@ -21,8 +21,12 @@ class RoomFinder {
   struct Extent {
     Vec2 low, high;
   };
+  std::size_t strip(double x) const;
+
   std::vector<Extent> extents_;  // of each room
   std::vector<std::vector<Vec2>> polygons_;
+  double low_ = 0, strip_m_ = 1;                    // the rooms' extent along x, in strips of one width
+  std::vector<std::vector<std::uint32_t>> strips_;  // the rooms that each strip goes through, ascending
 };
 
 }  // namespace unietp

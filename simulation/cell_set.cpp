@@ -71,6 +71,17 @@ int CellSet::count(int y, int from, int to) const {
   return found;
 }
 
+bool CellSet::covers(const CellSet& other, int y, int from, int to) const {
+  for (int x = from; x <= to;) {
+    const int end = std::min(to + 1, (x / kWord + 1) * kWord);
+    const std::uint64_t all = ~std::uint64_t{0} >> (kWord - (end - x));
+    const std::size_t here = word(x, y);
+    if (((other.bits_[here] & ~bits_[here]) >> (x % kWord) & all) != 0) return false;
+    x = end;
+  }
+  return true;
+}
+
 CellSet CellSet::connected_to(int x, int y) const {
   CellSet found(width_, height_);
   if (!has(x, y)) return found;

@@ -26,6 +26,8 @@ class CellSet {
   }
   /// How many of a row's cells it has from `from` to `to`, both included and in the grid.
   int count(int y, int from, int to) const;
+  /// Whether it has all of these that another set of the same grid has.
+  bool covers(const CellSet& other, int y, int from, int to) const;
   /// The cells that one gets to from that one by steps to the four neighbours, it among them, without leaving the set;
   /// none when the set does not have it.
   CellSet connected_to(int x, int y) const;

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <span>
 
+#include "core/sort_unique.h"
+#include "simulation/body_grid.h"
 #include "simulation/outline.h"
 #include "simulation/solids.h"
 #include "simulation/visible_box.h"
@@ -90,23 +92,45 @@ PixelBox cover_of(std::span<const Outline> outlines) {
   return cover;
 }
 
-/// Of walls only those that may show no deeper than `farthest`; most are in other rooms, behind the eye or aside.
-void add_wall_outlines(const std::vector<Solid>& walls, const Camera& camera, double farthest,
-                       std::vector<Outline>& outlines) {
-  for (const Solid& wall : walls) {
-    const double radius = wall.size.norm() / 2;
-    if (camera.depth(wall.pose.position) - radius > farthest || !camera.may_show(wall.pose.position, radius)) continue;
-    if (auto outline = outline_of(wall, camera)) outlines.push_back(*outline);
-  }
-}
-
 }  // namespace
 
-Viewer::Viewer(const Scene& scene) {
-  std::vector<Solid> walls;
-  for (const WallPiece& piece : walls_of(scene)) walls.push_back({Part::Kind::Box, piece.pose, piece.size, -1, false});
-  walls_ = std::make_shared<const std::vector<Solid>>(std::move(walls));
-}
+struct Viewer::Walls {
+  std::vector<Solid> all;
+  BodyGrid places;  // of each, by its number
+
+  explicit Walls(const Scene& scene) {
+    std::vector<Bounds> bounds;
+    for (const WallPiece& piece : walls_of(scene)) {
+      all.push_back({Part::Kind::Box, piece.pose, piece.size, -1, false});
+      bounds.push_back(bounds_of(piece.pose, piece.size));
+    }
+    Bounds around;
+    for (const Bounds& one : bounds) around = {around.low.cwiseMin(one.low), around.high.cwiseMax(one.high)};
+    places = BodyGrid(around);
+    for (std::uint32_t i = 0; i < all.size(); ++i) places.insert(i, bounds[i]);
+  }
+
+  /// Of those that may show no deeper than `farthest`, in order; most are in other rooms, behind the eye or aside.
+  void add_outlines(const Camera& camera, double farthest, std::vector<Outline>& outlines) const {
+    const auto add = [&](std::uint32_t i) {
+      const Solid& wall = all[i];
+      const double radius = wall.size.norm() / 2;
+      if (camera.depth(wall.pose.position) - radius > farthest || !camera.may_show(wall.pose.position, radius)) return;
+      if (auto outline = outline_of(wall, camera)) outlines.push_back(*outline);
+    };
+    constexpr std::size_t kFew = 128;  // they are looked at sooner than the near ones are found
+    if (all.size() <= kFew) {
+      for (std::uint32_t i = 0; i < all.size(); ++i) add(i);
+      return;
+    }
+    std::vector<std::uint32_t> near;
+    places.visit(camera.shown_up_to(farthest), [&](std::uint32_t i) { near.push_back(i); });
+    sort_unique(near);
+    for (const std::uint32_t i : near) add(i);
+  }
+};
+
+Viewer::Viewer(const Scene& scene) : walls_(std::make_shared<const Walls>(scene)) {}
 
 const std::shared_ptr<const Viewer::Body>& Viewer::body_of(const Scene& scene, std::size_t i) {
   const Node& node = scene.nodes[i];
@@ -183,7 +207,7 @@ std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& 
     if (distance > sight_m && distance - sight_radius(node) <= farthest && shown(i))
       see(i, look->others, same_eye ? &last_->others : nullptr);
   }
-  add_wall_outlines(*walls_, camera, farthest, look->outlines);
+  walls_->add_outlines(camera, farthest, look->outlines);
   if (same_eye) {
     for (const auto& [before, now] :
          {std::pair(&last_->asked, &look->asked), std::pair(&last_->others, &look->others)}) {
@@ -226,7 +250,7 @@ std::optional<PixelBox> Viewer::box_of(const ViewedScene& around, std::size_t ta
     if (around.hides(i)) continue;
     add_outlines(body_of(scene, i)->solids, camera, outlines);
   }
-  add_wall_outlines(*walls_, camera, farthest, outlines);
+  walls_->add_outlines(camera, farthest, outlines);
   return VisibleBoxes(camera, outlines).of(static_cast<std::int32_t>(target));
 }
 

@@ -52,11 +52,12 @@ class Viewer {
  private:
   struct Body;  // a node's solids, and what they were made of
   struct Look;  // what a view was of, and what came of it
+  struct Walls;
   const std::shared_ptr<const Body>& body_of(const Scene& scene, std::size_t node);
 
   // Shared by copies, and never changed: a branch of an episode keeps what its copies have in common.
   std::vector<std::shared_ptr<const Body>> bodies_;
-  std::shared_ptr<const std::vector<Solid>> walls_;
+  std::shared_ptr<const Walls> walls_;
   std::shared_ptr<const Look> last_;
 };
 

@@ -94,6 +94,23 @@ TEST(Scenes, TheRoomsOfManyPointsAreThoseOfEach) {
   EXPECT_FALSE(RoomFinder().at({0, 0}));
 }
 
+TEST(Scenes, TheRoomsOfPointsInAStreetAreThoseOfEach) {
+  Scene scene;
+  Rng rng(3);
+  for (int i = 0; i < 60; ++i) {
+    const double x = 3.0 * i, wide = rng.uniform(1, 3), deep = rng.uniform(1, 3);
+    scene.rooms.push_back({"room_" + std::to_string(i), "hall", {{x, 2}, {x + wide, 2}, {x + wide, 2 + deep}, {x, 2}}});
+    if (i == 30) scene.rooms.push_back({"street", "corridor", {{0, 0}, {180, 0}, {180, 2}, {0, 2}}});
+  }
+  const RoomFinder finder(scene.rooms);
+  for (int i = 0; i < 4000; ++i) {
+    const Vec2 point(rng.uniform(-5, 185), rng.uniform(-1, 6));
+    const Room* room = room_at(scene, point);
+    const auto found = finder.at(point);
+    ASSERT_EQ(found ? &scene.rooms[*found] : nullptr, room) << point.transpose();
+  }
+}
+
 TEST(Names, OfSimulatorsAndArchetypesLeadBack) {
   for (const Simulator simulator : kSimulators) EXPECT_EQ(simulator_named(name_of(simulator)), simulator);
   EXPECT_EQ(simulator_named("gazebo"), std::nullopt);

@@ -12,6 +12,7 @@
 #include "simulation/relations.h"
 #include "simulation/solids.h"
 #include "simulation/view.h"
+#include "simulation/walls.h"
 #include "simulation/world.h"
 #include "tests/simulation/kitchen.h"
 
@@ -126,6 +127,52 @@ TEST_P(ACamera, AmongManyThingsOfAllSizesSeesWhatALookAtAllOfThemSees) {
     }
   }
   EXPECT_GT(seen, 300U);
+}
+
+/// Things strewn among closets of a metre, some of which stand open to each other.
+TEST_P(ACamera, AmongManyWallsListsExactlyWhatARayThroughEveryPixelFinds) {
+  const Profile profile = profile_of(GetParam());
+  Rng rng(11);
+  Scene scene = testing::wide_kitchen(GetParam());
+  for (int i = 0; i < 64; ++i) {
+    const double x = -4 + 1.7 * (i % 8), y = -4 + 1.7 * (i / 8);
+    scene.rooms.push_back({"closet_" + std::to_string(i), "closet", {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}});
+    if (i % 3 == 0) {
+      scene.openings.push_back({"hatch_" + std::to_string(i), scene.rooms.back().id, "", {x, y}, {x + 1, y}, 2});
+    }
+  }
+  scene.rooms.front().polygon = {{-8, -8}, {13, -8}, {13, 13}, {-8, 13}};
+  const std::vector<Node> before(scene.nodes.begin(), scene.nodes.end());
+  while (scene.nodes.size() < 120) {
+    Node more = rng.pick(before);
+    more.id += "_" + std::to_string(scene.nodes.size());
+    more.pose.position = {rng.uniform(-4, 9), rng.uniform(-4, 9), rng.uniform(0, 2)};
+    scene.nodes.push_back(std::move(more));
+  }
+  ASSERT_GT(walls_of(scene).size(), 200U);
+  Viewer viewer(scene);
+  Rays rays;
+  std::size_t listed = 0, hidden = 0;
+  for (int look = 0; look < 40; ++look) {
+    SCOPED_TRACE(look);
+    scene.agent.position = {rng.uniform(-4, 9), rng.uniform(-4, 9)};
+    scene.agent.yaw = 6.28 * rng.unit();
+    const auto seen = seen_in(segmentation_of(scene, profile, rays), scene.nodes.size());
+    const auto boxes = viewer.view(viewed(scene), scene.agent, profile, kEndless_m);
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
+      const auto told = std::find_if(boxes.begin(), boxes.end(),
+                                     [&](const VisibleObject& one) { return one.id == scene.nodes[n].id; });
+      ASSERT_EQ(told != boxes.end(), seen[n].pixels > 0) << scene.nodes[n].id;
+      if (told == boxes.end()) {
+        ++hidden;
+        continue;
+      }
+      EXPECT_EQ(told->box, seen[n].box);
+      ++listed;
+    }
+  }
+  EXPECT_GT(listed, 60U);
+  EXPECT_GT(hidden, 100U);
 }
 
 /// Things come, go, move and open before an eye that stays where it is for some looks.

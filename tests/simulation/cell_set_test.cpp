@@ -51,6 +51,12 @@ TEST(CellSet, WhatIsConnectedIsWhatAWalkReachesForAnySeed) {
     EXPECT_EQ(cells.count(from_y, from_x, from_x - 1), 0);
     const auto steps = steps_in(cells, width, height, from_x, from_y);
     const CellSet connected = cells.connected_to(from_x, from_y);
+    bool all = true;  // of the row's cells from there on are connected
+    for (int x = from_x; x < width; ++x) {
+      all = all && (connected.has(x, from_y) || !cells.has(x, from_y));
+      EXPECT_EQ(connected.covers(cells, from_y, from_x, x), all) << x;
+    }
+    EXPECT_TRUE(cells.covers(connected, from_y, 0, width - 1));
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x)
         ASSERT_EQ(connected.has(x, y), steps[static_cast<std::size_t>(y * width + x)] >= 0) << x << " " << y;
