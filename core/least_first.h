@@ -1,9 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -22,29 +22,38 @@ class LeastFirst {
   /// `bound` is never more than the measure.
   void add(Thing thing, Rank bound) {
     things_.push_back(std::move(thing));
-    open_.push({std::move(bound), false, things_.size() - 1});
+    push({std::move(bound), false, things_.size() - 1});
   }
 
   /// nullopt when there are no more.
   std::optional<Thing> next() {
+    if (!ordered_) std::make_heap(open_.begin(), open_.end(), std::greater<>());
+    ordered_ = true;
     while (left_ > 0 && !open_.empty()) {
-      const auto [rank, is_measured, place] = open_.top();
-      open_.pop();
+      std::pop_heap(open_.begin(), open_.end(), std::greater<>());
+      const auto [rank, is_measured, place] = std::move(open_.back());
+      open_.pop_back();
       if (is_measured) {
         --left_;
         return things_[place];
       }
-      if (auto measured = measure_(things_[place])) open_.push({std::move(*measured), true, place});
+      if (auto measured = measure_(things_[place])) push({std::move(*measured), true, place});
     }
     return std::nullopt;
   }
 
  private:
   using Open = std::tuple<Rank, bool, std::size_t>;  // of equals those not measured yet come first
+  void push(Open open) {
+    open_.push_back(std::move(open));
+    if (ordered_) std::push_heap(open_.begin(), open_.end(), std::greater<>());
+  }
+
   std::size_t left_;
   Measure measure_;
   std::vector<Thing> things_;
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+  std::vector<Open> open_;  // a heap once one was asked for: most need no order
+  bool ordered_ = false;
 };
 
 }  // namespace unietp

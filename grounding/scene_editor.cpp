@@ -59,8 +59,7 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
   const std::set<std::string>& avoided = known == avoid_.end() ? kNone : known->second;
   const auto avoided_rooms = workspace_.rooms_with([&](const std::string& type) { return avoided.contains(type); });
   const auto is_avoided = [&](const Host& host) {
-    return workspace_.is_in(host.node, avoided_rooms) ||
-           std::find(avoided.begin(), avoided.end(), scene.nodes[host.node].category) != avoided.end();
+    return workspace_.is_in(host.node, avoided_rooms) || avoided.contains(scene.nodes[host.node].category);
   };
   std::vector<Host> hosts = hosts_for(workspace_, node);
   std::erase_if(hosts, [&](const Host& host) { return !accept(scene.nodes[host.node]); });
@@ -71,9 +70,12 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
   Rng rng = next_rng();
   const std::size_t index = index_of(node.id).value_or(scene.nodes.size());
   std::string obstacle;
-  const auto split = std::stable_partition(hosts.begin(), hosts.end(), std::not_fn(is_avoided));
-  std::vector<Host> last(split, hosts.end());
-  hosts.erase(split, hosts.end());
+  std::vector<Host> last;
+  if (!avoided.empty()) {
+    const auto split = std::stable_partition(hosts.begin(), hosts.end(), std::not_fn(is_avoided));
+    last.assign(split, hosts.end());
+    hosts.erase(split, hosts.end());
+  }
   for (std::vector<Host>& left : std::array{std::ref(hosts), std::ref(last)}) {
     std::vector<double> weights;
     for (const Host& host : left) {

@@ -190,13 +190,12 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
     const auto& there = workspace.places().of(name);
     const bool itself = name == object.category && workspace.places().find(object.id);
     const auto count = static_cast<double>(there.size() - (itself ? 1 : 0));
+    const double on = receptacle.on / count, inside = receptacle.inside / count;
     for (const std::size_t node : there) {
       if (itself && nodes[node].id == object.id) continue;
       const double usual = workspace.is_in(node, usual_here) ? kUsualRoomFactor : 1;
-      for (const auto& [relation, likelihood] :
-           {std::pair(Predicate::On, receptacle.on), std::pair(Predicate::Inside, receptacle.inside)}) {
-        if (likelihood > 0) hosts.push_back({node, relation, likelihood / count * usual});
-      }
+      if (on > 0) hosts.push_back({node, Predicate::On, on * usual});
+      if (inside > 0) hosts.push_back({node, Predicate::Inside, inside * usual});
     }
   }
   return hosts;
