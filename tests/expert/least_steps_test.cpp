@@ -42,6 +42,20 @@ TEST_F(LeastSteps, CountsAWalkForEachThingThatIsOutOfReachOfTheOthers) {
   EXPECT_EQ(least("(exists (?y - SideTable) (forall (?x - Mug) (at-end (on ?x ?y))))", at_rest(std::move(scene))), 9U);
 }
 
+TEST_F(LeastSteps, EndsWhereTwoThingsRestOnEachOther) {
+  // As in a home from a file: two mugs in one place, each in the other.
+  Scene scene = house();
+  erase_if(scene.nodes, [](const Node& node) { return node.category == "Mug"; });
+  for (const char* id : {"mug_1", "mug_2"}) {
+    add(scene, knowledge, id, "Mug", 8.5, 3.5, 0);
+    move_to(scene, id, 8.5, 3.5, 0.602);
+  }
+  const World world = *World::create(scene, knowledge, profile);
+  ASSERT_EQ(world.linked_from("mug_1", Predicate::Inside), std::vector<std::string>{"mug_2"});
+  ASSERT_EQ(world.linked_from("mug_2", Predicate::Inside), std::vector<std::string>{"mug_1"});
+  EXPECT_EQ(least("(exists (?x - Mug) (at-end (hot ?x)))", scene), 2U);
+}
+
 /// What it says cannot be done in fewer steps is done in no fewer.
 TEST_F(LeastSteps, AreNoMoreThanTheExpertTakesInAnyHouse) {
   const char* const goals[] = {
