@@ -97,6 +97,20 @@ TEST(SharedList, ACopySharesAllButThePiecesThatOneOfThemChanged) {
   EXPECT_EQ(copy.back(), text_of(3));
 }
 
+TEST(SharedList, WhatACopyHasOfItsOwnIsFoundWhereverItIs) {
+  SharedList<std::string> list;
+  for (std::uint64_t i = 0; i < 600; ++i) list.push_back(text_of(i));
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    SharedList<std::string> copy = list;
+    copy.edit(i) = text_of(i);
+    const std::size_t own = copy.first_of_its_own(list, 0);
+    EXPECT_TRUE(own <= i && own + 8 > i) << i << " " << own;
+    EXPECT_TRUE(copy == list);
+    copy.edit(i) = "other";
+    EXPECT_FALSE(copy == list) << i;
+  }
+}
+
 TEST(SharedList, CopiesOfOneListCanBeChangedInThreadsAtOnce) {
   SharedList<std::string> list;
   for (std::uint64_t i = 0; i < 200; ++i) list.push_back(text_of(i));
