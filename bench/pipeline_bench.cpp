@@ -21,40 +21,53 @@ ResourcesReading committed() {
   return load_resources({UNIETP_SOURCE_DIR, std::filesystem::temp_directory_path() / "unietp-bench-cache"});
 }
 
-/// One whole run a pass, homes and files included. Counters by processor time: tasks a second, the same without what it
-/// took to draw and prepare the homes, and a reference work; yield; share of each stage, and of what is in none.
-void run(benchmark::State& state, const RunConfiguration& configuration, const Resources& resources) {
-  const auto folder = std::filesystem::temp_directory_path() / ("unietp-pipeline-bench-" + std::to_string(::getpid()));
+/// What runs came to, homes and files included; by processor time, and stages by the clock.
+struct Spent {
   StageCosts costs;
   double tasks = 0, candidates = 0, seconds = 0, elapsed = 0;
+
+  double share(Stage stage) const { return costs.seconds[static_cast<std::size_t>(stage)] / elapsed; }
+  /// Tasks a second without what it took to draw and prepare the homes.
+  double rate_in_given_homes() const { return tasks / seconds / (1 - share(Stage::Homes)); }
+};
+
+std::optional<Error> add_run(const RunConfiguration& configuration, const Resources& resources, Spent& spent) {
+  const auto folder = std::filesystem::temp_directory_path() / ("unietp-pipeline-bench-" + std::to_string(::getpid()));
+  RunOptions options;
+  options.out = folder / "set";
+  options.licences = std::filesystem::path(UNIETP_SOURCE_DIR) / "data/licences.csv";
+  options.costs = &spent.costs;
+  const auto clock = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
+  const auto report = run_generation(configuration, resources, options);
+  spent.seconds += processor_seconds() - start;
+  spent.elapsed += std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
+  std::filesystem::remove_all(folder);
+  if (!report) return report.error();
+  spent.tasks += report->tasks;
+  spent.candidates += report->candidates;
+  return std::nullopt;
+}
+
+/// One whole run a pass. Counters: tasks a second, the same in given homes, and a reference work; yield; share of each
+/// stage, and of what is in none.
+void run(benchmark::State& state, const RunConfiguration& configuration, const Resources& resources) {
+  Spent spent;
   for (auto _ : state) {
-    RunOptions options;
-    options.out = folder / "set";
-    options.licences = std::filesystem::path(UNIETP_SOURCE_DIR) / "data/licences.csv";
-    options.costs = &costs;
-    const auto clock = std::chrono::steady_clock::now();
-    const double start = processor_seconds();
-    const auto report = run_generation(configuration, resources, options);
-    seconds += processor_seconds() - start;
-    elapsed += std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
-    std::filesystem::remove_all(folder);
-    if (!report) return state.SkipWithError(format(report.error()).c_str());
-    tasks += report->tasks;
-    candidates += report->candidates;
+    if (const auto error = add_run(configuration, resources, spent)) return state.SkipWithError(format(*error).c_str());
   }
-  state.counters["tasks/s"] = tasks / seconds;
-  const double homes =
-      costs.seconds[static_cast<std::size_t>(Stage::Homes)] / elapsed;  // stages are timed by the clock
-  state.counters["tasks/s_in_given_homes"] = tasks / seconds / (1 - homes);
-  state.counters["tasks/reference"] = tasks / seconds * reference_seconds();
-  state.counters["yield"] = tasks / candidates;
-  state.counters["ms/candidate"] = 1000 * seconds / candidates;
-  double in_none = elapsed;
+  state.counters["tasks/s"] = spent.tasks / spent.seconds;
+  state.counters["tasks/s_in_given_homes"] = spent.rate_in_given_homes();
+  state.counters["tasks/reference"] = spent.tasks / spent.seconds * reference_seconds();
+  state.counters["yield"] = spent.tasks / spent.candidates;
+  state.counters["ms/candidate"] = 1000 * spent.seconds / spent.candidates;
+  double of_none = 1;
   for (std::size_t i = 0; i < kStageCount; ++i) {
-    in_none -= costs.seconds[i];
-    state.counters["share_" + std::string(name_of(static_cast<Stage>(i)))] = costs.seconds[i] / elapsed;
+    const auto stage = static_cast<Stage>(i);
+    of_none -= spent.share(stage);
+    state.counters["share_" + std::string(name_of(stage))] = spent.share(stage);
   }
-  state.counters["share_of_none"] = in_none / elapsed;
+  state.counters["share_of_none"] = of_none;
 }
 
 /// All simulators and splits, homes drawn as a run of that size draws them.
@@ -121,33 +134,63 @@ std::optional<Scene> street_of(const Scene& home, int copies, const Profile& pro
   return street;
 }
 
-/// What a candidate costs in one home of so many objects, which is not drawn for the clock: a home of 210 objects, or
-/// a street of such homes.
-void one_home_of_objects(benchmark::State& state) {
-  auto reading = committed();
-  if (!reading.errors.empty()) return state.SkipWithError(format(reading.errors.front()).c_str());
-  const auto& backend = reading.resources.backend(Simulator::Ai2thor);
+/// 400 tasks in one home of so many objects, which is not drawn for the clock: a home of 210 objects, or a street of
+/// such homes.
+struct OneHome {
+  Resources resources;
   RunConfiguration configuration;
-  configuration.count = 400;
-  configuration.simulators = {Simulator::Ai2thor};
+};
+
+Result<OneHome> one_home_of(int objects) {
+  auto reading = committed();
+  if (!reading.errors.empty()) return reading.errors.front();
+  OneHome one{std::move(reading.resources), {}};
+  const auto& backend = one.resources.backend(Simulator::Ai2thor);
+  one.configuration.count = 400;
+  one.configuration.simulators = {Simulator::Ai2thor};
   LayoutOptions options;
   options.rooms = 7;
   options.objects = 210;
-  const int copies = static_cast<int>(state.range(0)) / options.objects;
-  for (std::uint64_t seed = 1; reading.resources.homes.empty() && seed < 20; ++seed) {
-    const auto home = generate_layout(reading.resources.recipe(Simulator::Ai2thor), backend.knowledge, backend.profile,
+  for (std::uint64_t seed = 1; one.resources.homes.empty() && seed < 20; ++seed) {
+    const auto home = generate_layout(one.resources.recipe(Simulator::Ai2thor), backend.knowledge, backend.profile,
                                       options, "home", Rng(seed));
     if (!home) continue;
-    auto street = street_of(*home, copies, backend.profile);
+    auto street = street_of(*home, objects / options.objects, backend.profile);
     if (street && !unreached_room(*street, walk_in(*street, backend.profile)))
-      reading.resources.homes.push_back(std::move(*street));
+      one.resources.homes.push_back(std::move(*street));
   }
-  if (reading.resources.homes.empty()) return state.SkipWithError("no street with a door to every home");
-  configuration.scenes = {reading.resources.homes.front().id};
-  state.counters["objects"] = static_cast<double>(reading.resources.homes.front().nodes.size());
-  run(state, configuration, reading.resources);
+  if (one.resources.homes.empty())
+    return Error{Error::Kind::Unsatisfiable, "", {}, "no street with a door to every home"};
+  one.configuration.scenes = {one.resources.homes.front().id};
+  return one;
+}
+
+void one_home_of_objects(benchmark::State& state) {
+  const auto one = one_home_of(static_cast<int>(state.range(0)));
+  if (!one) return state.SkipWithError(format(one.error()).c_str());
+  state.counters["objects"] = static_cast<double>(one->resources.homes.front().nodes.size());
+  run(state, one->configuration, one->resources);
 }
 BENCHMARK(one_home_of_objects)->Arg(210)->Arg(1050)->Arg(5040)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// How many times what a kept task costs among 210 objects it costs among so many: both by turns, five times, since one
+/// program varies from minute to minute by more than what is asked.
+void cost_against_210_objects(benchmark::State& state) {
+  const auto home = one_home_of(210), street = one_home_of(static_cast<int>(state.range(0)));
+  for (const auto* one : {&home, &street}) {
+    if (!*one) return state.SkipWithError(format(one->error()).c_str());
+  }
+  Spent at_home, in_street;
+  for (auto _ : state) {
+    auto error = add_run(home->configuration, home->resources, at_home);
+    if (!error) error = add_run(street->configuration, street->resources, in_street);
+    if (error) return state.SkipWithError(format(*error).c_str());
+  }
+  state.counters["times"] = at_home.rate_in_given_homes() / in_street.rate_in_given_homes();
+  state.counters["tasks/s_at_210"] = at_home.rate_in_given_homes();
+  state.counters["tasks/s"] = in_street.rate_in_given_homes();
+}
+BENCHMARK(cost_against_210_objects)->Arg(5040)->Unit(benchmark::kMillisecond)->Iterations(5);
 
 }  // namespace
 
