@@ -17,9 +17,9 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/reference_work.h"
-#include "pipeline/check_text.h"
-#include "pipeline/configuration_json.h"
-#include "pipeline/run.h"
+#include "dataset/configuration_json.h"
+#include "rewording/check_text.h"
+#include "run/run.h"
 #include "validator/validate.h"
 
 namespace {

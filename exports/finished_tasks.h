@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/result.h"
+#include "core/share_work.h"
+#include "record/home_shelf.h"
+#include "record/task_record.h"
 #include "scene/scene.h"
-#include "validator/home_shelf.h"
-#include "validator/share_work.h"
-#include "validator/task_record.h"
 #include "validator/validate.h"
 
 namespace unietp {

@@ -4,10 +4,10 @@
 
 #include "core/digest.h"
 #include "core/files.h"
+#include "core/share_work.h"
 #include "core/sqlite_file.h"
+#include "record/home_shelf.h"
 #include "validator/folder_reading.h"
-#include "validator/home_shelf.h"
-#include "validator/share_work.h"
 
 namespace unietp {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/result.h"
+#include "record/task_record.h"
 #include "scene/scene.h"
-#include "validator/task_record.h"
 
 namespace unietp {
 

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/share_work.h"
 #include "core/text.h"
 #include "report/asset.h"
 #include "report/base64.h"
 #include "report/html.h"
-#include "validator/share_work.h"
 
 namespace unietp {
 namespace {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <set>
 
+#include "core/share_work.h"
 #include "report/formula_census.h"
 #include "scene/simulator.h"
-#include "validator/share_work.h"
 
 namespace unietp {
 namespace {

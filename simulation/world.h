@@ -10,21 +10,14 @@
 #include "core/result.h"
 #include "scene/action.h"
 #include "scene/node_index.h"
-#include "scene/pixel_box.h"
 #include "scene/scene.h"
 #include "scene/trace.h"
+#include "scene/visible_object.h"
 #include "simulation/profile.h"
 
 namespace unietp {
 
 struct KnownStart;
-
-/// An object in the camera's image: the box [x0, y0, x1, y1] around its pixels, x right, y down, both ends included.
-struct VisibleObject {
-  std::string id;
-  PixelBox box{};
-  bool operator==(const VisibleObject&) const = default;
-};
 
 /// What the agent is told after an action.
 struct Outcome {

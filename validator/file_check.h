@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "validator/manifest_record.h"
+#include "record/manifest_record.h"
 #include "validator/problem.h"
 
 namespace unietp {

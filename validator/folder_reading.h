@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/result.h"
+#include "record/task_record.h"
 #include "scene/action.h"
 #include "validator/problem.h"
-#include "validator/task_record.h"
 
 namespace unietp {
 

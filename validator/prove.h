@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "record/home_shelf.h"
+#include "record/wordings_record.h"
 #include "validator/folder_reading.h"
-#include "validator/home_shelf.h"
 #include "validator/rest.h"
 #include "validator/task_facts.h"
 #include "validator/validate.h"
-#include "validator/wordings_record.h"
 
 namespace unietp {
 

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "record/task_record.h"
 #include "simulation/link_table.h"
 #include "simulation/physics.h"
 #include "simulation/relations.h"
 #include "validator/problem.h"
 #include "validator/rest.h"
-#include "validator/task_record.h"
 #include "validator/validate.h"
 
 namespace unietp {

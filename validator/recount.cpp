@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/text.h"
-#include "validator/record_fields.h"
+#include "record/record_fields.h"
 
 namespace unietp {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "record/manifest_record.h"
 #include "validator/database_check.h"
 #include "validator/folder_reading.h"
-#include "validator/manifest_record.h"
 #include "validator/problem.h"
 
 namespace unietp {

@@ -4,9 +4,9 @@
 #include <mutex>
 
 #include "core/files.h"
-#include "validator/home_shelf.h"
-#include "validator/manifest_record.h"
-#include "validator/share_work.h"
+#include "core/share_work.h"
+#include "record/home_shelf.h"
+#include "record/manifest_record.h"
 
 namespace unietp {
 namespace {

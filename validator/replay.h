@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "record/task_record.h"
 #include "simulation/world.h"
 #include "validator/problem.h"
-#include "validator/task_record.h"
 
 namespace unietp {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "record/task_record.h"
 #include "scene/scene.h"
-#include "validator/task_record.h"
 
 namespace unietp {
 

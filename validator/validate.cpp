@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/files.h"
+#include "core/share_work.h"
 #include "validator/file_check.h"
 #include "validator/prove.h"
 #include "validator/recount.h"
 #include "validator/repeats.h"
-#include "validator/share_work.h"
 
 namespace unietp {
 namespace {

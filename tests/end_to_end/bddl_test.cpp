@@ -10,10 +10,10 @@
 #include "core/text.h"
 #include "data_set.h"
 #include "logic/evaluate.h"
+#include "record/task_record.h"
 #include "scene/scene_json.h"
 #include "scene/trace.h"
 #include "schema_checker.h"
-#include "validator/task_record.h"
 
 namespace unietp::testing {
 namespace {

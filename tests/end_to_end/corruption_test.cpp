@@ -11,8 +11,8 @@
 #include "core/sqlite_file.h"
 #include "core/text.h"
 #include "data_set.h"
+#include "record/home_shelf.h"
 #include "spoilt_task.h"
-#include "validator/home_shelf.h"
 
 namespace unietp {
 namespace {

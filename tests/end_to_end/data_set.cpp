@@ -5,9 +5,9 @@
 #include "core/digest.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "record/home_shelf.h"
 #include "scene/scene_json.h"
 #include "schema_checker.h"
-#include "validator/home_shelf.h"
 
 namespace unietp {
 namespace {

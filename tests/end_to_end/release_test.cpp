@@ -9,11 +9,11 @@
 #include "core/files.h"
 #include "data_set.h"
 #include "logic/evaluate.h"
+#include "record/task_record.h"
 #include "release_reader.h"
 #include "scene/scene_json.h"
 #include "scene/trace.h"
 #include "schema_checker.h"
-#include "validator/task_record.h"
 
 namespace unietp::testing {
 namespace {

@@ -2,11 +2,11 @@
 
 #include "bodies.h"
 #include "fuzz_bodies.h"
+#include "record/manifest_record.h"
+#include "record/task_record.h"
+#include "record/wordings_record.h"
 #include "scene/scene_json.h"
 #include "support.h"
-#include "validator/manifest_record.h"
-#include "validator/task_record.h"
-#include "validator/wordings_record.h"
 
 namespace unietp::fuzz {
 

@@ -1,10 +1,10 @@
 #include <nlohmann/json.hpp>
 
 #include "bodies.h"
+#include "dataset/configuration_json.h"
 #include "fuzz_bodies.h"
-#include "pipeline/configuration_json.h"
-#include "pipeline/ledger.h"
-#include "pipeline/shard_folder.h"
+#include "run/ledger.h"
+#include "run/shard_folder.h"
 #include "support.h"
 
 namespace unietp::fuzz {

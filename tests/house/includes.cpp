@@ -8,16 +8,13 @@
 namespace unietp {
 namespace {
 
-/// A room and everything below it that it may reach.
-std::set<std::string> reachable(const RoomGraph& graph, const std::string& room) {
-  std::set<std::string> found{room};
-  const auto declared = graph.depends.find(room);
-  if (declared == graph.depends.end()) return found;
-  for (const auto& below : declared->second) {
-    const auto further = reachable(graph, below);
-    found.insert(further.begin(), further.end());
-  }
-  return found;
+/// The room that an include names, "" for one in angle brackets.
+std::string room_of_include(std::string_view line) {
+  const auto trimmed = trim(line);
+  if (!trimmed.starts_with("#include")) return "";
+  const auto open = trimmed.find('"');
+  const auto slash = open == std::string_view::npos ? open : trimmed.find('/', open);
+  return slash == std::string_view::npos ? "" : std::string(trimmed.substr(open + 1, slash - open - 1));
 }
 
 /// `<vector>`, `<unistd.h>`: no folder. Ours and the third parties' headers stand in one.
@@ -68,7 +65,9 @@ std::vector<std::string> graph_problems(const RoomGraph& graph) {
 std::vector<std::string> include_problems(const RoomGraph& graph, const std::string& path, std::string_view text) {
   std::vector<std::string> problems;
   const std::string room = path.substr(0, path.find('/'));
-  const auto accepted = reachable(graph, room);
+  const auto declared = graph.depends.find(room);
+  std::set<std::string> accepted{room};
+  if (declared != graph.depends.end()) accepted.insert(declared->second.begin(), declared->second.end());
   const bool header = path.ends_with(".h");
   int number = 0;
   for (const auto& line : split(text, '\n')) {
@@ -91,6 +90,21 @@ std::vector<std::string> include_problems(const RoomGraph& graph, const std::str
     } else if (accepted.count(other) == 0) {
       problems.push_back(at + room + " may not include " + other + "; its CMakeLists.txt does not declare that arrow");
     }
+  }
+  return problems;
+}
+
+std::vector<std::string> unused_arrows(const RoomGraph& graph, const std::string& room,
+                                       const std::vector<std::string>& texts) {
+  std::set<std::string> used;
+  for (const auto& text : texts) {
+    for (const auto& line : split(text, '\n')) used.insert(room_of_include(line));
+  }
+  std::vector<std::string> problems;
+  const auto declared = graph.depends.find(room);
+  if (declared == graph.depends.end()) return problems;
+  for (const auto& below : declared->second) {
+    if (used.count(below) == 0) problems.push_back(room + " declares " + below + ", but none of its files includes it");
   }
   return problems;
 }

@@ -19,8 +19,11 @@ RoomGraph read_room_graph(std::string_view text);
 std::vector<std::string> graph_problems(const RoomGraph& graph);
 
 /// What is wrong with the includes of one file of a room, each with file, line and what would be accepted: a room that
-/// is not declared (directly or through others), a third-party header in a header.
+/// is not declared, a third-party header in a header.
 std::vector<std::string> include_problems(const RoomGraph& graph, const std::string& path, std::string_view text);
+/// The arrows that a room declares and none of its files, whose texts these are, includes.
+std::vector<std::string> unused_arrows(const RoomGraph& graph, const std::string& room,
+                                       const std::vector<std::string>& texts);
 
 /// Types that a file defines in the project's own namespace. Two of one name in different rooms would be merged by the
 /// linker without a word, and the program would crash in one of them.

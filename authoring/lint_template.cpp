@@ -1,0 +1,86 @@
+#include "authoring/lint_template.h"
+
+#include <algorithm>
+
+#include "core/sexpr.h"
+#include "generator/specification.h"
+#include "templates/phrasing_counts.h"
+
+namespace unietp {
+namespace {
+
+constexpr int kTried = 12;  // bindings that are drawn before a simulator is doubted
+
+/// A section of a file that can be read; nullptr when it was left out.
+const Sexpr* section_of(const Sexpr& file, std::string_view name) {
+  for (const auto& child : file.children) {
+    if (child.is_form(name)) return &child;
+  }
+  return nullptr;
+}
+
+std::string written(const DomainConstraint& constraint) {
+  std::string text = "(" + constraint.kind;
+  for (const auto& argument : constraint.arguments) text += " " + argument;
+  return text + ")";
+}
+
+/// The first constraint without which there would be a binding, or "".
+std::string constraint_in_the_way(const Template& source, const Knowledge& knowledge) {
+  for (std::size_t i = 0; i < source.constraints.size(); ++i) {
+    auto without = source;
+    without.constraints.erase(without.constraints.begin() + static_cast<std::ptrdiff_t>(i));
+    if (!enumerate_bindings(without, knowledge, 1).empty()) return written(source.constraints[i]);
+  }
+  return "";
+}
+
+/// Why a claimed simulator makes no task of the template; "" when it makes some.
+std::string doubt(const Template& source, const Knowledge& knowledge) {
+  const std::string simulator(name_of(knowledge.simulator()));
+  if (enumerate_bindings(source, knowledge, 1).empty()) {
+    const auto culprit = constraint_in_the_way(source, knowledge);
+    return simulator + " has no categories that fill the placeholders together" +
+           (culprit.empty() ? "" : "; without " + culprit + " it would have some");
+  }
+  std::string last;
+  for (int i = 0; i < kTried; ++i) {
+    const auto binding = sample_binding(source, knowledge, {}, Rng(0).fork("lint", static_cast<std::uint64_t>(i)));
+    if (!binding) continue;
+    const auto made = instantiate(source, knowledge, *binding);
+    if (made) return "";
+    last = made.error().message;
+  }
+  return "none of " + std::to_string(kTried) + " bindings drawn for " + simulator + " makes a task; the last: " + last;
+}
+
+}  // namespace
+
+LintedFile lint_template(const std::string& path, std::string text, const std::vector<Backend>& backends) {
+  LintedFile linted{path, std::move(text), "", {}};
+  const auto reading = parse_template(path, linted.text);
+  for (const auto& error : reading.errors) linted.problems.push_back({error, false});
+  if (reading.templates.empty()) return linted;
+  const auto& source = reading.templates.front();
+  for (auto& error : unknown_categories(source, backends)) linted.problems.push_back({std::move(error), false});
+  if (!linted.problems.empty()) return linted;
+  linted.name = source.name;
+
+  const auto file = read_sexpr(path, linted.text);
+  const auto warn = [&](SourcePos pos, std::string message) {
+    linted.problems.push_back({{Error::Kind::Schema, path, pos, std::move(message)}, true});
+  };
+  const auto* phrasings = section_of(*file, "instruction");
+  for (const auto& doubtful : doubtful_phrasings(source)) {
+    warn(phrasings->children[doubtful.index + 1].pos, doubtful.message);
+  }
+  const auto* claims = section_of(*file, "simulators");
+  for (std::size_t i = 0; i < source.simulators.size(); ++i) {
+    auto why = doubt(source, backends[static_cast<std::size_t>(source.simulators[i])].knowledge);
+    if (why.empty()) continue;
+    warn(claims == nullptr ? file->children[1].pos : claims->children[i + 1].pos, std::move(why));
+  }
+  return linted;
+}
+
+}  // namespace unietp

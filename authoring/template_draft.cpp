@@ -1,0 +1,123 @@
+#include "authoring/template_draft.h"
+
+#include <algorithm>
+
+#include "core/sexpr.h"
+#include "core/text.h"
+#include "templates/sections.h"
+#include "templates/template_text.h"
+
+namespace unietp {
+namespace {
+
+/// A formula laid out for its place; as it is when its brackets do not match.
+std::string laid_out_text(const std::string& text) {
+  const auto expression = read_sexpr("", text);
+  return expression ? laid_out(*expression, 4) : text;
+}
+
+std::string in_brackets(const std::string& parameter) {
+  return parameter.starts_with('(') ? parameter : "(" + parameter + ")";
+}
+
+std::vector<std::string> each(std::vector<std::string> items, std::string (*change)(const std::string&)) {
+  for (auto& item : items) item = change(item);
+  return items;
+}
+
+std::string quoted_text(const std::string& text) { return quoted_string(text); }
+
+/// The items of a section as they stand in the file.
+std::vector<std::string> items_of(const TemplateDraft& draft, std::string_view section) {
+  if (section == "name") {
+    return {quoted_string(draft.title.empty() ? replace_all(draft.name, "-", " ") : draft.title)};
+  }
+  if (section == "split") return {draft.split};
+  if (section == "refinement" && !draft.refinement.empty()) return {draft.refinement};
+  if (section == "simulators") return draft.simulators;
+  if (section == "parameters") return each(draft.parameters, in_brackets);
+  if (section == "constraints") return draft.constraints;
+  if (section == "init") return each(draft.init, laid_out_text);
+  if (section == "goal")
+    return draft.goal.empty() ? std::vector<std::string>{} : std::vector{laid_out_text(draft.goal)};
+  if (section == "instruction") return each(draft.phrasings, quoted_text);
+  return {};
+}
+
+bool below_each_other(std::string_view section) {
+  return section == "init" || section == "goal" || section == "instruction";
+}
+
+/// The first word of a line that opens a section, or "".
+std::string section_opened(std::string_view line) {
+  const auto text = trim(line);
+  for (const auto& section : template_sections()) {
+    const auto head = "(" + std::string(section.name);
+    if (line.starts_with("  (") && text.starts_with(head) && (text.size() == head.size() || text[head.size()] == ' '))
+      return std::string(section.name);
+  }
+  return "";
+}
+
+}  // namespace
+
+TemplateDraft draft_like(const Template& source, std::string name) {
+  TemplateDraft draft;
+  draft.name = std::move(name);
+  draft.title = source.title;
+  draft.split = name_of(source.split);
+  draft.refinement = source.refinement;
+  for (const auto simulator : source.simulators) draft.simulators.emplace_back(name_of(simulator));
+  for (const auto& parameter : source.parameters) {
+    draft.parameters.push_back(parameter.name + " - " + join(parameter.affordances, " "));
+  }
+  for (const auto& constraint : source.constraints) {
+    draft.constraints.push_back("(" + constraint.kind + " " + join(constraint.arguments, " ") + ")");
+  }
+  for (const auto& start : source.init) draft.init.push_back(to_text(start));
+  draft.goal = to_text(source.goal);
+  draft.phrasings = source.instructions;
+  return draft;
+}
+
+std::string draft_text(const TemplateDraft& draft) {
+  std::string text =
+      "; A semicolon starts a comment. The language: docs/templates.md; its words: `unietp template vocabulary`.\n"
+      "(template " +
+      draft.name;
+  for (const auto& section : template_sections()) {
+    const auto items = items_of(draft, section.name);
+    text += "\n  ; " + std::string(section.says) + "\n";
+    if (items.empty() && !section.required) {
+      text += "  ; left out: " + std::string(section.usage);
+      continue;
+    }
+    text += "  (" + std::string(section.name);
+    for (const auto& item : items) text += (below_each_other(section.name) ? "\n    " : " ") + item;
+    text += ")";
+  }
+  return text + "\n)\n";
+}
+
+std::vector<DraftProblem> draft_problems(const TemplateDraft& draft, const std::string& file) {
+  const auto text = draft_text(draft);
+  std::vector<DraftProblem> problems;
+  for (const auto& section : template_sections()) {
+    for (const auto& item : items_of(draft, section.name)) {
+      const std::string name(section.name);
+      const auto read = read_sexpr(name, item);
+      if (!read) problems.push_back({{{Error::Kind::Parse, name, {}, read.error().message}, false}, name});
+    }
+  }
+  if (!problems.empty()) return problems;  // in the whole, a bracket that is missing seems to be missing at its end
+  for (const auto& error : parse_template(file, text).errors) {
+    std::string section;
+    for (int line = 1; line <= error.pos.line; ++line) {
+      if (auto opened = section_opened(line_of(text, line)); !opened.empty()) section = std::move(opened);
+    }
+    problems.push_back({{error, false}, std::move(section)});
+  }
+  return problems;
+}
+
+}  // namespace unietp

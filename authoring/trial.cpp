@@ -1,0 +1,65 @@
+#include "authoring/trial.h"
+
+#include <algorithm>
+#include <map>
+
+#include "generator/weighted_binding.h"
+
+namespace unietp {
+namespace {
+
+void count(std::vector<TemplateTrial::Reason>& reasons, Rejection&& why) {
+  const auto same = [&](const TemplateTrial::Reason& one) {
+    return one.stage == why.stage && one.reason == why.reason;
+  };
+  const auto found = std::find_if(reasons.begin(), reasons.end(), same);
+  if (found != reasons.end()) {
+    ++found->count;
+    found->details.push_back(std::move(why.detail));
+  } else {
+    reasons.push_back({std::move(why.stage), std::move(why.reason), 1, why.detail, {why.detail}});
+  }
+}
+
+}  // namespace
+
+TemplateTrial try_template(const RunConfiguration& configuration, const Resources& resources, LayoutPool& layouts,
+                           std::size_t position, Simulator simulator, const TrialOptions& options) {
+  const auto& source = resources.templates[position];
+  auto own = configuration;
+  own.seed = Rng(configuration.seed).fork(source.name, static_cast<std::uint64_t>(simulator)).next();
+  TaskSlot slot;
+  slot.simulator = simulator;
+  slot.split = split_of_tasks(source);
+  slot.templates = {position};
+
+  const CategoryWeight equal = [](const Parameter&, const std::string&) { return 1.0; };
+  const auto plan_of = [&](int attempt) {
+    CandidatePlan plan{0, attempt, position, attempt % layouts.size(simulator), std::nullopt};
+    if (const auto& layout = layouts.layout(simulator, plan.home)) {
+      plan.binding = sample_binding(source, resources.backend(simulator).knowledge, layout->offer.categories,
+                                    configuration.binding, equal,
+                                    Rng(own.seed).fork("binding", static_cast<std::uint64_t>(attempt)));
+    }
+    return plan;
+  };
+  TemplateTrial trial;
+  for (int attempt = 0; attempt < options.tries; ++attempt) {
+    if (options.stop != nullptr && options.stop->load()) break;
+    auto candidate = make_task(own, resources, layouts, slot, plan_of(attempt), {}, nullptr);
+    ++trial.candidates;
+    if (auto* rejected = std::get_if<RejectedCandidate>(&candidate)) {
+      count(trial.reasons, std::move(rejected->rejection));
+    } else {
+      trial.tasks.push_back(std::move(std::get<Task>(candidate)));
+      if (static_cast<int>(trial.tasks.size()) == options.enough) break;
+    }
+  }
+  std::sort(trial.reasons.begin(), trial.reasons.end(),
+            [](const TemplateTrial::Reason& a, const TemplateTrial::Reason& b) {
+              return std::tie(b.count, a.stage, a.reason) < std::tie(a.count, b.stage, b.reason);
+            });
+  return trial;
+}
+
+}  // namespace unietp

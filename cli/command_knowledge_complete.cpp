@@ -1,0 +1,181 @@
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "akb/complete.h"
+#include "cli/command_knowledge.h"
+#include "cli/command_parser.h"
+#include "cli/commands.h"
+#include "cli/llm_options.h"
+#include "cli/progress_line.h"
+#include "core/text.h"
+#include "core/unknown_name.h"
+#include "dataset/configuration.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kHelp =
+    "Ask a language model for facts that the tables lack.\n"
+    "\n"
+    "  export UNIETP_LLM_KEY=...      only for servers that ask for one\n"
+    "  unietp knowledge complete ai2thor --llm-url http://localhost:8080/v1 --llm-model qwen2.5-7b\n"
+    "  unietp knowledge complete --llm-url URL --llm-model M --facts function,context --limit 20\n"
+    "  unietp knowledge complete --llm-url URL --llm-model M --dry-run      print the prompts, send nothing\n"
+    "\n"
+    "Answers that pass every check go to data/akb/completed/ with the source llm:MODEL and the confidence 0.5. They\n"
+    "count only where no other source tells a fact of the kind. Answers are cached: the same command again asks "
+    "nothing.";
+
+struct Options {
+  std::string simulator, facts;
+  LlmChoice llm;
+  int batch = 8, limit = 0;
+  bool json = false;
+};
+
+Result<std::vector<FactKind>> parse_facts(const std::string& text) {
+  std::vector<std::string> names;
+  for (const auto kind : all_fact_kinds()) names.emplace_back(name_of(kind));
+  std::vector<FactKind> facts;
+  for (const auto& word : split(text, ',')) {
+    const auto kind = fact_kind_named(trim(word));
+    if (!kind) return unknown_name_error("--facts", trim(word), names);
+    facts.push_back(*kind);
+  }
+  return facts;
+}
+
+/// "function 48, size 2"
+std::string counts_text(const std::map<FactKind, int>& counts) {
+  std::vector<std::string> parts;
+  for (const auto& [kind, count] : counts) {
+    if (count > 0) parts.push_back(std::string(name_of(kind)) + " " + std::to_string(count));
+  }
+  return parts.empty() ? "nothing" : join(parts, ", ");
+}
+
+Json counts_json(const std::map<FactKind, int>& counts) {
+  Json json = Json::object();
+  for (const auto& [kind, count] : counts) json[std::string(name_of(kind))] = count;
+  return json;
+}
+
+/// Number and first example of each reason for a rejection.
+struct Reason {
+  int count = 0;
+  std::string example;
+};
+std::map<std::string, Reason> reasons_of(const std::vector<RejectedFact>& rejected) {
+  std::map<std::string, Reason> reasons;
+  for (const auto& fact : rejected) {
+    auto& reason = reasons[fact.reason];
+    if (++reason.count == 1) reason.example = trim(fact.category + " " + fact.fact + " " + fact.value);
+  }
+  return reasons;
+}
+
+void tell(const CompletionPlan& plan, const CompletionReport& report, const Options& options) {
+  const auto& totals = report.totals;
+  print_line("lacking    " + counts_text(plan.lacking));
+  print_line("told before by a language model: " + counts_text(plan.completed));
+  print_line("requests   " + std::to_string(totals.asked) + " asked, " + std::to_string(totals.cached) +
+             " from the cache, " + std::to_string(totals.failed) + " without an answer");
+  for (const auto& [reason, count] : report.failures) print_line("  " + std::to_string(count) + "  " + reason);
+  print_line("accepted   " + counts_text(report.accepted));
+  print_line("rejected   " + std::to_string(report.rejected.size()));
+  for (const auto& [reason, told] : reasons_of(report.rejected))
+    print_line("  " + std::to_string(told.count) + "  " + reason + (told.example.empty() ? "" : ": " + told.example));
+  if (report.unused > 0)
+    print_line("unused     " + std::to_string(report.unused) +
+               " completed facts that another source tells, or that name two things");
+  print_line(cost_line(totals, options.llm.price));
+}
+
+Json json_of(const CompletionPlan& plan, const CompletionReport& report, const Options& options) {
+  const auto& totals = report.totals;
+  Json rejected = Json::object();
+  for (const auto& [reason, told] : reasons_of(report.rejected))
+    rejected[reason] = {{"count", told.count}, {"example", told.example}};
+  return {{"lacking", counts_json(plan.lacking)},
+          {"completed_before", counts_json(plan.completed)},
+          {"requests", {{"asked", totals.asked}, {"cached", totals.cached}, {"failed", totals.failed}}},
+          {"failures", report.failures},
+          {"accepted", counts_json(report.accepted)},
+          {"rejected", rejected},
+          {"unused", report.unused},
+          {"tokens", {{"prompt", totals.prompt_tokens}, {"completion", totals.completion_tokens}}},
+          {"cost", cost_of(totals, options.llm.price)},
+          {"stopped", report.stopped}};
+}
+
+Exit complete(const Options& options, const CommandLine& program) {
+  const Result<std::vector<Simulator>> simulators = options.simulator.empty()
+                                                        ? std::vector<Simulator>(kSimulators.begin(), kSimulators.end())
+                                                        : parse_simulators("simulator", options.simulator);
+  if (!simulators) return refuse(simulators.error());
+  const auto facts = parse_facts(options.facts);
+  if (!facts) return refuse(facts.error());
+  const auto url = chat_url(options.llm.url);
+  if (!url) return refuse(url.error());
+  const LlmEndpoint endpoint{*url, options.llm.model, program.llm_key};
+  const auto cache_file = options.llm.cache.empty() ? program.folders.cache / "llm-answers.sqlite" : options.llm.cache;
+  auto cache = LlmCache::open(cache_file);
+  if (!cache) return refuse(cache.error());
+
+  CompletionOptions completion;
+  completion.simulators = *simulators;
+  completion.facts = *facts;
+  completion.overrides = program.folders.overrides;
+  completion.batch = options.batch;
+  if (options.limit > 0) completion.limit = options.limit;
+  completion.ask = options.llm.ask;
+  completion.ask.stop = program.interrupted;
+  if (options.llm.temperature >= 0) completion.temperature = options.llm.temperature;
+  if (options.llm.max_tokens > 0) completion.max_tokens = options.llm.max_tokens;
+
+  std::vector<Error> errors;
+  auto plan = plan_completion(program.folders.tables(), endpoint, completion, &*cache, errors);
+  if (!errors.empty()) return refuse(errors);
+  if (options.llm.dry_run) {
+    for (const auto& request : plan.requests) print_line(shown(request));
+    print_line(std::to_string(plan.requests.size()) + " requests; nothing was sent");
+    return Exit::Ok;
+  }
+  ProgressLine progress(program.terminal && !options.json);
+  std::size_t answered = 0;
+  completion.ask.on_answer = [&](std::size_t, const Result<LlmAnswer>&) {
+    progress.draw(std::to_string(++answered) + " of " + std::to_string(plan.requests.size()) + " requests");
+  };
+  const auto report = complete_knowledge(program.folders.tables(), endpoint, completion, &*cache, plan);
+  progress.wipe();
+  if (!report) return refuse(report.error());
+  if (cache->trouble()) (void)refuse(*cache->trouble());
+  if (options.json) {
+    print_line(json_of(plan, *report, options).dump(2));
+  } else {
+    tell(plan, *report, options);
+  }
+  if (report->stopped) return Exit::Interrupted;
+  return report->failures.empty() && !cache->trouble() ? Exit::Ok : Exit::Wrong;
+}
+
+}  // namespace
+
+void add_knowledge_complete_command(CommandParser& knowledge, CommandLine& program) {
+  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  options->facts = "size,mass,synset,aliases,function,context,placements,affordances";
+  auto* command = knowledge.add_subcommand("complete", kHelp);
+  command->add_option("simulator", options->simulator, "ai2thor, virtualhome, habitat or behavior (default: all)");
+  add_llm_options(*command, options->llm, true);
+  command->add_option("--facts", options->facts, "Kinds of fact, joined by commas")->shows_default();
+  command->add_option("--limit", options->limit, "Ask about so many categories at most; cached ones do not count")
+      ->within(1, 1'000'000);
+  command->add_option("--batch", options->batch, "Categories a request")->within(1, 100)->shows_default();
+  command->add_flag("--json", options->json, "Tell the result as JSON");
+  command->callback([options, &program] { program.exit = complete(*options, program); });
+}
+
+}  // namespace unietp

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "akb/difference.h"
+#include "akb/tables.h"
+#include "cli/command_knowledge.h"
+#include "cli/command_parser.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kHelp =
+    "What two knowledge bases say differently, fact by fact.\n"
+    "\n"
+    "  unietp knowledge diff ../old/data/akb data/akb    two folders of tables\n"
+    "  unietp knowledge diff old.sqlite data/akb         a compiled file (of `unietp knowledge build`) and a folder\n"
+    "  unietp knowledge diff OLD NEW --values            only what is added, removed or has another value\n"
+    "\n"
+    "+ added, - removed, ~ changed (its value, or only its source or confidence). Exit code 0 when both say the same,\n"
+    "1 when they differ, 2 when one cannot be read.";
+
+struct Options {
+  std::filesystem::path old, now;
+  bool values = false, json = false;
+};
+
+/// All four simulators of a folder of tables or a compiled file.
+std::vector<Knowledge> read_any(const std::filesystem::path& path, std::vector<Error>& errors) {
+  std::vector<Knowledge> all;
+  std::error_code code;
+  if (std::filesystem::is_directory(path, code)) {
+    std::vector<Error> found;
+    auto tables = read_all_tables(path, {}, found);
+    errors.insert(errors.end(), found.begin(), found.end());
+    for (std::size_t i = 0; found.empty() && i < tables.size(); ++i) {
+      auto& t = tables[i];
+      all.emplace_back(kSimulators[i], std::move(t.categories), std::move(t.affordances), std::move(t.placements),
+                       std::move(t.effects), std::move(t.aliases), std::move(t.assets));
+    }
+    return all;
+  }
+  for (const auto simulator : kSimulators) {
+    auto knowledge = load_knowledge(path, simulator);
+    if (!knowledge) {
+      errors.push_back(knowledge.error());
+      return {};
+    }
+    all.push_back(std::move(*knowledge));
+  }
+  return all;
+}
+
+std::string line_of(std::string_view simulator, const Difference& d) {
+  const std::string subject = std::string(simulator) + " " + d.category + " " + d.name + " ";
+  if (!d.now) return "- " + subject + d.old->value + " " + told(d.old->source);
+  if (!d.old) return "+ " + subject + d.now->value + " " + told(d.now->source);
+  const std::string value = d.same_value() ? d.now->value : d.old->value + " -> " + d.now->value;
+  const std::string from = told(d.old->source), to = told(d.now->source);
+  return "~ " + subject + value + " " + (from == to ? to : from + " -> " + to);
+}
+
+Json side(const std::optional<Fact>& fact) {
+  if (!fact) return nullptr;
+  return {{"value", fact->value}, {"source", fact->source.source}, {"confidence", fact->source.confidence}};
+}
+
+Exit diff(const Options& options) {
+  std::vector<Error> errors;
+  const auto old = read_any(options.old, errors), now = read_any(options.now, errors);
+  if (!errors.empty()) return refuse(errors);
+  Json json = Json::array();
+  std::size_t added = 0, removed = 0, changed = 0;
+  for (std::size_t i = 0; i < kSimulators.size(); ++i) {
+    const auto simulator = name_of(kSimulators[i]);
+    for (const auto& d : differences(old[i], now[i])) {
+      if (options.values && d.same_value()) continue;
+      ++(d.old ? d.now ? changed : removed : added);
+      if (options.json) {
+        json.push_back({{"simulator", simulator},
+                        {"category", d.category},
+                        {"fact", d.name},
+                        {"old", side(d.old)},
+                        {"new", side(d.now)}});
+      } else {
+        print_line(line_of(simulator, d));
+      }
+    }
+  }
+  if (options.json) {
+    print_line(Json{{"added", added}, {"removed", removed}, {"changed", changed}, {"facts", json}}.dump(2));
+  } else {
+    print_line(std::to_string(added) + " added, " + std::to_string(removed) + " removed, " + std::to_string(changed) +
+               " changed");
+  }
+  return added + removed + changed == 0 ? Exit::Ok : Exit::Wrong;
+}
+
+}  // namespace
+
+void add_knowledge_diff_command(CommandParser& knowledge, CommandLine& program) {
+  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  auto* command = knowledge.add_subcommand("diff", kHelp);
+  command->add_option("old", options->old, "Folder of tables or compiled file")->required();
+  command->add_option("new", options->now, "The other")->required();
+  command->add_flag("--values", options->values, "Leave out facts of which only the source or confidence changed");
+  command->add_flag("--json", options->json, "Tell it as JSON");
+  command->callback([options, &program] { program.exit = diff(*options); });
+}
+
+}  // namespace unietp

@@ -1,0 +1,123 @@
+#include <cstdio>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command_knowledge.h"
+#include "cli/command_parser.h"
+#include "core/text.h"
+#include "dataset/configuration.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kHelp =
+    "Categories of a simulator, or all facts of one with their sources.\n"
+    "\n"
+    "  unietp knowledge show ai2thor             a line a category: its name and what it affords\n"
+    "  unietp knowledge show ai2thor Mug         every fact, also those in which another category is the subject\n"
+    "  unietp knowledge show ai2thor Mug --json  the facts of the mug itself, for programs";
+
+struct Options {
+  std::string simulator, category;
+  bool json = false;
+};
+
+void show_all(const Knowledge& knowledge) {
+  for (const auto& category : knowledge.categories())
+    std::printf("%-28s %-10s %s\n", category.name.c_str(), category.movable ? "movable" : "furniture",
+                join(knowledge.affordances_of(category.name), " ").c_str());
+}
+
+Json all_json(const Knowledge& knowledge) {
+  Json all = Json::array();
+  for (const auto& category : knowledge.categories())
+    all.push_back({{"category", category.name},
+                   {"movable", category.movable},
+                   {"affordances", knowledge.affordances_of(category.name)}});
+  return all;
+}
+
+void show_rows(const Knowledge& knowledge, const Category& category) {
+  for (const auto& placement : knowledge.placements()) {
+    if (placement.object == category.name || placement.receptacle == category.name)
+      print_line("  " + placement.object + " " + placement.relation + " " + placement.receptacle + ", likely " +
+                 number_text(placement.likelihood) + ", at most " + std::to_string(placement.capacity) + " " +
+                 told(placement.source));
+  }
+  for (const auto& effect : knowledge.effects()) {
+    if (effect.tool != category.name && effect.target != category.name) continue;
+    print_line("  " + effect.tool + " " + effect.effect + " " + effect.target +
+               (effect.gives.empty() ? "" : " giving " + effect.gives) +
+               (effect.needs.empty() ? "" : ", needs " + join(effect.needs, ", ")) + " " + told(effect.source));
+  }
+  for (const auto& alias : knowledge.aliases()) {
+    if (alias.category == category.name) print_line("  " + alias.kind + ": " + alias.text + " " + told(alias.source));
+  }
+  for (const Asset* asset : knowledge.asset_rows_of(category.name))
+    print_line("  model " + asset->name + ", " + size_text(asset->size) + " m " + told(asset->source));
+}
+
+void show_category(const Knowledge& knowledge, const Category& category) {
+  print_line(category.name + ": " + category.display + ", plural " + category.plural +
+             (category.synset.empty() ? "" : ", " + category.synset) + " " + told(category.source));
+  print_line(std::string("  ") + (category.movable ? "movable" : "furniture") + ", built as " +
+             std::string(name_of(category.archetype)));
+  if (!category.synset.empty() && category.synset_source != category.source)
+    print_line("  synset " + category.synset + " " + told(category.synset_source));
+  print_line("  size " + size_text(category.size) + " m " + told(category.size_source));
+  print_line("  mass " + number_text(category.mass) + " kg " + told(category.mass_source));
+  print_line("  rooms " + join(category.rooms, ", "));
+  for (const auto* fact : knowledge.affordance_facts_of(category.name))
+    print_line("  is " + fact->affordance + " " + told(fact->source));
+  show_rows(knowledge, category);
+}
+
+Json category_json(const Knowledge& knowledge, const Category& category) {
+  Json facts = Json::array();
+  for (const auto& fact : facts_of(knowledge, category)) facts.push_back(json_of(fact));
+  return {{"simulator", name_of(knowledge.simulator())}, {"category", category.name}, {"facts", std::move(facts)}};
+}
+
+Exit show(const Options& options, const CommandLine& program) {
+  const auto simulators = parse_simulators("simulator", options.simulator);
+  if (!simulators) return refuse(simulators.error());
+  std::vector<Error> errors;
+  const auto all = load_some(program, *simulators, errors);
+  if (!errors.empty()) return refuse(errors);
+  Json json = Json::array();
+  for (const auto& knowledge : all) {
+    if (options.category.empty()) {
+      if (options.json) {
+        json.push_back({{"simulator", name_of(knowledge.simulator())}, {"categories", all_json(knowledge)}});
+      } else {
+        show_all(knowledge);
+      }
+      continue;
+    }
+    const auto category = category_named(knowledge, options.category);
+    if (!category) return refuse(category.error());
+    if (options.json) {
+      json.push_back(category_json(knowledge, **category));
+    } else {
+      show_category(knowledge, **category);
+    }
+  }
+  if (options.json) print_line((json.size() == 1 ? json.front() : json).dump(2));
+  return Exit::Ok;
+}
+
+}  // namespace
+
+void add_knowledge_show_command(CommandParser& knowledge, CommandLine& program) {
+  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  auto* command = knowledge.add_subcommand("show", kHelp);
+  command->add_option("simulator", options->simulator, "ai2thor, virtualhome, habitat or behavior")->required();
+  command->add_option("category", options->category, "The simulator's own name of it");
+  command->add_flag("--json", options->json, "Tell it as JSON");
+  command->callback([options, &program] { program.exit = show(*options, program); });
+}
+
+}  // namespace unietp

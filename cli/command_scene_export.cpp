@@ -1,0 +1,74 @@
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "cli/command_parser.h"
+#include "cli/command_scene.h"
+#include "core/files.h"
+#include "core/unknown_name.h"
+#include "dataset/configuration.h"
+#include "interchange/formats.h"
+#include "scene/scene_json.h"
+
+namespace unietp {
+namespace {
+
+constexpr const char* kHelp =
+    "Write a scene as a file that a simulator loads.\n"
+    "\n"
+    "  unietp scene export procthor out/homes/ai2thor-benchmark-01.scene.json.gz --out house.json\n"
+    "      a house for AI2-THOR's CreateHouse, with models whose boxes fit\n"
+    "  unietp scene export virtualhome home.scene.json.gz --out graph.json      an environment graph\n"
+    "  unietp scene export habitat home.scene.json.gz --out home.scene_instance.json\n"
+    "\n"
+    "What the format cannot say, or no model fits, is listed on stderr. A name that ends in .gz is packed.";
+
+struct Options {
+  std::string format;
+  std::filesystem::path scene, out;
+};
+
+using Writer = std::function<Result<ExportedScene>(const Scene&, const Knowledge&)>;
+
+Result<Writer> writer_named(const std::string& format) {
+  const std::map<std::string, Writer> writers{
+      {"habitat", write_habitat}, {"procthor", write_procthor}, {"virtualhome", write_virtualhome}};
+  if (const auto found = writers.find(format); found != writers.end()) return found->second;
+  std::vector<std::string> names;
+  names.reserve(writers.size());
+  for (const auto& [name, writer] : writers) names.push_back(name);
+  return unknown_name_error("format", format, names);
+}
+
+Exit write_out(const Options& options, const CommandLine& program) {
+  const auto writer = writer_named(options.format);
+  if (!writer) return refuse(writer.error());
+  const auto text = read_maybe_gzip(options.scene);
+  if (!text) return refuse(text.error());
+  const auto scene = scene_from_json(options.scene.string(), *text);
+  if (!scene) return refuse(scene.error());
+  const auto known = load_backends(program.folders);
+  if (!known.errors.empty()) return refuse(known.errors);
+  const auto exported = (*writer)(*scene, known.backends[static_cast<std::size_t>(scene->simulator)].knowledge);
+  if (!exported) return refuse(exported.error());
+  const bool packed = options.out.extension() == ".gz";
+  const auto written = write_file(options.out, packed ? gzip(exported->text) : exported->text);
+  if (!written) return refuse(written.error());
+  for (const auto& left_out : exported->left_out) (void)std::fprintf(stderr, "left out: %s\n", left_out.c_str());
+  return Exit::Ok;
+}
+
+}  // namespace
+
+void add_scene_export_command(CommandParser& group, CommandLine& program) {
+  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  auto* command = group.add_subcommand("export", "Write a scene as a file that a simulator loads");
+  command->footer(kHelp);
+  command->add_option("format", options->format, "procthor, virtualhome or habitat")->required();
+  command->add_option("scene", options->scene, "A scene file (.scene.json or .scene.json.gz)")->required();
+  command->add_option("--out", options->out, "The file to write")->required();
+  command->callback([options, &program] { program.exit = write_out(*options, program); });
+}
+
+}  // namespace unietp

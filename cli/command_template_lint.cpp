@@ -1,0 +1,107 @@
+#include <cstdio>
+#include <map>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "authoring/lint_template.h"
+#include "cli/command_parser.h"
+#include "cli/command_template.h"
+#include "templates/template_files.h"
+
+namespace unietp {
+namespace {
+
+constexpr const char* kHelp =
+    "Check template files before they join a library: every problem at once, each with its place, what is accepted "
+    "and\n"
+    "the nearest known name.\n"
+    "\n"
+    "  unietp template lint my-task.template    one file\n"
+    "  unietp template lint templates/library   all files of a folder\n"
+    "\n"
+    "A warning is about what is accepted and yet doubtful: a phrasing that does not say a number which the goal "
+    "counts, "
+    "a\nsimulator that has no categories for the placeholders or cannot do what the goal asks. Exit code 2: some file "
+    "is "
+    "refused.";
+
+struct Options {
+  std::vector<std::filesystem::path> paths;
+  bool json = false;
+};
+
+std::vector<LintedFile> lint_all(const Options& options, const std::vector<Backend>& backends) {
+  std::vector<LintedFile> all;
+  std::map<std::string, std::string> file_of;  // name -> file that has it
+  for (const auto& path : options.paths) {
+    auto found = template_files(path, "own");
+    for (auto& error : found.errors) all.push_back({path.string(), "", "", {{std::move(error), false}}});
+    for (auto& file : found.files) {
+      auto linted = lint_template(file.path, std::move(file.text), backends);
+      if (!linted.name.empty()) {
+        const auto [first, added] = file_of.emplace(linted.name, linted.path);
+        if (!added && first->second != linted.path) {
+          linted.problems.push_back({{Error::Kind::Schema,
+                                      linted.path,
+                                      {1, 1},
+                                      "'" + linted.name + "' is already the name of " + first->second},
+                                     false});
+        }
+      }
+      all.push_back(std::move(linted));
+    }
+  }
+  return all;
+}
+
+nlohmann::ordered_json json_of(const LintProblem& problem, std::string_view text) {
+  const auto [line, column] = problem.error.pos;
+  return {{"file", problem.error.where},
+          {"line", line},
+          {"column", column},
+          {"severity", problem.warning ? "warning" : "error"},
+          {"message", problem.error.message},
+          {"source", line < 1 ? "" : std::string(line_of(text, line))}};
+}
+
+Exit lint(const Options& options, const CommandLine& program) {
+  const auto known = load_backends(program.folders);
+  if (!known.errors.empty()) return refuse(known.errors);
+  std::size_t errors = 0;
+  std::size_t warnings = 0;
+  std::size_t sound = 0;
+  auto problems = nlohmann::ordered_json::array();
+  for (const auto& file : lint_all(options, known.backends)) {
+    const auto before = errors;
+    for (const auto& problem : file.problems) {
+      ++(problem.warning ? warnings : errors);
+      if (options.json) {
+        problems.push_back(json_of(problem, file.text));
+      } else {
+        (void)std::fprintf(stderr, "%s", problem_text(problem, file.text, program.terminal).c_str());
+      }
+    }
+    sound += errors == before ? 1 : 0;
+  }
+  if (options.json) {
+    const nlohmann::ordered_json json = {{"format", "unietp-lint/1"}, {"sound", sound}, {"problems", problems}};
+    std::printf("%s\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  } else {
+    std::printf("%zu sound, %zu %s, %zu %s\n", sound, errors, errors == 1 ? "error" : "errors", warnings,
+                warnings == 1 ? "warning" : "warnings");
+  }
+  return errors == 0 ? Exit::Ok : Exit::BadInput;
+}
+
+}  // namespace
+
+void add_template_lint_command(CommandParser& group, CommandLine& program) {
+  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  auto* command = group.add_subcommand("lint", kHelp);
+  command->add_option("paths", options->paths, "Template files or folders")->required();
+  command->add_flag("--json", options->json, "Tell it as JSON");
+  command->callback([options, &program] { program.exit = lint(*options, program); });
+}
+
+}  // namespace unietp

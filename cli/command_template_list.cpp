@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command_parser.h"
+#include "cli/command_template.h"
+#include "cli/library_options.h"
+#include "core/text.h"
+#include "dataset/configuration.h"
+#include "resources/template_library.h"
+
+namespace unietp {
+namespace {
+
+constexpr const char* kHelp =
+    "The templates: names, classes, simulators and titles.\n"
+    "\n"
+    "  unietp template list                                     the default library\n"
+    "  unietp template list --all                               with the extended one\n"
+    "  unietp template list --class logical --simulators habitat";
+
+struct Options {
+  std::string splits, simulators;
+  bool json = false;
+};
+
+std::vector<std::string> simulators_of(const Template& source) {
+  std::vector<std::string> names;
+  for (const auto simulator : source.simulators) names.emplace_back(name_of(simulator));
+  return names;
+}
+
+/// Templates of one of the splits that claim one of the simulators; an empty list asks for nothing.
+std::vector<Template> chosen(std::vector<Template> all, const std::vector<Split>& splits,
+                             const std::vector<Simulator>& simulators) {
+  const auto has = [](const auto& list, const auto& value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+  };
+  std::erase_if(all, [&](const Template& source) {
+    if (!splits.empty() && !has(splits, source.split) && !has(splits, split_of_tasks(source))) return true;
+    return !simulators.empty() && std::none_of(simulators.begin(), simulators.end(),
+                                               [&](Simulator one) { return has(source.simulators, one); });
+  });
+  return all;
+}
+
+/// One letter a simulator, each in a column of its own: "A V - B".
+std::string letters_of(const Template& source) {
+  std::string text;
+  for (const auto simulator : kSimulators) {
+    const auto& list = source.simulators;
+    const bool claimed = std::find(list.begin(), list.end(), simulator) != list.end();
+    text += claimed ? static_cast<char>(name_of(simulator).front() - 'a' + 'A') : '-';
+    text += ' ';
+  }
+  return text;
+}
+
+/// "atomic", "atomic/by-state"
+std::string class_of(const Template& source) {
+  const std::string split(name_of(source.split));
+  return source.refinement.empty() ? split : split + "/" + source.refinement;
+}
+
+void print(const std::vector<Template>& templates) {
+  std::size_t widest = 0;
+  std::size_t widest_class = 0;
+  for (const auto& source : templates) {
+    widest = std::max(widest, source.name.size());
+    widest_class = std::max(widest_class, class_of(source).size());
+  }
+  for (const auto& source : templates) {
+    std::printf("%-*s  %-*s  %s %s\n", static_cast<int>(widest), source.name.c_str(), static_cast<int>(widest_class),
+                class_of(source).c_str(), letters_of(source).c_str(), source.title.c_str());
+  }
+  std::printf("%zu templates\n", templates.size());
+}
+
+Exit list(const Options& options, const CommandLine& program) {
+  std::vector<Split> splits;
+  std::vector<Simulator> simulators;
+  if (!options.splits.empty()) {
+    const auto asked = parse_splits("--class", options.splits);
+    if (!asked) return refuse(asked.error());
+    splits = *asked;
+  }
+  if (!options.simulators.empty()) {
+    const auto asked = parse_simulators("--simulators", options.simulators);
+    if (!asked) return refuse(asked.error());
+    simulators = *asked;
+  }
+  auto library = library_of(program.folders);
+  const auto templates = chosen(std::move(library.templates), splits, simulators);
+  if (options.json) {
+    auto json = nlohmann::ordered_json::array();
+    for (const auto& source : templates) {
+      json.push_back({{"name", source.name},
+                      {"split", name_of(source.split)},
+                      {"refinement", source.refinement},
+                      {"simulators", simulators_of(source)},
+                      {"title", source.title},
+                      {"goal", to_text(source.goal)},
+                      {"file", source.file}});
+    }
+    std::printf("%s\n", json.dump(2).c_str());
+  } else {
+    print(templates);
+  }
+  return library.errors.empty() ? Exit::Ok : refuse(library.errors);
+}
+
+}  // namespace
+
+void add_template_list_command(CommandParser& group, CommandLine& program) {
+  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  auto* command = group.add_subcommand("list", kHelp);
+  command->add_flag("--json", options->json, "As JSON, with the goals");
+  command->add_option("--class", options->splits, "Only these, such as atomic,logical");
+  command->add_option("--simulators", options->simulators, "Only those that claim one of these");
+  add_library_options(*command, program);
+  command->callback([options, &program] { program.exit = list(*options, program); });
+}
+
+}  // namespace unietp

@@ -1,0 +1,134 @@
+#include <cstdio>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "authoring/template_choice.h"
+#include "authoring/trial_reasons.h"
+#include "cli/command_parser.h"
+#include "cli/command_template.h"
+#include "cli/each_home.h"
+#include "cli/library_options.h"
+#include "core/text.h"
+#include "run/given_binding.h"
+
+namespace unietp {
+namespace {
+
+constexpr const char* kHelp =
+    "Take a template through all stages in a few homes and show the tasks, or what stops them.\n"
+    "\n"
+    "  unietp template try place-one-on                       on every simulator that it claims\n"
+    "  unietp template try my.template --simulator ai2thor    a file that is in no library yet\n"
+    "  unietp template try place-one-on --count 5 --seed 2    more tasks, other homes\n"
+    "  unietp template try place-one-on --bind A=Mug          with a category of your choice\n"
+    "\n"
+    "A task is shown when its start was built and rests, the expert's plan was executed and makes the goal true, and "
+    "no\n"
+    "step of it can be left out. Exit code 1: no task on any of the simulators.";
+
+struct Options {
+  std::string name, simulators;
+  std::vector<std::string> binding;
+  std::uint64_t seed = 1;
+  int count = 2, tries = 12, homes = 3, threads = 1;
+  bool json = false;
+};
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> steps_of(const Task& task) {
+  std::vector<std::string> steps;
+  for (const auto& step : task.demonstration.steps) steps.push_back(to_text(step.action));
+  return steps;
+}
+
+Json json_of(const TemplateTrial& trial, Simulator simulator) {
+  auto tasks = Json::array();
+  for (const auto& task : trial.tasks) {
+    auto binding = Json::object();
+    for (const auto& [placeholder, category] : task.episode.specification.binding) binding[placeholder] = category;
+    tasks.push_back({{"binding", std::move(binding)},
+                     {"home", task.episode.layout},
+                     {"instruction", task.instruction.text},
+                     {"goal", to_text(task.episode.specification.goal)},
+                     {"steps", steps_of(task)}});
+  }
+  return {{"simulator", name_of(simulator)},
+          {"candidates", trial.candidates},
+          {"tasks", std::move(tasks)},
+          {"rejections", rejections_json(trial)}};
+}
+
+void print(const TemplateTrial& trial, const std::string& name, Simulator simulator) {
+  std::printf("%s on %s: %zu of %d candidates became tasks\n", name.c_str(), std::string(name_of(simulator)).c_str(),
+              trial.tasks.size(), trial.candidates);
+  for (const auto& task : trial.tasks) {
+    std::printf("\n  \"%s\"\n  with %s in %s\n", task.instruction.text.c_str(),
+                to_text(task.episode.specification.binding).c_str(), task.episode.layout.c_str());
+    int number = 0;
+    for (const auto& step : steps_of(task)) std::printf("  %3d  %s\n", ++number, step.c_str());
+  }
+  for (const auto& why : trial.reasons) std::printf("\n  %s\n", text_of(why).c_str());
+  if (const auto change = likeliest_change(trial); !change.empty()) std::printf("  most likely: %s\n", change.c_str());
+  std::printf("\n");
+}
+
+Exit try_one(const Options& options, const CommandLine& program) {
+  const auto choice = choose_template(program.folders, options.name, options.binding, options.simulators);
+  if (!choice.errors.empty()) return refuse(choice.errors);
+  const Template& source = choice.source();
+  const auto& simulators = choice.simulators;
+
+  RunConfiguration configuration;
+  configuration.seed = options.seed;
+  configuration.simulators = simulators;
+  configuration.binding = choice.binding;
+  LayoutPool layouts(configuration, choice.resources, options.homes);
+  std::vector<TemplateTrial> trials(simulators.size());
+  const bool whole = for_each_home(
+      simulators.size(), options.threads, program,
+      [&](std::size_t i) {
+        trials[i] = try_template(configuration, choice.resources, layouts, choice.position, simulators[i],
+                                 {options.tries, options.count, program.interrupted});
+        return true;
+      },
+      "simulators");
+  if (!whole) return Exit::Interrupted;
+
+  bool any = false;
+  auto json = Json::array();
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    any = any || !trials[i].tasks.empty();
+    if (options.json) json.push_back(json_of(trials[i], simulators[i]));
+    if (!options.json) print(trials[i], source.name, simulators[i]);
+  }
+  if (options.json)
+    std::printf("%s\n",
+                Json{{"format", "unietp-try/1"}, {"template", source.name}, {"proven", any}, {"simulators", json}}
+                    .dump(2)
+                    .c_str());
+  return any ? Exit::Ok : Exit::Wrong;
+}
+
+}  // namespace
+
+void add_template_try_command(CommandParser& group, CommandLine& program) {
+  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  options->threads = program.processors;
+  auto* command = group.add_subcommand("try", kHelp);
+  command->add_option("template", options->name, "Name of a template, or its file")->required();
+  command->add_option("--simulator,--simulators", options->simulators, "Some of ai2thor,virtualhome,habitat,behavior");
+  command->add_option("--bind", options->binding, "Categories for some or all placeholders: A=Mug B=Fridge");
+  command->add_option("--count", options->count, "Tasks on each simulator")->within(1, 1000);
+  command->add_option("--tries", options->tries, "Candidates on each simulator, at most")->within(1, 1024);
+  command->add_option("--homes", options->homes, "Homes drawn for each simulator")->within(1, 100);
+  command->add_option("--seed", options->seed, "Number that names homes and candidates");
+  command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
+      ->within(1, 1024);
+  command->add_flag("--json", options->json, "As JSON");
+  add_library_options(*command, program);
+  command->callback([options, &program] { program.exit = try_one(*options, program); });
+}
+
+}  // namespace unietp

@@ -1,0 +1,118 @@
+#include <cstdio>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "authoring/template_choice.h"
+#include "authoring/trial_reasons.h"
+#include "authoring/verdict_text.h"
+#include "cli/command_parser.h"
+#include "cli/command_template.h"
+#include "cli/library_options.h"
+#include "core/text.h"
+#include "run/given_binding.h"
+
+namespace unietp {
+namespace {
+
+constexpr const char* kHelp =
+    "Which gate refuses a binding, and what would have to change.\n"
+    "\n"
+    "  unietp template why-not place-one-inside --bind A=Fridge B=Mug\n"
+    "  unietp template why-not place-one-inside --bind A=Mug          what is left open is filled in\n"
+    "  unietp template why-not my.template --bind A=Mug B=Fridge --simulator ai2thor --try\n"
+    "\n"
+    "The gates are asked in order, before any scene is built; --try then takes the binding through a few homes. "
+    "Without\n"
+    "--simulator: on each that the template claims and that knows the categories. Exit code 1: refused somewhere.";
+
+struct Options {
+  std::string name, simulators;
+  std::vector<std::string> binding;
+  std::uint64_t seed = 1;
+  int tries = 12, homes = 4;
+  bool in_homes = false, json = false;
+};
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const BindingVerdict& verdict) {
+  auto binding = Json::object();
+  for (const auto& [placeholder, category] : verdict.binding) binding[placeholder] = category;
+  Json json{{"binding", std::move(binding)}, {"passed", !verdict.refusal.has_value()}};
+  if (!verdict.refusal) return json;
+  auto alternatives = Json::object();
+  for (const auto& one : verdict.alternatives) alternatives[one.placeholder] = one.categories;
+  json["gate"] = name_of(verdict.refusal->gate);
+  json["about"] = verdict.refusal->about;
+  json["reason"] = verdict.refusal->reason;
+  json["fact"] = verdict.fact;
+  json["remedy"] = verdict.refusal->remedy;
+  json["alternatives"] = std::move(alternatives);
+  return json;
+}
+
+Json json_of(const TemplateTrial& trial) {
+  return {{"candidates", trial.candidates}, {"proven", trial.tasks.size()}, {"rejections", rejections_json(trial)}};
+}
+
+/// One task is asked for, with the binding that the gates passed.
+TemplateTrial in_homes(const Options& options, const TemplateChoice& choice, Simulator simulator,
+                       const Binding& binding, const CommandLine& program) {
+  RunConfiguration configuration;
+  configuration.seed = options.seed;
+  configuration.binding = binding;
+  LayoutPool layouts(configuration, choice.resources, options.homes);
+  return try_template(configuration, choice.resources, layouts, choice.position, simulator,
+                      {options.tries, 1, program.interrupted});
+}
+
+Exit why_not(const Options& options, const CommandLine& program) {
+  const auto choice = choose_template(program.folders, options.name, options.binding, options.simulators);
+  if (!choice.errors.empty()) return refuse(choice.errors);
+  const Template& source = choice.source();
+  const auto& simulators = choice.simulators;
+
+  bool refused = false;
+  auto json = Json::array();
+  for (const auto simulator : simulators) {
+    const auto verdict = why_not(source, choice.resources.backend(simulator).knowledge, choice.binding);
+    std::optional<TemplateTrial> trial;
+    if (!verdict.refusal && options.in_homes) trial = in_homes(options, choice, simulator, verdict.binding, program);
+    refused = refused || verdict.refusal || (trial && trial->tasks.empty());
+    if (options.json) {
+      auto one = json_of(verdict);
+      if (trial) one["homes"] = json_of(*trial);
+      one["simulator"] = name_of(simulator);
+      json.push_back(std::move(one));
+    } else {
+      std::printf("%s", verdict_text(source, simulator, verdict).c_str());
+      if (trial) std::printf("%s", trial_text(*trial).c_str());
+    }
+  }
+  if (options.json)
+    std::printf("%s\n",
+                Json{{"format", "unietp-why-not/1"}, {"template", source.name}, {"simulators", json}}.dump(2).c_str());
+  return refused ? Exit::Wrong : Exit::Ok;
+}
+
+}  // namespace
+
+void add_template_why_not_command(CommandParser& group, CommandLine& program) {
+  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  auto* command = group.add_subcommand("why-not", kHelp);
+  command->add_option("template", options->name, "Name of a template, or its file")->required();
+  command->add_option("--bind", options->binding, "Categories for some or all placeholders: A=Mug B=Fridge")
+      ->required()
+      ->type_name("A=Mug ...");
+  command->add_option("--simulator,--simulators", options->simulators, "Some of ai2thor,virtualhome,habitat,behavior");
+  command->add_flag("--try", options->in_homes, "Also build starts in a few homes and run the expert");
+  command->add_option("--tries", options->tries, "Candidates, at most")->within(1, 1024);
+  command->add_option("--homes", options->homes, "Homes drawn for each simulator")->within(1, 100);
+  command->add_option("--seed", options->seed, "Number that names homes and candidates");
+  command->add_flag("--json", options->json, "As JSON");
+  add_library_options(*command, program);
+  command->callback([options, &program] { program.exit = why_not(*options, program); });
+}
+
+}  // namespace unietp

@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command_parser.h"
+#include "cli/commands.h"
+#include "exports/finished_tasks.h"
+#include "rewording/check_text.h"
+#include "validator/validate.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kHelp =
+    "Prove a data set again from its files alone.\n"
+    "\n"
+    "  unietp validate out/first\n"
+    "  unietp validate out/first --json > report.json\n"
+    "  unietp validate out/training --against out/benchmark\n"
+    "\n"
+    "Rebuilds each start scene in fresh physics, replays each demonstration in every mode and compares every outcome,\n"
+    "view and change, evaluates the goal, spoils each plan and sees that it fails, reads each instruction back, and\n"
+    "counts quotas, balance, repeats and what is shared with other data sets. One line a problem, with its kind, "
+    "task,\n"
+    "file and line, then a table (docs/validate.md). Exit code 0 only when nothing is wrong.";
+
+struct Options {
+  std::filesystem::path folder;
+  ValidationOptions validation;
+  bool json = false, kinds = false;
+};
+
+/// A count by kind of problem, in the order of the kinds.
+std::vector<std::pair<ProblemKind, int>> counted(const std::vector<Problem>& problems) {
+  std::vector<std::pair<ProblemKind, int>> counts;
+  for (const auto& about : all_problems()) {
+    const auto count = std::count_if(problems.begin(), problems.end(),
+                                     [&about](const Problem& problem) { return problem.kind == about.kind; });
+    if (count > 0) counts.emplace_back(about.kind, static_cast<int>(count));
+  }
+  return counts;
+}
+
+Json counts_json(const ProofCounts& counts) {
+  return {{"tasks", counts.tasks},
+          {"proven", counts.proven},
+          {"demonstrations", counts.demonstrations},
+          {"steps", counts.steps},
+          {"spoilt_plans", counts.spoilt_plans},
+          {"texts", counts.texts}};
+}
+
+void print_json(const ValidationReport& report) {
+  auto problems = Json::array();
+  for (const auto& problem : report.problems) {
+    const auto& error = problem.error;
+    problems.push_back({{"kind", name_of(problem.kind)},
+                        {"task", problem.task},
+                        {"where", error.where},
+                        {"line", error.pos.line},
+                        {"column", error.pos.column},
+                        {"message", error.message}});
+  }
+  auto simulators = Json::object();
+  for (const auto simulator : kSimulators)
+    simulators[std::string(name_of(simulator))] = counts_json(report.by_simulator[static_cast<std::size_t>(simulator)]);
+  auto kinds = Json::object();
+  for (const auto& [kind, count] : counted(report.problems)) kinds[std::string(name_of(kind))] = count;
+  Json json{{"format", "unietp-validation/1"}};
+  json.update(counts_json(report.counts));
+  json["by_simulator"] = std::move(simulators);
+  json["by_kind"] = std::move(kinds);
+  json["problems"] = std::move(problems);
+  std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+void print_row(std::string_view name, const ProofCounts& counts) {
+  std::printf("%-12s %8d %8d %15d %8d %13d %8d\n", std::string(name).c_str(), counts.tasks, counts.proven,
+              counts.demonstrations, counts.steps, counts.spoilt_plans, counts.texts);
+}
+
+void print_text(const ValidationReport& report) {
+  for (const auto& problem : report.problems)
+    std::printf("%s %s: %s\n", std::string(name_of(problem.kind)).c_str(),
+                problem.task.empty() ? "data set" : problem.task.c_str(), format(problem.error).c_str());
+  if (!report.problems.empty()) std::printf("\n");
+  std::printf("%-12s %8s %8s %15s %8s %13s %8s\n", "", "tasks", "proven", "demonstrations", "steps", "spoilt plans",
+              "texts");
+  for (const auto simulator : kSimulators)
+    print_row(name_of(simulator), report.by_simulator[static_cast<std::size_t>(simulator)]);
+  print_row("all", report.counts);
+  for (const auto& [kind, count] : counted(report.problems))
+    std::printf("%8d %s\n", count, std::string(name_of(kind)).c_str());
+  std::printf("%d of %d proven\n", report.counts.proven, report.counts.tasks);
+}
+
+/// The table of docs/validate.md.
+void print_kinds() {
+  std::printf("| kind | what is wrong |\n|---|---|\n");
+  for (const auto& about : all_problems())
+    std::printf("| `%s` | %s |\n", std::string(about.name).c_str(), std::string(about.meaning).c_str());
+}
+
+Exit validate(Options& options, const CommandLine& program) {
+  if (options.kinds) {
+    print_kinds();
+    return Exit::Ok;
+  }
+  auto folders_given = options.validation.against;
+  folders_given.push_back(options.folder);
+  for (const auto& folder : folders_given) {
+    if (std::error_code code; !std::filesystem::is_directory(folder, code))
+      return refuse({Error::Kind::Usage,
+                     folder.empty() ? "validate" : folder.string(),
+                     {},
+                     folder.empty() ? "expected the folder of a finished data set"
+                                    : "is no folder; a finished data set is expected"});
+  }
+  auto folders = program.folders;
+  folders.extended_library = acted_wide(options.folder);
+  const auto reading = load_backends(folders);
+  if (!reading.errors.empty()) return refuse(reading.errors);
+  const auto digest = knowledge_digest(folders);
+  if (!digest) return refuse(digest.error());
+  std::vector<ValidationBackend> backends;
+  for (const auto& backend : reading.backends) backends.push_back({&backend.knowledge, &backend.profile});
+  options.validation.check_text = [&reading](const StatedGoal& stated) {
+    return check_text(stated, reading.backends[static_cast<std::size_t>(stated.simulator)]);
+  };
+  const auto report = validate_dataset(options.folder, backends, *digest, options.validation);
+  options.json ? print_json(report) : print_text(report);
+  return report.sound() ? Exit::Ok : Exit::Wrong;
+}
+
+}  // namespace
+
+void add_validate_command(CommandParser& app, CommandLine& program) {
+  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  options->validation.threads = program.processors;
+  auto* command = app.add_subcommand("validate", kHelp);
+  auto* folder = command->add_option("folder", options->folder, "A finished data set");
+  command
+      ->add_option("--against", options->validation.against,
+                   "Other finished data sets: no home, seed or instruction may be shared with them")
+      ->one_each();
+  command->add_flag("--kinds", options->kinds, "Print what can be wrong, as the table of docs/validate.md")
+      ->excludes(folder);
+  command->add_option("--threads", options->validation.threads, "Threads (default: one a processor)")->within(1, 1024);
+  command->add_flag("--json", options->json, "Report on stdout as JSON");
+  command->callback([options, &program] { program.exit = validate(*options, program); });
+}
+
+}  // namespace unietp

@@ -1,0 +1,40 @@
+#include "cli/llm_options.h"
+
+#include "cli/command_parser.h"
+#include "core/text.h"
+
+namespace unietp {
+
+void add_llm_options(CommandParser& command, LlmChoice& choice, bool required) {
+  command.add_option("--llm-url", choice.url, "OpenAI-compatible server: .../v1 or .../v1/chat/completions")
+      ->required(required);
+  command.add_option("--llm-model", choice.model, "Model, as the server names it; part of what is recorded")
+      ->required(required);
+  command.add_option("--at-once", choice.ask.at_once, "Requests under way at a time")->within(1, 256)->shows_default();
+  command.add_option("--cache", choice.cache, "File of answers (default: llm-answers.sqlite in the cache folder)");
+  command.add_option("--llm-timeout", choice.ask.attempt_s, "Seconds for one attempt")
+      ->within(0.01, 86400.0)
+      ->shows_default();
+  command.add_option("--llm-total", choice.ask.total_s, "Seconds for the whole command")
+      ->within(0.01, 864000.0)
+      ->shows_default();
+  command.add_option("--llm-attempts", choice.ask.max_attempts, "Attempts of one request")
+      ->within(1, 100)
+      ->shows_default();
+  command.add_option("--llm-wait", choice.ask.first_wait_s, "Seconds before the second attempt; then doubled")
+      ->within(0.0, 3600.0)
+      ->shows_default();
+  command.add_option("--temperature", choice.temperature, "Sent when given")->within(0.0, 2.0);
+  command.add_option("--max-tokens", choice.max_tokens, "Of one answer; sent when given")->within(1, 1'000'000);
+  command.add_option("--price-in", choice.price.prompt, "Price of a million tokens of prompts")->not_negative();
+  command.add_option("--price-out", choice.price.completion, "Price of a million tokens of answers")->not_negative();
+  command.add_flag("--dry-run", choice.dry_run, "Print the prompts and send nothing");
+}
+
+std::string cost_line(const LlmTotals& totals, const LlmPrice& price) {
+  return "tokens     " + std::to_string(totals.prompt_tokens) + " in, " + std::to_string(totals.completion_tokens) +
+         " out" +
+         (price.prompt + price.completion > 0 ? ", cost " + number_text(cost_of(totals, price)) : std::string());
+}
+
+}  // namespace unietp

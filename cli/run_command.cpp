@@ -1,0 +1,166 @@
+#include "cli/run_command.h"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <memory>
+
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/command_parser.h"
+#include "cli/progress_line.h"
+#include "core/text.h"
+#include "dataset/configuration_json.h"
+#include "run/rejection_hints.h"
+
+namespace unietp {
+namespace {
+
+std::string progress_text(const RunProgress& now) {
+  const double rate = now.seconds > 0 ? now.tasks_now / now.seconds : 0;
+  const double yield = now.candidates > 0 ? 100.0 * now.tasks / now.candidates : 0;
+  const auto left = rate > 0 ? clock_text((now.asked - now.tasks) / rate) : std::string("-:--");
+  std::array<char, 128> text{};
+  (void)std::snprintf(text.data(), text.size(), "%d of %d tasks  %d candidates  yield %.0f %%  %.2f tasks/s  %s left",
+                      now.tasks, now.asked, now.candidates, yield, rate, left.c_str());
+  return text.data();
+}
+
+nlohmann::ordered_json json_of(const RunReport& report, const RunCommand& command) {
+  auto unfilled = nlohmann::ordered_json::array();
+  for (const auto& slot : report.unfilled)
+    unfilled.push_back({{"slot", slot.slot}, {"what", slot.description}, {"last", slot.last_reason}});
+  auto balance = nlohmann::ordered_json::array();
+  for (const auto& spread : report.balance)
+    balance.push_back({{"dimension", name_of(spread.dimension)},
+                       {"values", spread.values},
+                       {"effective", spread.effective},
+                       {"variation", spread.variation}});
+  return {{"format", "unietp-generation/1"}, {"out", command.run.out.string()}, {"interrupted", report.interrupted},
+          {"tasks", report.tasks},           {"asked", report.asked},           {"candidates", report.candidates},
+          {"seconds", report.seconds},       {"balance", std::move(balance)},   {"unfilled", std::move(unfilled)}};
+}
+
+/// "templates 59 (as 55.1 equally frequent ones), categories …"
+std::string text_of(const std::vector<Spread>& balance) {
+  std::vector<std::string> parts;
+  for (const auto& spread : balance) {
+    std::array<char, 96> text{};
+    (void)std::snprintf(text.data(), text.size(), "%s: %d values, as even as %.1f equal ones",
+                        std::string(name_of(spread.dimension)).c_str(), spread.values, spread.effective);
+    parts.emplace_back(text.data());
+  }
+  return join(parts, "; ");
+}
+
+/// "grounding no-free-place: …; there is no space left: …" from a line of rejections.jsonl.
+std::string reason_text(const std::string& line) {
+  const auto json = nlohmann::ordered_json::parse(line, nullptr, false);
+  if (!json.is_object()) return line;
+  const auto reason = json.value("reason", "");
+  const std::string hint(hint_for(reason));
+  return json.value("stage", "") + " " + reason + ": " + json.value("detail", "") + (hint.empty() ? "" : "; " + hint);
+}
+
+Exit tell(const RunReport& report, const RunCommand& command, spdlog::logger& log) {
+  const auto out = command.run.out.string();
+  if (command.json) std::printf("%s\n", json_of(report, command).dump(2).c_str());
+  if (report.interrupted) {
+    log.warn("interrupted with {} of {} tasks; the same command with --resume goes on from here", report.tasks,
+             report.asked);
+    return Exit::Interrupted;
+  }
+  if (!command.json)
+    std::printf("%d of %d tasks in %s (%d candidates, %s)\n", report.tasks, report.asked, out.c_str(),
+                report.candidates, clock_text(report.seconds).c_str());
+  if (!command.json && report.tasks > 1) std::printf("spread over %s\n", text_of(report.balance).c_str());
+  for (const auto& slot : report.unfilled)
+    log.error("no {} after {} attempts; the last: {}", slot.description, command.configuration.attempts,
+              reason_text(slot.last_reason));
+  return report.unfilled.empty() ? Exit::Ok : Exit::Wrong;
+}
+
+/// "2/8" as part 2 of 8. Errors: Usage.
+Result<Shard> shard_of(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, shard.number);
+  const bool slash = number.ec == std::errc{} && number.ptr != end && *number.ptr == '/';
+  const auto of = slash ? std::from_chars(number.ptr + 1, end, shard.of) : number;
+  if (!slash || of.ec != std::errc{} || of.ptr != end || shard.number < 1 || shard.number > shard.of)
+    return Error{Error::Kind::Usage, "--shard", {}, "expected K/N with 1 <= K <= N, such as 2/8, not \"" + text + "\""};
+  return shard;
+}
+
+}  // namespace
+
+Result<RunConfiguration> settings_in(const std::filesystem::path& file, CommandLine& program) {
+  auto configuration = read_configuration(file);
+  if (!configuration) return configuration.error();
+  if (!configuration->scenes.empty() || !configuration->own.empty() || !configuration->binding.empty())
+    return Error{Error::Kind::Usage,
+                 file.string(),
+                 {},
+                 "has scenes, a binding or templates of one's own; give these to `unietp generate` as options"};
+  program.folders.extended_library = configuration->extended;
+  return configuration;
+}
+
+void add_run_options(CommandParser& app, RunCommand& command, const CommandLine& program) {
+  command.run.threads = program.processors;
+  app.add_option("--threads", command.run.threads, "Threads (default: one a processor); never changes the result")
+      ->within(1, 1024);
+  app.add_option("--out", command.run.out, "Folder to make")->required();
+  app.add_flag("--resume", command.run.resume, "Go on with the unfinished run in OUT.partial");
+  app.add_option("--ledger", command.run.ledger,
+                 "Keep the run's ledger in this file (SQLite): each candidate with stage, reason and cost");
+  app.add_option("--shard", command.shard,
+                 "Make only part K of N, on this machine; `unietp merge` puts the parts together (docs/scale.md)")
+      ->type_name("K/N");
+  add_writer_options(app, command.writer);
+  app.add_flag("--json", command.json, "Report on stdout as JSON");
+}
+
+Exit make_data_set(RunCommand& command, const Resources& resources, const CommandLine& program) {
+  spdlog::logger log("unietp", std::make_shared<spdlog::sinks::stderr_sink_mt>());
+  log.set_pattern("%l: %v");
+  if (command.configuration.seed > kLargestSeed)
+    return refuse(
+        {Error::Kind::Usage, "--seed", {}, "expected a whole number from 0 to " + std::to_string(kLargestSeed)});
+  if (!command.shard.empty()) {
+    const auto shard = shard_of(command.shard);
+    if (!shard) return refuse(shard.error());
+    command.run.shard = *shard;
+  }
+  const auto phrasings = settled(command.writer);
+  if (!phrasings) return refuse(phrasings.error());
+  if (*phrasings != Phrasings::All) command.configuration.phrasings = *phrasings;
+  const bool by_grammar = command.writer.writer == "grammar";
+  if (!by_grammar && !command.run.shard.is_whole())
+    return refuse(
+        {Error::Kind::Usage, "--writer", {}, "a shard is worded by the grammar; annotate the merged data set"});
+  ProgressLine line(program.terminal);
+  command.run.licences = program.folders.licences();
+  command.run.stop = program.interrupted;
+  if (program.terminal) command.run.progress = [&line](const RunProgress& now) { line.draw(progress_text(now)); };
+  const auto report = run_generation(command.configuration, resources, command.run);
+  line.wipe();
+  if (!report) {
+    const Exit refused = refuse(report.error());
+    if (std::error_code code;
+        report.error().kind == Error::Kind::Io && std::filesystem::exists(command.run.out.string() + ".partial", code))
+      log.warn(
+          "what was made so far is kept; once this can be written (is the disk full?), the same command with "
+          "--resume goes on from there");
+    return refused;
+  }
+  const Exit told = tell(*report, command, log);
+  if (report->interrupted || by_grammar) return told;
+  const auto& out = command.run.out;
+  const Exit reworded = write_anew(out, out, resources, command.writer, std::nullopt, false, program);
+  return told == Exit::Ok ? reworded : told;
+}
+
+}  // namespace unietp

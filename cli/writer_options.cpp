@@ -1,0 +1,162 @@
+#include "cli/writer_options.h"
+
+#include <map>
+#include <optional>
+
+#include "cli/command_knowledge.h"
+#include "cli/command_parser.h"
+#include "cli/progress_line.h"
+#include "core/unknown_name.h"
+#include "dataset/configuration.h"
+#include "llm/cache.h"
+#include "rewording/annotate.h"
+#include "rewording/batch_folder.h"
+
+namespace unietp {
+namespace {
+
+Error usage(std::string where, std::string message) {
+  return {Error::Kind::Usage, std::move(where), {}, std::move(message)};
+}
+
+std::vector<LlmRequest> with_parameters(std::vector<LlmRequest> requests, const LlmChoice& llm) {
+  for (LlmRequest& request : requests) {
+    if (llm.temperature >= 0) request.temperature = llm.temperature;
+    if (llm.max_tokens > 0) request.max_tokens = llm.max_tokens;
+  }
+  return requests;
+}
+
+void tell(const AnnotateReport& report) {
+  print_line(std::to_string(report.tasks) + " instructions");
+  for (const auto& [writer, count] : report.by_writer) print_line("  " + std::to_string(count) + " by " + writer);
+  std::map<std::string, std::pair<int, std::string>> reasons;  // count and first task
+  for (const auto& [task, why] : report.stand_ins) {
+    auto& reason = reasons[why];
+    if (++reason.first == 1) reason.second = task;
+  }
+  for (const auto& [why, told] : reasons)
+    print_line("  the grammar stands in for " + std::to_string(told.first) + " (" + told.second + "): " + why);
+}
+
+Exit dry_run(const std::filesystem::path& folder, const Resources& resources, const AnnotateOptions& options,
+             const LlmChoice& llm) {
+  const auto requests = prompts_for(folder, resources, options);
+  if (!requests) return refuse(requests.error());
+  for (const auto& request : with_parameters(*requests, llm)) print_line(shown(request));
+  print_line(std::to_string(requests->size()) +
+             " requests, then one for each text that passes the checks of words; nothing was sent");
+  return Exit::Ok;
+}
+
+Exit with_server(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,
+                 AnnotateOptions options, const LlmChoice& llm, const CommandLine& program) {
+  const auto url = chat_url(llm.url);
+  if (!url) return refuse(url.error());
+  const LlmEndpoint endpoint{*url, llm.model, program.llm_key};
+  auto cache = LlmCache::open(llm.cache.empty() ? program.folders.cache / "llm-answers.sqlite" : llm.cache);
+  if (!cache) return refuse(cache.error());
+  ProgressLine progress(program.terminal);
+  LlmTotals totals;
+  std::size_t answered = 0;
+  options.llm.ask = [&](const std::vector<LlmRequest>& requests) {
+    LlmOptions asking = llm.ask;
+    asking.stop = program.interrupted;
+    asking.on_answer = [&](std::size_t, const Result<LlmAnswer>&) {
+      progress.draw(std::to_string(++answered) + " answers");
+    };
+    auto answers = ask_all(endpoint, with_parameters(requests, llm), asking, &*cache);
+    const auto now = totals_of(answers);
+    totals.asked += now.asked, totals.cached += now.cached, totals.failed += now.failed;
+    totals.prompt_tokens += now.prompt_tokens, totals.completion_tokens += now.completion_tokens;
+    return answers;
+  };
+  const auto report = annotate_dataset(folder, out, resources, options);
+  progress.wipe();
+  if (!report) return refuse(report.error());
+  if (cache->trouble()) (void)refuse(*cache->trouble());
+  tell(*report);
+  print_line("requests   " + std::to_string(totals.asked) + " asked, " + std::to_string(totals.cached) +
+             " from the cache, " + std::to_string(totals.failed) + " without an answer");
+  print_line(cost_line(totals, llm.price));
+  if (program.interrupted != nullptr && program.interrupted->load()) return Exit::Interrupted;
+  return totals.failed == 0 && !cache->trouble() ? Exit::Ok : Exit::Wrong;
+}
+
+Exit with_batch(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,
+                AnnotateOptions options, const WriterChoice& choice) {
+  auto batch = BatchFolder::open(choice.batch, choice.llm.model);
+  if (!batch) return refuse(batch.error());
+  options.llm.ask = [&](const std::vector<LlmRequest>& requests) {
+    return batch->ask(with_parameters(requests, choice.llm));
+  };
+  const auto report = annotate_dataset(folder, out, resources, options);
+  if (!report) return refuse(report.error());
+  const auto left = batch->finish();
+  if (!left) return refuse(left.error());
+  tell(*report);
+  print_line("batch      " + std::to_string(left->answered) + " answered, " + std::to_string(left->waiting) +
+             " waiting, " + std::to_string(left->failed.size()) + " failed, " + std::to_string(left->new_requests) +
+             " new requests");
+  std::map<std::string, int> reasons;
+  for (const auto& reason : left->failed) ++reasons[reason];
+  for (const auto& [reason, count] : reasons) print_line("  " + std::to_string(count) + " failed: " + reason);
+  for (const auto& file : left->new_files) print_line("  to be sent: " + file.string());
+  if (left->new_requests + left->waiting > 0)
+    print_line("put the service's answers into " + choice.batch.string() + " and run annotate again to go on");
+  if (!left->unreadable.empty()) (void)refuse(left->unreadable);
+  return left->waiting + left->new_requests == 0 && left->unreadable.empty() ? Exit::Ok : Exit::Wrong;
+}
+
+}  // namespace
+
+void add_writer_options(CommandParser& command, WriterChoice& choice) {
+  command.add_option("--writer", choice.writer, "Of the instructions: grammar, llm or batch")->shows_default();
+  command
+      .add_option("--phrasings", choice.phrasings,
+                  "Turns of phrase of the grammar: all, training or benchmark; the last two share none")
+      ->shows_default();
+  command.add_option("--batch", choice.batch, "Folder of request and answer files, for --writer batch");
+  command.add_option("--rewrites", choice.rewrites, "Further tries after a text of a model that was refused")
+      ->within(0, 20)
+      ->shows_default();
+  add_llm_options(command, choice.llm, false);
+}
+
+Result<Phrasings> settled(const WriterChoice& choice) {
+  const auto writer = writer_named(choice.writer);
+  if (!writer) return unknown_name_error("--writer", choice.writer, {"grammar", "llm", "batch"});
+  if (*writer == Writer::Llm && choice.llm.url.empty())
+    return usage("--writer llm", "needs --llm-url, the address of an OpenAI-compatible server");
+  if (*writer != Writer::Grammar && choice.llm.model.empty())
+    return usage("--writer " + choice.writer, "needs --llm-model, as the server names it");
+  if (*writer == Writer::Batch && choice.batch.empty())
+    return usage("--writer batch", "needs --batch, the folder for request and answer files");
+  if (choice.phrasings == "all") return Phrasings::All;
+  if (choice.phrasings == "training") return Phrasings::Training;
+  if (choice.phrasings == "benchmark") return Phrasings::Benchmark;
+  return unknown_name_error("--phrasings", choice.phrasings, {"all", "training", "benchmark"});
+}
+
+Exit write_anew(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,
+                const WriterChoice& choice, std::optional<std::uint64_t> seed, bool paired,
+                const CommandLine& program) {
+  const auto phrasings = settled(choice);
+  if (!phrasings) return refuse(phrasings.error());
+  AnnotateOptions options;
+  options.writer = *writer_named(choice.writer);
+  options.seed = seed;
+  options.paired = paired;
+  options.llm.model = choice.llm.model;
+  options.llm.rewrites = choice.rewrites;
+  options.llm.phrasings = *phrasings;
+  if (choice.llm.dry_run) return dry_run(folder, resources, options, choice.llm);
+  if (options.writer == Writer::Llm) return with_server(folder, out, resources, options, choice.llm, program);
+  if (options.writer == Writer::Batch) return with_batch(folder, out, resources, options, choice);
+  const auto report = annotate_dataset(folder, out, resources, options);
+  if (!report) return refuse(report.error());
+  tell(*report);
+  return Exit::Ok;
+}
+
+}  // namespace unietp

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "annotator/instruction.h"
+#include "core/result.h"
+#include "generator/specification.h"
+#include "scene/action.h"
+#include "scene/simulator.h"
+#include "templates/template.h"
+
+namespace unietp {
+
+/// Where the homes of a run come from when none are given: drawn for it in the size asked for, the benchmark's own, or
+/// the pool for training, which shares no home with the benchmark.
+enum class HomeSource { Drawn, Benchmark, Training };
+inline constexpr std::array kHomeSources{HomeSource::Drawn, HomeSource::Benchmark, HomeSource::Training};
+std::string_view name_of(HomeSource source);  // "benchmark"
+
+inline constexpr std::array kPhrasings{Phrasings::All, Phrasings::Training, Phrasings::Benchmark};
+std::string_view name_of(Phrasings phrasings);  // "training"
+
+/// How many tasks each split and each simulator is to have. Both empty (equal shares), or both with the same sum, which
+/// is the run's count.
+struct Quotas {
+  std::vector<std::pair<Split, int>> splits;
+  std::vector<std::pair<Simulator, int>> simulators;
+  bool empty() const { return splits.empty() && simulators.empty(); }
+  bool operator==(const Quotas&) const = default;
+};
+
+/// What a data set is made of. Together with the program's version, the knowledge digest and the seed it names the
+/// bytes of the result; how the work is done (threads, folders) is no part of it.
+struct RunConfiguration {
+  int count = 40;
+  std::uint64_t seed = 1;
+  std::vector<Simulator> simulators{kSimulators.begin(), kSimulators.end()};
+  std::vector<Split> splits;           // empty: every split that some template can fill
+  Quotas quotas;                       // in place of equal shares
+  std::vector<std::string> templates;  // names; empty: all that the library has
+  std::vector<std::string> without;    // names of templates that are left out
+  bool extended = false;               // the library holds the extended templates too
+  std::vector<std::string> own;        // the user's own templates in it, "<name> <sha256>"
+  Binding binding;                     // placeholders that are not drawn, of the one template named
+  std::vector<Mode> modes{Mode::M1};   // that each task is demonstrated in, in order; M1 is always among them
+  int attempts = 40;                   // candidates tried for one task before it is given up
+  int block = 256;                     // tasks planned together (blocks.h), > 0
+  HomeSource homes = HomeSource::Drawn;
+  int rooms = 6;                    // of a drawn home
+  int objects = 60;                 // movable ones asked for in a drawn home
+  std::vector<std::string> scenes;  // given homes, "<id> <sha256>"; empty: homes are drawn
+  Phrasings phrasings = Phrasings::All;
+  bool operator==(const RunConfiguration&) const = default;
+};
+
+/// All five splits in the order of the enum.
+const std::vector<Split>& all_splits();
+
+/// Names separated by commas; sorted as the enum and without repeats.
+/// Errors: Usage naming `option`, the unknown name, the nearest known one and all that are accepted.
+Result<std::vector<Simulator>> parse_simulators(std::string_view option, std::string_view text);
+Result<std::vector<Split>> parse_splits(std::string_view option, std::string_view text);
+
+/// As above; M1 comes with the others, since their plans begin with it.
+Result<std::vector<Mode>> parse_modes(std::string_view option, std::string_view text);
+
+}  // namespace unietp

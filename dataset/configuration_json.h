@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "core/result.h"
+#include "dataset/configuration.h"
+
+namespace unietp {
+
+/// Seeds are written as JSON numbers, which readers take as doubles.
+inline constexpr std::uint64_t kLargestSeed = 9007199254740991;  // 2^53 - 1
+
+/// A run's configuration as the manifest records it and as a file of a person's own says it (docs/files.md): the one
+/// reads back as the other.
+nlohmann::ordered_json to_json(const RunConfiguration& configuration);
+
+/// The text of a configuration file: `{"format": "unietp-run/1", "seed": 1, …}`; what it leaves out is as usual.
+/// Errors: Parse with line and column; Schema with a JSON pointer for an unknown or mistyped field, a name that is none
+/// (with the nearest one), a number out of its range, quotas of which the sums differ.
+Result<RunConfiguration> configuration_from_json(std::string_view where, std::string_view text);
+
+/// As above, of a file. Errors: also Io.
+Result<RunConfiguration> read_configuration(const std::filesystem::path& file);
+
+}  // namespace unietp

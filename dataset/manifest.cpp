@@ -1,0 +1,124 @@
+#include "dataset/manifest.h"
+
+#include <algorithm>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "akb/csv.h"
+#include "core/digest.h"
+#include "core/files.h"
+#include "dataset/configuration_json.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+void collect_sources(const Knowledge& knowledge, std::set<std::string>& sources) {
+  for (const auto& category : knowledge.categories()) {
+    for (const auto* source : {&category.source, &category.size_source, &category.mass_source})
+      sources.insert(source->source);
+  }
+  for (const auto& fact : knowledge.affordances()) sources.insert(fact.source.source);
+  for (const auto& placement : knowledge.placements()) sources.insert(placement.source.source);
+  for (const auto& effect : knowledge.effects()) sources.insert(effect.source.source);
+  for (const auto& alias : knowledge.aliases()) sources.insert(alias.source.source);
+}
+
+Json counts_json(const std::map<std::string, int>& counts) {
+  Json json = Json::object();
+  for (const auto& [name, count] : counts) json[name] = count;
+  return json;
+}
+
+/// A list, since a strict reader takes no object with as many fields as there are templates.
+Json list_json(const char* name, const std::map<std::string, int>& counts) {
+  Json json = Json::array();
+  for (const auto& [value, count] : counts) json.push_back({{name, value}, {"tasks", count}});
+  return json;
+}
+
+}  // namespace
+
+std::string_view program_version() { return UNIETP_VERSION; }
+
+Result<std::vector<SourceLicence>> sources_of(const RunConfiguration& configuration, const Resources& resources,
+                                              const fs::path& table) {
+  const auto text = read_file(table);
+  if (!text) return text.error();
+  const auto csv = read_csv(table.string(), *text);
+  if (!csv.errors.empty()) return csv.errors.front();
+  constexpr std::size_t kColumns = 3;  // source (a prefix), origin, licence
+  if (csv.header.size() != kColumns)
+    return Error{Error::Kind::Schema, table.string(), {1, 1}, "expected the columns source,origin,licence"};
+
+  std::set<std::string> sources;
+  for (const auto simulator : configuration.simulators)
+    collect_sources(resources.backend(simulator).knowledge, sources);
+  std::vector<SourceLicence> found;
+  for (const auto& source : sources) {
+    const CsvRow* best = nullptr;
+    for (const auto& row : csv.rows) {
+      const bool matches = source.compare(0, row[0].text.size(), row[0].text) == 0;
+      if (matches && (best == nullptr || row[0].text.size() > (*best)[0].text.size())) best = &row;
+    }
+    if (best == nullptr)
+      return Error{Error::Kind::Schema,
+                   table.string(),
+                   {},
+                   "has no row for the source \"" + source + "\"; add one with its origin and licence"};
+    found.push_back({source, (*best)[1].text, (*best)[2].text});
+  }
+  return found;
+}
+
+Result<std::string> manifest_of(const fs::path& folder, const RunConfiguration& configuration,
+                                const Resources& resources, const DatasetCounts& counts,
+                                const std::vector<SourceLicence>& sources) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) names.push_back(fs::relative(entry.path(), folder).generic_string());
+  }
+  std::sort(names.begin(), names.end());
+  Json files = Json::array();
+  for (const auto& name : names) {
+    const auto bytes = read_file(folder / name);
+    if (!bytes) return bytes.error();
+    files.push_back({{"path", name}, {"bytes", bytes->size()}, {"sha256", sha256(*bytes)}});
+  }
+  int candidates = counts.tasks;
+  Json rejections = Json::object();
+  for (const auto& [stage, reasons] : counts.rejections) {
+    rejections[stage] = counts_json(reasons);
+    for (const auto& [reason, count] : reasons) candidates += count;
+  }
+  Json balance = Json::array();
+  for (const auto& spread : counts.traits.spreads())
+    balance.push_back({{"dimension", name_of(spread.dimension)},
+                       {"values", spread.values},
+                       {"effective", spread.effective},
+                       {"variation", spread.variation}});
+  Json licences = Json::array();
+  for (const auto& source : sources)
+    licences.push_back({{"source", source.source}, {"origin", source.origin}, {"licence", source.licence}});
+  const Json manifest{{"format", "unietp-manifest/1"},
+                      {"program", {{"name", "unietp"}, {"version", program_version()}}},
+                      {"knowledge_digest", resources.digest},
+                      {"seed", configuration.seed},
+                      {"configuration", to_json(configuration)},
+                      {"counts",
+                       {{"tasks", counts.tasks},
+                        {"candidates", candidates},
+                        {"by_split", counts_json(counts.by_split)},
+                        {"by_simulator", counts_json(counts.by_simulator)},
+                        {"by_template", list_json("template", counts.by_template)},
+                        {"balance", std::move(balance)},
+                        {"rejections", std::move(rejections)}}},
+                      {"files", std::move(files)},
+                      {"sources", std::move(licences)}};
+  return manifest.dump(2) + "\n";
+}
+
+}  // namespace unietp

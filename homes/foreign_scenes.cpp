@@ -1,0 +1,153 @@
+#include "homes/foreign_scenes.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/files.h"
+#include "core/text.h"
+#include "core/unknown_name.h"
+#include "interchange/formats.h"
+#include "interchange/scene_models.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// True when a field of this name stands somewhere in the JSON text.
+bool has_field(std::string_view text, std::string_view name) {
+  const std::string quoted = '"' + std::string(name) + '"';
+  for (auto at = text.find(quoted); at != std::string_view::npos; at = text.find(quoted, at + 1)) {
+    const auto next = text.find_first_not_of(" \t\r\n", at + quoted.size());
+    if (next != std::string_view::npos && text[next] == ':') return true;
+  }
+  return false;
+}
+
+/// The table of models that came with the files, read once it is needed.
+class GivenModels {
+ public:
+  explicit GivenModels(fs::path file) : file_(std::move(file)) {}
+
+  Result<SceneModels> of(const std::string& format) {
+    if (file_.empty()) return SceneModels();
+    auto& models = format == "behavior" ? inventory_ : table_;
+    if (!models) {
+      const auto text = read_maybe_gzip(file_);
+      if (!text) return text.error();
+      models = format == "behavior" ? read_behavior_inventory(file_.string(), *text)
+                                    : read_scene_models(file_.string(), *text);
+    }
+    return *models;
+  }
+
+ private:
+  fs::path file_;
+  std::optional<Result<SceneModels>> table_, inventory_;
+};
+
+Result<std::vector<SourceScene>> read_as(const std::string& format, const std::string& where, std::string_view text,
+                                         const std::vector<Backend>& backends, GivenModels& given) {
+  const auto known = [&](Simulator simulator) -> const Knowledge& {
+    return backends[static_cast<std::size_t>(simulator)].knowledge;
+  };
+  if (format == "ithor") return read_ithor(where, text);
+  if (format == "procthor") return read_procthor(where, text, known(Simulator::Ai2thor));
+  if (format == "virtualhome") return read_virtualhome(where, text, known(Simulator::Virtualhome));
+  const auto models = given.of(format);
+  if (!models) return models.error();
+  if (format == "behavior") return read_behavior(where, text, known(Simulator::Behavior), *models);
+  return read_habitat(where, text, known(Simulator::Habitat), *models);
+}
+
+/// What of an id can be a file's name everywhere.
+std::string as_file_name(const std::string& id) {
+  std::string name;
+  for (const char c : id) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    name += plain || c == '_' || c == '-' || (c == '.' && !name.empty()) ? c : '_';
+  }
+  constexpr std::size_t kLongest = 100;
+  name.resize(std::min(name.size(), kLongest));
+  return name.empty() ? "home" : name;
+}
+
+class FreshNames {
+ public:
+  std::string take(const std::string& id) {
+    const std::string name = as_file_name(id);
+    std::string fresh = name;
+    for (int n = 2; !taken_.insert(lower(fresh)).second; ++n) fresh = name + "-" + std::to_string(n);
+    return fresh;
+  }
+
+ private:
+  std::set<std::string> taken_;  // in lower case: some file systems do not tell the cases apart
+};
+
+Result<std::string> format_for(const std::string& asked, const std::string& where, std::string_view text) {
+  if (asked != "auto") return asked;
+  if (auto found = scene_format_of(text)) return *found;
+  return Error{
+      Error::Kind::Usage, where, {}, "is in no format that is known; accepted are " + join(scene_format_names(), ", ")};
+}
+
+}  // namespace
+
+std::optional<std::string> scene_format_of(std::string_view text) {
+  const auto any = [&](std::initializer_list<std::string_view> names) {
+    return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return has_field(text, name); });
+  };
+  if (any({"floorPolygon"})) return "procthor";
+  if (any({"object_instances", "articulated_object_instances", "stage_instance"}))
+    return text.find("frl_apartment") != std::string_view::npos ? "replicacad" : "hssd";
+  if (any({"objects_info", "ori_xyzw", "fixed_base"})) return "behavior";
+  if (any({"class_name"})) return "virtualhome";
+  if (any({"objectId"})) return "ithor";
+  if (any({"center"}) && any({"size"})) return "hssd";  // labelled boxes
+  return std::nullopt;
+}
+
+ForeignReading read_foreign_scenes(const std::string& format, const std::vector<fs::path>& files,
+                                   const std::vector<Backend>& backends, const fs::path& models) {
+  ForeignReading reading;
+  auto accepted = scene_format_names();
+  accepted.insert(accepted.begin(), "auto");
+  if (std::find(accepted.begin(), accepted.end(), format) == accepted.end()) {
+    reading.errors.push_back(unknown_name_error("format", format, accepted));
+    return reading;
+  }
+  FreshNames names;
+  GivenModels given(models);
+  for (const auto& file : files) {
+    const auto text = read_maybe_gzip(file);
+    if (!text) {
+      reading.errors.push_back(text.error());
+      continue;
+    }
+    const auto is = format_for(format, file.string(), *text);
+    if (!is) {
+      reading.errors.push_back(is.error());
+      continue;
+    }
+    auto homes = read_as(*is, file.string(), *text, backends, given);
+    if (!homes) {
+      reading.errors.push_back(homes.error());
+      continue;
+    }
+    if (homes->empty()) reading.errors.push_back({Error::Kind::Usage, file.string(), {}, "holds no home"});
+    for (auto& home : *homes) {
+      home.id = names.take(home.id);
+      reading.homes.push_back({file, *is, std::move(home)});
+    }
+  }
+  return reading;
+}
+
+Result<ImportedScene> import_home(const ForeignHome& home, const std::vector<Backend>& backends,
+                                  const ImportOptions& options) {
+  const auto& backend = backends[static_cast<std::size_t>(home.source.simulator)];
+  return assemble(home.source, backend.knowledge, backend.profile, options);
+}
+
+}  // namespace unietp

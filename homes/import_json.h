@@ -1,0 +1,22 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "homes/foreign_scenes.h"
+#include "interchange/import_scene.h"
+
+namespace unietp {
+
+/// What became of one home: a file *.import.json of format `unietp-import/1` (data/schemas/import.schema.json).
+std::string import_to_json(const ForeignHome& home, const ImportReport& report);
+
+/// The counts of a report by name, in order.
+nlohmann::ordered_json counts_to_json(const ImportReport& report);
+
+/// How often each reason stands in the issues.
+std::map<std::string, int> causes_of(const ImportReport& report);
+
+}  // namespace unietp

@@ -1,0 +1,27 @@
+#include "homes/scene_folder.h"
+
+#include <unistd.h>
+
+#include "core/files.h"
+#include "scene/scene_json.h"
+
+namespace unietp {
+
+Result<Done> prepare_folder(const std::filesystem::path& folder) {
+  const auto probe = folder / (".unietp-" + std::to_string(::getpid()));
+  if (const auto written = write_file(probe, ""); !written) {
+    return Error{
+        Error::Kind::Io, folder.string(), {}, written.error().message + "; choose a folder that you can write to"};
+  }
+  std::error_code ignored;
+  std::filesystem::remove(probe, ignored);
+  return Done{};
+}
+
+std::string scene_file_name(const std::string& id) { return id + ".scene.json.gz"; }
+
+Result<Done> write_scene(const std::filesystem::path& folder, const Scene& scene) {
+  return write_file(folder / scene_file_name(scene.id), gzip(scene_to_json(scene)));
+}
+
+}  // namespace unietp

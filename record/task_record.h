@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/result.h"
+#include "logic/formula.h"
+#include "scene/command.h"
+#include "scene/trace.h"
+#include "scene/visible_object.h"
+
+namespace unietp {
+
+/// A line of tasks.jsonl.
+struct TaskRecord {
+  std::string id, template_name, split, simulator, scene, layout;
+  std::vector<std::pair<std::string, std::string>> bindings;  // placeholder, category; in the order of the line
+  std::string refinement;                                     // name of the referring constraint, or ""
+  std::string goal_text;
+  Formula goal_tree;
+  std::vector<std::string> start_constraints, edits;
+  Delta changes;  // of the home, which make the start
+  std::string instruction, writer, style;
+  std::vector<std::string> checks;  // names of those that the text passed
+  std::string fallback;             // why the grammar wrote where a model was asked; "" when it was not
+  struct Count {
+    Mode mode = Mode::M1;
+    int steps = 0, failures = 0;
+  };
+  std::uint64_t run = 0;  // seed of the run
+  int slot = 0, attempt = 0;
+  std::vector<Count> expert;  // of its demonstrations, in the order of the modes; M1 is always there
+};
+
+/// Reads every field strictly. Errors: Parse with line and column; Schema with a JSON pointer for a missing, unknown or
+/// mistyped field. `where` is the file's name; `line` the line's number in it.
+Result<TaskRecord> read_task(std::string_view where, int line, std::string_view text);
+
+/// A step of a demonstration line. There is such an action, and it takes so many arguments.
+struct StepRecord {
+  Command command;
+  bool success = false;
+  std::string failure, feedback;
+  std::vector<VisibleObject> visible;
+  Delta changes;
+};
+struct DemonstrationRecord {
+  std::string task, mode;
+  std::vector<StepRecord> steps;
+};
+Result<DemonstrationRecord> read_demonstration(std::string_view where, int line, std::string_view text);
+
+/// A line of rejections.jsonl.
+struct RejectionRecord {
+  int slot = 0, attempt = 0;
+  std::string template_name, simulator, split, stage, reason, detail;
+};
+Result<RejectionRecord> read_rejection(std::string_view where, int line, std::string_view text);
+
+}  // namespace unietp

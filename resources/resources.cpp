@@ -1,0 +1,193 @@
+#include "resources/resources.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "core/digest.h"
+#include "core/files.h"
+#include "core/text.h"
+#include "resources/template_library.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error io_error(const fs::path& path, std::string message) {
+  return {Error::Kind::Io, path.string(), {}, std::move(message)};
+}
+
+/// Files below a folder in order of path.
+Result<std::vector<fs::path>> files_below(const fs::path& folder) {
+  std::error_code code;
+  std::vector<fs::path> files;
+  auto it = fs::recursive_directory_iterator(folder, code);
+  if (code) return io_error(folder, "cannot list this folder: " + code.message());
+  for (; it != fs::recursive_directory_iterator(); it.increment(code)) {
+    if (code) return io_error(folder, "cannot list this folder: " + code.message());
+    if (it->is_regular_file(code)) files.push_back(it->path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool is_placeholder(const Template& source, const std::string& name) {
+  return std::any_of(source.parameters.begin(), source.parameters.end(),
+                     [&](const Parameter& parameter) { return parameter.name == name; });
+}
+
+bool is_word_byte(char c) {
+  return c != ' ' && c != '\n' && c != '\t' && c != '(' && c != ')' && c != '/' && c != '\r';
+}
+
+/// Where a name first stands as a word of its own in a file; {0, 0} when it does not.
+SourcePos place_of(const fs::path& file, const std::string& name) {
+  const auto text = read_file(file);
+  if (!text) return {};
+  for (std::size_t at = text->find(name); at != std::string::npos; at = text->find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if ((at == 0 || !is_word_byte((*text)[at - 1])) && (end == text->size() || !is_word_byte((*text)[end])))
+      return locate(*text, at);
+  }
+  return {};
+}
+
+}  // namespace
+
+CompiledKnowledge compiled_knowledge(const DataFolders& folders) {
+  const auto tables = digest_of_tables(folders.tables(), folders.overrides);
+  if (!tables) return {{}, {tables.error()}};
+  const auto templates = built_in_templates(folders);
+  if (!templates.errors.empty()) return {{}, templates.errors};
+  const auto digest = sha256(*tables + digest_of(templates.files, folders.root));
+  // The format's number is part of the name, so that a newer program never reads an older one's compilation. The name
+  // alone vouches for the templates: the file is renamed into place when all of it is written.
+  const fs::path database = folders.cache / ("knowledge-5-" + digest.substr(0, 32) + ".sqlite");
+  if (const auto stored = digest_of_database(database); stored && *stored == *tables) return {database, {}};
+  std::error_code code;
+  fs::create_directories(folders.cache, code);
+  if (code) return {{}, {io_error(folders.cache, "cannot make the cache folder: " + code.message())}};
+  auto aside = database;
+  aside += "." + std::to_string(::getpid());
+  auto errors = compile_knowledge(folders.tables(), aside, folders.overrides);
+  if (!errors.empty()) return {{}, std::move(errors)};
+  if (const auto put = store_templates(aside, folders.root, templates.files); !put) return {{}, {put.error()}};
+  fs::rename(aside, database, code);
+  if (code) return {{}, {io_error(database, "cannot rename the compiled knowledge into place: " + code.message())}};
+  return {database, {}};
+}
+
+BackendsReading load_backends(const DataFolders& folders) {
+  BackendsReading reading;
+  auto compiled = compiled_knowledge(folders);
+  reading.errors = std::move(compiled.errors);
+  reading.database = std::move(compiled.database);
+  const auto actions = folders.extended_library ? ActionProfile::Wide : ActionProfile::Unietp;
+  for (const auto simulator : kSimulators) {
+    auto profile = load_profile(folders.profiles(), simulator, actions);
+    if (!profile) reading.errors.push_back(profile.error());
+    if (!reading.errors.empty()) continue;
+    auto knowledge = load_knowledge(reading.database, simulator);
+    if (!knowledge) {
+      reading.errors.push_back(knowledge.error());
+      continue;
+    }
+    NounTable nouns(*knowledge);
+    reading.backends.push_back({std::move(*knowledge), *profile, std::move(nouns)});
+  }
+  return reading;
+}
+
+ResourcesReading load_resources(const DataFolders& folders) {
+  ResourcesReading reading;
+  auto& resources = reading.resources;
+  auto backends = load_backends(folders);
+  resources.backends = std::move(backends.backends);
+  reading.errors = std::move(backends.errors);
+
+  if (resources.backends.size() != kSimulators.size()) return reading;
+  auto library = library_in(backends.database, folders);
+  resources.templates = std::move(library.templates);
+  resources.own = std::move(library.own);
+  reading.errors.insert(reading.errors.end(), library.errors.begin(), library.errors.end());
+
+  for (const auto& source : resources.templates) {
+    const auto unknown = unknown_categories(source, resources.backends);
+    reading.errors.insert(reading.errors.end(), unknown.begin(), unknown.end());
+  }
+  for (const auto& backend : resources.backends) {
+    auto recipe = load_recipe(folders.layouts(), backend.knowledge);
+    if (!recipe) {
+      reading.errors.push_back(recipe.error());
+    } else {
+      resources.recipes.push_back(std::move(*recipe));
+    }
+  }
+  if (auto benchmark = benchmark_layouts(folders.layouts()); !benchmark) {
+    reading.errors.push_back(benchmark.error());
+  } else {
+    resources.benchmark = std::move(*benchmark);
+  }
+  const auto digest = knowledge_digest(folders);
+  if (!digest) {
+    reading.errors.push_back(digest.error());
+  } else {
+    resources.digest = *digest;
+  }
+  return reading;
+}
+
+Result<std::string> knowledge_digest(const DataFolders& folders) {
+  std::string listing;
+  std::vector<fs::path> covered{folders.tables(), folders.profiles(), folders.layouts(), folders.library()};
+  if (std::error_code code; fs::exists(folders.extended(), code)) covered.push_back(folders.extended());
+  for (const auto& folder : covered) {
+    const auto files = files_below(folder);
+    if (!files) return files.error();
+    for (const auto& file : *files) {
+      const auto bytes = read_file(file);
+      if (!bytes) return bytes.error();
+      listing += fs::relative(file, folders.root).generic_string() + " " + sha256(*bytes) + "\n";
+    }
+  }
+  for (const auto& file : folders.overrides) {
+    const auto bytes = read_file(file);
+    if (!bytes) return bytes.error();
+    listing += "override " + file.filename().string() + " " + sha256(*bytes) + "\n";
+  }
+  return sha256(listing);
+}
+
+std::vector<Error> unknown_categories(const Template& source, const std::vector<Backend>& backends) {
+  std::vector<std::string> named = categories_of(source.goal);
+  for (const auto& formula : source.init) {
+    const auto more = categories_of(formula);
+    named.insert(named.end(), more.begin(), more.end());
+  }
+  std::sort(named.begin(), named.end());
+  named.erase(std::unique(named.begin(), named.end()), named.end());
+
+  std::vector<Error> errors;
+  for (const auto& name : named) {
+    if (is_placeholder(source, name)) continue;
+    bool known = false;
+    std::vector<std::string> accepted;
+    for (const auto& parameter : source.parameters) accepted.push_back(parameter.name);
+    for (const auto simulator : source.simulators) {
+      const auto& knowledge = backends[static_cast<std::size_t>(simulator)].knowledge;
+      known = known || knowledge.find(name) != nullptr;
+      for (const auto& category : knowledge.categories()) accepted.push_back(category.name);
+    }
+    if (known) continue;
+    const auto near = nearest_name(name, accepted);
+    errors.push_back(
+        {Error::Kind::Schema, source.file, place_of(source.file, name),
+         "no knowledge base has the category \"" + name + "\"" +
+             (near.empty() ? "" : ", did you mean \"" + near + "\"") +
+             "; accepted are the template's parameters and the categories that `unietp knowledge show` lists"});
+  }
+  return errors;
+}
+
+}  // namespace unietp

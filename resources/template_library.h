@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "resources/resources.h"
+#include "templates/template_files.h"
+
+namespace unietp {
+
+/// The files of the default and of the extended library, whether or not the latter is asked for; a checkout need not
+/// have one. Errors: Io.
+TemplateFiles built_in_templates(const DataFolders& folders);
+
+/// The templates that a command works with: the default library, the extended one when `folders` ask for it, and the
+/// user's own folders, which are read anew each time and so need no rebuild.
+struct LibraryReading {
+  std::vector<Template> templates;
+  std::vector<std::string> own;  // of the user's: "<name> <sha256 of its file>"
+  std::vector<Error> errors;     // of parse_files; Usage for a folder of the user's that does not exist
+};
+/// From the files.
+LibraryReading library_of(const DataFolders& folders);
+/// The built-in ones from a compiled knowledge base: equal to library_of when that was compiled from these folders.
+LibraryReading library_in(const std::filesystem::path& database, const DataFolders& folders);
+
+}  // namespace unietp

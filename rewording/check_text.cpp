@@ -1,0 +1,60 @@
+#include "rewording/check_text.h"
+
+#include <algorithm>
+
+#include "annotator/function_phrases.h"
+#include "annotator/instruction.h"
+#include "annotator/phrasing_sets.h"
+#include "annotator/style.h"
+#include "annotator/word_check.h"
+#include "dataset/configuration.h"
+
+namespace unietp {
+namespace {
+
+/// The text without the sentence that a bystander's style puts behind it.
+std::string_view without_aside(std::string_view text, std::string_view style) {
+  if (style != "bystander" || text.empty()) return text;
+  const auto end = text.find_last_of(".!?", text.size() - 2);
+  return end == std::string_view::npos ? text : text.substr(0, end + 1);
+}
+
+}  // namespace
+
+std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend) {
+  std::vector<Problem> problems;
+  const auto found = [&problems](ProblemKind kind, const std::vector<std::string>& faults) {
+    for (const auto& fault : faults) problems.push_back(problem_in(kind, "", fault));
+  };
+  Specification specification;
+  specification.template_name = stated.template_name;
+  specification.simulator = stated.simulator;
+  specification.goal = stated.goal;
+  specification.init = stated.constraints;
+  specification.style = stated.style;
+  const auto narrowed = narrowed_for(specification, backend.knowledge, backend.nouns);
+  const NounTable& nouns = narrowed ? *narrowed : backend.nouns;
+
+  const auto form = form_faults(stated.text, specification);
+  found(ProblemKind::TextForm, form);
+  if (stated.writer == "person:unchecked") return problems;  // somebody vouches for it, against the reader
+  const bool by_grammar = stated.writer == "grammar";
+  const std::string demand(nouns.behind_context(stated.text));
+  auto meaning = by_grammar || stated.writer == "person"
+                     ? check_instruction(stated.text, specification, backend.knowledge, backend.nouns)
+                     : saying_faults(demand, specification, nouns);
+  std::erase_if(meaning,
+                [&](const std::string& fault) { return std::find(form.begin(), form.end(), fault) != form.end(); });
+  found(ProblemKind::TextMeaning, meaning);
+  if (const auto fault = style_fault(stated.text, stated.style, stated.goal, stated.around, nouns); !fault.empty())
+    found(ProblemKind::TextStyle, {fault});
+  if (by_grammar && stated.phrasings != "all") {
+    const auto own = name_of(phrasings_of(without_aside(demand, stated.style), nouns));
+    if (own != stated.phrasings)
+      found(ProblemKind::TextPhrasing, {"its turn of phrase is one of " + std::string(own) + ", not of " +
+                                        stated.phrasings + " as the manifest says"});
+  }
+  return problems;
+}
+
+}  // namespace unietp

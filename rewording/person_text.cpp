@@ -1,0 +1,28 @@
+#include "rewording/person_text.h"
+
+#include "annotator/function_phrases.h"
+#include "annotator/style.h"
+#include "annotator/word_check.h"
+
+namespace unietp {
+
+PersonText check_person_text(const std::string& text, const TaskLine& task, const Backend& backend,
+                             const std::vector<std::string>& around) {
+  const Specification& specification = task.specification;
+  const auto narrowed = narrowed_for(specification, backend.knowledge, backend.nouns);
+  const NounTable& nouns = narrowed ? *narrowed : backend.nouns;
+  PersonText checked{{text, "person", specification.style, {}, ""}, {}};
+  const auto check = [&](const char* name, std::vector<std::string> faults) {
+    if (faults.empty()) checked.instruction.checks.emplace_back(name);
+    for (auto& fault : faults) checked.faults.push_back(std::move(fault));
+  };
+  const auto form = form_faults(text, specification);
+  check("form", form);
+  if (form.empty()) check("parses-back", check_instruction(text, specification, backend.knowledge, backend.nouns));
+  auto style = style_fault(text, specification.style, specification.goal, around, nouns);
+  check("style", style.empty() ? std::vector<std::string>() : std::vector<std::string>{std::move(style)});
+  if (!checked.faults.empty()) checked.instruction.writer = "person:unchecked";
+  return checked;
+}
+
+}  // namespace unietp

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "annotator/instruction.h"
+#include "core/result.h"
+#include "resources/resources.h"
+#include "rewording/task_lines.h"
+
+namespace unietp {
+
+/// An instruction that a person wrote, with the checks that it passed.
+struct PersonText {
+  Instruction instruction;
+  std::vector<std::string> faults;  // empty when it passed all: form, read back as the goal, style
+};
+
+/// `around`: the categories of the start scene. Pure.
+PersonText check_person_text(const std::string& text, const TaskLine& task, const Backend& backend,
+                             const std::vector<std::string>& around);
+
+}  // namespace unietp

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "annotator/instruction.h"
+#include "resources/resources.h"
+#include "rewording/apply_review.h"
+#include "rewording/task_lines.h"
+
+namespace unietp {
+
+/// What will stand in place of a task.
+struct Ruling {
+  const Review* review = nullptr;        // that is taken over
+  std::optional<Instruction> rewritten;  // of an edit
+};
+
+/// What the verdicts are about, and what they are held against.
+struct RulingContext {
+  const std::filesystem::path& folder;
+  const Resources& resources;
+  const ApplyOptions& options;
+  const std::map<std::string, std::string>& judged_before;  // earlier verdicts, by task
+};
+
+/// A ruling for each task, in their order. What is not taken over is counted and named in the report. Errors: those of
+/// reading a start.
+Result<std::vector<Ruling>> rule_on(const std::vector<Review>& reviews, const std::vector<TaskLine>& tasks,
+                                    const RulingContext& context, ApplyReport& report);
+
+}  // namespace unietp

@@ -1,0 +1,161 @@
+#include "run/candidate_planner.h"
+
+#include "dataset/candidate_number.h"
+
+#include <algorithm>
+
+#include "generator/domain_constraints.h"
+#include "generator/weighted_binding.h"
+
+namespace unietp {
+namespace {
+
+constexpr int kHomesLookedAt = 3;  // for one that offers a binding
+
+std::string key(Simulator simulator, const std::string& name) { return std::string(name_of(simulator)) + "/" + name; }
+
+bool offers_all(const Layout& layout, const Binding& fixed) {
+  return std::all_of(fixed.begin(), fixed.end(), [&](const auto& one) {
+    return std::binary_search(layout.offer.categories.begin(), layout.offer.categories.end(), one.second);
+  });
+}
+
+}  // namespace
+
+CandidatePlanner::CandidatePlanner(const RunConfiguration& configuration, const Resources& resources,
+                                   LayoutPool& layouts, const std::vector<TaskSlot>& slots)
+    : configuration_(configuration), resources_(resources), layouts_(layouts), slots_(slots), turns_(slots.size()) {}
+
+std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open, int attempt,
+                                                   const Frequencies& taken) {
+  counts_ = taken;
+  auto& counts = counts_;
+  const auto position = [&](int slot) { return static_cast<std::size_t>(slot - slots_.front().index); };
+  const auto turn_of = [&](int slot) -> Turn& { return turns_[position(slot)]; };
+  for (const int slot : open) {  // who goes on with a template counts before anyone draws one
+    if (turn_of(slot).left > 0) counts.add({Dimension::Template, resources_.templates[turn_of(slot).source].name});
+  }
+  std::vector<CandidatePlan> plans;
+  for (const int number : open) {
+    const auto& slot = slots_[position(number)];
+    auto& turn = turn_of(number);
+    const auto item = candidate_number(number, attempt);
+    const Rng rng = Rng(configuration_.seed).fork("plan", item);
+    if (turn.left == 0) {
+      turn.source = next_template(slot, turn, counts, rng.fork("template", 0));
+      turn.left = kAttemptsPerTemplate;
+      counts.add({Dimension::Template, resources_.templates[turn.source].name});
+    }
+    --turn.left;
+    CandidatePlan plan{number, attempt, turn.source, 0, std::nullopt};
+    settle_home(plan, slot, counts, rng);
+    count(plan, slot, counts);
+    plans.push_back(std::move(plan));
+  }
+  for (const auto& plan : plans) ++tried_[{slots_[position(plan.slot)].simulator, plan.home}];
+  return plans;
+}
+
+std::size_t CandidatePlanner::next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts,
+                                            Rng rng) const {
+  if (turn.tried.empty()) {
+    turn.tried.push_back(slot.templates[slot.dealt]);
+    return turn.tried.back();
+  }
+  std::vector<std::size_t> fresh;
+  const auto find_fresh = [&] {
+    for (const auto source : slot.templates) {
+      if (std::find(turn.tried.begin(), turn.tried.end(), source) == turn.tried.end()) fresh.push_back(source);
+    }
+  };
+  find_fresh();
+  if (fresh.empty()) turn.tried.clear(), find_fresh();
+  std::vector<double> weights;
+  for (const auto source : fresh)
+    weights.push_back(counts.weight(Dimension::Template, resources_.templates[source].name));
+  turn.tried.push_back(fresh[rng.weighted(weights)]);
+  return turn.tried.back();
+}
+
+void CandidatePlanner::settle_home(CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts, const Rng& rng) {
+  std::vector<int> homes;
+  std::vector<double> weights;
+  for (int home = 0; home < layouts_.size(slot.simulator); ++home) {
+    const auto& layout = layouts_.layout(slot.simulator, home);
+    if (!layout) continue;
+    homes.push_back(home);
+    // A home that lacks what was asked for is the last to be looked at.
+    const double fit = offers_all(*layout, configuration_.binding) ? 1 : 1e-9;
+    // One without a task comes first, so that none is left over; one that has been tried in vain waits.
+    const auto tried = tried_.find({slot.simulator, home});
+    const double patience = 1.0 / (1 + (tried == tried_.end() ? 0 : tried->second));
+    const double wanted = counts.weight(Dimension::Scene, layout->home.scene.id), wanted_more = wanted * wanted;
+    weights.push_back(fit * wanted_more * wanted_more * wanted * patience * patience);
+  }
+  Rng draw = rng.fork("home", 0);
+  for (int look = 0; look < kHomesLookedAt && !homes.empty(); ++look) {
+    const auto drawn = draw.weighted(weights);
+    plan.home = homes[drawn];
+    plan.binding = draw_binding(plan, slot, counts, rng.fork("binding", static_cast<std::uint64_t>(look)));
+    if (plan.binding) return;
+    homes.erase(homes.begin() + static_cast<std::ptrdiff_t>(drawn));
+    weights.erase(weights.begin() + static_cast<std::ptrdiff_t>(drawn));
+  }
+}
+
+std::optional<Binding> CandidatePlanner::draw_binding(const CandidatePlan& plan, const TaskSlot& slot,
+                                                      const Frequencies& counts, Rng rng) {
+  const auto& layout = *layouts_.layout(slot.simulator, plan.home);
+  const auto& rooms = room_types_in(slot.simulator, plan.home, layout);
+  const auto& source = resources_.templates[plan.source];
+  std::vector<Dimension> dimensions;
+  for (const auto& parameter : source.parameters) dimensions.push_back(dimension_of(parameter, source));
+  const CategoryWeight weight = [&](const Parameter& parameter, const std::string& category) {
+    const auto dimension = dimensions[static_cast<std::size_t>(&parameter - source.parameters.data())];
+    const auto own = counts.weight(dimension, key(slot.simulator, category));
+    const auto stands = rooms.find(category);
+    if (stands == rooms.end()) return own;
+    double room = 0;
+    for (const auto& [type, share] : stands->second) room += share * counts.weight(Dimension::Room, type);
+    return own * room;
+  };
+  return sample_binding(source, resources_.backend(slot.simulator).knowledge, layout.offer.categories,
+                        configuration_.binding, weight, rng);
+}
+
+void CandidatePlanner::count(const CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts) {
+  if (!plan.binding) return;
+  const auto& layout = *layouts_.layout(slot.simulator, plan.home);
+  const auto& source = resources_.templates[plan.source];
+  const auto& rooms = room_types_in(slot.simulator, plan.home, layout);
+  counts.add({Dimension::Scene, layout.home.scene.id});
+  for (std::size_t i = 0; i < plan.binding->size(); ++i) {
+    if (is_value(source.parameters[i])) continue;
+    const auto& category = (*plan.binding)[i].second;
+    counts.add({dimension_of(source.parameters[i], source), key(slot.simulator, category)});
+    const auto stands = rooms.find(category);
+    if (stands == rooms.end()) continue;
+    for (const auto& [type, share] : stands->second) counts.add({Dimension::Room, type}, share);
+  }
+}
+
+const CandidatePlanner::RoomTypes& CandidatePlanner::room_types_in(Simulator simulator, int home,
+                                                                   const Layout& layout) {
+  const auto [at, fresh] = rooms_.try_emplace({simulator, home});
+  if (!fresh) return at->second;
+  const auto& scene = layout.home.scene;
+  std::map<std::string_view, int> in_rooms;  // nodes of a category
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const auto room = layout.home.rooms[node];
+    if (room < 0) continue;
+    const auto& category = scene.nodes[node].category;
+    ++in_rooms[category];
+    at->second[category][key(simulator, scene.rooms[static_cast<std::size_t>(room)].type)] += 1;
+  }
+  for (auto& [category, types] : at->second) {
+    for (auto& [type, share] : types) share /= in_rooms[category];
+  }
+  return at->second;
+}
+
+}  // namespace unietp

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/balance.h"
+#include "run/layout_pool.h"
+#include "run/slots.h"
+
+namespace unietp {
+
+/// What a candidate is going to be, settled before any of the dear stages begins.
+struct CandidatePlan {
+  int slot = 0, attempt = 0;
+  std::size_t source = 0;          // position in Resources::templates
+  int home = 0;                    // in the layout pool
+  std::optional<Binding> binding;  // nullopt: the homes looked at offer none
+  bool operator==(const CandidatePlan&) const = default;
+};
+
+/// Settles templates, homes and categories so that the data set is level over templates, categories, receptacles, rooms
+/// and homes: each is drawn by inverse frequency among the tasks taken so far and the candidates planned before it in
+/// the same round. A slot keeps the template dealt to it for a few attempts, then takes one that it has not tried.
+///
+/// Plans depend on the configuration and on what was asked of this planner before: equal rounds give equal plans,
+/// whatever the threads do between them.
+class CandidatePlanner {
+ public:
+  /// The slots (a block's: numbered one after the other) and what they were planned from must outlive it.
+  CandidatePlanner(const RunConfiguration& configuration, const Resources& resources, LayoutPool& layouts,
+                   const std::vector<TaskSlot>& slots);
+
+  /// One candidate for each open slot, in their order (ascending). Rounds come in order of attempt, and none is left
+  /// out.
+  std::vector<CandidatePlan> round(const std::vector<int>& open, int attempt, const Frequencies& taken);
+
+  /// The frequencies as the last round left them, its candidates included.
+  const Frequencies& counts() const { return counts_; }
+
+  static constexpr int kAttemptsPerTemplate = 3;
+
+ private:
+  /// Where a slot stands among its templates.
+  struct Turn {
+    std::size_t source = 0;
+    int left = 0;                    // attempts with it
+    std::vector<std::size_t> tried;  // before it, and it
+  };
+  /// Category -> the kinds of room that have it, as Frequencies names them -> what share of it.
+  using RoomTypes = std::map<std::string, std::map<std::string, double>>;
+
+  std::size_t next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts, Rng rng) const;
+  void settle_home(CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts, const Rng& rng);
+  std::optional<Binding> draw_binding(const CandidatePlan& plan, const TaskSlot& slot, const Frequencies& counts,
+                                      Rng rng);
+  void count(const CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts);
+  const RoomTypes& room_types_in(Simulator simulator, int home, const Layout& layout);
+
+  const RunConfiguration& configuration_;
+  const Resources& resources_;
+  LayoutPool& layouts_;
+  const std::vector<TaskSlot>& slots_;
+  std::vector<Turn> turns_;
+  Frequencies counts_;
+  std::map<std::pair<Simulator, int>, int> tried_;  // candidates planned in a home in earlier rounds
+  std::map<std::pair<Simulator, int>, RoomTypes> rooms_;
+};
+
+}  // namespace unietp

@@ -1,0 +1,217 @@
+#include "run/ledger.h"
+
+#include <exception>
+
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+// WAL with synchronous=NORMAL: a killed process loses nothing, and a commit costs no disk flush. The flushes when the
+// log is taken into the file, each 32 MB, make all threads wait. A candidate is some 25 KB: of pages of 8 KB no more is
+// written than it fills.
+constexpr const char* kPragmas =
+    "PRAGMA page_size=8192; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA wal_autocheckpoint=4096;";
+
+/// The tables and, for people, a view of what became of each candidate; `to` is the database that they are made in.
+/// A cost is a JSON object of seconds by stage.
+std::string schema(const std::string& to) {
+  return "CREATE TABLE IF NOT EXISTS " + to + ".run(identity TEXT NOT NULL);" + "CREATE TABLE IF NOT EXISTS " + to +
+         R"(.candidate(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, accepted INTEGER NOT NULL,
+  template TEXT NOT NULL, task TEXT NOT NULL, demonstration TEXT NOT NULL, actions TEXT NOT NULL,
+  start_key TEXT NOT NULL, text_key TEXT NOT NULL, traits TEXT NOT NULL, rejection TEXT NOT NULL,
+  cost TEXT NOT NULL, PRIMARY KEY(slot, attempt));
+CREATE TABLE IF NOT EXISTS )" +
+         to + R"(.home(layout TEXT PRIMARY KEY, scene TEXT NOT NULL);
+CREATE VIEW IF NOT EXISTS )" +
+         to + R"(.outcome AS SELECT slot, attempt, template, accepted,
+  CASE accepted WHEN 0 THEN json_extract(rejection, '$.stage') END AS stage,
+  CASE accepted WHEN 0 THEN json_extract(rejection, '$.reason') END AS reason,
+  (SELECT sum(value) FROM json_each(cost)) AS seconds, cost FROM candidate;
+)";
+}
+
+std::string text_of(const StageCosts& costs) {
+  std::string text;
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    if (costs.seconds[i] <= 0) continue;
+    text += (text.empty() ? "{\"" : ",\"") + std::string(name_of(static_cast<Stage>(i))) +
+            "\":" + number_text(costs.seconds[i]);
+  }
+  return text.empty() ? "{}" : text + "}";
+}
+
+Error failure(std::string_view what, const std::exception& reason) {
+  return {Error::Kind::Io, "ledger.sqlite", {}, std::string(what) + ": " + reason.what()};
+}
+
+}  // namespace
+
+Result<Ledger> Ledger::open(const std::filesystem::path& path, const std::string& identity) {
+  try {
+    SqliteFile file(path, SqliteFile::Mode::Create);
+    file.run(kPragmas);
+    file.run(schema("main").c_str());
+    std::string stored;
+    {
+      auto query = file.prepare("SELECT identity FROM run");
+      if (query.step()) stored = query.text(0);
+    }
+    if (stored.empty()) {
+      auto insert = file.prepare("INSERT INTO run VALUES(?)");
+      insert.bind(1, std::string_view(identity));
+      insert.step();
+    } else if (stored != identity) {
+      return Error{Error::Kind::Usage,
+                   path.parent_path().string(),
+                   {},
+                   "holds an unfinished run with other settings, so it cannot be resumed\n  it was: " + stored +
+                       "\n  asked:  " + identity +
+                       "\nrepeat the command with the same options and program, or remove that folder to start anew"};
+    }
+    return Ledger(std::move(file));
+  } catch (const std::exception& reason) {
+    return failure("cannot open " + path.string(), reason);
+  }
+}
+
+Result<Ledger> Ledger::read_only(const std::filesystem::path& path, const std::string& identity) {
+  try {
+    SqliteFile file(path, SqliteFile::Mode::Read);
+    auto query = file.prepare("SELECT identity FROM run");
+    if (!query.step() || query.text(0) != identity)
+      return Error{Error::Kind::Usage, path.string(), {}, "is of another run than the folder says that it lies in"};
+    return Ledger(std::move(file));
+  } catch (const std::exception& reason) {
+    return failure("cannot read " + path.string(), reason);
+  }
+}
+
+Result<Done> Ledger::copy_to(const std::filesystem::path& path, bool with_costs) {
+  const std::scoped_lock lock(*mutex_);
+  try {
+    {
+      auto attach = file_.prepare("ATTACH ? AS copy");
+      attach.bind(1, std::string_view(path.native()));
+      attach.step();
+    }
+    file_.run("PRAGMA copy.page_size=32768; PRAGMA copy.journal_mode=MEMORY; PRAGMA copy.synchronous=OFF;");
+    file_.run(schema("copy").c_str());
+    const std::string cost = with_costs ? "cost" : "'{}'";
+    const std::string fill =
+        "BEGIN; INSERT INTO copy.run SELECT identity FROM main.run; INSERT INTO copy.candidate SELECT slot, attempt, "
+        "accepted, template, task, demonstration, actions, start_key, text_key, traits, rejection, " +
+        cost +
+        " FROM main.candidate ORDER BY slot, attempt; INSERT INTO copy.home SELECT layout, scene FROM main.home ORDER "
+        "BY layout; COMMIT; DETACH copy;";
+    file_.run(fill.c_str());
+    return Done{};
+  } catch (const std::exception& reason) {
+    return failure("cannot write " + path.string(), reason);
+  }
+}
+
+Result<Done> Ledger::add(const CandidateRecord& record, const StageCosts& costs) {
+  const std::scoped_lock lock(*mutex_);
+  try {
+    const std::string cost = text_of(costs);
+    auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
+    insert.bind(1, std::int64_t{record.slot});
+    insert.bind(2, std::int64_t{record.attempt});
+    insert.bind(3, std::int64_t{record.accepted});
+    int column = 3;
+    for (const auto* text : {&record.template_name, &record.task, &record.demonstration, &record.actions,
+                             &record.start_key, &record.text_key, &record.traits, &record.rejection})
+      insert.bind(++column, std::string_view(*text));
+    insert.bind(++column, std::string_view(cost));
+    insert.step();
+    return Done{};
+  } catch (const std::exception& reason) {
+    return failure("cannot keep a candidate", reason);
+  }
+}
+
+Result<Done> Ledger::keep_home(const std::string& layout, const std::function<std::string()>& packed) {
+  const std::scoped_lock lock(*mutex_);
+  try {
+    auto known = file_.prepare("SELECT 1 FROM home WHERE layout = ?");
+    known.bind(1, std::string_view(layout));
+    if (known.step()) return Done{};
+    const std::string scene = packed();
+    auto insert = file_.prepare("INSERT INTO home VALUES(?,?)");
+    insert.bind(1, std::string_view(layout));
+    insert.bind(2, std::string_view(scene));
+    insert.step();
+    return Done{};
+  } catch (const std::exception& reason) {
+    return failure("cannot keep a home", reason);
+  }
+}
+
+Result<std::string> Ledger::home(const std::string& layout) {
+  const std::scoped_lock lock(*mutex_);
+  try {
+    auto query = file_.prepare("SELECT scene FROM home WHERE layout = ?");
+    query.bind(1, std::string_view(layout));
+    if (!query.step()) return Error{Error::Kind::Io, "ledger.sqlite", {}, "lacks the home " + layout};
+    return std::string(query.text(0));
+  } catch (const std::exception& reason) {
+    return failure("cannot read a home", reason);
+  }
+}
+
+Result<std::vector<CandidateRecord>> Ledger::outlines(int first, int slots) {
+  const std::scoped_lock lock(*mutex_);
+  try {
+    std::vector<CandidateRecord> records;
+    auto query = file_.prepare(
+        "SELECT slot, attempt, accepted, template, start_key, text_key, traits FROM candidate "
+        "WHERE slot >= ? AND slot < ? ORDER BY attempt, slot");
+    query.bind(1, std::int64_t{first});
+    query.bind(2, std::int64_t{first} + slots);
+    while (query.step()) {
+      CandidateRecord record;
+      record.slot = static_cast<int>(query.integer(0));
+      record.attempt = static_cast<int>(query.integer(1));
+      record.accepted = query.integer(2) != 0;
+      record.template_name = query.text(3);
+      record.start_key = query.text(4);
+      record.text_key = query.text(5);
+      record.traits = query.text(6);
+      records.push_back(std::move(record));
+    }
+    return records;
+  } catch (const std::exception& reason) {
+    return failure("cannot read the candidates", reason);
+  }
+}
+
+Result<CandidateRecord> Ledger::read(int slot, int attempt) {
+  const std::scoped_lock lock(*mutex_);
+  try {
+    auto query = file_.prepare(
+        "SELECT accepted, template, task, demonstration, actions, start_key, text_key, traits, rejection FROM "
+        "candidate "
+        "WHERE slot = ? AND attempt = ?");
+    query.bind(1, std::int64_t{slot});
+    query.bind(2, std::int64_t{attempt});
+    if (!query.step())
+      return Error{Error::Kind::Io,
+                   "ledger.sqlite",
+                   {},
+                   "lacks candidate " + std::to_string(attempt) + " of slot " + std::to_string(slot)};
+    CandidateRecord record;
+    record.slot = slot;
+    record.attempt = attempt;
+    record.accepted = query.integer(0) != 0;
+    int column = 0;
+    for (auto* text : {&record.template_name, &record.task, &record.demonstration, &record.actions, &record.start_key,
+                       &record.text_key, &record.traits, &record.rejection})
+      *text = query.text(++column);
+    return record;
+  } catch (const std::exception& reason) {
+    return failure("cannot read a candidate", reason);
+  }
+}
+
+}  // namespace unietp

@@ -1,0 +1,182 @@
+#include "run/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "dataset/configuration_json.h"
+#include "dataset/manifest.h"
+#include "run/assemble.h"
+#include "run/block_crew.h"
+#include "run/run_folder.h"
+#include "run/shard_folder.h"
+
+namespace unietp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// What a run has come to so far: counts for the progress line, then the report. Safe to use from several threads.
+class Account {
+ public:
+  Account(const RunOptions& options, int asked) : options_(options) { now_.asked = asked; }
+
+  void spend(const StageCosts& costs) {
+    const std::scoped_lock lock(mutex_);
+    if (options_.costs != nullptr) options_.costs->add(costs);
+  }
+
+  void candidate(bool accepted) {
+    const std::scoped_lock lock(mutex_);
+    ++now_.candidates;
+    if (accepted) ++now_.tasks, ++now_.tasks_now;
+    if (!options_.progress) return;
+    now_.seconds = seconds_since(start_);
+    options_.progress(now_);
+  }
+
+  /// A block has ended: what its ledger says replaces what was counted while it was filled.
+  void block(const Block& block, const BlockRun& run, int attempts, Ledger& ledger) {
+    const auto outlines = run.outlines();
+    const int candidates = static_cast<int>(outlines.size()), tasks = run.selection().taken();
+    const std::scoped_lock lock(mutex_);
+    candidates_ += candidates;
+    tasks_ += tasks;
+    now_.candidates += candidates - run.tried();
+    now_.tasks += tasks - run.accepted();
+    for (const auto& record : outlines) {
+      if (run.selection().chosen(record.slot) == record.attempt) taken_.add(traits_from(record.traits));
+    }
+    for (const int open : run.selection().open_slots()) {
+      const auto& slot = block.slots[static_cast<std::size_t>(open - block.first())];
+      unfilled_.push_back(
+          {open, std::string(name_of(slot.split)) + " task on " + std::string(name_of(slot.simulator)), ""});
+      if (const auto record = ledger.read(open, attempts - 1); record && !record->accepted)
+        unfilled_.back().last_reason = record->rejection;
+    }
+  }
+
+  RunReport report() const {
+    return {false, tasks_, now_.asked, candidates_, seconds_since(start_), taken_.spreads(), unfilled_};
+  }
+
+ private:
+  std::mutex mutex_;
+  const RunOptions& options_;
+  RunProgress now_;
+  int tasks_ = 0, candidates_ = 0;
+  Frequencies taken_;
+  std::vector<UnfilledSlot> unfilled_;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// The blocks of the shard, in order.
+std::vector<Block> share_of(std::vector<Block> blocks, const Shard& shard) {
+  std::vector<Block> own;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (static_cast<int>(b) % shard.of == shard.number - 1) own.push_back(std::move(blocks[b]));
+  }
+  return own;
+}
+
+/// Aside first, then renamed, in place of what was there.
+Result<Done> keep_ledger(Ledger& ledger, const std::filesystem::path& path) {
+  const auto aside = path.string() + ".tmp";
+  std::error_code code;
+  std::filesystem::remove(aside, code);
+  if (auto copied = ledger.copy_to(aside, true); !copied) return copied;
+  std::filesystem::rename(aside, path, code);
+  if (code) return Error{Error::Kind::Io, path.string(), {}, "cannot rename the ledger into place: " + code.message()};
+  return Done{};
+}
+
+/// What is left to do when all blocks are done, of which `writer`, if there is one, has the tasks.
+Result<Done> publish(RunFolder& work, const RunConfiguration& configuration, const Resources& resources,
+                     const RunOptions& options, const std::vector<Block>& blocks, Ledger& ledger,
+                     std::optional<DatasetWriter>& writer) {
+  const StageTimer timer(options.costs, Stage::Dataset);
+  if (writer) {
+    if (auto written = writer->finish(configuration, resources, options.licences); !written) return written.error();
+  } else {
+    const auto folder = work.fresh_data_folder();
+    if (!folder) return folder.error();
+    std::vector<FilledBlock> filled;
+    for (const Block& block : blocks) filled.push_back({block.first(), static_cast<int>(block.slots.size()), &ledger});
+    const auto written = write_shard(*folder, options.shard, identity_of(configuration, resources), filled);
+    if (!written) return written.error();
+  }
+  if (!options.ledger.empty()) {
+    if (auto kept = keep_ledger(ledger, options.ledger); !kept) return kept;
+  }
+  return work.publish();
+}
+
+}  // namespace
+
+std::string identity_of(const RunConfiguration& configuration, const Resources& resources) {
+  return nlohmann::ordered_json{
+      {"version", program_version()}, {"knowledge", resources.digest}, {"configuration", to_json(configuration)}}
+      .dump();
+}
+
+Result<RunReport> run_generation(const RunConfiguration& configuration, const Resources& resources,
+                                 const RunOptions& options) {
+  const auto slots = plan_slots(configuration, resources);
+  if (!slots) return slots.error();
+  auto all = blocks_of(configuration, resources, *slots);
+  if (options.shard.of > static_cast<int>(all.size()))
+    return Error{Error::Kind::Usage,
+                 "--shard",
+                 {},
+                 "this run has " + std::to_string(all.size()) + " blocks, so it cannot be shared by " +
+                     std::to_string(options.shard.of) + "; ask for fewer shards or set a smaller block"};
+  const auto blocks = share_of(std::move(all), options.shard);
+  int asked = 0;
+  for (const Block& block : blocks) asked += static_cast<int>(block.slots.size());
+
+  auto work = RunFolder::enter(options.out, options.resume);
+  if (!work) return work.error();
+  if (work->already_published()) return RunReport{false, asked, asked, 0, 0, {}, {}};
+  auto ledger = Ledger::open(work->ledger(), identity_of(configuration, resources));
+  if (!ledger) return ledger.error();
+
+  std::optional<DatasetWriter> writer;  // takes each block as it is done; a shard is written at the end
+  if (options.shard.is_whole()) {
+    const auto folder = work->fresh_data_folder();
+    if (!folder) return folder.error();
+    auto begun = DatasetWriter::begin(*folder);
+    if (!begun) return begun.error();
+    writer.emplace(std::move(*begun));
+  }
+  Account account(options, asked);
+  CrewOrders orders{options.threads, options.stop, {}, {}};
+  orders.news = {[&](const StageCosts& costs) { account.spend(costs); },
+                 [&](bool accepted) { account.candidate(accepted); }};
+  orders.done = [&](const Block& block, const BlockRun& run) -> Result<Done> {
+    StageCosts costs;
+    StageTimer timer(&costs, Stage::Dataset);
+    account.block(block, run, configuration.attempts, *ledger);
+    const FilledBlock filled{block.first(), static_cast<int>(block.slots.size()), &*ledger};
+    auto added = writer ? add_block(*writer, filled, configuration.attempts) : Result<Done>(Done{});
+    timer.stop();
+    account.spend(costs);
+    return added;
+  };
+  const auto filled = fill_blocks(configuration, resources, blocks, *ledger, orders);
+  if (!filled) return filled.error();
+  auto report = account.report();
+  if (!*filled) {
+    report.interrupted = true;
+    return report;
+  }
+  if (auto published = publish(*work, configuration, resources, options, blocks, *ledger, writer); !published)
+    return published.error();
+  return report;
+}
+
+}  // namespace unietp

@@ -1,0 +1,184 @@
+#include "run/slots.h"
+
+#include <algorithm>
+
+#include "core/rng.h"
+#include "core/unknown_name.h"
+#include "run/share_out.h"
+
+namespace unietp {
+namespace {
+
+/// A refinement takes any template that has none of its own; the other splits take their own.
+bool fits(const Template& source, Simulator simulator, Split split) {
+  const bool refined = split == Split::InstanceGrounding || split == Split::Linguistic;
+  return ((refined && source.refinement.empty()) || split_of_tasks(source) == split) &&
+         std::find(source.simulators.begin(), source.simulators.end(), simulator) != source.simulators.end();
+}
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool asked_for(const RunConfiguration& configuration, const Template& source) {
+  return (configuration.templates.empty() || has(configuration.templates, source.name)) &&
+         !has(configuration.without, source.name);
+}
+
+std::vector<std::size_t> templates_for(const RunConfiguration& configuration, const Resources& resources,
+                                       Simulator simulator, Split split) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < resources.templates.size(); ++i) {
+    const auto& source = resources.templates[i];
+    if (asked_for(configuration, source) && fits(source, simulator, split)) found.push_back(i);
+  }
+  return found;
+}
+
+struct Group {
+  Split split;
+  std::vector<std::size_t> templates;
+};
+
+Result<std::vector<Group>> groups_of(const RunConfiguration& configuration, const Resources& resources,
+                                     Simulator simulator) {
+  std::vector<Group> groups;
+  for (const Split split : configuration.splits.empty() ? all_splits() : configuration.splits) {
+    auto templates = templates_for(configuration, resources, simulator, split);
+    if (!templates.empty()) {
+      groups.push_back({split, std::move(templates)});
+    } else if (!configuration.splits.empty()) {
+      return Error{Error::Kind::Usage,
+                   "--splits",
+                   {},
+                   "no template of those asked for makes " + std::string(name_of(split)) + " tasks on " +
+                       std::string(name_of(simulator)) + "; `unietp template list` shows what each can make"};
+    }
+  }
+  if (groups.empty())
+    return Error{Error::Kind::Usage,
+                 "--template",
+                 {},
+                 "none of the templates asked for fits " + std::string(name_of(simulator)) +
+                     "; `unietp template list` shows what each can make"};
+  return groups;
+}
+
+/// Simulators take turns, and so do the splits of each.
+std::vector<TaskSlot> equal_shares(const RunConfiguration& configuration,
+                                   const std::vector<std::vector<Group>>& groups) {
+  std::vector<TaskSlot> slots;
+  for (int i = 0; i < configuration.count; ++i) {
+    const auto share = static_cast<std::size_t>(i) % groups.size();
+    const int number = i / static_cast<int>(groups.size());
+    const auto& own = groups[share];
+    const Group& group = own[static_cast<std::size_t>(number) % own.size()];
+    slots.push_back({i, configuration.simulators[share], group.split, group.templates});
+  }
+  return slots;
+}
+
+template <class T>
+std::vector<int> counts_of(const std::vector<std::pair<T, int>>& shares) {
+  std::vector<int> counts;
+  for (const auto& share : shares) counts.push_back(share.second);
+  return counts;
+}
+
+Result<std::vector<TaskSlot>> by_quotas(const RunConfiguration& configuration, const Resources& resources) {
+  const auto& [splits, simulators] = configuration.quotas;
+  std::vector<Group> groups;  // simulator by simulator, each with every split
+  std::vector<std::vector<bool>> allowed;
+  for (const auto& simulator : simulators) {
+    allowed.emplace_back();
+    for (const auto& split : splits) {
+      groups.push_back({split.first, templates_for(configuration, resources, simulator.first, split.first)});
+      allowed.back().push_back(!groups.back().templates.empty());
+    }
+  }
+  const auto table = share_out(counts_of(simulators), counts_of(splits), allowed);
+  if (table.empty())
+    return Error{Error::Kind::Usage,
+                 "quotas",
+                 {},
+                 "cannot be met by the templates asked for: some simulator has none for a split that must fill its "
+                 "share; `unietp template list` shows what each can make"};
+  std::vector<int> counts;
+  for (const auto& row : table) counts.insert(counts.end(), row.begin(), row.end());
+  std::vector<TaskSlot> slots;
+  for (const std::size_t cell : spread_out(counts)) {
+    slots.push_back({static_cast<int>(slots.size()), simulators[cell / splits.size()].first, groups[cell].split,
+                     groups[cell].templates});
+  }
+  return slots;
+}
+
+/// Each slot in turn takes the template dealt least often so far; among equals the one that fits fewest slots, since
+/// others have more chances to come, and then any.
+void deal_templates(std::vector<TaskSlot>& slots, std::size_t templates, Rng rng) {
+  std::vector<int> dealt(templates, 0), chances(templates, 0);
+  for (const auto& slot : slots) {
+    for (const auto source : slot.templates) ++chances[source];
+  }
+  for (auto& slot : slots) {
+    std::vector<std::size_t> least;  // positions in slot.templates
+    const auto rank = [&](std::size_t at) { return std::pair(dealt[slot.templates[at]], chances[slot.templates[at]]); };
+    for (std::size_t at = 0; at < slot.templates.size(); ++at) {
+      if (!least.empty() && rank(at) > rank(least.front())) continue;
+      if (!least.empty() && rank(at) < rank(least.front())) least.clear();
+      least.push_back(at);
+    }
+    slot.dealt = least[rng.below(least.size())];
+    ++dealt[slot.templates[slot.dealt]];
+  }
+}
+
+/// Errors: Usage for a name that no template has.
+Result<Done> check_names(const RunConfiguration& configuration, const Resources& resources) {
+  std::vector<std::string> known;
+  for (const auto& source : resources.templates) known.push_back(source.name);
+  for (const auto& name : configuration.templates) {
+    if (!has(known, name)) return unknown_name_error("--template", name, known);
+  }
+  for (const auto& name : configuration.without) {
+    if (!has(known, name)) return unknown_name_error("--without-templates", name, known);
+  }
+  return Done{};
+}
+
+/// Errors: Usage when homes are given and a simulator has none of them.
+Result<Done> check_homes(const RunConfiguration& configuration, const Resources& resources) {
+  for (const auto simulator : configuration.simulators) {
+    const auto own = [&](const Scene& home) { return home.simulator == simulator; };
+    if (!resources.homes.empty() && std::none_of(resources.homes.begin(), resources.homes.end(), own))
+      return Error{Error::Kind::Usage,
+                   "--scenes",
+                   {},
+                   "none of the scenes given is one of " + std::string(name_of(simulator)) +
+                       "; leave that simulator out of --simulators or give one"};
+  }
+  return Done{};
+}
+
+Result<std::vector<TaskSlot>> shared_out(const RunConfiguration& configuration, const Resources& resources) {
+  if (!configuration.quotas.empty()) return by_quotas(configuration, resources);
+  std::vector<std::vector<Group>> groups;
+  for (const auto simulator : configuration.simulators) {
+    auto found = groups_of(configuration, resources, simulator);
+    if (!found) return found.error();
+    groups.push_back(std::move(*found));
+  }
+  return equal_shares(configuration, groups);
+}
+
+}  // namespace
+
+Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources) {
+  if (auto known = check_names(configuration, resources); !known) return known.error();
+  if (auto there = check_homes(configuration, resources); !there) return there.error();
+  auto slots = shared_out(configuration, resources);
+  if (slots) deal_templates(*slots, resources.templates.size(), Rng(configuration.seed).fork("deal", 0));
+  return slots;
+}
+
+}  // namespace unietp

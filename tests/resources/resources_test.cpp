@@ -1,0 +1,81 @@
+#include "resources/resources.h"
+
+#include <gtest/gtest.h>
+
+#include "dataset/manifest.h"
+#include "run/layout_pool.h"
+
+namespace unietp {
+namespace {
+
+DataFolders own_folders() {
+  return {UNIETP_SOURCE_DIR, std::filesystem::path(::testing::TempDir()) / "unietp-resources-cache"};
+}
+
+TEST(Resources, TheCommittedDataLoadsWithoutAnError) {
+  const auto reading = load_resources(own_folders());
+  for (const auto& error : reading.errors) ADD_FAILURE() << format(error);
+  EXPECT_EQ(reading.resources.backends.size(), 4U);
+  EXPECT_EQ(reading.resources.recipes.size(), 4U);
+  EXPECT_EQ(reading.resources.templates.size(), 138U);
+  EXPECT_EQ(reading.resources.digest.size(), 64U);
+}
+
+TEST(Resources, EverySourceOfAFactHasALicence) {
+  const auto reading = load_resources(own_folders());
+  ASSERT_TRUE(reading.errors.empty());
+  const auto sources = sources_of(RunConfiguration{}, reading.resources, own_folders().licences());
+  ASSERT_TRUE(sources) << format(sources.error());
+  EXPECT_GT(sources->size(), 5U);
+  for (const auto& source : *sources) EXPECT_FALSE(source.licence.empty()) << source.source;
+}
+
+TEST(LayoutPool, GivesEqualHomesWhoeverAsksFirst) {
+  const auto reading = load_resources(own_folders());
+  ASSERT_TRUE(reading.errors.empty());
+  RunConfiguration configuration;
+  configuration.rooms = 5;
+  configuration.objects = 10;
+  LayoutPool forwards(configuration, reading.resources, 2), backwards(configuration, reading.resources, 2);
+  const auto& first = forwards.layout(Simulator::Ai2thor, 0);
+  (void)backwards.layout(Simulator::Ai2thor, 1);
+  const auto& again = backwards.layout(Simulator::Ai2thor, 0);
+  ASSERT_TRUE(first && again);
+  EXPECT_EQ(first->home.scene, again->home.scene);
+  EXPECT_EQ(first->offer.categories, again->offer.categories);
+  EXPECT_NE(first->home.scene, forwards.layout(Simulator::Ai2thor, 1)->home.scene);
+}
+
+TEST(LoadBackends, GivesAgentsOfTheProfileWideWithTheExtendedLibraryOnly) {
+  auto folders = own_folders();
+  for (const bool extended : {false, true}) {
+    folders.extended_library = extended;
+    const auto reading = load_backends(folders);
+    ASSERT_TRUE(reading.errors.empty());
+    const auto offers = [&](Simulator simulator, ActionType action) {
+      return reading.backends[static_cast<std::size_t>(simulator)].profile.offers(action);
+    };
+    EXPECT_EQ(offers(Simulator::Virtualhome, ActionType::SitOn), extended);
+    EXPECT_EQ(offers(Simulator::Behavior, ActionType::Fold), extended);
+    EXPECT_EQ(offers(Simulator::Ai2thor, ActionType::Break), extended);
+    EXPECT_TRUE(offers(Simulator::Behavior, ActionType::PickUp));
+  }
+}
+
+TEST(UnknownCategories, ANameThatIsNoPlaceholderMustBeKnownToASimulator) {
+  const auto reading = load_backends(own_folders());
+  ASSERT_TRUE(reading.errors.empty());
+  Template source;
+  source.name = "own";
+  source.simulators = {Simulator::Ai2thor};
+  source.parameters = {{"A", {"pickupable"}, {}}};
+  source.goal = at_end(exists("a", of_category("A"), exists("m", of_category("Mug"), atom(Predicate::On, {"a", "m"}))));
+  EXPECT_TRUE(unknown_categories(source, reading.backends).empty());
+  source.goal = at_end(exists("a", of_category("Mugg"), atom(Predicate::Open, {"a"})));
+  const auto errors = unknown_categories(source, reading.backends);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors[0].message.find("did you mean \"Mug\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace unietp

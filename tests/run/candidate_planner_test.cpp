@@ -1,0 +1,136 @@
+#include "run/candidate_planner.h"
+
+#include <map>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "../resources/committed.h"
+
+namespace unietp {
+namespace {
+
+RunConfiguration small_homes(int count) {
+  RunConfiguration configuration;
+  configuration.count = count;
+  configuration.rooms = 5;
+  configuration.objects = 25;
+  return configuration;
+}
+
+std::vector<int> all_of(const std::vector<TaskSlot>& slots) {
+  std::vector<int> open;
+  for (const auto& slot : slots) open.push_back(slot.index);
+  return open;
+}
+
+void count(const CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts) {
+  const auto& source = committed().templates[plan.source];
+  const std::string simulator(name_of(slot.simulator));
+  counts.add({Dimension::Template, source.name});
+  counts.add({Dimension::Scene, simulator + std::to_string(plan.home)});
+  if (!plan.binding) return;
+  for (std::size_t i = 0; i < plan.binding->size(); ++i)
+    counts.add({dimension_of(source.parameters[i], source), simulator + (*plan.binding)[i].second});
+}
+
+/// What one round of all slots is worth when it balances, and when each slot is planned alone and so knows of no
+/// frequency: as many equally frequent values, by dimension.
+struct Worth {
+  std::map<Dimension, double> balanced, uniform;
+};
+Worth worth_of(const RunConfiguration& configuration) {
+  const auto slots = plan_slots(configuration, committed());
+  EXPECT_TRUE(slots);
+  LayoutPool layouts(configuration, committed(), 6);
+  CandidatePlanner balancing(configuration, committed(), layouts, *slots);
+  CandidatePlanner blind(configuration, committed(), layouts, *slots);
+  Frequencies balanced, uniform;
+  for (const auto& plan : balancing.round(all_of(*slots), 0, {}))
+    count(plan, (*slots)[static_cast<std::size_t>(plan.slot)], balanced);
+  for (const auto& slot : *slots) {
+    for (const auto& plan : blind.round({slot.index}, 0, {})) count(plan, slot, uniform);
+  }
+  Worth worth;
+  for (const auto& spread : balanced.spreads()) worth.balanced[spread.dimension] = spread.effective;
+  for (const auto& spread : uniform.spreads()) worth.uniform[spread.dimension] = spread.effective;
+  return worth;
+}
+
+TEST(CandidatePlanner, IsFlatterThanUniformDrawsOverReceptacles) {
+  auto worth = worth_of(small_homes(240));
+  EXPECT_GT(worth.balanced[Dimension::Receptacle], 1.05 * worth.uniform[Dimension::Receptacle]);
+}
+
+/// With all templates, level templates also mean more tasks whose only sink or stove is bound each time; so categories
+/// are compared where templates leave the choice.
+TEST(CandidatePlanner, IsFlatterThanUniformDrawsOverCategoriesAndHomes) {
+  auto configuration = small_homes(60);
+  configuration.simulators = {Simulator::Ai2thor};
+  configuration.templates = {"place-one-on"};
+  configuration.splits = {Split::Atomic};
+  auto worth = worth_of(configuration);
+  for (const auto dimension : {Dimension::Category, Dimension::Receptacle})
+    EXPECT_GT(worth.balanced[dimension], 1.05 * worth.uniform[dimension]) << name_of(dimension);
+  EXPECT_GT(worth.balanced[Dimension::Scene], 0.95 * 6);  // of six homes, which uniform draws level almost as well
+}
+
+TEST(CandidatePlanner, EqualRoundsGiveEqualPlansWhoeverDrewTheHomes) {
+  const auto configuration = small_homes(24);
+  const auto slots = plan_slots(configuration, committed());
+  ASSERT_TRUE(slots);
+  LayoutPool forwards(configuration, committed(), 2), backwards(configuration, committed(), 2);
+  for (const auto simulator : kSimulators) {
+    for (int i = backwards.size(simulator); i-- > 0;) (void)backwards.layout(simulator, i);
+  }
+  CandidatePlanner first(configuration, committed(), forwards, *slots),
+      second(configuration, committed(), backwards, *slots);
+  Frequencies taken;
+  taken.add({Dimension::Template, committed().templates[0].name});
+  for (int attempt = 0; attempt < 5; ++attempt)
+    EXPECT_EQ(first.round(all_of(*slots), attempt, taken), second.round(all_of(*slots), attempt, taken)) << attempt;
+}
+
+TEST(CandidatePlanner, ASlotKeepsTheTemplateDealtToItForAWhileAndThenTriesAnother) {
+  auto configuration = small_homes(1);
+  configuration.simulators = {Simulator::Habitat};
+  configuration.splits = {Split::Atomic};
+  const auto slots = plan_slots(configuration, committed());
+  ASSERT_TRUE(slots);
+  LayoutPool layouts(configuration, committed(), 1);
+  CandidatePlanner planner(configuration, committed(), layouts, *slots);
+  const auto choices = slots->front().templates.size();
+  ASSERT_GT(choices, 2U);
+  std::set<std::size_t> seen;
+  int attempt = 0;
+  for (std::size_t turn = 0; turn < choices; ++turn) {
+    std::set<std::size_t> now;
+    for (int i = 0; i < CandidatePlanner::kAttemptsPerTemplate; ++i)
+      now.insert(planner.round({0}, attempt++, {}).front().source);
+    EXPECT_EQ(now.size(), 1U);
+    if (turn == 0) {
+      EXPECT_EQ(*now.begin(), slots->front().templates[slots->front().dealt]);
+    }
+    EXPECT_TRUE(seen.insert(*now.begin()).second) << "a template comes again before all had their turn";
+  }
+}
+
+TEST(CandidatePlanner, KeepsTheCategoriesThatWereGiven) {
+  auto configuration = small_homes(4);
+  configuration.simulators = {Simulator::Ai2thor};
+  configuration.templates = {"place-one-on"};
+  configuration.splits = {Split::Atomic};
+  configuration.binding = {{"A", "Book"}};
+  const auto slots = plan_slots(configuration, committed());
+  ASSERT_TRUE(slots);
+  LayoutPool layouts(configuration, committed(), 2);
+  CandidatePlanner planner(configuration, committed(), layouts, *slots);
+  for (const auto& plan : planner.round(all_of(*slots), 0, {})) {
+    ASSERT_TRUE(plan.binding);
+    EXPECT_EQ(plan.binding->front(), (std::pair<std::string, std::string>("A", "Book")));
+  }
+}
+
+}  // namespace
+}  // namespace unietp
