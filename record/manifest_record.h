@@ -10,6 +10,9 @@
 
 namespace unietp {
 
+/// The manifest's name in a data set's folder.
+inline constexpr const char* kManifest = "manifest.json";
+
 /// What the manifest says of the run, as far as the files can be held against it.
 struct RecordedRun {
   int count = 0;

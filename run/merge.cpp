@@ -11,10 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error usage(const fs::path& folder, std::string message) {
-  return {Error::Kind::Usage, folder.string(), {}, std::move(message)};
-}
-
 std::string name_of(const Shard& shard) { return std::to_string(shard.number) + "/" + std::to_string(shard.of); }
 
 }  // namespace
@@ -31,21 +27,21 @@ Result<ShardSet> read_shards(const std::vector<fs::path>& folders) {
     }
     const Shard& first = set.records.empty() ? record->shard : set.records.front().shard;
     if (record->identity != set.identity)
-      return usage(folder, "is of another run than " + folders.front().string() + "\n  that: " + set.identity +
-                               "\n  this: " + record->identity);
+      return usage_error(folder, "is of another run than " + folders.front().string() + "\n  that: " + set.identity +
+                                     "\n  this: " + record->identity);
     if (record->shard.of != first.of)
-      return usage(
+      return usage_error(
           folder, "is shard " + name_of(record->shard) + ", but " + folders.front().string() + " is " + name_of(first));
     if (!seen.insert(record->shard.number).second)
-      return usage(folder, "is shard " + name_of(record->shard) + ", which was given before");
+      return usage_error(folder, "is shard " + name_of(record->shard) + ", which was given before");
     set.folders.push_back(folder);
     set.records.push_back(std::move(*record));
   }
   for (int number = 1; !set.records.empty() && number <= set.records.front().shard.of; ++number) {
     if (!seen.contains(number))
-      return usage(folders.front(), "shard " + std::to_string(number) + " of " +
-                                        std::to_string(set.records.front().shard.of) +
-                                        " is missing; give the folders of all shards");
+      return usage_error(folders.front(), "shard " + std::to_string(number) + " of " +
+                                              std::to_string(set.records.front().shard.of) +
+                                              " is missing; give the folders of all shards");
   }
   return set;
 }
@@ -54,9 +50,9 @@ Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, co
                           const fs::path& out) {
   const auto identity = identity_of(shards.configuration, resources);
   if (identity != shards.identity)
-    return usage(shards.folders.front(),
-                 "was made by another version or with other knowledge than this program has\n  it was:  " +
-                     shards.identity + "\n  this is: " + identity);
+    return usage_error(shards.folders.front(),
+                       "was made by another version or with other knowledge than this program has\n  it was:  " +
+                           shards.identity + "\n  this is: " + identity);
   std::vector<std::unique_ptr<Ledger>> ledgers;
   std::vector<FilledBlock> blocks;
   for (std::size_t i = 0; i < shards.records.size(); ++i) {
@@ -72,8 +68,9 @@ Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, co
     covered += block.slots;
   }
   if (covered != shards.configuration.count)
-    return usage(shards.folders.front(), "a shard.json is damaged: the blocks of the shards do not hold the run's " +
-                                             std::to_string(shards.configuration.count) + " tasks once each");
+    return usage_error(shards.folders.front(),
+                       "a shard.json is damaged: the blocks of the shards do not hold the run's " +
+                           std::to_string(shards.configuration.count) + " tasks once each");
   auto work = RunFolder::enter(out, true);
   if (!work) return work.error();
   const auto folder = work->fresh_data_folder();

@@ -18,9 +18,6 @@ namespace fs = std::filesystem;
 // Stands in the folder from just before the rename on, to tell a finished run from a stranger's folder of that name.
 constexpr const char* kPublishing = "publishing";
 
-Error usage(const fs::path& path, std::string message) {
-  return {Error::Kind::Usage, path.string(), {}, std::move(message)};
-}
 Error io(const fs::path& path, std::string message) { return {Error::Kind::Io, path.string(), {}, std::move(message)}; }
 
 /// The marker goes last, so that whoever comes after a kill midway knows what is left to do.
@@ -38,6 +35,10 @@ fs::path without_slash(const fs::path& path) { return path.has_filename() ? path
 
 }  // namespace
 
+Error usage_error(const fs::path& path, std::string message) {
+  return {Error::Kind::Usage, path.string(), {}, std::move(message)};
+}
+
 Result<RunFolder> RunFolder::enter(const fs::path& asked, bool resume) {
   const fs::path out = without_slash(asked);
   const fs::path folder = out.string() + ".partial";
@@ -46,7 +47,7 @@ Result<RunFolder> RunFolder::enter(const fs::path& asked, bool resume) {
   const bool published = fs::exists(folder / kPublishing, code) && !fs::exists(folder / "data", code);
   const bool tidy_up = resume && unfinished && (published || fs::is_empty(folder, code));
   if (fs::exists(out, code) && !tidy_up)
-    return usage(out, "already exists; choose another folder, or remove this one first");
+    return usage_error(out, "already exists; choose another folder, or remove this one first");
 
   fs::create_directories(folder, code);
   if (code) return io(folder, "cannot make this folder: " + code.message() + "; choose a folder that you can write to");
@@ -58,9 +59,10 @@ Result<RunFolder> RunFolder::enter(const fs::path& asked, bool resume) {
   }
   RunFolder run(out, folder, lock);
   if (::flock(lock, LOCK_EX | LOCK_NB) != 0)
-    return usage(folder, "another run is working here; wait for it to end, or choose another folder");
+    return usage_error(folder, "another run is working here; wait for it to end, or choose another folder");
   if (unfinished && !resume)
-    return usage(folder, "holds an unfinished run; add --resume to continue it, or remove that folder to start anew");
+    return usage_error(folder,
+                       "holds an unfinished run; add --resume to continue it, or remove that folder to start anew");
   if (tidy_up && fs::exists(out, code)) {
     remove_marker_last(folder);
     run.already_published_ = true;

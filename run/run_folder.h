@@ -6,6 +6,9 @@
 
 namespace unietp {
 
+/// A `Usage` error about a folder or file that was named on the command line.
+Error usage_error(const std::filesystem::path& path, std::string message);
+
 /// `<out>.partial`, held by one run at a time: the ledger lives in it, the data set grows in it, and becomes `<out>` by
 /// one rename. Leaving without `publish` keeps the folder for a later `--resume`.
 class RunFolder {

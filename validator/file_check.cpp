@@ -5,12 +5,12 @@
 #include "core/digest.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "record/manifest_record.h"
 
 namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr const char* kManifest = "manifest.json";
 
 std::vector<std::string> files_in(const fs::path& folder) {
   std::vector<std::string> names;

@@ -5,13 +5,13 @@
 #include <set>
 
 #include "core/text.h"
+#include "record/manifest_record.h"
 #include "record/record_fields.h"
 
 namespace unietp {
 namespace {
 
 using Counts = std::map<std::string, int>;
-constexpr const char* kManifest = "manifest.json";
 
 int count_of(const Counts& counts, const std::string& name) {
   const auto found = counts.find(name);

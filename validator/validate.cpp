@@ -4,6 +4,7 @@
 
 #include "core/files.h"
 #include "core/share_work.h"
+#include "record/manifest_record.h"
 #include "validator/file_check.h"
 #include "validator/prove.h"
 #include "validator/recount.h"
@@ -13,7 +14,6 @@ namespace unietp {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr const char* kManifest = "manifest.json";
 
 std::optional<ManifestRecord> manifest_in(const fs::path& folder, std::string_view knowledge_digest,
                                           std::vector<Problem>& problems) {
