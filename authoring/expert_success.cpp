@@ -31,7 +31,7 @@ std::string row_of(const std::string& name, const ExpertSuccess& success) {
 }
 
 std::string head_of(const std::string& first) {
-  return "| " + first + " | grounded | shown | share | why not |\n|---|---|---|---|---|\n";
+  return "| " + first + " | passed the gates | solved | share | failures |\n|---|---|---|---|---|\n";
 }
 
 }  // namespace

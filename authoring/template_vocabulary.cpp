@@ -40,7 +40,7 @@ VocabularyGroup sections() {
       "sections", "Sections", "The lists below (template name ...), each once and in any order.", {}, {}};
   for (const auto& section : template_sections()) {
     group.words.push_back({std::string(section.name), std::string(section.usage),
-                           std::string(section.says) + (section.required ? "" : "; may be left out")});
+                           std::string(section.says) + (section.required ? "" : "; optional")});
   }
   return group;
 }
@@ -66,20 +66,20 @@ VocabularyGroup simulators() {
 }
 
 VocabularyGroup affordances() {
-  VocabularyGroup group{"affordances", "Affordances", "In (parameters (A - ...)): what a category must be.", {}, {}};
+  VocabularyGroup group{"affordances", "Affordances", "In (parameters (A - ...)): requirements on a category.", {}, {}};
   for (const auto& affordance : affordance_meanings()) {
     group.words.push_back({std::string(affordance.name), std::string(affordance.name), std::string(affordance.says)});
   }
   group.groups.push_back({"kinds",
                           "Kinds of category",
-                          "As affordances, but of the category itself.",
+                          "Used like affordances, but about the category itself.",
                           meant_words(pseudo_affordance_meanings()),
                           {}});
   return group;
 }
 
 VocabularyGroup constraints() {
-  VocabularyGroup group{"constraints", "Constraints", "In (constraints ...): which categories go together.", {}, {}};
+  VocabularyGroup group{"constraints", "Constraints", "In (constraints ...): constraints between categories.", {}, {}};
   for (const auto& kind : constraint_kinds()) {
     group.words.push_back({std::string(kind.name), std::string(kind.usage), std::string(kind.says)});
   }
@@ -89,18 +89,20 @@ VocabularyGroup constraints() {
 VocabularyGroup starts() {
   VocabularyGroup group{"init",
                         "Start constraints",
-                        "In (init ...): shapes that grounding can make true.",
+                        "In (init ...): the forms that grounding can make true.",
                         used_words(start_shapes()),
                         {}};
-  group.groups.push_back(
-      {"literals", "Their bodies", "What may stand for body.", used_words(start_literal_forms()), {}});
+  group.groups.push_back({"literals", "Bodies", "The forms of body.", used_words(start_literal_forms()), {}});
   return group;
 }
 
 VocabularyGroup operators() {
-  VocabularyGroup group{"operators", "Operators", "In the goal, and without the temporal ones in :where.", {}, {}};
-  VocabularyGroup temporal{
-      "temporal", "Temporal operators", "Every predicate of a goal stands under one, or in a :where.", {}, {}};
+  VocabularyGroup group{"operators", "Operators", "In goals; without the temporal ones also in :where.", {}, {}};
+  VocabularyGroup temporal{"temporal",
+                           "Temporal operators",
+                           "Every predicate of a goal must be under one of these, or in a :where.",
+                           {},
+                           {}};
   for (const auto& known : kOperatorWords) {
     auto& words = is_temporal(known.op) ? temporal.words : group.words;
     words.push_back({std::string(known.word), std::string(known.usage), std::string(known.says)});
@@ -123,7 +125,7 @@ std::string usage_of(const PredicateInfo& predicate) {
 }
 
 VocabularyGroup predicates() {
-  VocabularyGroup group{"predicates", "Predicates", "What can be said of objects.", {}, {}};
+  VocabularyGroup group{"predicates", "Predicates", "Properties of objects, and relations between them.", {}, {}};
   const auto of = [](const char* name, const char* title, auto belongs) {
     VocabularyGroup part{name, title, "", {}, {}};
     for (const auto& predicate : all_predicates()) {
@@ -152,7 +154,7 @@ VocabularyGroup slots() {
 }
 
 VocabularyGroup actions() {
-  VocabularyGroup group{"actions", "Actions", "What an agent can do; templates do not name them.", {}, {}};
+  VocabularyGroup group{"actions", "Actions", "The actions of an agent; templates do not mention them.", {}, {}};
   for (const auto& action : all_actions()) {
     std::vector<std::string> names;
     for (const auto simulator : kSimulators) {
@@ -182,7 +184,7 @@ void append_group(const VocabularyGroup& group, int level, std::string& page) {
   page += std::string(static_cast<std::size_t>(level), '#') + " " + group.title + "\n\n";
   if (!group.says.empty()) page += group.says + "\n\n";
   if (!group.words.empty()) {
-    page += "| written | meaning |\n|---|---|\n";
+    page += "| form | meaning |\n|---|---|\n";
     for (const auto& word : group.words) {
       page += "| `" + replace_all(word.usage, "|", "\\|") + "` | " + word.meaning + " |\n";
     }
@@ -197,7 +199,7 @@ std::vector<VocabularyGroup> template_vocabulary() {
   std::vector<VocabularyGroup> groups = {sections()};
   groups.push_back({"splits",
                     "Splits",
-                    "In (split ...) the first three; the others are those of refined tasks.",
+                    "The first three can be used in (split ...); the others are the splits of refined tasks.",
                     meant_words(split_meanings()),
                     {}});
   for (auto& group : {refinements(), simulators(), affordances(), constraints(), starts(), operators(), predicates(),
@@ -226,11 +228,10 @@ Json vocabulary_json(const std::vector<VocabularyGroup>& groups) {
 
 std::string vocabulary_page(const std::vector<VocabularyGroup>& groups) {
   std::string page =
-      "# The words of the template language\n"
+      "# Vocabulary of the template language\n"
       "\n"
-      "Written by `unietp template vocabulary --markdown` from the tables that the program itself reads by; do not "
-      "edit.\n"
-      "`unietp template vocabulary --json` is the same tree for editors. [templates.md](templates.md) explains the "
+      "Generated by `unietp template vocabulary --markdown` from the tables that the parser uses; do not edit.\n"
+      "`unietp template vocabulary --json` prints the same for editors. [templates.md](templates.md) describes the "
       "language.\n"
       "\n";
   for (const auto& group : groups) append_group(group, 2, page);

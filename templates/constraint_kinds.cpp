@@ -12,11 +12,11 @@ namespace {
 constexpr auto kKinds = [] {
   using enum ConstraintKind::Meaning;
   return std::array<ConstraintKind, 22>{{
-      {"distinct", Distinct, "", "(distinct A B ...)", "the placeholders get different categories"},
-      {"fits-on", Placement, "on", "(fits-on A B [n])", "a B carries at least n A at once (1 when left out)"},
-      {"fits-inside", Placement, "inside", "(fits-inside A B [n])", "a B holds at least n A at once (1 when left out)"},
-      {"fits-next-to", Placement, "next_to", "(fits-next-to A B [n])", "at least n A find room beside a B"},
-      {"fits-under", Placement, "under", "(fits-under A B [n])", "at least n A find room under a B"},
+      {"distinct", Distinct, "", "(distinct A B ...)", "the placeholders are bound to different categories"},
+      {"fits-on", Placement, "on", "(fits-on A B [n])", "at least n A fit on a B at once (default 1)"},
+      {"fits-inside", Placement, "inside", "(fits-inside A B [n])", "at least n A fit in a B at once (default 1)"},
+      {"fits-next-to", Placement, "next_to", "(fits-next-to A B [n])", "at least n A fit next to a B"},
+      {"fits-under", Placement, "under", "(fits-under A B [n])", "at least n A fit under a B"},
       {"heats", Effect, "heats", "(heats T A)", "a T makes an A hot"},
       {"cools", Effect, "cools", "(cools T A)", "a T makes an A cool"},
       {"freezes", Effect, "freezes", "(freezes T A)", "a T freezes an A"},
@@ -30,23 +30,23 @@ constexpr auto kKinds = [] {
       {"dispenses", Effect, "dispenses", "(dispenses T A substance)", "a T spreads the substance over an A"},
       {"drains", Effect, "drains", "(drains T A)", "an A is emptied into a T"},
       {"attaches", Effect, "attaches", "(attaches B A)", "an A can be attached to a B"},
-      {"found-in", Usual, "", "(found-in A R)", "an A is usual in an R, a type of room"},
+      {"found-in", Usual, "", "(found-in A R)", "an A is usual in the room type R"},
       {"comes-in", Value, "", "(comes-in A K)",
-       "an A may be K, a colour or material, or be something told apart from it"},
-      {"comes-in-sizes", Sizes, "", "(comes-in-sizes A)", "one A may be 1.3 times as large as another"},
+       "K is a color or material of A, and A has another one that is clearly different"},
+      {"comes-in-sizes", Sizes, "", "(comes-in-sizes A)", "one A can be 1.3 times as large as another"},
       {"has-words", Words, "", "(has-words A synonym|function|context)", "the knowledge base has such words for an A"},
   }};
 }();
 
 constexpr std::array<WordMeaning, 8> kPseudoAffordances = {{
-    {"furniture", "a category that stays where it is"},
-    {"movable", "a category that is no furniture"},
+    {"furniture", "a category that cannot be moved"},
+    {"movable", "a category that can be moved"},
     {"countable", "comes in pieces: \"two mugs\", not \"some bread\""},
-    {"room", "a type of room, such as kitchen; stands alone"},
-    {"colour", "a colour, such as red; stands alone"},
-    {"material", "a material, such as wood; stands alone"},
-    {"substance", "what a vessel holds or a bottle dispenses, one word such as dish_soap; stands alone"},
-    {"any", "whatever the constraints allow; stands alone"},
+    {"room", "a room type, such as kitchen; must be the only word"},
+    {"colour", "a color, such as red; must be the only word"},
+    {"material", "a material, such as wood; must be the only word"},
+    {"substance", "what a vessel holds or a bottle dispenses, one word such as dish_soap; must be the only word"},
+    {"any", "whatever the constraints allow; must be the only word"},
 }};
 
 bool is_number(std::string_view text) {

@@ -8,32 +8,32 @@ namespace {
 constexpr std::array<TemplateSection, 9> kSections = {{
     {"name", true, "(name \"open one <A>\")", "a title for people, with placeholders in angle brackets"},
     {"split", true, "(split atomic)", "the class of the task"},
-    {"refinement", false, "(refinement by-state)", "how its tasks are made harder by default"},
-    {"simulators", false, "(simulators ai2thor behavior)", "those whose agent can do it; all four when left out"},
+    {"refinement", false, "(refinement by-state)", "how its tasks are made harder"},
+    {"simulators", false, "(simulators ai2thor behavior)", "the simulators that it supports; default: all four"},
     {"parameters", true, "(parameters (A - pickupable) ...)",
-     "the open places, and what a category must be to fill one"},
-    {"constraints", false, "(constraints (fits-on A B 2) ...)", "which categories go together"},
+     "the placeholders, and the requirements on their categories"},
+    {"constraints", false, "(constraints (fits-on A B 2) ...)", "constraints between categories"},
     {"init", false, "(init f ...)", "what every start must satisfy; grounding makes it true"},
-    {"goal", true, "(goal f)", "what must be true of all that happens, each part false at the start"},
+    {"goal", true, "(goal f)", "what must hold on the trace; each part is false at the start"},
     {"instruction", true, "(instruction \"Open {A:indefinite}.\" ...)",
      "reference phrasings, each with a slot for "
      "every placeholder of the goal"},
 }};
 
 constexpr std::array<StartForm, 4> kShapes = {{
-    {"(exists (?x - A) body)", "there is an A with this body"},
-    {"(forall (?x - A) body)", "every A has this body"},
-    {"(count >= n (?x - A) body)", "at least n A have this body"},
-    {"(count = n (?x - A) body)", "exactly n A have this body"},
+    {"(exists (?x - A) body)", "body holds for at least one A"},
+    {"(forall (?x - A) body)", "body holds for every A"},
+    {"(count >= n (?x - A) body)", "body holds for at least n A"},
+    {"(count = n (?x - A) body)", "body holds for exactly n A"},
 }};
 
 constexpr std::array<StartForm, 6> kLiterals = {{
     {"(dirty ?x)", "a state of ?x"},
     {"(exists (?y - B) (on ?x ?y))", "a relation of ?x to some B"},
     {"(in_room agent ?x)", "the agent starts in room ?x"},
-    {"(not f)", "the opposite of one of these"},
-    {"(and f g ...)", "several of these"},
-    {"(and)", "nothing further"},
+    {"(not f)", "the negation of one of these"},
+    {"(and f g ...)", "a conjunction of these"},
+    {"(and)", "no further condition"},
 }};
 
 }  // namespace

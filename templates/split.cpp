@@ -7,11 +7,11 @@ namespace unietp {
 namespace {
 
 constexpr std::array<WordMeaning, 5> kSplits = {{
-    {"atomic", "one thing is asked of one object"},
-    {"compositional", "several things together or one after the other"},
-    {"logical", "counts, all, none, either, if, order and what must not happen"},
-    {"instance_grounding", "the objects meant are told apart from others of their category: the dirty mug"},
-    {"linguistic", "the same goal in other words: a synonym, what a thing is for, a need that implies it"},
+    {"atomic", "one condition on one object"},
+    {"compositional", "several conditions, together or one after the other"},
+    {"logical", "counts, quantifiers, alternatives, conditions, order, and prohibitions"},
+    {"instance_grounding", "the objects must be told apart from others of their category: the dirty mug"},
+    {"linguistic", "the same goal in other words: a synonym, the use of an object, a need that implies it"},
 }};
 static_assert(kSplits.size() == static_cast<std::size_t>(Split::Linguistic) + 1);
 

@@ -44,7 +44,7 @@ TEST(TemplateInWords, StartConstraintsAreShortPhrases) {
 
 TEST(TemplateInWords, APlaceholderIsSaidByWhatItAsksFor) {
   EXPECT_EQ(parameter_in_words({"A", {"furniture", "openable"}, {}}),
-            "a category that stays where it is; can be opened and closed");
+            "a category that cannot be moved; can be opened and closed");
 }
 
 }  // namespace

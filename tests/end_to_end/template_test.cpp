@@ -52,7 +52,7 @@ TEST(TemplateList, ChoosesByClassAndSimulator) {
 TEST(TemplateShow, TellsTheGoalInWordsAndWhatMayFillIt) {
   const auto ended = ask({"show", "place-two-one-inside"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  for (const char* part : {"two <A>", "<C> furniture container: a category that stays where it is; things go into it",
+  for (const char* part : {"two <A>", "<C> furniture container: a category that cannot be moved; objects go into it",
                            "every <A> is inside no <C>", "behavior: more than 5000 bindings",
                            "such as A=", "Put two {A:plural} and {B:indefinite} {C:into}."}) {
     EXPECT_THAT(ended.out, HasSubstr(part));
@@ -150,7 +150,7 @@ TEST(TemplateNew, WritesACommentedFileThatLintsCleanAndNeverOverwritesOne) {
   const auto file = folder.at("mine/unlock-one.template");
   EXPECT_EQ(made.out, file + "\n");
   const auto text = bytes_of(file);
-  EXPECT_THAT(text, HasSubstr("; the open places, and what a category must be to fill one\n"));
+  EXPECT_THAT(text, HasSubstr("; the placeholders, and the requirements on their categories\n"));
   const auto linted = ask({"lint", file});
   EXPECT_EQ(linted.out, "1 sound, 0 errors, 0 warnings\n") << linted.err;
   const auto again = ask(command);
