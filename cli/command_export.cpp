@@ -83,7 +83,7 @@ Exit write_sft(const Options& options, const Backends& backends) {
 
 Exit export_dataset(const Options& options, const CommandLine& program) {
   if (std::error_code code; !std::filesystem::is_directory(options.dataset, code))
-    return refuse({Error::Kind::Usage, options.dataset.string(), {}, "is no folder; a finished data set is expected"});
+    return refuse({Error::Kind::Usage, options.dataset.string(), {}, "is not a folder; expected a finished data set"});
   if (options.format == "starts") return tell(export_starts(options.dataset, options.out), options);
   DataFolders folders = program.folders;
   folders.extended_library = acted_wide(options.dataset);

@@ -118,7 +118,7 @@ Exit validate(Options& options, const CommandLine& program) {
                      folder.empty() ? "validate" : folder.string(),
                      {},
                      folder.empty() ? "expected the folder of a finished data set"
-                                    : "is no folder; a finished data set is expected"});
+                                    : "is not a folder; expected a finished data set"});
   }
   auto folders = program.folders;
   folders.extended_library = acted_wide(options.folder);

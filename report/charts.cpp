@@ -100,8 +100,8 @@ BarChart actions_chart(const DatasetStatistics& set) {
   for (const auto& [mode, actions] : set.actions) {
     for (const auto& [name, count] : actions) sum[name] += count;
   }
-  auto chart =
-      ranked(bars("actions", "Actions", "Occurrences in all demonstrations of a mode.", "actions"), sum, "times");
+  auto chart = ranked(bars("actions", "Actions", "Number of occurrences in all demonstrations of a mode.", "actions"),
+                      sum, "times");
   std::vector<std::string> names;
   for (const auto& [name, count] : sum) names.push_back(name);
   chart.series.clear();
@@ -124,7 +124,7 @@ BarChart causes_chart(const DatasetStatistics& set) {
     for (const auto& [cause, count] : row.causes) causes[cause] += count;
   }
   auto chart =
-      ranked(bars("causes", "Why candidates were given up",
+      ranked(bars("causes", "Reasons for rejections",
                   count_text(set.candidates()) + " candidates, " + count_text(set.tasks) + " became tasks.", "causes"),
              causes, "candidates");
   chart.wide = true;
@@ -141,8 +141,9 @@ BarChart funnel_chart(const DatasetStatistics& set) {
   const std::size_t losing = rows.size();
   rows.resize(std::min(rows.size(), kMostBars));
   auto chart =
-      bars("funnel", "Templates that lost most candidates",
-           "The first " + std::to_string(rows.size()) + " of " + std::to_string(losing) + " that lost any.", "funnel");
+      bars("funnel", "Templates with the most rejected candidates",
+           "The first " + std::to_string(rows.size()) + " of " + std::to_string(losing) + " with rejected candidates.",
+           "funnel");
   std::vector<std::string> stages;
   for (const FunnelRow* row : rows) {
     for (const auto& [cause, count] : row->causes) {
@@ -152,7 +153,7 @@ BarChart funnel_chart(const DatasetStatistics& set) {
   }
   std::sort(stages.begin(), stages.end());
   chart.series.push_back({"became a task", {}});
-  for (const auto& stage : stages) chart.series.push_back({"given up by the " + stage, {}});
+  for (const auto& stage : stages) chart.series.push_back({"rejected by the " + stage, {}});
   for (const FunnelRow* row : rows) {
     chart.labels.push_back(row->template_name);
     chart.series[0].values.push_back(row->accepted);
@@ -168,8 +169,9 @@ BarChart funnel_chart(const DatasetStatistics& set) {
 }
 
 BarChart coverage_chart(const DatasetStatistics& set) {
-  auto chart = bars("categories", "Categories covered",
-                    "Bound in some task; only standing in some home; known but not in any home.", "categories");
+  auto chart =
+      bars("categories", "Categories covered",
+           "Handled: bound in some task. In homes only: present in some home. Known only: in no home.", "categories");
   chart.series = {{"handled", {}}, {"in homes only", {}}, {"known only", {}}};
   for (const auto& one : set.coverage) {
     chart.labels.push_back(one.simulator);
@@ -183,10 +185,8 @@ BarChart coverage_chart(const DatasetStatistics& set) {
 }
 
 BarChart balance_chart(const DatasetStatistics& set) {
-  auto chart = bars(
-      "balance", "Balance",
-      "How many equally frequent values would be as even as those that occur (1 / sum of squared shares).", "balance");
-  chart.series = {{"as even as", {}}, {"values that occur", {}}};
+  auto chart = bars("balance", "Balance", "Effective number of values: 1 / sum of squared shares.", "balance");
+  chart.series = {{"effective number", {}}, {"number of values", {}}};
   for (const Evenness& even : set.evenness) {
     chart.labels.push_back(even.dimension);
     chart.series[0].values.push_back(even.effective);
@@ -202,36 +202,39 @@ std::vector<ChartSection> chart_sections(const DatasetStatistics& set) {
   std::vector<std::pair<std::string, Histogram>> lengths(set.plan_lengths.begin(), set.plan_lengths.end());
   auto words = ranked(bars("words", "Most frequent words", "Without function words such as “a” and “the”.", "words"),
                       set.words, "times");
-  auto plans =
-      binned(bars("plan-lengths", "Plan lengths", "Actions of a demonstration, the final stop too.", "plan-lengths"),
-             lengths, "actions", "demonstrations");
+  auto plans = binned(bars("plan-lengths", "Plan lengths",
+                           "Number of actions per demonstration, including the final stop.", "plan-lengths"),
+                      lengths, "actions", "demonstrations");
   plans.wide = true;
   return {{"tasks-section",
            "Tasks",
-           "What the data set is made of, and how evenly.",
+           "The contents of the data set, and how evenly the tasks are distributed.",
            {tasks_chart(set), balance_chart(set)}},
           {"instructions-section",
            "Instructions",
-           "How long they are, the words that they use, and the styles that they are written in.",
+           "Lengths, words and styles of the instructions.",
            {binned(bars("lengths", "Lengths of instructions", "", "instructions"),
                    {{"instructions", set.instruction_words}}, "words", "tasks"),
             ranked(bars("styles", "Styles", "", "styles"), set.styles, "tasks"), std::move(words),
             ranked(bars("templates", "Most frequent templates", "", "funnel"), set.templates, "tasks")}},
           {"goals-section",
            "Goals",
-           "Operators and predicates of the goal formulas; a goal that has one twice counts once.",
+           "Operators and predicates of the goal formulas; each goal counts once.",
            {ranked(bars("operators", "Operators", "", "operators"), set.operators, "tasks"),
             ranked(bars("predicates", "Predicates", "", "predicates"), set.predicates, "tasks")}},
-          {"plans-section", "Plans", "What the demonstrations do, by mode.", {std::move(plans), actions_chart(set)}},
+          {"plans-section",
+           "Plans",
+           "Lengths and actions of the demonstrations, by mode.",
+           {std::move(plans), actions_chart(set)}},
           {"funnel-section",
-           "What became of the candidates",
-           "A candidate that fails at any stage is given up with its reason.",
+           "Results of the candidates",
+           "A candidate that fails at any stage is rejected with a reason.",
            {causes_chart(set), funnel_chart(set)}},
           {"homes-section",
            "Homes and categories",
-           "Homes as the first task of each begins.",
-           {binned(bars("rooms", "Rooms of a home", "", "homes"), {{"homes", set.rooms}}, "rooms", "homes"),
-            binned(bars("objects", "Objects of a home", "", "homes"), {{"homes", set.objects}}, "objects", "homes"),
+           "Each home at the start of its first task.",
+           {binned(bars("rooms", "Rooms per home", "", "homes"), {{"homes", set.rooms}}, "rooms", "homes"),
+            binned(bars("objects", "Objects per home", "", "homes"), {{"homes", set.objects}}, "objects", "homes"),
             coverage_chart(set)}}};
 }
 

@@ -36,7 +36,7 @@ Result<Done> read_level(const fs::path& file, FinishedSet& set) {
       set.level[std::string(rows.text(0))][std::string(rows.text(1))] = static_cast<int>(rows.integer(2));
     return Done{};
   } catch (const std::exception& reason) {
-    return Error{Error::Kind::Io, file.string(), {}, std::string("cannot read its table trait: ") + reason.what()};
+    return Error{Error::Kind::Io, file.string(), {}, std::string("cannot read the table trait: ") + reason.what()};
   }
 }
 
@@ -44,7 +44,7 @@ Result<Done> read_level(const fs::path& file, FinishedSet& set) {
 
 Result<FinishedSet> read_finished_set(const fs::path& folder) {
   if (std::error_code code; !fs::is_directory(folder, code))
-    return Error{Error::Kind::Usage, folder.string(), {}, "is no folder; a finished data set is expected"};
+    return Error{Error::Kind::Usage, folder.string(), {}, "is not a folder; expected a finished data set"};
   FinishedSet set;
   set.folder = folder;
   set.name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();

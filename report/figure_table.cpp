@@ -141,14 +141,14 @@ std::set<std::string> modes_of(Sets sets) {
 }
 
 FigureTable plan_lengths(Sets sets) {
-  auto made =
-      table("plan-lengths", "Plan lengths", "Actions of a demonstration, the final stop too.", "mode", sets, "actions");
+  auto made = table("plan-lengths", "Plan lengths", "Number of actions per demonstration, including the final stop.",
+                    "mode", sets, "actions");
   for (const auto& mode : modes_of(sets)) {
     add_histogram(made, sets, mode, [&](const auto& set) {
       const auto found = set.plan_lengths.find(mode);
       return found == set.plan_lengths.end() ? Histogram() : found->second;
     });
-    add_row(made, sets, mode + ", steps that fail", [&](const auto& set) {
+    add_row(made, sets, mode + ", failed steps", [&](const auto& set) {
       const auto found = set.failed_steps.find(mode);
       return found == set.failed_steps.end() ? "" : count_text(found->second);
     });
@@ -157,8 +157,8 @@ FigureTable plan_lengths(Sets sets) {
 }
 
 FigureTable actions(Sets sets) {
-  auto made =
-      table("actions", "Actions", "Occurrences in all demonstrations of a mode.", "mode, action", sets, "times");
+  auto made = table("actions", "Actions", "Number of occurrences in all demonstrations of a mode.", "mode, action",
+                    sets, "times");
   for (const auto& mode : modes_of(sets)) {
     const auto of = [&](const DatasetStatistics& set) {
       const auto found = set.actions.find(mode);
@@ -179,7 +179,7 @@ Tally causes_of(const DatasetStatistics& set) {
 }
 
 FigureTable causes(Sets sets) {
-  auto made = table("causes", "What became of the candidates", "", "stage: reason", sets, "candidates");
+  auto made = table("causes", "Results of the candidates", "", "stage: reason", sets, "candidates");
   add_row(made, sets, "became a task", [](const auto& set) { return count_text(set.tasks); });
   return tally_table(std::move(made), sets, causes_of, false);
 }
@@ -189,9 +189,9 @@ FigureTable funnel(Sets sets) {
   for (const auto& set : sets) {
     for (const FunnelRow& row : set.funnel) names.insert(row.template_name);
   }
-  auto made =
-      table("funnel", "Candidates by template", "Tasks of candidates.", "template", sets, "tasks of candidates");
-  if (sets.size() == 1) made.columns.emplace_back("given up because");
+  auto made = table("funnel", "Candidates by template", "Number of tasks per number of candidates.", "template", sets,
+                    "tasks of candidates");
+  if (sets.size() == 1) made.columns.emplace_back("reasons for rejections");
   for (const auto& name : names) {
     const FunnelRow* found = nullptr;
     add_row(made, sets, name, [&](const DatasetStatistics& set) {
@@ -230,7 +230,7 @@ FigureTable coverage(Sets sets) {
 }
 
 FigureTable homes(Sets sets) {
-  auto made = table("homes", "Homes", "As the first task of each home begins.", "", sets, "");
+  auto made = table("homes", "Homes", "Each home at the start of its first task.", "", sets, "");
   add_row(made, sets, "homes", [](const auto& set) { return count_text(set.homes); });
   add_histogram(made, sets, "rooms", [](const auto& set) { return set.rooms; });
   add_histogram(made, sets, "objects", [](const auto& set) { return set.objects; });
@@ -239,7 +239,7 @@ FigureTable homes(Sets sets) {
 
 FigureTable balance(Sets sets) {
   constexpr const char* kNote =
-      "Values that occur, and how many equally frequent ones would be as even: 1 / sum of squared shares, and exp of "
+      "Number of values, and effective number of values: 1 / sum of squared shares, and exp of "
       "the entropy.";
   auto made = table("balance", "Balance", kNote, "dimension", sets, "values");
   if (sets.size() == 1) made.columns = {"dimension", "values", "effective", "by entropy", "variation", "most frequent"};
@@ -278,17 +278,16 @@ FigureTable balance(Sets sets) {
 std::vector<FigureTable> tables_of(Sets sets) {
   std::vector<FigureTable> all{overview(sets), by_simulator_and_split(sets), instructions(sets)};
   all.push_back(tally_table(
-      table("words", "Most frequent words", "Function words such as \"a\" and \"the\" are left out.", "word", sets,
-            "times"),
+      table("words", "Most frequent words", "Without function words such as \"a\" and \"the\".", "word", sets, "times"),
       sets, [](const auto& set) { return set.words; }, false));
   all.push_back(tally_table(
       table("styles", "Styles of instructions", "", "style", sets, "tasks"), sets,
       [](const auto& set) { return set.styles; }, true));
   all.push_back(tally_table(
-      table("operators", "Operators", "Tasks whose goal has it.", "operator", sets, "tasks"), sets,
+      table("operators", "Operators", "Number of tasks whose goal contains it.", "operator", sets, "tasks"), sets,
       [](const auto& set) { return set.operators; }, true));
   all.push_back(tally_table(
-      table("predicates", "Predicates", "Tasks whose goal has it.", "predicate", sets, "tasks"), sets,
+      table("predicates", "Predicates", "Number of tasks whose goal contains it.", "predicate", sets, "tasks"), sets,
       [](const auto& set) { return set.predicates; }, true));
   for (auto make : {plan_lengths, actions, causes, funnel, coverage, homes, balance}) all.push_back(make(sets));
   return all;

@@ -58,7 +58,7 @@ std::string table_text(const std::vector<FigureTable>& tables, std::size_t most_
       text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
     }
     if (one.rows.size() > most_rows)
-      text += "  … and " + std::to_string(one.rows.size() - most_rows) + " more; --json has all\n";
+      text += "  … and " + std::to_string(one.rows.size() - most_rows) + " more; --json prints all\n";
   }
   return text;
 }

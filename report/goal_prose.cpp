@@ -109,17 +109,17 @@ std::string joined(const Formula& formula, const std::string& word) {
 /// The formula in one line.
 std::string inline_text(const Formula& formula, bool negated) {
   if (negated && formula.op != Op::Atom && formula.op != Op::Equal && formula.op != Op::Not)
-    return "it is not so that " + inline_text(formula, false);
+    return "it is not the case that " + inline_text(formula, false);
   switch (formula.op) {
     case Op::Atom:
       return words_of_atom(formula, negated);
     case Op::Equal:
-      return words_of(formula.terms[0]) + (negated ? " is another one than " : " is the same as ") +
+      return words_of(formula.terms[0]) + (negated ? " is a different object than " : " is the same as ") +
              words_of(formula.terms[1]);
     case Op::And:
-      return formula.children.empty() ? "nothing more is asked" : joined(formula, "and");
+      return formula.children.empty() ? "nothing is required" : joined(formula, "and");
     case Op::Or:
-      return formula.children.empty() ? "nothing will do" : joined(formula, "or");
+      return formula.children.empty() ? "this cannot be satisfied" : joined(formula, "or");
     case Op::Not:
       return negated ? inline_text(formula.children[0], false) : inline_text(formula.children[0], true);
     case Op::Imply:
@@ -186,7 +186,7 @@ class Outline {
         }
         return;
       case Op::Not:
-        return below(formula, "not so:", depth);
+        return below(formula, "it is not the case that:", depth);
       case Op::AtEnd:
         return below(formula, "at the end:", depth);
       case Op::Sometime:
@@ -196,7 +196,7 @@ class Outline {
       case Op::Imply:
         return two(formula, "if", "then", depth);
       case Op::Until:
-        return two(formula, "without a break,", "until", depth);
+        return two(formula, "continuously,", "until", depth);
       case Op::Before:
         return two(formula, "first", "and later, for the first time,", depth);
       default:

@@ -32,7 +32,7 @@ Review read_one(JsonReader& reader, const JsonAt& at) {
   if (text) review.text = trim(reader.text(*text));
   const bool edit = review.judgement == Judgement::Edit;
   if (!reader.error() && edit == review.text.empty())
-    reader.fail(at, edit ? "an edit needs its text" : "a text is said, but the verdict is no edit");
+    reader.fail(at, edit ? "an edit needs a text" : "has a text, but the verdict is not an edit");
   if (const auto f = fields.required("comment")) {
     const auto* comment = f->json.get_ptr<const nlohmann::ordered_json::string_t*>();
     if (comment != nullptr)
@@ -68,7 +68,7 @@ Result<std::vector<Review>> read_reviews(std::string_view where, std::string_vie
       const JsonAt item = reader.item(*f, i);
       reviews.push_back(read_one(reader, item));
       if (!seen.insert(reviews.back().task).second && !reader.error())
-        reader.fail(item, "the task " + in_quotes(reviews.back().task) + " is judged twice");
+        reader.fail(item, "the task " + in_quotes(reviews.back().task) + " occurs twice");
     }
   }
   fields.finish();

@@ -41,7 +41,7 @@ std::int64_t count(SqliteFile& file, const char* sql) {
 void compare_count(const char* table, std::int64_t there, std::int64_t wanted, std::vector<Problem>& problems) {
   if (there != wanted)
     problems.push_back(
-        wrong("", "has " + std::to_string(there) + " rows of " + table + ", the files make " + std::to_string(wanted)));
+        wrong("", "has " + std::to_string(there) + " rows in " + table + ", expected " + std::to_string(wanted)));
 }
 
 using Traits = std::map<std::string, std::vector<std::pair<std::string, std::string>>, std::less<>>;  // by task
@@ -72,13 +72,14 @@ void check_traits(const TaskReading& task, const TaskFacts& facts,
   int own = 0;  // template and home
   for (const auto& [dimension, value] : traits) {
     if (!is_of(*task.record, facts, dimension, value))
-      problems.push_back(wrong(task.name, "counts this task as " + dimension + " " + value + ", which it is not"));
+      problems.push_back(wrong(task.name, "lists " + dimension + " " + value + " for this task, which is wrong"));
     own += dimension == "template" || dimension == "scene" ? 1 : 0;
     if (dimension == "room") rooms.erase(value);
   }
-  if (own != 2) problems.push_back(wrong(task.name, "does not count this task as of its template and home"));
+  if (own != 2) problems.push_back(wrong(task.name, "does not list the template and home of this task"));
   for (const auto& room : rooms)
-    problems.push_back(wrong(task.name, "does not count this task as in a " + room + ", where it handles something"));
+    problems.push_back(
+        wrong(task.name, "does not list the room " + room + " for this task, which handles an object there"));
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ DatabaseCheck check_database(const FolderReading& set, const std::vector<TaskFac
       if (next >= set.tasks.size()) continue;
       const TaskReading& task = set.tasks[next];
       if (const auto field = difference(rows, *task.record); !field.empty())
-        problems.push_back(wrong(task.name, "has another " + field + " of this task than tasks.jsonl"));
+        problems.push_back(wrong(task.name, "has a different " + field + " for this task than tasks.jsonl"));
     }
     compare_count("task", static_cast<std::int64_t>(next), static_cast<std::int64_t>(set.tasks.size()), problems);
     std::int64_t bindings = 0, steps = 0;
@@ -115,7 +116,7 @@ DatabaseCheck check_database(const FolderReading& set, const std::vector<TaskFac
     compare_count("rejection", count(file, "SELECT count(*) FROM rejection"),
                   rejections ? static_cast<std::int64_t>(rejections->size()) : 0, problems);
   } catch (const std::exception& reason) {
-    problems.push_back(wrong("", std::string("does not read: ") + reason.what()));
+    problems.push_back(wrong("", std::string("cannot be read: ") + reason.what()));
   }
   return check;
 }

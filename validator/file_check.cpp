@@ -50,12 +50,10 @@ std::vector<Problem> FileCheck::of(const std::string& path) const {
   const auto& vouched = manifest_.files.at(path);
   const auto length = static_cast<double>(bytes->size());
   if (length != vouched.bytes)
-    return {
-        problem_in(ProblemKind::ChangedFile, path,
-                   "has " + number_text(length) + " bytes, the manifest vouches for " + number_text(vouched.bytes))};
+    return {problem_in(ProblemKind::ChangedFile, path,
+                       "has " + number_text(length) + " bytes, but the manifest lists " + number_text(vouched.bytes))};
   if (sha256(*bytes) != vouched.sha256)
-    return {
-        problem_in(ProblemKind::ChangedFile, path, "its bytes differ from those the manifest vouches for (SHA-256)")};
+    return {problem_in(ProblemKind::ChangedFile, path, "its SHA-256 differs from the manifest")};
   return {};
 }
 

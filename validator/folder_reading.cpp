@@ -24,7 +24,8 @@ LineOfTask lines_by_task(const LineFile& file, std::vector<Problem>& problems) {
   for (std::size_t i = 0; i < file.size(); ++i) {
     auto task = named_in(file.line(i));
     if (task.empty() || lines.emplace(task, i).second) continue;
-    problems.push_back(problem_in(ProblemKind::StrayDemonstration, file.at(i), "repeats a demonstration"));
+    problems.push_back(
+        problem_in(ProblemKind::StrayDemonstration, file.at(i), "is a second demonstration of this task"));
     problems.back().task = std::move(task);
   }
   return lines;
@@ -58,7 +59,7 @@ void find_strays(const FolderReading& set, Mode mode, const LineOfTask& lines,
     if (task != tasks.end() && (!task->second->record || counts(*task->second->record, mode))) continue;
     problems.push_back(problem_in(
         ProblemKind::StrayDemonstration, file.at(line),
-        task == tasks.end() ? "is of no task in tasks.jsonl" : "is in a mode for which its task counts no steps"));
+        task == tasks.end() ? "belongs to no task in tasks.jsonl" : "is in a mode that its task does not list"));
     problems.back().task = name;
   }
   for (std::size_t i = set.tasks.size(); i < file.size(); ++i) {
@@ -103,7 +104,7 @@ Result<FolderReading> read_folder(const fs::path& folder, std::vector<Problem>& 
   set.folder = folder;
   constexpr const char* kTasks = "tasks.jsonl";
   if (std::error_code code; !fs::exists(folder / kTasks, code))
-    return Error{Error::Kind::Io, kTasks, {}, "is missing; a data set lists its tasks there"};
+    return Error{Error::Kind::Io, kTasks, {}, "is missing; it should list the tasks of the data set"};
   auto task_lines = LineFile::read(folder, kTasks);
   if (!task_lines) return task_lines.error();
   set.task_lines = std::move(*task_lines);
@@ -132,7 +133,7 @@ Result<FolderReading> read_folder(const fs::path& folder, std::vector<Problem>& 
       }
     }
     if (by_name.emplace(task.name, &task).second) continue;
-    problems.push_back(problem_in(ProblemKind::RepeatedTask, task.where, "the id is taken by an earlier task"));
+    problems.push_back(problem_in(ProblemKind::RepeatedTask, task.where, "an earlier task has the same id"));
     problems.back().task = task.name;
   }
   for (const Mode mode : kModes) find_strays(set, mode, lines[static_cast<std::size_t>(mode)], by_name, problems);

@@ -70,9 +70,9 @@ class Spoiler {
         const auto step = "step " + std::to_string(i + 1) + " " + to_text(plan[i]);
         if (puts_down(plan[i].type)) {
           found(ProblemKind::LeftInHand,
-                "what " + step + " puts down may stay in the hand: the goal is reached as well");
+                "the goal is also reached if the object that " + step + " puts down stays in the hand");
         } else {
-          found(ProblemKind::NeedlessStep, "without " + step + " the goal is reached as well");
+          found(ProblemKind::NeedlessStep, "the goal is also reached without " + step);
         }
       }
       here.act(plan[i]);
@@ -90,8 +90,8 @@ class Spoiler {
     }
     if (!survives({parts.rbegin(), parts.rend()})) return;
     found(ProblemKind::AnyOrder,
-          "the goal asks for an order, but is reached with any two neighbouring parts of the plan "
-          "in the other order, and with all of them reversed");
+          "the goal requires an order, but is also reached with any two neighboring parts of the plan "
+          "swapped, and with all of them reversed");
   }
 
   void use_distractors(const std::vector<Action>& plan) {
@@ -180,8 +180,7 @@ class Spoiler {
     }
     Course course = start_;
     if (used && reaches_goal(course, spoilt))
-      found(ProblemKind::DistractorServes,
-            "with " + other + " instead of " + referent + " the goal is reached as well");
+      found(ProblemKind::DistractorServes, "the goal is also reached with " + other + " instead of " + referent);
   }
 
   const Formula& goal_;

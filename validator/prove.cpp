@@ -44,12 +44,12 @@ class TaskProver {
     auto goal = parse_formula(reading_.where, task_.goal_text, FormulaUse::Goal);
     if (!goal) {
       found(ProblemKind::GoalText, reading_.where,
-            "its goal does not read, at column " + std::to_string(goal.error().pos.column) +
+            "its goal is invalid, at column " + std::to_string(goal.error().pos.column) +
                 " of the text: " + goal.error().message);
     } else {
       if (*goal != task_.goal_tree)
         found(ProblemKind::GoalTree, reading_.where,
-              "its goal's text and tree are different formulas: " + task_.goal_text + " against " +
+              "the text and tree of its goal are different formulas: " + task_.goal_text + " and " +
                   to_text(task_.goal_tree));
       goal_ = std::move(*goal);
     }
@@ -77,7 +77,7 @@ class TaskProver {
     start_ = std::move(*start);
     if (simulator && start_.simulator != *simulator)
       found(ProblemKind::SceneName, home_file(task_.layout),
-            "is of " + std::string(name_of(start_.simulator)) + ", the task of " + task_.simulator);
+            "has the simulator " + std::string(name_of(start_.simulator)) + ", but the task has " + task_.simulator);
     if (!simulator) return false;
     backend_ = &tools_.backends[static_cast<std::size_t>(*simulator)];
     return true;
@@ -137,7 +137,7 @@ class TaskProver {
     if (mode == Mode::M1) {
       for (const auto& domain : empty_domains(*goal_, trace))
         found(ProblemKind::EmptyDomain, reading_.where,
-              "its goal speaks of all or a number of " + domain + ", of which the scene has none");
+              "its goal has a 'forall' or 'count' over " + domain + ", but the scene has none");
     }
     if (!holds(*goal_, trace))
       found(ProblemKind::GoalNotReached, where_shown(mode), "its replay does not reach the goal " + task_.goal_text);
@@ -155,7 +155,7 @@ class TaskProver {
                   const std::string& where) {
     for (const Node& node : start_.nodes) {
       if (text.find(node.id) != std::string::npos)
-        found(ProblemKind::TextForm, where, "its instruction gives away the object id " + node.id);
+        found(ProblemKind::TextForm, where, "its instruction contains the object id " + node.id);
     }
     if (!tools_.options.check_text) return;
     ++proof_.counts.texts;
@@ -178,7 +178,7 @@ class TaskProver {
   /// Direct and complex words are of the task's goal; those that refer have a goal that the demonstration reaches too.
   void prove_wordings(const WordingsRecord& record, const TraceMaker& traces, const DemonstrationRecord* shown) {
     const std::string where = "wordings.jsonl";
-    if (record.pair != record.task) found(ProblemKind::Wordings, where, "is of the pair " + record.pair);
+    if (record.pair != record.task) found(ProblemKind::Wordings, where, "has the pair id " + record.pair);
     for (const auto& [name, wording] : record.wordings) {
       if (wording.goal.empty()) {
         if (goal_) prove_text(wording.text, wording.writer, wording.style, *goal_, where);
@@ -186,13 +186,12 @@ class TaskProver {
       }
       const auto goal = parse_formula(where, wording.goal, FormulaUse::Goal);
       if (!goal) {
-        found(ProblemKind::Wordings, where,
-              "the goal of its " + name + " wording does not read: " + goal.error().message);
+        found(ProblemKind::Wordings, where, "the goal of its " + name + " wording is invalid: " + goal.error().message);
         continue;
       }
       prove_text(wording.text, wording.writer, wording.style, *goal, where);
       if (holds(*goal, traces.at_start()))
-        found(ProblemKind::Wordings, where, "the goal of its " + name + " wording holds before anything is done");
+        found(ProblemKind::Wordings, where, "the goal of its " + name + " wording already holds at the start");
       if (shown == nullptr) continue;
       std::vector<Delta> changes;
       for (const StepRecord& step : shown->steps) changes.push_back(step.changes);

@@ -40,15 +40,15 @@ std::vector<Problem> prove_start(const Scene& start, const PhysicsWorld& physics
   std::set_difference(start.edges.begin(), start.edges.end(), shown.begin(), shown.end(), std::back_inserter(missing));
   std::set_difference(shown.begin(), shown.end(), start.edges.begin(), start.edges.end(), std::back_inserter(extra));
   if (!missing.empty())
-    problems.push_back(problem_in(ProblemKind::Relations, file,
-                                  "the scene says " + list_of(missing) + ", which physics does not show"));
+    problems.push_back(
+        problem_in(ProblemKind::Relations, file, "the scene has " + list_of(missing) + ", but physics does not"));
   if (!extra.empty())
     problems.push_back(
-        problem_in(ProblemKind::Relations, file, "physics shows " + list_of(extra) + ", which the scene does not say"));
+        problem_in(ProblemKind::Relations, file, "physics has " + list_of(extra) + ", but the scene does not"));
   for (const auto& moved : rest.of(start, physics))
     problems.push_back(problem_in(ProblemKind::Unrest, file,
                                   start.nodes[moved.node].id + " is not at rest: it moves " +
-                                      number_text(std::floor(moved.distance_m * 1000)) + " mm when physics runs on"));
+                                      number_text(std::floor(moved.distance_m * 1000)) + " mm when physics continues"));
   return problems;
 }
 
@@ -61,24 +61,24 @@ std::vector<Problem> prove_goal_at_start(const TaskRecord& task, const Formula& 
   };
   for (const auto& category : categories_of(goal)) {
     if (!is_known(category, start, knowledge))
-      found(ProblemKind::Binding, "its goal speaks of " + category + ", which " + task.simulator + " does not have");
+      found(ProblemKind::Binding, "its goal uses " + category + ", which " + task.simulator + " does not have");
   }
   std::string said = task.goal_text;
   for (const auto& text : task.start_constraints) said += text;
   for (const auto& [placeholder, value] : task.bindings) {
     if (said.find(value) == std::string::npos)
-      found(ProblemKind::Binding, "binds " + placeholder + " to " + value + ", of which neither goal nor start speaks");
+      found(ProblemKind::Binding, "binds " + placeholder + " to " + value + ", which neither goal nor start uses");
   }
   for (const Formula& constraint : constraints) {
     if (!holds_in(constraint, at_start, 0))
-      found(ProblemKind::StartConstraint, "does not meet the start constraint " + to_text(constraint));
+      found(ProblemKind::StartConstraint, "does not satisfy the start constraint " + to_text(constraint));
   }
   if (holds(goal, at_start)) {
-    found(ProblemKind::GoalAtStart, "its goal holds before anything is done");
+    found(ProblemKind::GoalAtStart, "its goal already holds at the start");
   } else {
     for (const Formula& part : conjuncts_of(goal)) {
       if (holds(part, at_start))
-        found(ProblemKind::PartAtStart, "the part " + to_text(part) + " of its goal holds before anything is done");
+        found(ProblemKind::PartAtStart, "the part " + to_text(part) + " of its goal already holds at the start");
     }
   }
   const bool tells_apart = task.split == "instance_grounding" || !task.refinement.empty();
@@ -88,9 +88,9 @@ std::vector<Problem> prove_goal_at_start(const TaskRecord& task, const Formula& 
     whole.where.clear();
     const auto referents = members_of(one.domain, one.variable, at_start).size();
     if (referents == 0) {
-      found(ProblemKind::NoReferent, "nothing at the start is what " + to_text(one.domain) + " describes");
+      found(ProblemKind::NoReferent, "no object at the start matches " + to_text(one.domain));
     } else if (tells_apart && members_of(whole, one.variable, at_start).size() == referents) {
-      found(ProblemKind::NoDistractor, to_text(one.domain) + " excludes nothing at the start");
+      found(ProblemKind::NoDistractor, to_text(one.domain) + " excludes no object at the start");
     }
   }
   return problems;

@@ -63,7 +63,7 @@ std::vector<Problem> recount_tasks(const ManifestRecord& manifest, const FolderR
   if (manifest.tasks != tasks)
     problems.push_back(
         problem_in(ProblemKind::Counts, set.task_lines.name(),
-                   "has " + std::to_string(tasks) + " tasks, the manifest counts " + std::to_string(manifest.tasks)));
+                   "has " + std::to_string(tasks) + " tasks, but the manifest says " + std::to_string(manifest.tasks)));
   Counts splits, simulators, templates;
   for (const TaskReading& task : set.tasks) {
     if (!task.record) return problems;  // what it is of is not known
@@ -107,7 +107,7 @@ std::vector<Problem> recount_rejections(const ManifestRecord& manifest, const Fo
   const auto candidates = static_cast<int>(set.tasks.size() + lines->size());
   if (manifest.candidates != candidates)
     problems.push_back(problem_in(ProblemKind::Counts, kManifest,
-                                  "counts " + std::to_string(manifest.candidates) + " candidates, there are " +
+                                  "counts " + std::to_string(manifest.candidates) + " candidates, but there are " +
                                       std::to_string(candidates) + " tasks and rejections"));
   return problems;
 }
@@ -132,25 +132,25 @@ std::vector<Problem> check_quotas(const RecordedRun& run, const FolderReading& s
   if (tasks != run.count)
     problems.push_back(problem_in(
         ProblemKind::Quota, kManifest,
-        "the configuration asks for " + std::to_string(run.count) + " tasks, there are " + std::to_string(tasks)));
+        "the configuration asks for " + std::to_string(run.count) + " tasks, but there are " + std::to_string(tasks)));
   for (const TaskReading& task : set.tasks) {
     if (!task.record) return problems;
     const TaskRecord& record = *task.record;
     ++splits[record.split];
     ++simulators[record.simulator];
     if (!is_among(run.simulators, record.simulator))
-      found(task, "is on " + record.simulator + ", for which the configuration does not ask");
+      found(task, "has the simulator " + record.simulator + ", which is not in the configuration");
     if (!run.splits.empty() && !is_among(run.splits, record.split))
-      found(task, "is of the split " + record.split + ", for which the configuration does not ask");
+      found(task, "has the split " + record.split + ", which is not in the configuration");
     if (is_among(run.without, record.template_name) ||
         (!run.templates.empty() && !is_among(run.templates, record.template_name)))
-      found(task, "is of the template " + record.template_name + ", which the configuration leaves out");
+      found(task, "has the template " + record.template_name + ", which is not in the configuration");
     if (record.run != run.seed)
-      found(task, "is of the seed " + std::to_string(record.run) + ", the run of " + std::to_string(run.seed));
+      found(task, "has the seed " + std::to_string(record.run) + ", but the run has " + std::to_string(run.seed));
     for (const Mode mode : run.modes) {
       if (std::none_of(record.expert.begin(), record.expert.end(),
                        [mode](const auto& count) { return count.mode == mode; }))
-        found(task, "is not demonstrated in " + std::string(name_of(mode)) + ", for which the configuration asks");
+        found(task, "is not demonstrated in " + std::string(name_of(mode)) + ", which the configuration requires");
     }
   }
   if (!run.by_split.empty())
@@ -168,17 +168,17 @@ std::vector<Problem> check_balance(const ManifestRecord& manifest, ValueCounts c
   for (const RecordedSpread& told : manifest.balance) {
     const auto own = counts.find(told.dimension);
     if (own == counts.end()) {
-      wrong("records a spread over " + told.dimension + ", of which the tasks have none");
+      wrong("has a balance figure for " + told.dimension + ", which no task has");
       continue;
     }
     const auto there = spread_of(own->second);
     if (told.values != there.values || !near(told.effective, there.effective) || !near(told.variation, there.variation))
-      wrong("records " + std::to_string(told.values) + " values of " + told.dimension + ", as even as " +
-            number_text(told.effective) + ", varying by " + number_text(told.variation) + "; the tasks have " +
+      wrong("has " + std::to_string(told.values) + " values of " + told.dimension + ", effectively " +
+            number_text(told.effective) + ", variation " + number_text(told.variation) + "; the tasks have " +
             std::to_string(there.values) + ", " + number_text(there.effective) + ", " + number_text(there.variation));
     counts.erase(own);
   }
-  for (const auto& [dimension, unused] : counts) wrong("records no spread over " + dimension);
+  for (const auto& [dimension, unused] : counts) wrong("has no balance figure for " + dimension);
   return problems;
 }
 

@@ -27,10 +27,10 @@ std::vector<Problem> find_repeats(const FolderReading& set, const std::vector<Ta
     if (facts[i].start_key.empty()) continue;
     if (const auto [first, is_new] = starts.try_emplace(facts[i].start_key, i); !is_new)
       problems.push_back(about(ProblemKind::RepeatedStart, task,
-                               "has template, binding, goal and start of " + set.tasks[first->second].name));
+                               "has the same template, binding, goal and start as " + set.tasks[first->second].name));
     if (const auto [first, is_new] = texts.try_emplace(facts[i].text_key, i); !is_new)
       problems.push_back(about(ProblemKind::RepeatedText, task,
-                               "has the words of " + set.tasks[first->second].name + " in the same home"));
+                               "has the same instruction as " + set.tasks[first->second].name + " in the same home"));
   }
   return problems;
 }

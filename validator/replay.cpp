@@ -13,13 +13,13 @@ std::string first_difference(const std::vector<T>& recorded, const std::vector<T
                              TextOf text) {
   for (const auto& one : recorded) {
     if (std::find(replayed.begin(), replayed.end(), one) == replayed.end())
-      return "the record has " + std::string(what) + " " + text(one) + ", the replay has not";
+      return "the record has " + std::string(what) + " " + text(one) + ", the replay does not";
   }
   for (const auto& one : replayed) {
     if (std::find(recorded.begin(), recorded.end(), one) == recorded.end())
-      return "the replay has " + std::string(what) + " " + text(one) + ", the record has not";
+      return "the replay has " + std::string(what) + " " + text(one) + ", the record does not";
   }
-  return recorded == replayed ? "" : "the record has " + std::string(what) + "s in another order";
+  return recorded == replayed ? "" : "the record has " + std::string(what) + "s in a different order";
 }
 
 std::string difference_of(const Delta& recorded, const Delta& replayed) {
@@ -28,7 +28,7 @@ std::string difference_of(const Delta& recorded, const Delta& replayed) {
       first_difference(recorded.removed, replayed.removed, "the removed object", [](const auto& id) { return id; }),
       first_difference(recorded.edges_added, replayed.edges_added, "the new relation", text_of),
       first_difference(recorded.edges_removed, replayed.edges_removed, "the ended relation", text_of)};
-  if (recorded.agent != replayed.agent) parts.emplace_back("the agent stands, looks or holds otherwise");
+  if (recorded.agent != replayed.agent) parts.emplace_back("the position, view or held objects of the agent differ");
   parts.erase(std::remove(parts.begin(), parts.end(), ""), parts.end());
   return join(parts, "; ");
 }
@@ -86,7 +86,7 @@ Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstr
     }
     if (!view_told && episode.visible() != step.visible) {
       view_told = true;
-      found(ProblemKind::View, at + "another view than recorded; " +
+      found(ProblemKind::View, at + "the view differs from the record; " +
                                    first_difference(step.visible, episode.visible(), "the visible object",
                                                     [](const VisibleObject& object) { return object.id; }));
     }
@@ -103,7 +103,7 @@ Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstr
     auto delta = episode.world().moment() == before ? Delta{} : episode.world().changes();
     if (!changes_told && delta != step.changes) {
       changes_told = true;
-      found(ProblemKind::Changes, at + "other changes than recorded; " + difference_of(step.changes, delta));
+      found(ProblemKind::Changes, at + "the changes differ from the record; " + difference_of(step.changes, delta));
     }
     done.changes.push_back(std::move(delta));
   }

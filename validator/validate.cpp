@@ -25,10 +25,10 @@ std::optional<ManifestRecord> manifest_in(const fs::path& folder, std::string_vi
   }
   if (manifest->knowledge_digest != knowledge_digest)
     problems.push_back(problem_in(ProblemKind::OtherKnowledge, kManifest,
-                                  "was made with other tables, profiles, layouts or templates (digest " +
-                                      manifest->knowledge_digest.substr(0, 12) + ") than those in use (digest " +
+                                  "was made with different tables, profiles, layouts or templates (digest " +
+                                      manifest->knowledge_digest.substr(0, 12) + ") than the current ones (digest " +
                                       std::string(knowledge_digest.substr(0, 12)) +
-                                      "); give the right ones with --data"));
+                                      "); use --data to select the right ones"));
   return std::move(*manifest);
 }
 
@@ -58,13 +58,13 @@ std::map<std::string, WordingsRecord> wordings_in(const FolderReading& folder, s
     }
     const std::string task = record->task;
     if (!names.contains(task)) {
-      problems.push_back(problem_in(ProblemKind::Wordings, lines->at(i), "are of no task in tasks.jsonl"));
+      problems.push_back(problem_in(ProblemKind::Wordings, lines->at(i), "belong to no task in tasks.jsonl"));
     } else if (!wordings.emplace(task, std::move(*record)).second) {
       problems.push_back(problem_in(ProblemKind::Wordings, lines->at(i), "repeat those of " + task));
     }
   }
   if (lines->size() > 0 && wordings.size() < names.size())
-    problems.push_back(problem_in(ProblemKind::Wordings, lines->name(), "has no wordings of some tasks"));
+    problems.push_back(problem_in(ProblemKind::Wordings, lines->name(), "has no wordings for some tasks"));
   return wordings;
 }
 
@@ -124,7 +124,7 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
     return report;
   };
   if (std::error_code code; !fs::is_directory(folder, code))
-    return stop_with({Error::Kind::Io, folder.string(), {}, "is no folder; a finished data set is expected"});
+    return stop_with({Error::Kind::Io, folder.string(), {}, "is not a folder; expected a finished data set"});
   const auto manifest = manifest_in(folder, knowledge_digest, problems);
   const auto reading = read_folder(folder, problems);
   if (!reading) return stop_with(reading.error());

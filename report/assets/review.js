@@ -11,7 +11,7 @@ let lastSaved = '';
 $('[data-part="judgement"]', card).append($('#judgement').content);
 
 function remember() {
-  try { localStorage.setItem(kKey, JSON.stringify(reviews)); } catch { say('This browser keeps nothing; save the file before you leave.'); }
+  try { localStorage.setItem(kKey, JSON.stringify(reviews)); } catch { say('This browser cannot store decisions; save the file before you leave.'); }
 }
 function recall() {
   try { reviews = JSON.parse(localStorage.getItem(kKey)) || {}; } catch { reviews = {}; }
@@ -147,7 +147,7 @@ function keepEdit() {
   const text = $('#text').value.trim().replace(/\s+/g, ' ');
   if (!text) return say('An instruction cannot be empty.');
   closeEditor();
-  if (text === current()[4]) return say('The wording is as it was; accept it instead.');
+  if (text === current()[4]) return say('The text has not changed; accept it instead.');
   judgeAndGo('edit', text);
 }
 
@@ -171,8 +171,8 @@ function save() {
 
 async function load(file) {
   let read;
-  try { read = JSON.parse(await file.text()); } catch { return say('This file is no JSON.'); }
-  if (!read || read.format !== 'unietp-review/1' || !Array.isArray(read.reviews)) return say('This file is no review.');
+  try { read = JSON.parse(await file.text()); } catch { return say('This file is not JSON.'); }
+  if (!read || read.format !== 'unietp-review/1' || !Array.isArray(read.reviews)) return say('This file is not a review.');
   const known = new Map(set.tasks.map(task => [task[0], task[4]]));
   let taken = 0;
   for (const { task, verdict, instruction, text, comment } of read.reviews) {
@@ -181,7 +181,7 @@ async function load(file) {
     ++taken;
   }
   remember();
-  say(`${taken} of ${read.reviews.length} verdicts were taken over; the others are of other texts.`);
+  say(`${taken} of ${read.reviews.length} decisions were loaded; the others refer to different texts.`);
   applyFilter(shown[at]);
 }
 
@@ -190,7 +190,7 @@ const kActions = {
   c: () => $('#comment').focus(), s: save, '/': () => $('#search').focus(), '?': () => $('#help').showModal(),
   j: () => go(at + 1), k: () => go(at - 1), ArrowRight: () => go(at + 1), ArrowLeft: () => go(at - 1),
   n: () => { const next = shown.findIndex((i, k) => k > at && stateOf(set.tasks[i][0]) === 'open');
-             return next < 0 ? say('No later task is without a verdict.') : go(next); },
+             return next < 0 ? say('There are no undecided tasks after this one.') : go(next); },
   m: () => { const tabs = [...$('[data-part="modes"]', card).children];
              const on = tabs.findIndex(tab => tab.getAttribute('aria-selected') === 'true');
              if (tabs.length) tabs[(on + 1) % tabs.length].click(); },

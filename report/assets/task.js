@@ -55,7 +55,7 @@ function showTask(root, task, mode) {
     task.layout].filter(Boolean).map(text => element('li', { text })));
   part('goal').replaceChildren(...task.goal.map(([depth, text]) => element('li', { text, style: `--depth:${depth}` })));
   part('formula').textContent = task.formula;
-  part('edits').textContent = task.edits.length ? 'Made for this task: ' + task.edits.join('; ') + '.' : '';
+  part('edits').textContent = task.edits.length ? 'Changes to the home for this task: ' + task.edits.join('; ') + '.' : '';
   const tabs = part('modes'), steps = part('plan');
   const shown = Math.max(0, task.plans.findIndex(plan => plan.mode === mode));
   const choose = index => {

@@ -52,7 +52,7 @@ TEST(Card, NamesTablesWhoseColumnsHaveOneTypeEach) {
     for (const auto& [path, found] : kinds) EXPECT_THAT(found, SizeIs(1)) << file << path;
   }
   for (const char* title :
-       {"## How it was made", "## How it is proven", "## Sources of the facts", "| split | tasks |"})
+       {"## How it was made", "## How it was verified", "## Sources of the facts", "| split | tasks |"})
     EXPECT_THAT(*card, HasSubstr(title));
 }
 

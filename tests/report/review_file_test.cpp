@@ -35,7 +35,7 @@ TEST(ReadReviews, WhatIsWrongIsNamedWithItsPlace) {
   EXPECT_THAT(refused(file(R"({"task": "a", "verdict": "acept", "instruction": "x", "comment": ""})")),
               HasSubstr("did you mean \"accept\""));
   EXPECT_THAT(refused(file(R"({"task": "a", "verdict": "edit", "instruction": "x", "comment": ""})")),
-              HasSubstr("an edit needs its text"));
+              HasSubstr("an edit needs a text"));
   EXPECT_THAT(refused(file(R"({"task": "a", "verdict": "reject", "instruction": "x", "text": "y", "comment": ""})")),
               HasSubstr("no edit"));
   EXPECT_THAT(refused(file(R"({"task": "a", "verdict": "reject", "instruction": "x", "comment": 3})")),
