@@ -69,7 +69,7 @@ class Overlay {
     Category& c = *subject_;
     if (word == "size") {
       const auto size = size_in(value);
-      if (!size) return bad_value("width, depth and height in metres, each > 0 and <= 100, as 0.3 x 0.2 x 0.1");
+      if (!size) return bad_value("width, depth and height in meters, each > 0 and <= 100, such as 0.3 x 0.2 x 0.1");
       c.size = *size;
       c.size_source = source_;
     } else if (word == "mass") {
@@ -82,7 +82,7 @@ class Overlay {
       if (!flag) return bad_value("true or false");
       set_movable(*flag);
     } else if (word == "synset") {
-      if (!value.empty() && !is_synset(value)) return bad_value("a WordNet synset as mug.n.04, or nothing");
+      if (!value.empty() && !is_synset(value)) return bad_value("a WordNet synset such as mug.n.04, or nothing");
       c.synset = value;
       c.synset_source = source_;
     } else if (cell(c, word, value)) {
@@ -117,7 +117,7 @@ class Overlay {
       }
       c.archetype = *archetype;
     } else {
-      if (trim(value).empty() || trim(value) != value) return bad_value("a name without blanks around it"), false;
+      if (trim(value).empty() || trim(value) != value) return bad_value("a name without spaces around it"), false;
       (word == "plural" ? c.plural : c.display) = value;
     }
     return true;
@@ -203,10 +203,11 @@ class Overlay {
     Effect* row = row_where(tables_.effects, same);
     if (fact.word == "slices") {
       if (!flag && !pieces(made)) return;
-      if (flag && row == nullptr) return bad_value("how many pieces of which category, as 5 AppleSliced, or false");
+      if (flag && row == nullptr)
+        return bad_value("a number of slices and their category, such as 5 AppleSliced, or false");
     } else if (!flag) {
       if (trim(override_->value).empty() || trim(override_->value) != override_->value)
-        return bad_value("true, false or the name of what it gives");
+        return bad_value("true, false or the name of the result");
       made.gives = override_->value;
     }
     if (flag && row != nullptr) {
@@ -221,7 +222,7 @@ class Overlay {
     const auto blank = override_->value.find(' ');
     const auto count = count_in(std::string_view(override_->value).substr(0, blank));
     if (!count || blank == std::string::npos) {
-      bad_value("how many pieces of which category, as 5 AppleSliced, or false");
+      bad_value("a number of slices and their category, such as 5 AppleSliced, or false");
       return false;
     }
     made.amount = *count;
@@ -262,7 +263,7 @@ class Overlay {
   void asset() {
     const auto& name = override_->fact.object;
     const auto size = size_in(override_->value);
-    if (!size && override_->value != "false") return bad_value("false, or its size in metres, as 0.3 x 0.2 x 0.1");
+    if (!size && override_->value != "false") return bad_value("false, or its size in meters, such as 0.3 x 0.2 x 0.1");
     std::erase_if(tables_.assets, [&](const Asset& a) { return a.name == name; });
     if (size) tables_.assets.push_back({name, override_->category, *size, source_});
   }

@@ -100,7 +100,8 @@ Result<CompletionReport> complete_knowledge(const std::filesystem::path& tables,
                                             const CompletionOptions& options, LlmCache* cache, CompletionPlan plan) {
   const Source source{"llm:" + endpoint.model, options.confidence};
   if (!well_formed_source(source.source))
-    return Error{Error::Kind::Usage, "model", {}, "expected a name without blanks, since it becomes a source of facts"};
+    return Error{
+        Error::Kind::Usage, "model", {}, "expected a name without spaces, because it becomes a source of facts"};
   const auto wordnet = WordNet::read(options.wordnet);
   CompletionReport report;
   std::vector<std::vector<RejectedFact>> rejected(plan.requests.size());

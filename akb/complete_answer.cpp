@@ -80,10 +80,10 @@ class Entry {
 
   template <class Take>
   void each(const Json& value, std::size_t most, const Take& take) {
-    if (!value.is_array()) return reject(value, "of another form than asked");
+    if (!value.is_array()) return reject(value, "not in the requested form");
     for (std::size_t i = 0; i < value.size(); ++i) {
       if (i >= most) {
-        reject(value[i], "more than asked");
+        reject(value[i], "more than requested");
       } else {
         take(value[i]);
       }
@@ -92,7 +92,7 @@ class Entry {
 
   /// Rounded to a thousandth; nothing, and a rejection, when it is out of (0, most].
   std::optional<double> amount(const Json& whole, const Json& value, double most) {
-    if (!value.is_number()) return reject(whole, "of another form than asked"), std::nullopt;
+    if (!value.is_number()) return reject(whole, "not in the requested form"), std::nullopt;
     const double number = value.get<double>();
     if (!std::isfinite(number) || number < kSmallest || number > most)
       return reject(whole, "out of bounds"), std::nullopt;
@@ -111,7 +111,7 @@ class Entry {
     Vec3 size = Vec3::Zero();
     int axis = 0;
     for (const char* side : {"width", "depth", "height"}) {
-      if (!value.is_object() || !value.contains(side)) return reject(value, "of another form than asked");
+      if (!value.is_object() || !value.contains(side)) return reject(value, "not in the requested form");
       const auto extent = amount(value, value.at(side), kLargest_m);
       if (!extent) return;
       size[axis++] = *extent;
@@ -127,11 +127,11 @@ class Entry {
   }
 
   void take_synset(const Json& value) {
-    if (!value.is_string()) return reject(value, "of another form than asked");
+    if (!value.is_string()) return reject(value, "not in the requested form");
     const auto& synset = value.get_ref<const std::string&>();
     if (synset.empty()) return;
-    if (!synset_named(synset) || synset.size() > 60) return reject(value, "no name of a synset");
-    if (wordnet_ != nullptr && !wordnet_->has(synset)) return reject(value, "no synset of WordNet 3.0");
+    if (!synset_named(synset) || synset.size() > 60) return reject(value, "not the name of a synset");
+    if (wordnet_ != nullptr && !wordnet_->has(synset)) return reject(value, "not a synset of WordNet 3.0");
     out_.accepted.synsets.push_back({category_.name, synset, source_});
   }
 
@@ -140,22 +140,22 @@ class Entry {
     if (kind_ == FactKind::Function) {
       const auto wrong = wrong_with_function(text);
       if (!wrong.empty()) return wrong;
-      if (names_it(text, category_.display) || names_it(text, category_.plural)) return "names the thing itself";
+      if (names_it(text, category_.display) || names_it(text, category_.plural)) return "names the object itself";
     } else if (const auto wrong = wrong_with_synonym(text); !wrong.empty()) {
       return wrong;
     }
     const auto named = known_.named.find(text);
     if (named == known_.named.end()) return "";
-    return named->second.contains(category_.name) ? "its name already" : "the name of another category";
+    return named->second.contains(category_.name) ? "already its name" : "the name of another category";
   }
 
   void take_phrase(const Json& value) {
-    if (!value.is_string()) return reject(value, "of another form than asked");
+    if (!value.is_string()) return reject(value, "not in the requested form");
     const auto& text = value.get_ref<const std::string&>();
     if (const auto wrong = wrong_with(text); !wrong.empty()) return reject(value, wrong);
     const char* kind = kind_ == FactKind::Aliases ? "synonym" : kind_ == FactKind::Function ? "function" : "context";
     for (const auto& a : out_.accepted.aliases) {
-      if (a.category == category_.name && a.kind == kind && a.text == text) return reject(value, "said twice");
+      if (a.category == category_.name && a.kind == kind && a.text == text) return reject(value, "a duplicate");
     }
     out_.accepted.aliases.push_back({category_.name, text, kind, source_});
   }
@@ -167,7 +167,7 @@ class Entry {
     };
     const auto relation = text("relation"), receptacle = text("receptacle");
     if (relation.empty() || receptacle.empty() || !value.contains("likelihood") || !value.at("likelihood").is_number())
-      return reject(value, "of another form than asked");
+      return reject(value, "not in the requested form");
     const double likelihood = value.at("likelihood").get<double>();
     if (!std::isfinite(likelihood) || likelihood < kSmallest || likelihood > 1) return reject(value, "out of bounds");
     if (relation != "on" && relation != "inside") return reject(value, "an unknown relation");
@@ -175,10 +175,10 @@ class Entry {
     if (at == known_.categories.end()) return reject(value, "an unknown category");
     const auto affordances = known_.affordances.find(receptacle);
     if (affordances == known_.affordances.end() || !can_be_kept(category_, relation, *at->second, affordances->second))
-      return reject(value, "no room for it there");
+      return reject(value, "does not fit there");
     for (const auto& p : out_.accepted.placements) {
       if (p.object == category_.name && p.relation == relation && p.receptacle == receptacle)
-        return reject(value, "said twice");
+        return reject(value, "a duplicate");
     }
     out_.accepted.placements.push_back({category_.name, relation, receptacle, std::round(likelihood * 1000) / 1000,
                                         capacity_of(category_, relation, *at->second), source_});
@@ -194,11 +194,11 @@ class Entry {
   }
 
   void take_affordance(const Json& value) {
-    if (!value.is_string()) return reject(value, "of another form than asked");
+    if (!value.is_string()) return reject(value, "not in the requested form");
     const auto& name = value.get_ref<const std::string&>();
     if (const auto wrong = wrong_with_affordance(name); !wrong.empty()) return reject(value, wrong);
     for (const auto& f : out_.accepted.affordances) {
-      if (f.category == category_.name && f.affordance == name) return reject(value, "said twice");
+      if (f.category == category_.name && f.affordance == name) return reject(value, "a duplicate");
     }
     out_.accepted.affordances.push_back({category_.name, name, source_});
   }
@@ -236,9 +236,9 @@ CheckedAnswer check_completion(std::string_view answer, const Tables& tables, co
     const auto at = known.categories.find(name);
     const bool asked = std::find(batch.categories.begin(), batch.categories.end(), name) != batch.categories.end();
     if (at == known.categories.end() || !asked) {
-      reject_all(name, at == known.categories.end() ? "an unknown category" : "a category that was not asked");
+      reject_all(name, at == known.categories.end() ? "an unknown category" : "a category that was not requested");
     } else if (!answered.insert(name).second) {
-      reject_all(name, "said twice");
+      reject_all(name, "a duplicate");
     } else {
       Entry of_category(known, *at->second, source, wordnet, out);
       for (const auto kind : batch.facts) {
@@ -248,7 +248,7 @@ CheckedAnswer check_completion(std::string_view answer, const Tables& tables, co
     }
   }
   for (const auto& name : batch.categories) {
-    if (!answered.contains(name)) reject_all(name, "left out of the answer");
+    if (!answered.contains(name)) reject_all(name, "missing from the answer");
   }
   return out;
 }

@@ -137,7 +137,8 @@ CompletedFacts read_completed(const std::filesystem::path& folder, const Tables&
       row.at(cells);
       const auto key = read(row);
       if (row.sound() && !seen.insert(key).second)
-        row.fail(columns_of_file(file).front(), "row for '" + join(key, " ") + "' twice; expected one row a key");
+        row.fail(columns_of_file(file).front(),
+                 "row for '" + join(key, " ") + "' is duplicated; expected one row per key");
     }
   };
   const auto source = [](RowReader& row) {

@@ -113,7 +113,7 @@ bool sound_header(Reader& reader, const CsvRow& header) {
       reader.fail(header[i].pos, "column without a name; expected one");
       sound = false;
     } else if (std::any_of(header.begin(), header.begin() + static_cast<std::ptrdiff_t>(i), same)) {
-      reader.fail(header[i].pos, "column '" + header[i].text + "' twice; expected each once");
+      reader.fail(header[i].pos, "column '" + header[i].text + "' is duplicated; expected each once");
       sound = false;
     }
   }

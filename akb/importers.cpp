@@ -21,7 +21,7 @@ Result<Tables> import_simulator(Simulator simulator, const std::filesystem::path
     return Error{Error::Kind::Schema,
                  (upstream / std::string(name_of(simulator))).string(),
                  {},
-                 std::string("metadata of another form than expected: ") + failure.what()};
+                 std::string("metadata not in the expected form: ") + failure.what()};
   }
   return Error{Error::Kind::Usage, {}, {}, "no such simulator; expected ai2thor, virtualhome, habitat or behavior"};
 }

@@ -47,7 +47,7 @@ void read_words(const std::filesystem::path& path, const std::map<std::string, s
     c.source = c.size_source = c.mass_source = {"curated", 0.8};
     const auto display = c.display;
     if (row.sound() && !lexicon.emplace(display, std::move(word)).second) {
-      row.fail("display", "word '" + display + "' twice; expected each once");
+      row.fail("display", "word '" + display + "' is duplicated; expected each once");
     }
   }
 }

@@ -22,7 +22,7 @@ struct Numbered {
   template <class Thing>
   static const Thing& at(const std::vector<Thing>& things, std::int64_t number) {
     if (number < 0 || static_cast<std::size_t>(number) >= things.size())
-      throw std::runtime_error("number " + std::to_string(number) + " stands for nothing");
+      throw std::runtime_error("number " + std::to_string(number) + " has no name");
     return things[static_cast<std::size_t>(number)];
   }
 };

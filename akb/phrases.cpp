@@ -41,15 +41,15 @@ std::string_view length_between(std::string_view text, std::size_t shortest, std
 
 std::string_view wrong_with_synonym(std::string_view text) {
   if (const auto wrong = length_between(text, 2, 40); !wrong.empty()) return wrong;
-  return are_words(text, false, "") ? "" : "other than lower-case English words";
+  return are_words(text, false, "") ? "" : "not lower-case English words";
 }
 
 std::string_view wrong_with_function(std::string_view text) {
   static const std::set<std::string, std::less<>> kHeads{"something", "somewhere", "someone", "some", "a", "an", "the"};
   if (const auto wrong = length_between(text, 8, 60); !wrong.empty()) return wrong;
-  if (!are_words(text, false, "")) return "other than lower-case English words";
+  if (!are_words(text, false, "")) return "not lower-case English words";
   const auto head = text.substr(0, text.find(' '));
-  return head.size() < text.size() && kHeads.contains(head) ? "" : "not begun as a function phrase is";
+  return head.size() < text.size() && kHeads.contains(head) ? "" : "does not start like a function phrase";
 }
 
 std::string_view wrong_with_context(std::string_view text) {
@@ -59,7 +59,7 @@ std::string_view wrong_with_context(std::string_view text) {
   if (const auto wrong = length_between(text, 8, 80); !wrong.empty()) return wrong;
   const auto words = text.substr(0, text.size() - 1);
   const bool ended = std::string_view(".!?").find(text.back()) != std::string_view::npos;
-  if (!ended || !is_upper(text.front()) || !are_words(words, true, ",")) return "other than one plain sentence";
+  if (!ended || !is_upper(text.front()) || !are_words(words, true, ",")) return "not one plain sentence";
   return any_word_in(words, kEnglish) ? "" : "not English";
 }
 

@@ -29,7 +29,7 @@ class Keys {
       joined += part;
     }
     if (!seen_.insert(joined).second)
-      row.fail(column, "row for '" + replace_all(joined, "\x1f", " ") + "' twice; expected one row a key");
+      row.fail(column, "row for '" + replace_all(joined, "\x1f", " ") + "' is duplicated; expected one row per key");
   }
 
  private:

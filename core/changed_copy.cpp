@@ -30,7 +30,7 @@ Result<ChangedCopy> ChangedCopy::begin(const fs::path& source, const fs::path& t
   const fs::path aside = to.string() + ".changing";
   fs::remove_all(aside, code);  // of a run that was killed
   if (!code) fs::create_directories(aside, code);
-  if (code) return io(aside, "cannot make this folder: " + code.message());
+  if (code) return io(aside, "cannot create this folder: " + code.message());
   std::vector<fs::path> files;
   for (auto it = fs::recursive_directory_iterator(from, code); !code && it != fs::recursive_directory_iterator();
        it.increment(code))

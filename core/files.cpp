@@ -42,7 +42,7 @@ Error io_error(const std::filesystem::path& path, const std::string& what) {
 
 Result<std::string> read_file(const std::filesystem::path& path) {
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
-    return Error{Error::Kind::Io, path.string(), {}, "this is a folder; a file is expected"};
+    return Error{Error::Kind::Io, path.string(), {}, "is a folder; expected a file"};
   }
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) return io_error(path, "cannot open for reading");
@@ -56,7 +56,7 @@ Result<std::string> read_file(const std::filesystem::path& path) {
 Result<Done> write_file(const std::filesystem::path& path, std::string_view bytes) {
   std::error_code failed;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), failed);
-  if (failed) return Error{Error::Kind::Io, path.string(), {}, "cannot make its folder: " + failed.message()};
+  if (failed) return Error{Error::Kind::Io, path.string(), {}, "cannot create its folder: " + failed.message()};
   const std::filesystem::path temporary = path.string() + ".tmp";
   File file(std::fopen(temporary.c_str(), "wb"));
   if (!file) return io_error(path, "cannot open for writing");

@@ -54,8 +54,8 @@ class Reader {
   }
 
   Result<Sexpr> read(int depth) {
-    if (depth > kMaxDepth) return error_at(pos_, "brackets nest deeper than " + std::to_string(kMaxDepth));
-    if (peek() == ')') return error_at(pos_, "unexpected ')'; no '(' is open here");
+    if (depth > kMaxDepth) return error_at(pos_, "brackets are nested deeper than " + std::to_string(kMaxDepth));
+    if (peek() == ')') return error_at(pos_, "unexpected ')' without '('");
     if (peek() == '(') return read_list(depth);
     if (peek() == '"') return read_string();
     return read_atom();

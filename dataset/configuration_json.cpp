@@ -128,7 +128,7 @@ class ConfigurationReader {
               std::vector<std::pair<T, int>>& values) {
     const auto at = fields.required(field);
     if (!at) return;
-    if (!at->json.is_object()) return reader_.fail(*at, "expected an object of names and whole numbers");
+    if (!at->json.is_object()) return reader_.fail(*at, "expected an object of names and integers");
     std::vector<std::pair<T, int>> read;
     for (const auto& [name, count] : at->json.items()) {
       const JsonAt item{count, &*at, name};
@@ -158,7 +158,7 @@ class ConfigurationReader {
     if (count > kMostTasks) reader_.fail(*at, "ask for more than " + std::to_string(kMostTasks) + " tasks");
     if (count != sum(quotas.simulators) || count < 1)
       reader_.fail(*at, "splits ask for " + std::to_string(count) + " tasks and simulators for " +
-                            std::to_string(sum(quotas.simulators)) + "; both are to ask for the same number, above 0");
+                            std::to_string(sum(quotas.simulators)) + "; both must sum to the same number, above 0");
     if (counted_ && configuration.count != count)
       reader_.fail(*at, "ask for " + std::to_string(count) + " tasks, but \"count\" says " +
                             std::to_string(configuration.count) + "; leave one of them out");

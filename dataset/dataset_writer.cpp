@@ -29,7 +29,7 @@ Result<DatasetWriter> DatasetWriter::begin(const fs::path& folder) {
   std::error_code code;
   fs::create_directories(folder / "homes", code);
   if (!code) fs::create_directories(folder / "demonstrations", code);
-  if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot make this folder: " + code.message()};
+  if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot create this folder: " + code.message()};
   auto database = DatasetDatabase::begin(folder / "dataset.sqlite");
   if (!database) return database.error();
   return DatasetWriter(folder, std::move(*database));

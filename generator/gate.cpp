@@ -20,16 +20,16 @@ struct GateInfo {
   std::string_view name, meaning;
 };
 constexpr std::array<GateInfo, 12> kGates{{
-    {Gate::Simulator, "simulator", "the template is meant for the simulator"},
-    {Gate::Placeholder, "placeholder", "every placeholder is bound to something that the knowledge base knows"},
-    {Gate::Affordance, "affordance", "each category is what its placeholder asks for"},
+    {Gate::Simulator, "simulator", "the template supports the simulator"},
+    {Gate::Placeholder, "placeholder", "every placeholder is bound to something in the knowledge base"},
+    {Gate::Affordance, "affordance", "each category has the affordances of its placeholder"},
     {Gate::Constraint, "constraint", "the template's constraints on categories hold"},
-    {Gate::StateOfCategory, "state_of_category", "the goal asks for states that its categories have"},
-    {Gate::ExclusiveStates, "exclusive_states", "the goal never asks for two states that exclude each other"},
-    {Gate::OnePlace, "one_place", "the goal never asks for one object in two places"},
-    {Gate::Capacity, "capacity", "what the goal asks for fits where it is asked to be"},
-    {Gate::Counts, "counts", "the goal never asks for two numbers of the same thing"},
-    {Gate::Start, "start", "some start meets the start constraints"},
+    {Gate::StateOfCategory, "state_of_category", "the goal uses only states that its categories have"},
+    {Gate::ExclusiveStates, "exclusive_states", "the goal never requires two exclusive states"},
+    {Gate::OnePlace, "one_place", "the goal never requires one object in two places"},
+    {Gate::Capacity, "capacity", "the objects fit where the goal requires them"},
+    {Gate::Counts, "counts", "the goal never requires two different numbers of the same objects"},
+    {Gate::Start, "start", "some start satisfies the start constraints"},
     {Gate::FalseAtStart, "false_at_start", "each part of the goal is false in every start"},
     {Gate::Reachable, "reachable", "the simulator's actions can make each part of the goal true"},
 }};

@@ -58,9 +58,9 @@ BenchmarkTable read_benchmark(std::string_view where, std::string_view text) {
     layout.objects = static_cast<int>(whole_in(reader, "objects", 50, 600));
     if (!reader.sound()) continue;
     layout.simulator = *simulator_named(simulator);
-    if (!ids.insert(layout.id).second) reader.fail("id", "'" + layout.id + "' stands twice; expected a new id");
+    if (!ids.insert(layout.id).second) reader.fail("id", "'" + layout.id + "' is duplicated; expected a new id");
     if (!seeds.insert({simulator, layout.seed}).second) {
-      reader.fail("seed", "stands twice for " + simulator + "; expected a seed of its own for each layout");
+      reader.fail("seed", "is duplicated for " + simulator + "; expected a different seed for each layout");
     }
     if (reader.sound()) table.layouts.push_back(std::move(layout));
   }

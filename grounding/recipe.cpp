@@ -37,7 +37,7 @@ class RecipeReader {
       rule.area_low_m2 = row.number("area_low", 0, kMostArea_m2, false);
       rule.area_high_m2 = row.number("area_high", std::max(rule.area_low_m2, 0.0), kMostArea_m2, true);
       if (rule.at_most > kMostOfAKind) row.fail("at_most", "expected a whole number up to 20");
-      if (!types_.insert(rule.type).second) row.fail("room", "'" + rule.type + "' stands twice");
+      if (!types_.insert(rule.type).second) row.fail("room", "'" + rule.type + "' occurs twice");
       recipe_.rooms.push_back(std::move(rule));
     });
   }
@@ -86,7 +86,7 @@ class RecipeReader {
       }
       ObjectRule rule{room_of(row), row.one_of("category", movable_, "movable category"),
                       row.number("mean", 0, kMostHeld, false)};
-      if (!seen.insert({rule.room, rule.category}).second) row.fail("category", "stands twice for the same room");
+      if (!seen.insert({rule.room, rule.category}).second) row.fail("category", "is duplicated for the same room");
       recipe_.objects.push_back(std::move(rule));
     });
   }
@@ -100,7 +100,7 @@ class RecipeReader {
         row.one_of("category", all, "category");
       }
       const double mean = row.number("mean", 0, kMostHeld, true);
-      if (!recipe_.held.emplace(name, mean).second) row.fail("category", "'" + name + "' stands twice");
+      if (!recipe_.held.emplace(name, mean).second) row.fail("category", "'" + name + "' occurs twice");
     });
   }
 

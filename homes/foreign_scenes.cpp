@@ -89,7 +89,7 @@ Result<std::string> format_for(const std::string& asked, const std::string& wher
   if (asked != "auto") return asked;
   if (auto found = scene_format_of(text)) return *found;
   return Error{
-      Error::Kind::Usage, where, {}, "is in no format that is known; accepted are " + join(scene_format_names(), ", ")};
+      Error::Kind::Usage, where, {}, "has an unknown format; accepted are " + join(scene_format_names(), ", ")};
 }
 
 }  // namespace
@@ -135,7 +135,7 @@ ForeignReading read_foreign_scenes(const std::string& format, const std::vector<
       reading.errors.push_back(homes.error());
       continue;
     }
-    if (homes->empty()) reading.errors.push_back({Error::Kind::Usage, file.string(), {}, "holds no home"});
+    if (homes->empty()) reading.errors.push_back({Error::Kind::Usage, file.string(), {}, "contains no home"});
     for (auto& home : *homes) {
       home.id = names.take(home.id);
       reading.homes.push_back({file, *is, std::move(home)});

@@ -60,7 +60,7 @@ void keep(std::vector<IdentifiedScene> found, GivenScenes& given) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (i > 0 && found[i].scene.id == found[i - 1].scene.id) {
       given.errors.push_back(usage(found[i].file, "has the id \"" + found[i].scene.id + "\" of " +
-                                                      found[i - 1].file.string() + "; expected one scene an id"));
+                                                      found[i - 1].file.string() + "; expected unique ids"));
       continue;
     }
     given.names.push_back(found[i].scene.id + " " + found[i].digest);
@@ -84,7 +84,7 @@ std::vector<IdentifiedScene> read_files(const std::vector<fs::path>& paths, cons
     }
     if (!names_a_file(scene->id))
       errors.push_back(usage(file, "has the id \"" + scene->id +
-                                       "\", by which no file can be called; expected at most " +
+                                       "\", which is not usable as a file name; expected at most " +
                                        std::to_string(kLongestId) + " bytes and no '/'"));
     check_categories(file, *scene, backends[static_cast<std::size_t>(scene->simulator)].knowledge, errors);
     found.push_back({file, std::move(*scene), sha256(*bytes)});
@@ -106,7 +106,7 @@ std::vector<fs::path> scene_files_of(const std::vector<fs::path>& paths, std::ve
     for (auto at = fs::directory_iterator(path, code); !code && at != fs::directory_iterator(); at.increment(code)) {
       if (is_scene_file(at->path())) own.push_back(at->path());
     }
-    if (own.empty()) errors.push_back(usage(path, "holds no scene; expected files *.scene.json or *.scene.json.gz"));
+    if (own.empty()) errors.push_back(usage(path, "contains no scene; expected files *.scene.json or *.scene.json.gz"));
     std::sort(own.begin(), own.end());
     files.insert(files.end(), own.begin(), own.end());
   }

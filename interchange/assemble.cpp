@@ -16,13 +16,13 @@ std::string too_wide(const Scene& scene) {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Room& room : scene.rooms) {
     for (const Vec2& corner : room.polygon) {
-      if (!corner.allFinite()) return "the room " + room.id + " has a corner that is no finite number";
+      if (!corner.allFinite()) return "the room " + room.id + " has a corner that is not finite";
       low = low.cwiseMin(corner);
       high = high.cwiseMax(corner);
     }
   }
   if (scene.rooms.empty() || (high - low).maxCoeff() <= kWidest_m) return {};
-  return "the rooms reach over more than 200 m; homes are smaller";
+  return "the rooms extend over more than 200 m";
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   draw_rooms(source, scene);
   if (std::string wrong = too_wide(scene); !wrong.empty()) return refuse(std::move(wrong));
   Draft draft = draft_of(source, std::move(scene), knowledge);
-  if (draft.scene.rooms.empty()) return refuse("the file has no room, and nothing around which one could be drawn");
+  if (draft.scene.rooms.empty()) return refuse("the file has no rooms, and no objects around which to draw one");
   if (draft.scene.nodes.empty()) return refuse("no object of a known category can be placed");
   follow_evidence(draft);
   draft.report.arrived = count_in_place(source, draft, !options.settle);

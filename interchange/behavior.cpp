@@ -66,7 +66,7 @@ class Importer {
   }
 
   void add_agent(const BehaviorObject& from) {
-    if (scene_.has_agent) return scene_.warnings.push_back("a further robot, " + from.name.substr(0, 60));
+    if (scene_.has_agent) return scene_.warnings.push_back("another robot, " + from.name.substr(0, 60));
     scene_.has_agent = true;
     scene_.agent.position = from.root.position.head<2>();
     scene_.agent.yaw = yaw_of(from.root);

@@ -29,7 +29,7 @@ void read_what(JsonReader& reader, const JsonAt& at, BehaviorObject& object) {
   }
   if (const auto f = given(at, "bounding_box")) {
     object.box = reader.vec3(*f);
-    if (!reader.error() && !(object.box.minCoeff() > 0)) reader.fail(*f, "expected three lengths above 0");
+    if (!reader.error() && !(object.box.minCoeff() > 0)) reader.fail(*f, "expected three lengths > 0");
   }
   if (const auto f = given(at, "fixed_base")) object.fixed = reader.boolean(*f);
   if (const auto f = given(at, "in_rooms")) object.rooms = names_at(reader, *f);

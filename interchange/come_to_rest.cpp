@@ -72,8 +72,8 @@ void come_to_rest(const SourceScene& source, Draft& draft) {
       const SourceObject& object = source.objects[draft.source_of[one.node]];
       const long millimetres = std::lround(std::min(one.moved_m, 1000.0) * 1000);
       draft.report.issues.push_back({object.id, object.category, "restless",
-                                     "cannot be moved: it creeps " + std::to_string(millimetres) +
-                                         " mm in two seconds of physics and is held in place"});
+                                     "cannot be moved: it drifts " + std::to_string(millimetres) +
+                                         " mm in two seconds of physics and is fixed in place"});
       draft.scene.nodes.edit(one.node).movable = false;
     }
   }

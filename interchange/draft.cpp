@@ -111,11 +111,11 @@ class Placer {
     }
     if (category != nullptr) ++draft_.report.known;
     if (!by_id_.try_emplace(object.id, index).second) {
-      return issue(object, "duplicate-id", "an object before it has the same id");
+      return issue(object, "duplicate-id", "an earlier object has the same id");
     }
     known_.insert(index);
     if (!finite(object) || std::abs(object.pose.rotation.norm() - 1) > 1e-3 || object.size.minCoeff() < 0) {
-      return issue(object, "not-finite", "its pose or size is no finite number");
+      return issue(object, "not-finite", "its pose or size is not finite");
     }
     if (object.pose.position.cwiseAbs().maxCoeff() > kFarthest_m || object.size.maxCoeff() > kLargest_m) {
       return issue(object, "too-far", "its pose or size is larger than a home");
@@ -142,7 +142,7 @@ class Placer {
       node.size = category.size;
       issue(object, "typical-size", "neither the file nor the knowledge base has its own");
     }
-    if (node.size.maxCoeff() <= 0) return issue(object, "no-size", "nothing says how large it is");
+    if (node.size.maxCoeff() <= 0) return issue(object, "no-size", "its size is unknown");
     node.size = node.size.cwiseMax(kThinnest_m);
     node.mass = std::max(object.mass > 0 ? object.mass : category.mass, kLightest_kg);
     node.pose = {object.pose.position, object.pose.rotation.normalized()};

@@ -32,7 +32,7 @@ void keep_to_a_home(JsonReader& reader, const JsonAt& home, SourceScene& scene) 
       const bool near = corner.allFinite() && corner.cwiseAbs().maxCoeff() <= kFarOff_m;
       if (near && (high - low).maxCoeff() <= kWidest_m) continue;
       return reader.fail(home, "the room " + in_quotes(room.id) +
-                                   " reaches too far; expected a home of at most 200 m within 1000 m of the origin");
+                                   " is too far away; expected a home of at most 200 m within 1000 m of the origin");
     }
   }
   if (!(scene.wall_height >= kLowest_m && scene.wall_height <= kHighest_m)) {

@@ -25,7 +25,7 @@ SourceScene read_labelled_boxes(JsonReader& reader, const JsonAt& home, std::str
     if (!centre || !size) break;
     object.pose.position = reader.vec3(*centre);
     const Vec3 extents = reader.vec3(*size);
-    if (!reader.error() && extents.minCoeff() < 0) reader.fail(*size, "expected three lengths that are not below 0");
+    if (!reader.error() && extents.minCoeff() < 0) reader.fail(*size, "expected three lengths >= 0");
     const Category* category = knowledge.find(object.category);
     const Facing facing =
         facing_of_box(object.pose.position, extents, category == nullptr ? Vec3::Zero() : category->size, false, {});

@@ -49,7 +49,7 @@ class Reader {
     const LooseFields fields(reader_, at);
     if (const auto metadata = fields.find("metadata")) return read_value(*metadata, name, scenes);
     if (const auto table = fields.find("scenes")) {
-      if (!table->json.is_object()) return reader_.fail(*table, "expected an object with one scene a field");
+      if (!table->json.is_object()) return reader_.fail(*table, "expected an object with one scene per field");
       for (const auto& [id, value] : *table->json.get_ptr<const Json::object_t*>()) {
         const JsonAt one{value, &*table, id, 0};
         const LooseFields own(reader_, one);

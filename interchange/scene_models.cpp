@@ -64,11 +64,11 @@ SceneModel model_from_json(JsonReader& reader, const JsonAt& at) {
   if (const auto f = given(at, "category")) model.category = reader.text(*f);
   if (const auto f = given(at, "size")) {
     model.size = reader.vec3(*f);
-    if (!reader.error() && model.size.minCoeff() < 0) reader.fail(*f, "expected three lengths that are not below 0");
+    if (!reader.error() && model.size.minCoeff() < 0) reader.fail(*f, "expected three lengths >= 0");
   }
   if (const auto f = given(at, "mass")) {
     model.mass = reader.number(*f);
-    if (!reader.error() && model.mass < 0) reader.fail(*f, "expected a mass that is not below 0");
+    if (!reader.error() && model.mass < 0) reader.fail(*f, "expected a mass >= 0");
   }
   return model;
 }

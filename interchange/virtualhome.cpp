@@ -66,7 +66,7 @@ class Importer {
     for (const VirtualhomeEdge& edge : graph_.edges) {
       const VirtualhomeNode *from = node(edge.from), *to = node(edge.to);
       if (from == nullptr || to == nullptr) {
-        ++counts_["edges name a node that the graph has not"];
+        ++counts_["edges refer to a node that is not in the graph"];
       } else if (edge.relation == "BETWEEN" && is_room(*to)) {
         between_[edge.from].push_back(edge.to);
       } else if (edge.relation == "INSIDE" && is_room(*to)) {
@@ -207,7 +207,7 @@ class Importer {
     for (const std::string& name : node.states) {
       const auto state = state_of_virtualhome(name);
       if (!state) {
-        ++counts_["states that a scene does not hold (" + name.substr(0, 30) + ")"];
+        ++counts_["states that a scene cannot represent (" + name.substr(0, 30) + ")"];
         continue;
       }
       object.states.push_back(*state);
@@ -228,7 +228,7 @@ class Importer {
         object.size = *size;
         return;
       }
-      ++counts_["boxes do not fit their rotation: taken along the axes"];
+      ++counts_["boxes do not fit their rotation: treated as axis-aligned"];
     }
     const auto room = room_of_.find(node.id);
     const auto at = room == room_of_.end() ? room_index_.end() : room_index_.find(room->second);

@@ -28,7 +28,7 @@ void read_box(JsonReader& reader, const JsonAt& node, VirtualhomeNode& into) {
   into.has_box = true;
   into.centre = reader.vec3(*centre);
   into.extents = reader.vec3(*size);
-  if (!reader.error() && into.extents.minCoeff() < 0) reader.fail(*size, "expected three lengths that are not below 0");
+  if (!reader.error() && into.extents.minCoeff() < 0) reader.fail(*size, "expected three lengths >= 0");
 }
 
 void read_transform(JsonReader& reader, const JsonAt& node, VirtualhomeNode& into) {
@@ -91,7 +91,7 @@ VirtualhomeGraph read_virtualhome_graph(JsonReader& reader, const JsonAt& home) 
       graph.nodes.push_back(read_node(reader, at));
       if (reader.error()) break;
       if (!ids.insert(graph.nodes.back().id).second) {
-        reader.fail(at, "the id " + std::to_string(graph.nodes.back().id) + " stands twice; expected one node an id");
+        reader.fail(at, "the id " + std::to_string(graph.nodes.back().id) + " is duplicated; expected one node per id");
       }
     }
   }

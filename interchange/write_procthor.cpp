@@ -127,7 +127,7 @@ class HouseWriter {
       const DoorModel& model = door_model_for(width);
       if (std::abs(model.width - width) > 0.15) {
         left_out_.push_back(opening.id + ": no frame is " + number_text(house_number(width, 100)) + " m wide; " +
-                            std::string(model.name) + " stands in it");
+                            std::string(model.name) + " is used");
       }
       const double along = length - wall->along;  // theirs is counted from our `to`
       const std::size_t low = std::min(*a, *b), high = std::max(*a, *b);
@@ -226,7 +226,7 @@ class HouseWriter {
     }
     const Room* room = room_at(scene_, node.pose.position.head<2>());
     if (room == nullptr) {
-      left_out_.push_back(node.id + ": it stands in no room");
+      left_out_.push_back(node.id + ": it is in no room");
       return std::nullopt;
     }
     const auto in = static_cast<std::size_t>(room - scene_.rooms.data());
@@ -285,7 +285,8 @@ class HouseWriter {
 Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge) {
   const auto refuse = [&](std::string message) { return Error{Error::Kind::Usage, scene.id, {}, std::move(message)}; };
   if (scene.simulator != Simulator::Ai2thor || knowledge.simulator() != Simulator::Ai2thor) {
-    return refuse("ProcTHOR houses hold AI2-THOR's objects; this scene is of " + std::string(name_of(scene.simulator)));
+    return refuse("ProcTHOR houses contain AI2-THOR's objects; this scene belongs to " +
+                  std::string(name_of(scene.simulator)));
   }
   if (scene.rooms.empty()) return refuse("a house needs a room");
   return HouseWriter(scene, knowledge).write();

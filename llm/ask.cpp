@@ -57,7 +57,7 @@ class Asking {
     open_those_not_cached();
     while (!open_.empty()) {
       if (options_.stop != nullptr && *options_.stop) {
-        give_up("stopped before an answer came");
+        give_up("stopped before an answer arrived");
         break;
       }
       const auto now = Clock::now();
@@ -206,7 +206,7 @@ std::optional<Error> wrong_with(const LlmEndpoint& endpoint) {
   if (const auto url = chat_url(endpoint.url); !url) return url.error();
   const auto printable = [](char c) { return c > ' ' && c <= '~'; };
   if (!std::all_of(endpoint.key.begin(), endpoint.key.end(), printable))
-    return usage("the key holds a blank, a control or a non-ASCII character; expected the key alone");
+    return usage("the key contains a space, a control character or a non-ASCII character");
   return std::nullopt;
 }
 

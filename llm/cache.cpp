@@ -16,7 +16,7 @@ Error io_error(const std::filesystem::path& path, const std::string& reason) {
   return {Error::Kind::Io,
           path.string(),
           {},
-          "cannot be used as a cache of answers: " + reason + "; expected a file made by this program, or none"};
+          "cannot be used as a cache: " + reason + "; expected a file written by this program, or no file"};
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ Error io_error(const std::filesystem::path& path, const std::string& reason) {
 Result<LlmCache> LlmCache::open(const std::filesystem::path& path) {
   std::error_code code;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);
-  if (code) return io_error(path, "cannot make its folder: " + code.message());
+  if (code) return io_error(path, "cannot create its folder: " + code.message());
   try {
     SqliteFile file(path, SqliteFile::Mode::Create);
     file.run(kSchema);

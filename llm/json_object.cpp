@@ -75,7 +75,7 @@ Result<std::string> json_object_in(std::string_view text) {
     if (!candidate.empty() && is_object(candidate)) return std::string(candidate);
     at = text.find('{', at + 1);
   }
-  return Error{Error::Kind::Schema, "language model", {}, "its text holds no JSON object"};
+  return Error{Error::Kind::Schema, "language model", {}, "its text contains no JSON object"};
 }
 
 }  // namespace unietp

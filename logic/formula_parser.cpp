@@ -155,9 +155,9 @@ std::optional<Formula> FormulaParser::operation(Formula::Op op, const Sexpr& exp
   const std::string word = expression.children.front().text;
   Place below = place;
   if (is_temporal(op) && !place.temporal) {
-    note(expression,
-         "the temporal operator " + quoted(word) + " cannot stand here; " +
-             (place.inside_where ? "a :where is read in the first state only" : "this formula is read in one state"));
+    note(expression, "the temporal operator " + quoted(word) + " is not allowed here; " +
+                         (place.inside_where ? "a :where is evaluated only in the first state"
+                                             : "this formula is evaluated in a single state"));
     below.temporal = true;  // said once
   }
   if (is_temporal(op)) below.predicates = true;
@@ -230,7 +230,7 @@ std::optional<Formula> FormulaParser::predicate_atom(const PredicateInfo& predic
                                                      const Place& place) {
   if (!place.predicates) {
     note(expression, quoted(predicate.name) +
-                         " stands outside every temporal operator; in a goal write it under at-end, sometime, "
+                         " is outside every temporal operator; in a goal, put it under at-end, sometime, "
                          "always, until or before");
   }
   if (expression.children.size() != predicate.arguments.size() + 1) {
@@ -263,7 +263,7 @@ std::optional<Term> FormulaParser::argument(const PredicateInfo& predicate, std:
   const bool agent_welcome = predicate.predicate == Predicate::InRoom && index == 0;
   if (expression.is_atom("agent")) {
     if (agent_welcome) return Term{Term::Kind::Agent, "agent"};
-    return note(expression, name + " cannot be the agent; 'agent' stands only first in 'in_room'");
+    return note(expression, name + " cannot be the agent; 'agent' is allowed only as the first argument of 'in_room'");
   }
   auto term = variable_term(expression, name, agent_welcome ? "?x, or 'agent'" : "?x");
   if (!term) return term;

@@ -71,7 +71,8 @@ std::optional<Formula> FormulaParser::with_binder(Formula::Op op, const Sexpr& b
 std::optional<Formula> FormulaParser::quantifier(Formula::Op op, const Sexpr& expression, const Place& place) {
   const auto& parts = expression.children;
   if (op == Formula::Op::Number) {
-    return note(expression, "'number' stands only inside a count: (count > (number (?x - A) f) (number (?y - B) g))");
+    return note(expression,
+                "'number' is allowed only inside a count: (count > (number (?x - A) f) (number (?y - B) g))");
   }
   const bool complete = has_parts(expression, 2, "(" + parts.front().text + " (?x - D) f)");
   if (parts.size() < 2) return std::nullopt;
@@ -164,7 +165,7 @@ std::optional<Domain> FormulaParser::either(const Sexpr& expression) {
     if (!member) {
       sound = false;
     } else if (std::find(result.members.begin(), result.members.end(), *member) != result.members.end()) {
-      note(expression.children[i], quoted(expression.children[i].text) + " is named twice in this 'either'");
+      note(expression.children[i], quoted(expression.children[i].text) + " occurs twice in this 'either'");
       sound = false;
     } else {
       result.members.push_back(std::move(*member));
@@ -177,7 +178,8 @@ std::optional<Domain> FormulaParser::either(const Sexpr& expression) {
 std::optional<Domain> FormulaParser::domain_with_where(const Sexpr& expression, const std::string& variable,
                                                        const Place& place) {
   const Sexpr& mark = expression.children[1];
-  if (!place.where) return note(mark, "a :where cannot stand here; a formula that is read in one state has none");
+  if (!place.where)
+    return note(mark, "a :where is not allowed here; a formula that is evaluated in a single state has none");
   if (expression.children.size() != 3) {
     return note(mark, "':where' takes one formula, found " + std::to_string(expression.children.size() - 2) +
                           "; write (A :where f)");
@@ -198,7 +200,7 @@ std::optional<Domain::Member> FormulaParser::category(const Sexpr& expression) {
     return note(expression, "expected a category, found " + shown(expression));
   }
   if (is_reserved(expression.text)) {
-    return note(expression, quoted(expression.text) + " cannot stand in 'either'; it takes categories");
+    return note(expression, quoted(expression.text) + " is not allowed in 'either'; expected a category");
   }
   const auto slash = expression.text.find('/');
   if (slash == std::string::npos) return Domain::Member{expression.text, false};

@@ -67,7 +67,7 @@ CompiledKnowledge compiled_knowledge(const DataFolders& folders) {
   if (const auto stored = digest_of_database(database); stored && *stored == *tables) return {database, {}};
   std::error_code code;
   fs::create_directories(folders.cache, code);
-  if (code) return {{}, {io_error(folders.cache, "cannot make the cache folder: " + code.message())}};
+  if (code) return {{}, {io_error(folders.cache, "cannot create the cache folder: " + code.message())}};
   auto aside = database;
   aside += "." + std::to_string(::getpid());
   auto errors = compile_knowledge(folders.tables(), aside, folders.overrides);
@@ -185,7 +185,7 @@ std::vector<Error> unknown_categories(const Template& source, const std::vector<
         {Error::Kind::Schema, source.file, place_of(source.file, name),
          "no knowledge base has the category \"" + name + "\"" +
              (near.empty() ? "" : ", did you mean \"" + near + "\"") +
-             "; accepted are the template's parameters and the categories that `unietp knowledge show` lists"});
+             "; accepted are the template's parameters and the categories listed by `unietp knowledge show`"});
   }
   return errors;
 }

@@ -22,9 +22,9 @@ Error no_such_folder(const fs::path& place, const std::vector<Template>& known) 
   return {Error::Kind::Usage,
           "--templates",
           {},
-          "\"" + place.string() + "\" is no file or folder; --templates takes a folder of your own templates" +
-              (name ? ", and `--template " + place.string() + "` chooses one by its name"
-                    : ", and --template NAME chooses templates by name")};
+          "\"" + place.string() + "\" is not a file or folder; --templates takes a folder of your own templates" +
+              (name ? ", and `--template " + place.string() + "` selects one by name"
+                    : ", and --template NAME selects templates by name")};
 }
 
 LibraryReading complete(std::vector<TemplateFile> files, const DataFolders& folders) {
@@ -41,7 +41,7 @@ LibraryReading complete(std::vector<TemplateFile> files, const DataFolders& fold
     auto found = template_files(place, "own");
     if (found.files.empty() && found.errors.empty())
       library.errors.push_back(
-          {Error::Kind::Usage, "--templates", {}, "\"" + place.string() + "\" holds no file *.template"});
+          {Error::Kind::Usage, "--templates", {}, "\"" + place.string() + "\" contains no file *.template"});
     append(own, std::move(found.files));
     append(library.errors, std::move(found.errors));
   }

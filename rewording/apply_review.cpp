@@ -123,7 +123,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
     return Error{Error::Kind::Usage,
                  (folder / kManifest).string(),
                  {},
-                 "was made with other tables, profiles, layouts or templates than those in use; give the right ones "
+                 "was made with different tables, profiles, layouts or templates; select the right ones "
                  "with --data"};
   const auto configuration =
       configuration_from_json((folder / kManifest).string(), manifest->value("configuration", Json()).dump());

@@ -25,7 +25,7 @@ Result<BatchFolder> BatchFolder::open(const fs::path& folder, std::string model)
   BatchFolder batch(folder, batch_endpoint(std::move(model)));
   std::error_code code;
   fs::create_directories(folder, code);
-  if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot make this folder: " + code.message()};
+  if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot create this folder: " + code.message()};
   std::vector<fs::path> files;
   for (auto it = fs::directory_iterator(folder, code); !code && it != fs::directory_iterator(); it.increment(code))
     if (it->is_regular_file(code) && it->path().extension() == ".jsonl") files.push_back(it->path());

@@ -51,7 +51,7 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
   if (by_grammar && stated.phrasings != "all") {
     const auto own = name_of(phrasings_of(without_aside(demand, stated.style), nouns));
     if (own != stated.phrasings)
-      found(ProblemKind::TextPhrasing, {"its turn of phrase is one of " + std::string(own) + ", not of " +
+      found(ProblemKind::TextPhrasing, {"its sentence pattern belongs to " + std::string(own) + ", not to " +
                                         stated.phrasings + " as the manifest says"});
   }
   return problems;

@@ -34,14 +34,14 @@ class Judge {
         const auto before = context_.judged_before.find(review.task);
         const bool gone = review.judgement == Judgement::Reject && before != context_.judged_before.end();
         if (gone) continue;  // rejected, and taken out before
-        refuse("there is no such task");
+        refuse("no such task");
         continue;
       }
       const TaskLine& task = tasks_[found->second];
       const std::string now = text_of(task);
       const bool in_force = review.judgement == Judgement::Edit && now == review.text;
       if (now != review.instruction && !in_force) {
-        refuse("its text is another one now: \"" + now + "\"");
+        refuse("its text has changed: \"" + now + "\"");
         continue;
       }
       Ruling& ruling = rulings[found->second];

@@ -19,7 +19,7 @@ Result<Binding> read_binding(const std::vector<std::string>& texts, const Templa
   for (const auto& text : texts) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-      return usage("\"" + text + "\" is no binding; expected PLACEHOLDER=CATEGORY, such as " +
+      return usage("\"" + text + "\" is not a binding; expected PLACEHOLDER=CATEGORY, such as " +
                    (placeholders.empty() ? "A" : placeholders.front()) + "=Mug");
     const auto name = text.substr(0, equals);
     if (std::find(placeholders.begin(), placeholders.end(), name) == placeholders.end()) {

@@ -65,7 +65,7 @@ Result<Ledger> Ledger::open(const std::filesystem::path& path, const std::string
       return Error{Error::Kind::Usage,
                    path.parent_path().string(),
                    {},
-                   "holds an unfinished run with other settings, so it cannot be resumed\n  it was: " + stored +
+                   "contains an unfinished run with different settings, so it cannot be resumed\n  it was: " + stored +
                        "\n  asked:  " + identity +
                        "\nrepeat the command with the same options and program, or remove that folder to start anew"};
     }
@@ -80,7 +80,7 @@ Result<Ledger> Ledger::read_only(const std::filesystem::path& path, const std::s
     SqliteFile file(path, SqliteFile::Mode::Read);
     auto query = file.prepare("SELECT identity FROM run");
     if (!query.step() || query.text(0) != identity)
-      return Error{Error::Kind::Usage, path.string(), {}, "is of another run than the folder says that it lies in"};
+      return Error{Error::Kind::Usage, path.string(), {}, "belongs to a different run than its folder"};
     return Ledger(std::move(file));
   } catch (const std::exception& reason) {
     return failure("cannot read " + path.string(), reason);
@@ -127,7 +127,7 @@ Result<Done> Ledger::add(const CandidateRecord& record, const StageCosts& costs)
     insert.step();
     return Done{};
   } catch (const std::exception& reason) {
-    return failure("cannot keep a candidate", reason);
+    return failure("cannot store a candidate", reason);
   }
 }
 
@@ -144,7 +144,7 @@ Result<Done> Ledger::keep_home(const std::string& layout, const std::function<st
     insert.step();
     return Done{};
   } catch (const std::exception& reason) {
-    return failure("cannot keep a home", reason);
+    return failure("cannot store a home", reason);
   }
 }
 

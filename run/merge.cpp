@@ -27,13 +27,13 @@ Result<ShardSet> read_shards(const std::vector<fs::path>& folders) {
     }
     const Shard& first = set.records.empty() ? record->shard : set.records.front().shard;
     if (record->identity != set.identity)
-      return usage_error(folder, "is of another run than " + folders.front().string() + "\n  that: " + set.identity +
-                                     "\n  this: " + record->identity);
+      return usage_error(folder, "belongs to a different run than " + folders.front().string() +
+                                     "\n  that: " + set.identity + "\n  this: " + record->identity);
     if (record->shard.of != first.of)
       return usage_error(
           folder, "is shard " + name_of(record->shard) + ", but " + folders.front().string() + " is " + name_of(first));
     if (!seen.insert(record->shard.number).second)
-      return usage_error(folder, "is shard " + name_of(record->shard) + ", which was given before");
+      return usage_error(folder, "is shard " + name_of(record->shard) + ", which was already given");
     set.folders.push_back(folder);
     set.records.push_back(std::move(*record));
   }
@@ -51,8 +51,8 @@ Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, co
   const auto identity = identity_of(shards.configuration, resources);
   if (identity != shards.identity)
     return usage_error(shards.folders.front(),
-                       "was made by another version or with other knowledge than this program has\n  it was:  " +
-                           shards.identity + "\n  this is: " + identity);
+                       "was made by a different version or with different knowledge\n  it was:  " + shards.identity +
+                           "\n  this is: " + identity);
   std::vector<std::unique_ptr<Ledger>> ledgers;
   std::vector<FilledBlock> blocks;
   for (std::size_t i = 0; i < shards.records.size(); ++i) {
@@ -69,8 +69,8 @@ Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, co
   }
   if (covered != shards.configuration.count)
     return usage_error(shards.folders.front(),
-                       "a shard.json is damaged: the blocks of the shards do not hold the run's " +
-                           std::to_string(shards.configuration.count) + " tasks once each");
+                       "a shard.json is damaged: the blocks of the shards do not cover the run's " +
+                           std::to_string(shards.configuration.count) + " tasks exactly once");
   auto work = RunFolder::enter(out, true);
   if (!work) return work.error();
   const auto folder = work->fresh_data_folder();

@@ -133,8 +133,8 @@ Result<RunReport> run_generation(const RunConfiguration& configuration, const Re
     return Error{Error::Kind::Usage,
                  "--shard",
                  {},
-                 "this run has " + std::to_string(all.size()) + " blocks, so it cannot be shared by " +
-                     std::to_string(options.shard.of) + "; ask for fewer shards or set a smaller block"};
+                 "this run has " + std::to_string(all.size()) + " blocks, so it cannot be split into " +
+                     std::to_string(options.shard.of) + " shards; use fewer shards or a smaller block"};
   const auto blocks = share_of(std::move(all), options.shard);
   int asked = 0;
   for (const Block& block : blocks) asked += static_cast<int>(block.slots.size());

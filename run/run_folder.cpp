@@ -50,7 +50,8 @@ Result<RunFolder> RunFolder::enter(const fs::path& asked, bool resume) {
     return usage_error(out, "already exists; choose another folder, or remove this one first");
 
   fs::create_directories(folder, code);
-  if (code) return io(folder, "cannot make this folder: " + code.message() + "; choose a folder that you can write to");
+  if (code)
+    return io(folder, "cannot create this folder: " + code.message() + "; choose a folder that you can write to");
   const int lock = ::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (lock < 0) {
     const std::string reason = std::strerror(errno);
@@ -59,10 +60,10 @@ Result<RunFolder> RunFolder::enter(const fs::path& asked, bool resume) {
   }
   RunFolder run(out, folder, lock);
   if (::flock(lock, LOCK_EX | LOCK_NB) != 0)
-    return usage_error(folder, "another run is working here; wait for it to end, or choose another folder");
+    return usage_error(folder, "another run is using this folder; wait for it to finish, or choose another folder");
   if (unfinished && !resume)
     return usage_error(folder,
-                       "holds an unfinished run; add --resume to continue it, or remove that folder to start anew");
+                       "contains an unfinished run; add --resume to continue it, or remove that folder to start over");
   if (tidy_up && fs::exists(out, code)) {
     remove_marker_last(folder);
     run.already_published_ = true;
@@ -85,7 +86,7 @@ Result<fs::path> RunFolder::fresh_data_folder() const {
   std::error_code code;
   fs::remove_all(data, code);
   if (!code) fs::create_directories(data, code);
-  if (code) return io(data, "cannot make this folder: " + code.message());
+  if (code) return io(data, "cannot create this folder: " + code.message());
   return data;
 }
 

@@ -72,7 +72,7 @@ Result<ShardRecord> shard_from_json(std::string_view where, std::string_view tex
 Result<ShardRecord> read_shard(const fs::path& folder) {
   const fs::path file = folder / "shard.json";
   const auto text = read_file(file);
-  if (!text) return Error{Error::Kind::Usage, folder.string(), {}, "is no finished shard: " + text.error().message};
+  if (!text) return Error{Error::Kind::Usage, folder.string(), {}, "is not a finished shard: " + text.error().message};
   return shard_from_json(file.string(), *text);
 }
 

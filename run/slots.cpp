@@ -51,16 +51,16 @@ Result<std::vector<Group>> groups_of(const RunConfiguration& configuration, cons
       return Error{Error::Kind::Usage,
                    "--splits",
                    {},
-                   "no template of those asked for makes " + std::string(name_of(split)) + " tasks on " +
-                       std::string(name_of(simulator)) + "; `unietp template list` shows what each can make"};
+                   "none of the selected templates gives " + std::string(name_of(split)) + " tasks on " +
+                       std::string(name_of(simulator)) + "; see `unietp template list`"};
     }
   }
   if (groups.empty())
-    return Error{Error::Kind::Usage,
-                 "--template",
-                 {},
-                 "none of the templates asked for fits " + std::string(name_of(simulator)) +
-                     "; `unietp template list` shows what each can make"};
+    return Error{
+        Error::Kind::Usage,
+        "--template",
+        {},
+        "none of the selected templates supports " + std::string(name_of(simulator)) + "; see `unietp template list`"};
   return groups;
 }
 
@@ -101,8 +101,8 @@ Result<std::vector<TaskSlot>> by_quotas(const RunConfiguration& configuration, c
     return Error{Error::Kind::Usage,
                  "quotas",
                  {},
-                 "cannot be met by the templates asked for: some simulator has none for a split that must fill its "
-                 "share; `unietp template list` shows what each can make"};
+                 "cannot be met by the selected templates: some simulator has none for a split that must fill its "
+                 "share; see `unietp template list`"};
   std::vector<int> counts;
   for (const auto& row : table) counts.insert(counts.end(), row.begin(), row.end());
   std::vector<TaskSlot> slots;
@@ -154,8 +154,8 @@ Result<Done> check_homes(const RunConfiguration& configuration, const Resources&
       return Error{Error::Kind::Usage,
                    "--scenes",
                    {},
-                   "none of the scenes given is one of " + std::string(name_of(simulator)) +
-                       "; leave that simulator out of --simulators or give one"};
+                   "none of the given scenes belongs to " + std::string(name_of(simulator)) +
+                       "; remove that simulator from --simulators or add a scene"};
   }
   return Done{};
 }

@@ -60,7 +60,7 @@ class Builder {
     if (fields.size() == max_fields_) {
       return fail("more than " + std::to_string(max_fields_) + " fields in one object");
     }
-    if (has_field(fields, name)) return fail("the field " + in_quotes(name) + " stands twice in one object");
+    if (has_field(fields, name)) return fail("the field " + in_quotes(name) + " occurs twice in one object");
     key_ = std::move(name);
     return true;
   }

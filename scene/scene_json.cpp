@@ -210,7 +210,7 @@ void sort_edges(JsonReader& reader, std::vector<Edge>& edges, const std::string&
   const auto twice = std::adjacent_find(edges.begin(), edges.end());
   if (twice == edges.end()) return;
   reader.fail(pointer, "the edge " + std::string(info(twice->relation).name) + " from " + in_quotes(twice->from) +
-                           " to " + in_quotes(twice->to) + " stands twice");
+                           " to " + in_quotes(twice->to) + " occurs twice");
 }
 
 }  // namespace

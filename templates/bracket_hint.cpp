@@ -42,7 +42,7 @@ std::string bracket_hint(std::string_view text) {
       if (const auto section = section_at(text.substr(at)); !section.empty()) {
         const auto open = depth - 1;
         return "; section '" + section + "' opens at line " + std::to_string(line) +
-               (open < 0 ? " behind the end of the template: a bracket too many stands before it"
+               (open < 0 ? " after the end of the template: there is an extra ')' before it"
                          : " while " + std::to_string(open) + (open == 1 ? " bracket" : " brackets") +
                                " of the section before it " + (open == 1 ? "is" : "are") + " open");
       }

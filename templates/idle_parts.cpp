@@ -54,7 +54,7 @@ class IdleParts {
     const bool one_line = std::none_of(text.text.begin(), text.text.end(),
                                        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
     if (!one_line) {
-      error(text.pos, "a " + what + " stands on one line, without tabs; is a closing '\"' missing?");
+      error(text.pos, "a " + what + " must be on one line, without tabs; is a closing '\"' missing?");
     }
   }
 
@@ -62,14 +62,14 @@ class IdleParts {
     std::set<std::string> seen;
     for (const auto& word : parameter.affordances) {
       if (!seen.insert(word).second) {
-        error(parameter.pos, "'" + word + "' stands twice for placeholder '" + parameter.name + "'");
+        error(parameter.pos, "duplicate '" + word + "' for placeholder '" + parameter.name + "'");
       }
     }
     if (seen.contains("any") && seen.size() > 1) {
-      error(parameter.pos, "'any' asks for nothing, so it stands alone; write (" + parameter.name + " - any)");
+      error(parameter.pos, "'any' must be the only word; write (" + parameter.name + " - any)");
     }
     if (seen.contains("furniture") && seen.contains("movable")) {
-      error(parameter.pos, "nothing is both 'furniture' and 'movable'");
+      error(parameter.pos, "no category is both 'furniture' and 'movable'");
     }
   }
 
@@ -77,13 +77,13 @@ class IdleParts {
     std::set<std::string> seen;
     for (const auto& constraint : value_.constraints) {
       if (!seen.insert(constraint.kind + " " + join(constraint.arguments, " ")).second) {
-        error(constraint.pos, "this constraint stands here a second time");
+        error(constraint.pos, "duplicate constraint");
       }
       std::set<std::string> arguments;
       for (const auto& argument : constraint.arguments) {
-        if (argument.starts_with('0')) error(constraint.pos, "a number is written without leading zeros");
+        if (argument.starts_with('0')) error(constraint.pos, "a number must not have leading zeros");
         if (!arguments.insert(argument).second) {
-          error(constraint.pos, "'" + argument + "' stands twice in this constraint");
+          error(constraint.pos, "duplicate '" + argument + "' in this constraint");
         }
       }
     }
@@ -92,7 +92,7 @@ class IdleParts {
   void check_repeated(const std::vector<Sexpr>& items, const std::string& what) {
     std::set<std::string> seen;
     for (const auto& item : items) {
-      if (!seen.insert(bare(item)).second) error(item.pos, "this " + what + " stands here a second time");
+      if (!seen.insert(bare(item)).second) error(item.pos, "duplicate " + what);
     }
   }
 
@@ -101,8 +101,7 @@ class IdleParts {
       std::set<std::string> seen;
       for (std::size_t i = 1; i < expression.children.size(); ++i) {
         if (seen.insert(bare(expression.children[i])).second) continue;
-        error(expression.children[i].pos,
-              "this part stands a second time in its '" + expression.children[0].text + "'");
+        error(expression.children[i].pos, "duplicate part of '" + expression.children[0].text + "'");
       }
     }
     for (const auto& child : expression.children) check_parts(child);
@@ -111,8 +110,7 @@ class IdleParts {
   void check_variables(const Sexpr& expression) {
     for (const auto& child : expression.children) {
       if (is_binder(child) && uses_of(child.children[0].text, expression) == 1) {
-        error(child.pos, "the variable " + child.children[0].text +
-                             " is bound here and used nowhere; what is said of it, or is it too many?");
+        error(child.pos, "the variable " + child.children[0].text + " is bound here but never used");
       }
       check_variables(child);
     }

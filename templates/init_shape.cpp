@@ -51,7 +51,8 @@ std::optional<std::string> init_shape_problem(const Formula& formula) {
     return "a start constraint is (exists (?x - A) body), (forall (?x - A) body), (count >= n (?x - A) body) or "
            "(count = n (?x - A) body)";
   }
-  if (!formula.domain.where.empty()) return "a start constraint takes no ':where'; put the condition into the body";
+  if (!formula.domain.where.empty())
+    return "a start constraint must not have a ':where'; put the condition into the body";
   for (const auto& literal : literals_of(formula)) {
     const auto& inner = without_not(literal);
     const auto& variable = formula.variable;

@@ -60,10 +60,10 @@ class TemplateReader {
       return {{}, {std::move(unread)}};
     }
     if (expressions->empty()) {
-      error({1, 1}, "the file holds no template; expected (template name (name \"...\") (split ...) ...)");
+      error({1, 1}, "the file has no template; expected (template name (name \"...\") (split ...) ...)");
     } else {
       for (std::size_t i = 1; i < expressions->size(); ++i) {
-        error((*expressions)[i].pos, "a file holds one template, and this is a second expression");
+        error((*expressions)[i].pos, "unexpected second expression; a file has exactly one template");
       }
       read_template(expressions->front());
     }
@@ -107,7 +107,7 @@ class TemplateReader {
       }
       const bool twice = std::any_of(sections.begin(), sections.end(), [&](const auto& s) { return s.first == word; });
       if (twice) {
-        error(child.pos, "section '" + word + "' stands here a second time; each section stands once");
+        error(child.pos, "duplicate section '" + word + "'");
         continue;
       }
       sections.emplace_back(word, &child);
@@ -120,7 +120,7 @@ class TemplateReader {
         source_.value.simulators.assign(kSimulators.begin(), kSimulators.end());
       } else if (const auto optional = section_names(false);
                  std::find(optional.begin(), optional.end(), word) == optional.end()) {
-        error(top.pos, "section '" + word + "' is missing; only " + join(optional, ", ") + " may be left out");
+        error(top.pos, "section '" + word + "' is missing; only " + join(optional, ", ") + " are optional");
       }
     }
     for (auto& problem : check_template(source_)) errors_.push_back(std::move(problem));
@@ -130,12 +130,12 @@ class TemplateReader {
   void check_name() {
     const auto& name = source_.value.name;
     if (!is_template_name(name)) {
-      error(source_.name.pos, "'" + name + "' is no template name; accepted are a-z, 0-9 and '-'");
+      error(source_.name.pos, "'" + name + "' is not a valid template name; accepted are a-z, 0-9 and '-'");
     }
     const auto stem = std::filesystem::path(file_).stem().string();
     if (stem != name) {
       schema_error(source_.name.pos,
-                   "template '" + name + "' stands in a file called '" + stem + "'; name and file must agree");
+                   "template '" + name + "' is in a file named '" + stem + "'; both names must be the same");
     }
   }
 
@@ -175,14 +175,14 @@ class TemplateReader {
     }
     if (std::find(kNames.begin(), kNames.end(), items[0].text) == kNames.end()) {
       error(items[0].pos, "'" + items[0].text +
-                              "' is the split of refined tasks; accepted is the class of the goal itself: " +
-                              join(kNames, ", ") + "; what refines it goes into a section (refinement ...)");
+                              "' is the split of refined tasks; expected the class of the goal itself: " +
+                              join(kNames, ", ") + "; use a section (refinement ...) for the refinement");
       return;
     }
     source_.value.split = *split;
     const auto folder = std::filesystem::path(file_).parent_path().filename().string();
     if (split_named(folder) && folder != items[0].text) {
-      schema_error(items[0].pos, "a template of split '" + items[0].text + "' stands in the folder '" + folder + "'");
+      schema_error(items[0].pos, "a template of split '" + items[0].text + "' is in the folder '" + folder + "'");
     }
   }
 
@@ -230,14 +230,15 @@ class TemplateReader {
     if (!formed) {
       source_.parameters_read = false;
       error(item.pos,
-            "expected a placeholder, '-' and what it must afford, such as (A - pickupable) or (C - furniture "
+            "expected a placeholder, '-' and its affordances, such as (A - pickupable) or (C - furniture "
             "container openable)");
       return;
     }
     Parameter parameter{item.children[0].text, {}, item.children[0].pos};
     if (!is_placeholder_name(parameter.name)) {
       source_.parameters_read = false;
-      error(parameter.pos, "'" + parameter.name + "' is no placeholder; one starts with a capital letter, such as A");
+      error(parameter.pos,
+            "'" + parameter.name + "' is not a valid placeholder; it must start with a capital letter, such as A");
     }
     for (const auto& other : source_.value.parameters) {
       if (other.name == parameter.name) error(parameter.pos, "placeholder '" + parameter.name + "' is declared twice");
@@ -255,7 +256,7 @@ class TemplateReader {
     for (const char* alone : {"room", "colour", "material", "substance"}) {
       const auto& words = parameter.affordances;
       if (words.size() < 2 || std::find(words.begin(), words.end(), alone) == words.end()) continue;
-      schema_error(parameter.pos, std::string("a ") + alone + " has no other affordance; write (" + parameter.name +
+      schema_error(parameter.pos, std::string("a ") + alone + " must be the only word; write (" + parameter.name +
                                       " - " + alone + ")");
     }
     source_.value.parameters.push_back(std::move(parameter));

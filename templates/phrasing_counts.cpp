@@ -84,12 +84,12 @@ std::vector<DoubtfulPhrasing> doubtful_phrasings(const Template& source) {
           std::any_of(ways.begin(), ways.end(), [&](int number) { return says_one_of(words, words_for(number)); });
       if (said) continue;
       doubtful.push_back({i, "the goal counts " + std::to_string(ways.front()) +
-                                 ", and this phrasing has no word for that, such as '" + words_for(ways.front()).at(1) +
+                                 ", but this phrasing has no word for that, such as '" + words_for(ways.front()).at(1) +
                                  "'"});
     }
     if (asked.all && !says_one_of(words, of_all) && !names_them_all(source.instructions[i])) {
       doubtful.push_back({i,
-                          "the goal says something of every object of a kind, and this phrasing has no word for that, "
+                          "the goal is about every object of a category, but this phrasing has no word for that, "
                           "such as 'all' or 'every'"});
     }
   }

@@ -225,7 +225,7 @@ class Checker {
       if (used.contains(parameter.name)) continue;
       error(parameter.pos, "placeholder '" + parameter.name +
                                "' is declared but never used; use it in the goal, init or a constraint other than "
-                               "distinct, or take it out of parameters");
+                               "distinct, or remove it from parameters");
     }
   }
 
@@ -280,9 +280,10 @@ class Checker {
       const auto& domain = quantifier.domain;
       const auto name = domain.members.empty() ? "A" : domain.members.front().category;
       const auto body = domain.where.empty() ? "(and)" : to_text(domain.where.front());
-      error(binders[i].pos, "this " + binders[i].quantifier + " may range over nothing: no init constraint says that " +
-                                to_text(domain) + " is not empty; add for instance (count >= 1 (?" +
-                                quantifier.variable + " - " + name + ") " + body + ") to init");
+      error(binders[i].pos, "this " + binders[i].quantifier +
+                                " may have an empty domain: no init constraint guarantees that " + to_text(domain) +
+                                " is not empty; add, for example, (count >= 1 (?" + quantifier.variable + " - " + name +
+                                ") " + body + ") to init");
     }
   }
 
@@ -298,9 +299,9 @@ class Checker {
     });
     if (kind->written && !refers) {
       error(source_.refinement->pos,
-            "the goal refers to no object: none of its domains has a ':where', such as (?a - (A :where (dirty ?a)))");
+            "the goal identifies no object: none of its domains has a ':where', such as (?a - (A :where (dirty ?a)))");
     } else if (!kind->written && refers) {
-      error(source_.refinement->pos, "the goal has a ':where' of its own; write (refinement referring)");
+      error(source_.refinement->pos, "the goal has its own ':where'; write (refinement referring)");
     }
   }
 
@@ -319,7 +320,7 @@ class Checker {
       if (!reading.errors.empty()) continue;
       for (const auto& name : in_goal_) {
         if (!said.contains(name) && is_declared(name)) {
-          error(phrasing.pos, "this phrasing does not mention {" + name + "}, which the goal speaks of");
+          error(phrasing.pos, "this phrasing does not mention {" + name + "}, which the goal uses");
         }
       }
     }

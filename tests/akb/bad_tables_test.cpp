@@ -86,7 +86,7 @@ const BadTable kBad[] = {
     {"ConfidenceZero", "affordance", "types.json,0.9", "types.json,0",
      "affordance.csv:3:37: schema error: bad confidence '0'; expected a number > 0 and <= 1"},
     {"DuplicateKey", "affordance", "apple,sliceable,metadata:types.json,0.9", "apple,pickupable,curated,1",
-     "affordance.csv:3:1: schema error: row for 'apple pickupable' twice; expected one row a key"},
+     "affordance.csv:3:1: schema error: row for 'apple pickupable' is duplicated; expected one row per key"},
     {"BadCsv", "alias", "\"cup, with a handle\"", "cup \"with\" a handle",
      "alias.csv:3:17: parse error: quote inside an unquoted field; expected the whole field in quotes and the quote "
      "doubled"},

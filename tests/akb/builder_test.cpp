@@ -45,7 +45,7 @@ TEST(Lexicon, AWordInTwoFilesIsAnErrorThatNamesTheSecond) {
   read_lexicon(folder.path() / "c", errors);
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_EQ(replace_all(format(errors.front()), folder.path().string() + "/", ""),
-            "c/lexicon_more.csv:2:1: schema error: word 'apple' twice; expected each once");
+            "c/lexicon_more.csv:2:1: schema error: word 'apple' is duplicated; expected each once");
 }
 
 TEST(Lexicon, AFolderWithoutOneIsAnError) {

@@ -44,61 +44,61 @@ struct Bad {
 
 TEST(CompletionAnswer, WhatIsOutOfBoundsIsRejectedWithItsReason) {
   const Bad kOutOfBounds[] = {
-      {FactKind::Size, "3", "of another form than asked"},
-      {FactKind::Size, R"({"width":1,"depth":1})", "of another form than asked"},
-      {FactKind::Size, R"({"width":1,"depth":"1","height":1})", "of another form than asked"},
+      {FactKind::Size, "3", "not in the requested form"},
+      {FactKind::Size, R"({"width":1,"depth":1})", "not in the requested form"},
+      {FactKind::Size, R"({"width":1,"depth":"1","height":1})", "not in the requested form"},
       {FactKind::Size, R"({"width":0,"depth":1,"height":1})", "out of bounds"},
       {FactKind::Size, R"({"width":-1,"depth":1,"height":1})", "out of bounds"},
       {FactKind::Size, R"({"width":1e308,"depth":1,"height":1})", "out of bounds"},
       {FactKind::Size, R"({"width":21,"depth":1,"height":1})", "out of bounds"},
       {FactKind::Size, R"({"width":9,"depth":9,"height":9})", "not possible with its size and mass"},
-      {FactKind::Mass, "\"light\"", "of another form than asked"},
+      {FactKind::Mass, "\"light\"", "not in the requested form"},
       {FactKind::Mass, "2001", "out of bounds"},
       {FactKind::Mass, "0", "out of bounds"},
       {FactKind::Mass, "30", "not possible with its size and mass"},
-      {FactKind::Synset, "[]", "of another form than asked"},
-      {FactKind::Synset, "\"knife\"", "no name of a synset"},
-      {FactKind::Synset, "\"knife.v.01\"", "no name of a synset"},
-      {FactKind::Synset, "\"knife.n.1\"", "no name of a synset"},
-      {FactKind::Synset, "\"knife.n.00\"", "no name of a synset"},
-      {FactKind::Aliases, "\"blade\"", "of another form than asked"},
-      {FactKind::Aliases, "[3]", "of another form than asked"},
+      {FactKind::Synset, "[]", "not in the requested form"},
+      {FactKind::Synset, "\"knife\"", "not the name of a synset"},
+      {FactKind::Synset, "\"knife.v.01\"", "not the name of a synset"},
+      {FactKind::Synset, "\"knife.n.1\"", "not the name of a synset"},
+      {FactKind::Synset, "\"knife.n.00\"", "not the name of a synset"},
+      {FactKind::Aliases, "\"blade\"", "not in the requested form"},
+      {FactKind::Aliases, "[3]", "not in the requested form"},
       {FactKind::Aliases, R"(["x"])", "too short"},
-      {FactKind::Aliases, R"(["Blade"])", "other than lower-case English words"},
-      {FactKind::Aliases, R"(["blade "])", "other than lower-case English words"},
-      {FactKind::Aliases, R"(["blade  thing"])", "other than lower-case English words"},
-      {FactKind::Aliases, R"(["knife_3"])", "other than lower-case English words"},
-      {FactKind::Aliases, "[\"l\xC3\xA2me\"]", "other than lower-case English words"},
-      {FactKind::Aliases, R"(["blade\nnow"])", "other than lower-case English words"},
-      {FactKind::Aliases, R"(["knives"])", "its name already"},
+      {FactKind::Aliases, R"(["Blade"])", "not lower-case English words"},
+      {FactKind::Aliases, R"(["blade "])", "not lower-case English words"},
+      {FactKind::Aliases, R"(["blade  thing"])", "not lower-case English words"},
+      {FactKind::Aliases, R"(["knife_3"])", "not lower-case English words"},
+      {FactKind::Aliases, "[\"l\xC3\xA2me\"]", "not lower-case English words"},
+      {FactKind::Aliases, R"(["blade\nnow"])", "not lower-case English words"},
+      {FactKind::Aliases, R"(["knives"])", "already its name"},
       {FactKind::Aliases, R"(["plates"])", "the name of another category"},
-      {FactKind::Aliases, R"(["blade","blade"])", "said twice"},
-      {FactKind::Aliases, R"(["blade","cutter","slicer","parer","chopper"])", "more than asked"},
-      {FactKind::Function, R"(["cutting bread"])", "not begun as a function phrase is"},
-      {FactKind::Function, R"(["something"])", "not begun as a function phrase is"},
-      {FactKind::Function, R"(["algo para cortar"])", "not begun as a function phrase is"},
+      {FactKind::Aliases, R"(["blade","blade"])", "a duplicate"},
+      {FactKind::Aliases, R"(["blade","cutter","slicer","parer","chopper"])", "more than requested"},
+      {FactKind::Function, R"(["cutting bread"])", "does not start like a function phrase"},
+      {FactKind::Function, R"(["something"])", "does not start like a function phrase"},
+      {FactKind::Function, R"(["algo para cortar"])", "does not start like a function phrase"},
       {FactKind::Function, R"(["a thing"])", "too short"},
-      {FactKind::Function, R"(["a knife to cut bread with"])", "names the thing itself"},
-      {FactKind::Context, R"(["i must cut."])", "other than one plain sentence"},
-      {FactKind::Context, R"(["I must cut"])", "other than one plain sentence"},
-      {FactKind::Context, R"(["I must. Cut it."])", "other than one plain sentence"},
-      {FactKind::Context, R"(["Ignore this: <b>it</b>."])", "other than one plain sentence"},
+      {FactKind::Function, R"(["a knife to cut bread with"])", "names the object itself"},
+      {FactKind::Context, R"(["i must cut."])", "not one plain sentence"},
+      {FactKind::Context, R"(["I must cut"])", "not one plain sentence"},
+      {FactKind::Context, R"(["I must. Cut it."])", "not one plain sentence"},
+      {FactKind::Context, R"(["Ignore this: <b>it</b>."])", "not one plain sentence"},
       {FactKind::Context, R"(["Necesito cortar pan."])", "not English"},
       {FactKind::Context, R"(["I cut."])", "too short"},
       {FactKind::Affordances, R"(["edible"])", "an unknown affordance"},
       {FactKind::Affordances, R"(["openable"])", "not possible with its shape"},
       {FactKind::Affordances, R"(["container"])", "not possible with its shape"},
-      {FactKind::Affordances, R"(["breakable","breakable"])", "said twice"},
-      {FactKind::Placements, R"(["fridge"])", "of another form than asked"},
-      {FactKind::Placements, R"([{"relation":"inside","receptacle":"fridge"}])", "of another form than asked"},
+      {FactKind::Affordances, R"(["breakable","breakable"])", "a duplicate"},
+      {FactKind::Placements, R"(["fridge"])", "not in the requested form"},
+      {FactKind::Placements, R"([{"relation":"inside","receptacle":"fridge"}])", "not in the requested form"},
       {FactKind::Placements, R"([{"relation":"inside","receptacle":"fridge","likelihood":2}])", "out of bounds"},
       {FactKind::Placements, R"([{"relation":"behind","receptacle":"fridge","likelihood":1}])", "an unknown relation"},
       {FactKind::Placements, R"([{"relation":"inside","receptacle":"Fridge","likelihood":1}])", "an unknown category"},
-      {FactKind::Placements, R"([{"relation":"on","receptacle":"fridge","likelihood":1}])", "no room for it there"},
-      {FactKind::Placements, R"([{"relation":"inside","receptacle":"knife","likelihood":1}])", "no room for it there"},
+      {FactKind::Placements, R"([{"relation":"on","receptacle":"fridge","likelihood":1}])", "does not fit there"},
+      {FactKind::Placements, R"([{"relation":"inside","receptacle":"knife","likelihood":1}])", "does not fit there"},
       {FactKind::Placements,
        R"([{"relation":"inside","receptacle":"fridge","likelihood":1},{"relation":"inside","receptacle":"fridge","likelihood":1}])",
-       "said twice"},
+       "a duplicate"},
   };
   for (const auto& bad : kOutOfBounds) {
     SCOPED_TRACE(std::string(name_of(bad.kind)) + " " + bad.value);
@@ -136,8 +136,8 @@ TEST(CompletionAnswer, NothingIsTakenThatWasNotAsked) {
   EXPECT_EQ(accepted_in(answer), 1U);
   std::vector<std::string> reasons;
   for (const auto& rejected : answer.rejected) reasons.push_back(rejected.reason);
-  EXPECT_THAT(reasons, ElementsAre("a category that was not asked", "an unknown category", "said twice",
-                                   "an entry without a category", "left out of the answer"));
+  EXPECT_THAT(reasons, ElementsAre("a category that was not requested", "an unknown category", "a duplicate",
+                                   "an entry without a category", "missing from the answer"));
 }
 
 TEST(CompletionAnswer, AnEmptyListOrSynsetIsNeitherTakenNorRejected) {
@@ -162,7 +162,7 @@ TEST(CompletionAnswer, ASynsetMustBeWordNets) {
     const auto answer =
         checked(R"({"categories":[{"category":"knife","synset":")" + std::string(synset) + "\"}]}", {FactKind::Synset});
     ASSERT_EQ(answer.rejected.size(), 1U);
-    EXPECT_EQ(answer.rejected[0].reason, "no synset of WordNet 3.0");
+    EXPECT_EQ(answer.rejected[0].reason, "not a synset of WordNet 3.0");
   }
 }
 

@@ -108,10 +108,10 @@ TEST(Complete, TakesWhatIsLackingAndNamesTheModel) {
   EXPECT_GT(report.unused, 0);
   std::vector<std::string> reasons;
   for (const auto& rejected : report.rejected) reasons.push_back(rejected.reason);
-  EXPECT_THAT(reasons, Contains("said twice"));
+  EXPECT_THAT(reasons, Contains("a duplicate"));
   EXPECT_THAT(reasons, Contains("an unknown affordance"));
-  EXPECT_THAT(reasons, Contains("no room for it there"));
-  EXPECT_THAT(reasons, Contains("other than lower-case English words"));
+  EXPECT_THAT(reasons, Contains("does not fit there"));
+  EXPECT_THAT(reasons, Contains("not lower-case English words"));
 }
 
 TEST(Complete, ChangesNoFactOfAnotherSource) {

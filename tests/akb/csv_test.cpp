@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"a,b\n\n1,2\n", "t.csv:2:1: parse error: empty line; expected a row of fields"},
         BadCase{"a,b\n1,2,3\n", "t.csv:2:1: parse error: 3 fields; expected 2 as in the header"},
         BadCase{"a,,c\n1,2,3\n", "t.csv:1:3: parse error: column without a name; expected one"},
-        BadCase{"a,b,a\n1,2,3\n", "t.csv:1:5: parse error: column 'a' twice; expected each once"},
+        BadCase{"a,b,a\n1,2,3\n", "t.csv:1:5: parse error: column 'a' is duplicated; expected each once"},
         BadCase{"\xEF\xBB\xBF"
                 "a\n1\n",
                 "t.csv:1:1: parse error: byte order mark; expected UTF-8 without one"}));

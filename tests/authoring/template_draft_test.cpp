@@ -98,7 +98,7 @@ TEST(AskTemplate, ANameThatCannotBeIsAnErrorAndNotAskedForAgain) {
       draft, {"name", "split", "refinement", "simulators", "parameters", "constraints", "init", "goal", "instruction"},
       answers, questions);
   ASSERT_FALSE(asked);
-  EXPECT_THAT(asked.error().message, HasSubstr("is no template name"));
+  EXPECT_THAT(asked.error().message, HasSubstr("is not a valid template name"));
 }
 
 TEST(AskTemplate, AsksOnlyForWhatIsNotGiven) {

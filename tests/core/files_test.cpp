@@ -85,7 +85,7 @@ TEST_F(Files, ReadingNamesWhatIsMissing) {
             (folder_ / "none").string() + ": file error: cannot open for reading: No such file or directory");
   const auto folder = read_file(folder_);
   ASSERT_FALSE(folder);
-  EXPECT_EQ(folder.error().message, "this is a folder; a file is expected");
+  EXPECT_EQ(folder.error().message, "is a folder; expected a file");
 }
 
 TEST_F(Files, GzipIsUndoneByGunzipAndByReadingAGzFile) {

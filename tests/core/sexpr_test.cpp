@@ -40,9 +40,9 @@ TEST(ReadSexprs, NothingIsNoExpression) {
 TEST(ReadSexprs, SaysWhereItCannotGoOn) {
   const std::pair<std::string_view, std::string_view> cases[] = {
       {"(a\n(b)", "f:2:4: parse error: missing ')' for the '(' at line 1, column 1"},
-      {"a)", "f:1:2: parse error: unexpected ')'; no '(' is open here"},
+      {"a)", "f:1:2: parse error: unexpected ')' without '('"},
       {"(a \"b)", "f:1:4: parse error: this string has no closing '\"'"},
-      {R"("\t")", R"(f:1:2: parse error: unknown escape; a string knows \", \\ and \n)"},
+      {R"("\t")", R"(f:1:2: parse error: unknown escape; accepted are \", \\ and \n)"},
   };
   for (const auto& [text, message] : cases) {
     const auto result = read_sexprs("f", text);
@@ -57,7 +57,7 @@ TEST(ReadSexprs, RefusesNestingThatWouldExhaustTheStack) {
   EXPECT_TRUE(read_sexprs("f", nested(200)));
   const auto deep = read_sexprs("f", nested(100000));
   ASSERT_FALSE(deep);
-  EXPECT_EQ(deep.error().message, "brackets nest deeper than 200");
+  EXPECT_EQ(deep.error().message, "brackets are nested deeper than 200");
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ TEST(BadInput, UnknownNamesAreToldWithTheNearestKnownOne) {
       {{"--simulators", "ai2thor,habitatt"}, "did you mean \"habitat\""},
       {{"--splits", "atomik"}, "did you mean \"atomic\""},
       {{"--template", "open-onee"}, "did you mean \"open-one\""},
-      {{"--templates", "open-one"}, "`--template open-one` chooses one by its name"},
+      {{"--templates", "open-one"}, "`--template open-one` selects one by name"},
       {{"--templates", folder.at("none")}, "is no file or folder"},
       {{"--count", "none"}, "--count"},
       {{"--seed", "9007199254740992"}, "from 0 to 9007199254740991"},

@@ -250,7 +250,7 @@ TEST_F(Pages, AVerdictOnAnotherTextIsRefused) {
   const auto ended = apply(review({stale, nobody}));
   EXPECT_EQ(ended.code, 1);
   EXPECT_THAT(ended.out, HasSubstr("its text is another one now"));
-  EXPECT_THAT(ended.out, HasSubstr("ai2thor-99999: not taken over: there is no such task"));
+  EXPECT_THAT(ended.out, HasSubstr("ai2thor-99999: not taken over: no such task"));
   EXPECT_EQ(tasks(data()).size(), static_cast<std::size_t>(kCount));
   const auto bad = folder_.at("bad.json");
   ASSERT_TRUE(write_file(bad, "{\"format\": \"unietp-review/1\"}"));

@@ -156,7 +156,7 @@ TEST(Robust, AnInterruptEndsCleanlyWithTheWayToGoOn) {
   other.emplace_back("--resume");
   const auto mismatch = run_program(other);
   EXPECT_EQ(mismatch.code, 2);
-  EXPECT_THAT(mismatch.err, HasSubstr("other settings"));
+  EXPECT_THAT(mismatch.err, HasSubstr("different settings"));
 }
 
 TEST(Robust, ASecondRunOnTheSameFolderIsRefused) {

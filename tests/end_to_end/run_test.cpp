@@ -68,7 +68,7 @@ TEST_F(QuotaRun, ShardsPutTogetherAreTheBytesOfOneProcess) {
   EXPECT_THAT(lacks.err, HasSubstr("shard 1 of 2 is missing"));
   const auto twice = run_program({"merge", scratch_.at("first"), scratch_.at("first"), "--out", scratch_.at("half")});
   EXPECT_EQ(twice.code, 2);
-  EXPECT_THAT(twice.err, HasSubstr("was given before"));
+  EXPECT_THAT(twice.err, HasSubstr("was already given"));
   const auto says = scratch_.path() / "first" / "shard.json";
   auto record = nlohmann::ordered_json::parse(*read_file(says));  // what names the run keeps its order
   record["blocks"][0][1] = 5;                                     // one task less than it has
@@ -76,7 +76,7 @@ TEST_F(QuotaRun, ShardsPutTogetherAreTheBytesOfOneProcess) {
   const auto damaged =
       run_program({"merge", scratch_.at("first"), scratch_.at("second"), "--out", scratch_.at("half")});
   EXPECT_EQ(damaged.code, 2);
-  EXPECT_THAT(damaged.err, HasSubstr("do not hold the run's 18 tasks once each"));
+  EXPECT_THAT(damaged.err, HasSubstr("do not cover the run's 18 tasks exactly once"));
   EXPECT_FALSE(std::filesystem::exists(scratch_.at("half")));
 }
 

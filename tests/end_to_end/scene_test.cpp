@@ -198,7 +198,7 @@ TEST(BadScenes, AreToldAndLeaveNothing) {
     expect_refused(with("nowhere.scene.json"), "nowhere.scene.json: file error: cannot open for reading");
     expect_refused(with("cut.scene.json.gz"), "not a whole gzip file");
     expect_refused(with("not.scene.json"), "not.scene.json:3:4: ");
-    expect_refused(with("empty"), "holds no scene");
+    expect_refused(with("empty"), "contains no scene");
   }
   expect_refused({"render", folder.at("not.scene.json"), "task", "--out", out}, "unietp scene show");
   EXPECT_EQ(bytes_below(folder.path()), before);

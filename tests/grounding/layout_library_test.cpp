@@ -87,8 +87,8 @@ TEST(ReadBenchmark, ReportsEveryErrorWithLineAndColumn) {
   std::vector<std::string> messages;
   for (const Error& error : table.errors) messages.push_back(format(error));
   const std::vector<std::string> expected{
-      "b.csv:3:1: schema error: 'a' stands twice; expected a new id",
-      "b.csv:4:11: schema error: stands twice for ai2thor; expected a seed of its own for each layout",
+      "b.csv:3:1: schema error: 'a' is duplicated; expected a new id",
+      "b.csv:4:11: schema error: is duplicated for ai2thor; expected a different seed for each layout",
       "b.csv:5:3: schema error: unknown simulator 'thor'; expected one of ai2thor, virtualhome, habitat, behavior",
       "b.csv:6:11: schema error: expected a whole number from 0 to 18446744073709551615, got '-1'",
       "b.csv:7:13: schema error: expected a whole number from 4 to 12, got '99'",

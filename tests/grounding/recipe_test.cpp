@@ -77,10 +77,10 @@ TEST_F(BadRecipe, IsReportedWithLineColumnAndWhatIsAccepted) {
             "ai2thor.csv:3:22: schema error: 'Bathtub' must be listed above for the same room");
   EXPECT_EQ(furniture("kitchen,Fridge,1,1,1,wall,"),
             "ai2thor.csv:3:27: schema error: expected metadata:<file>, derived:<rule>, llm:<model> or curated");
-  EXPECT_EQ(room("kitchen,1,1,1,10,20,curated"), "ai2thor_rooms.csv:6:1: schema error: 'kitchen' stands twice");
+  EXPECT_EQ(room("kitchen,1,1,1,10,20,curated"), "ai2thor_rooms.csv:6:1: schema error: 'kitchen' occurs twice");
   EXPECT_EQ(room("office,1,0,1,20,10,curated"),
             "ai2thor_rooms.csv:6:17: schema error: bad area_high '10'; expected a number >= 20 and <= 80");
-  EXPECT_EQ(object("kitchen,Mug,2,curated"), "ai2thor_objects.csv:4:9: schema error: stands twice for the same room");
+  EXPECT_EQ(object("kitchen,Mug,2,curated"), "ai2thor_objects.csv:4:9: schema error: is duplicated for the same room");
   RecipeTexts no_rooms = sound();
   no_rooms.rooms = "room,weight,at_least,at_most,area_low,area_high,source\nkitchen,1,1,1,10,20,curated\n";
   EXPECT_EQ(first_error(no_rooms), "ai2thor_rooms.csv:1:1: schema error: a home needs at least 4 room types");

@@ -91,7 +91,7 @@ TEST_F(GivenScenesTest, AnIdThatCanNameNoFileIsRefused) {
 TEST_F(GivenScenesTest, AFolderWithoutScenesIsRefused) {
   const auto given = read_given_scenes({folder_}, backends_);
   ASSERT_EQ(given.errors.size(), 1U);
-  EXPECT_THAT(format(given.errors[0]), HasSubstr("holds no scene"));
+  EXPECT_THAT(format(given.errors[0]), HasSubstr("contains no scene"));
 }
 
 TEST_F(GivenScenesTest, ARunUsesThemInPlaceOfDrawnHomes) {
@@ -108,7 +108,7 @@ TEST_F(GivenScenesTest, ARunUsesThemInPlaceOfDrawnHomes) {
   EXPECT_THAT(layout->offer.categories, ::testing::Contains("Mug"));
   const auto slots = plan_slots(configuration, resources);
   ASSERT_FALSE(slots);
-  EXPECT_THAT(slots.error().message, HasSubstr("none of the scenes given is one of ai2thor"));
+  EXPECT_THAT(slots.error().message, HasSubstr("none of the given scenes belongs to ai2thor"));
 }
 
 }  // namespace

@@ -141,9 +141,8 @@ TEST(Behavior, BadScenesGetAnErrorWithItsPlace) {
             "scene.json#/state/object_registry/chair_1: schema error: the field \"root_link\" is missing");
   EXPECT_EQ(with(omnigibson(true), "\"objects_info\"", "\"objects_infos\""),
             "scene.json: schema error: the field \"objects_info\" is missing");
-  EXPECT_EQ(
-      with(omnigibson(true), "[0.7, 0.9, 1.0]", "[0.7, 0, 1.0]"),
-      "scene.json#/objects_info/init_info/chair_1/args/bounding_box: schema error: expected three lengths above 0");
+  EXPECT_EQ(with(omnigibson(true), "[0.7, 0.9, 1.0]", "[0.7, 0, 1.0]"),
+            "scene.json#/objects_info/init_info/chair_1/args/bounding_box: schema error: expected three lengths > 0");
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST(Virtualhome, TellsWhatIsOnAndInWhatAndWhatItLeavesOut) {
   EXPECT_TRUE(scene.has_agent);
   EXPECT_EQ(scene.agent.position, Vec2(3, 1));
   EXPECT_THAT(scene.warnings, Contains(HasSubstr("SITTING")));
-  EXPECT_THAT(scene.warnings, Contains(HasSubstr("1 edges name a node that the graph has not")));
+  EXPECT_THAT(scene.warnings, Contains(HasSubstr("1 edges refer to a node that is not in the graph")));
 }
 
 TEST(Virtualhome, FurnitureTurnsItsBackToTheNearestWall) {
@@ -230,13 +230,13 @@ TEST(Virtualhome, BadGraphsGetAnErrorWithItsPlace) {
     return scenes ? std::string("accepted") : format(scenes.error());
   };
   EXPECT_EQ(with("\"id\": 4,", "\"id\": 3,"),
-            "home.json#/nodes/3: schema error: the id 3 stands twice; expected one node an id");
+            "home.json#/nodes/3: schema error: the id 3 is duplicated; expected one node per id");
   EXPECT_EQ(with("[2, 0.4, 2]", "[2, 0.4]"),
             "home.json#/nodes/8/bbox_center: schema error: expected [x, y, z], not 2 items");
   EXPECT_THAT(with("[2, 0.4, 2]", "[2, NaN, 2]"), HasSubstr("home.json:11:87: parse error"));
   EXPECT_THAT(with("[2, 0.4, 2]", "[2, 1e999, 2]"), HasSubstr("parse error"));
   EXPECT_EQ(with("[1.5, 0.8, 0.9]", "[1.5, -0.8, 0.9]"),
-            "home.json#/nodes/8/bbox_size: schema error: expected three lengths that are not below 0");
+            "home.json#/nodes/8/bbox_size: schema error: expected three lengths >= 0");
   EXPECT_EQ(with("[10, \"ON\", 9]", "[10, 9]"), "home.json#/edges/10: schema error: expected [from, relation, to]");
   EXPECT_EQ(with("\"edges\"", "\"edge\""), "home.json: schema error: the field \"edges\" is missing");
 }

@@ -16,7 +16,7 @@ constexpr FormulaUse kGoal = FormulaUse::Goal, kState = FormulaUse::State;
 
 const BadFormula kBadFormulas[] = {
     {kGoal, "(at-end (exists (?x - A) (open ?x))", "g:1:36: parse error: missing ')' for the '(' at line 1, column 1"},
-    {kGoal, "(at-end (exists (?x - A) (open ?x))))", "g:1:37: parse error: unexpected ')'; no '(' is open here"},
+    {kGoal, "(at-end (exists (?x - A) (open ?x))))", "g:1:37: parse error: unexpected ')' without '('"},
     {kGoal, "", "g:1:1: parse error: expected an expression, found nothing"},
     {kGoal, "(and) (or)", "g:1:7: parse error: expected one expression, found a second"},
     {kGoal, "open", "g:1:1: parse error: expected a formula in brackets such as (open ?x), found 'open'"},
@@ -35,14 +35,16 @@ const BadFormula kBadFormulas[] = {
     {kGoal, "(exists (?x - A) (at-end (open ?y)))",
      "g:1:32: parse error: the variable ?y is not bound here; bound are ?x"},
     {kGoal, "(exists (?x - A) (open ?x))",
-     "g:1:18: parse error: 'open' stands outside every temporal operator; in a goal write it under at-end, sometime, "
+     "g:1:18: parse error: 'open' is outside every temporal operator; in a goal, put it under at-end, sometime, "
      "always, until or before"},
     {kState, "(exists (?x - A) (sometime (open ?x)))",
-     "g:1:18: parse error: the temporal operator 'sometime' cannot stand here; this formula is read in one state"},
+     "g:1:18: parse error: the temporal operator 'sometime' is not allowed here; this formula is evaluated in a single "
+     "state"},
     {kGoal, "(exists (?x - (A :where (always (open ?x)))) (at-end (hot ?x)))",
-     "g:1:25: parse error: the temporal operator 'always' cannot stand here; a :where is read in the first state only"},
+     "g:1:25: parse error: the temporal operator 'always' is not allowed here; a :where is evaluated only in the first "
+     "state"},
     {kState, "(exists (?x - (A :where (open ?x))) (hot ?x))",
-     "g:1:18: parse error: a :where cannot stand here; a formula that is read in one state has none"},
+     "g:1:18: parse error: a :where is not allowed here; a formula that is evaluated in a single state has none"},
     {kGoal, "(exists (?x - A) (at-end (on ?x)))",
      "g:1:26: parse error: 'on' takes 2 arguments, found 1; write (on ?x ?y)"},
     {kGoal, "(exists (?x - A) (at-end (open ?x ?x)))",
@@ -58,7 +60,8 @@ const BadFormula kBadFormulas[] = {
     {kGoal, "(exists (?x - object) (exists (?y - A/slice) (at-end (in_room ?x ?y))))",
      "g:1:66: parse error: the second argument of 'in_room' must be a room; ?y ranges over objects"},
     {kGoal, "(at-end (exists (?x - A) (on agent ?x)))",
-     "g:1:30: parse error: the first argument of 'on' cannot be the agent; 'agent' stands only first in 'in_room'"},
+     "g:1:30: parse error: the first argument of 'on' cannot be the agent; 'agent' is allowed only as the first "
+     "argument of 'in_room'"},
     {kGoal, "(exists (?x - A) (forall (?x - B) (at-end (open ?x))))",
      "g:1:27: parse error: the variable ?x is already bound here; choose another name"},
     {kGoal, "(at-end (exists ?x (open ?x)))",
@@ -70,7 +73,7 @@ const BadFormula kBadFormulas[] = {
      "g:1:23: parse error: expected a category or a category with /slice, found 'A/half'"},
     {kGoal, "(at-end (exists (?x - (either)) (open ?x)))", "g:1:23: parse error: 'either' takes at least one category"},
     {kGoal, "(at-end (exists (?x - (either A room)) (open ?x)))",
-     "g:1:33: parse error: 'room' cannot stand in 'either'; it takes categories"},
+     "g:1:33: parse error: 'room' is not allowed in 'either'; expected a category"},
     {kGoal, "(at-end (exists (?x - (A :where)) (open ?x)))",
      "g:1:26: parse error: ':where' takes one formula, found 0; write (A :where f)"},
     {kGoal, "(at-end (count => 2 (?x - A) (open ?x)))",
@@ -89,7 +92,7 @@ const BadFormula kBadFormulas[] = {
     {kGoal, "(at-end (count > (?x - A) (open ?x) (?y - B)))",
      "g:1:37: parse error: expected (number (?y - D) g) to compare with, found '(?y …)'"},
     {kGoal, "(at-end (number (?x - A) (open ?x)))",
-     "g:1:9: parse error: 'number' stands only inside a count: (count > (number (?x - A) f) (number (?y - B) g))"},
+     "g:1:9: parse error: 'number' is allowed only inside a count: (count > (number (?x - A) f) (number (?y - B) g))"},
     {kGoal, "(not)", "g:1:1: parse error: 'not' takes 1 part, found 0; write (not f)"},
     {kGoal, "(until (and))", "g:1:1: parse error: 'until' takes 2 parts, found 1; write (until f g)"},
     {kGoal, "(exists (?x - A) (= ?x red))",
@@ -128,7 +131,7 @@ TEST(ReadFormula, TellsAllProblemsAtOnceInOrderOfPosition) {
                           StartsWith("2:39: parse error: the variable ?d is not bound here"),
                           StartsWith("3:6: parse error: 'open' stands outside every temporal operator"),
                           StartsWith("3:12: parse error: the variable ?c is not bound here"),
-                          StartsWith("4:30: parse error: 'A' is named twice in this 'either'"),
+                          StartsWith("4:30: parse error: 'A' occurs twice in this 'either'"),
                           StartsWith("4:35: parse error: unknown operator or predicate 'sometme'"),
                           StartsWith("4:43: parse error: 'inside' takes 2 arguments, found 1"),
                           StartsWith("5:21: parse error: expected a comparison"),

@@ -177,7 +177,7 @@ std::vector<PddlVariable> pddl_variables(const PddlList& list, std::size_t from,
     }
     const bool sound = variables ? word.size() > 1 && word[0] == '?' && is_name(word.substr(1)) : is_name(word);
     if (!sound) fail("'" + word + "' is no " + (variables ? "variable" : "name"));
-    if (!names.insert(word).second) fail(word + " stands twice");
+    if (!names.insert(word).second) fail(word + " occurs twice");
     found.push_back({word, "object"});
   }
   return found;
@@ -210,7 +210,7 @@ PddlDomain read_pddl_domain(std::string_view text) {
         const auto variables = pddl_variables(section.parts[k], 1, true);
         Checker(domain, {}).declare(variables);
         if (!domain.predicates.emplace(name_of(section.parts[k].parts.at(0)), variables).second)
-          fail("predicate " + section.parts[k].parts[0].word + " stands twice");
+          fail("predicate " + section.parts[k].parts[0].word + " occurs twice");
       }
     } else if (is_headed(section, ":action")) {
       if (section.parts.size() != 8 || section.parts[2].word != ":parameters" ||
@@ -222,7 +222,7 @@ PddlDomain read_pddl_domain(std::string_view text) {
       checker.condition(action.precondition);
       checker.effect(action.effect);
       if (!domain.actions.emplace(name_of(section.parts[1]), std::move(action)).second)
-        fail("action " + section.parts[1].word + " stands twice");
+        fail("action " + section.parts[1].word + " occurs twice");
     } else {
       fail("unknown section");
     }
@@ -249,7 +249,7 @@ PddlProblem read_pddl_problem(std::string_view text, const PddlDomain& domain) {
     checker.atom(fact);
     PddlFact words;
     for (const auto& part : fact.parts) words.push_back(part.word);
-    if (!problem.init.insert(words).second) fail("a fact stands twice: " + words[0]);
+    if (!problem.init.insert(words).second) fail("a fact occurs twice: " + words[0]);
   }
   problem.goal = whole.parts[5].parts.at(1);
   checker.condition(problem.goal);

@@ -140,7 +140,7 @@ TEST(SceneJson, PointsAtWhatBreaksTheSchema) {
       {"[[0.0,0.0],[4.0,0.0],[4.0,3.0],[0.0,3.0]]", "[[0,0],[4,0]]", "#/rooms/0/polygon", "three corners"},
       {"unietp-scene/1", "unietp-scene/2", "#/format", "expected the format \"unietp-scene/1\""},
       {"\"category\":\"Thing\"", "\"category\":\"\"", "#/nodes/0/category", "not empty"},
-      {"\"category\":\"Thing\"", "\"category\":\"Thing\",\"category\":\"Thing\"", "#/nodes/0", "stands twice"},
+      {"\"category\":\"Thing\"", "\"category\":\"Thing\",\"category\":\"Thing\"", "#/nodes/0", "occurs twice"},
       {"\"wall_height\": 2.6", "\"wall_height\": 0", "#/wall_height", "above 0"},
   };
   for (const auto& [from, to, pointer, message] : cases) {
@@ -185,7 +185,7 @@ TEST(ParseJson, ReadsWideObjectsWhereTheCallerAllowsAndStillFindsARepeatedField)
   EXPECT_EQ((*read)["a"].size(), kWide + 1);
   const auto repeated = parse_json("x", wide + "\"k77\":2}}", kWide + 1);
   ASSERT_FALSE(repeated);
-  EXPECT_EQ(format(repeated.error()), "x#/a: schema error: the field \"k77\" stands twice in one object");
+  EXPECT_EQ(format(repeated.error()), "x#/a: schema error: the field \"k77\" occurs twice in one object");
   const auto wider = parse_json("x", wide + "\"last\":2}}", kWide);
   ASSERT_FALSE(wider);
   EXPECT_THAT(wider.error().message, StartsWith("more than 200000 fields"));

@@ -34,19 +34,19 @@ void expect_one(const Parts& parts, const char* message) {
 
 TEST(IdleParts, WhatSaysNothingOrTheSameAgainIsRefused) {
   EXPECT_TRUE(problems_of({}).empty());
-  expect_one({.parameters = "(A - pickupable pickupable) (B - furniture receptacle)"}, "'pickupable' stands twice");
-  expect_one({.parameters = "(A - pickupable any) (B - furniture receptacle)"}, "'any' asks for nothing");
-  expect_one({.parameters = "(A - pickupable) (B - furniture movable)"}, "nothing is both");
-  expect_one({.constraints = "(distinct A B) (fits-on A B) (fits-on A B)"}, "constraint stands here a second time");
-  expect_one({.constraints = "(distinct A A) (fits-on A B)"}, "'A' stands twice in this constraint");
+  expect_one({.parameters = "(A - pickupable pickupable) (B - furniture receptacle)"}, "duplicate 'pickupable'");
+  expect_one({.parameters = "(A - pickupable any) (B - furniture receptacle)"}, "'any' must be the only word");
+  expect_one({.parameters = "(A - pickupable) (B - furniture movable)"}, "no category is both");
+  expect_one({.constraints = "(distinct A B) (fits-on A B) (fits-on A B)"}, "duplicate constraint");
+  expect_one({.constraints = "(distinct A A) (fits-on A B)"}, "duplicate 'A' in this constraint");
   expect_one({.constraints = "(fits-on A B 02)"}, "leading zeros");
   expect_one({.init = "(exists (?a - A) (and)) (exists (?b - B) (and)) (exists (?a - A)   (and))"},
-             "start constraint stands here a second time");
+             "duplicate start constraint");
   expect_one({.goal = "(exists (?a - A) (exists (?b - B) (at-end (and (on ?a ?b) (on ?a ?b)))))"},
-             "second time in its 'and'");
+             "duplicate part of 'and'");
   expect_one({.goal = "(exists (?a - A) (exists (?b - B) (exists (?c - B) (at-end (on ?a ?b)))))"},
-             "?c is bound here and used nowhere");
-  expect_one({.instruction = "\"Put {A} {B:on}.\" \"Put {A} {B:on}.\""}, "phrasing stands here a second time");
+             "?c is bound here but never used");
+  expect_one({.instruction = "\"Put {A} {B:on}.\" \"Put {A} {B:on}.\""}, "duplicate phrasing");
   expect_one({.instruction = "\"Put {A}\n {B:on}.\""}, "stands on one line");
   expect_one({.name = "\" \""}, "title is empty");
 }
