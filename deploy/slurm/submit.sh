@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes a data set on a Slurm cluster: an array of jobs, one a shard, and a job that merges them when all have ended well.
+# Generates a data set on a Slurm cluster: an array of jobs, one per shard, and a job that merges them when all succeeded.
 set -euo pipefail
 
 usage() {
@@ -9,16 +9,16 @@ Usage: submit.sh --shards N --out DIR [OPTIONS] -- benchmark|training|generate [
   submit.sh --shards 100 --out /shared/ten-million -- training --count 10000000
   submit.sh --shards 2 --out /shared/mine -- generate --count 200 --seed 7 --modes M1,M2
 
-  --shards N         Parts of the run, each a job of its own; 2 or more
-  --out DIR          The data set; DIR.parts/ holds shards and logs. On a disk that all nodes see
-  --at-once N        Shards that run at a time (default: as many as the cluster gives)
-  --cpus N           Processors a shard (default: 1)
-  --memory SIZE      Memory a shard (default: 2G)
+  --shards N         Number of shards, each a job of its own; 2 or more
+  --out DIR          The data set, on a disk visible from all nodes; DIR.parts/ gets shards and logs
+  --at-once N        Shards that run at the same time (default: no limit)
+  --cpus N           Processors per shard (default: 1)
+  --memory SIZE      Memory per shard (default: 2G)
   --time LIMIT       Time limit of a shard (default: the partition's)
-  --partition NAME   Where to run (default: the cluster's)
-  --program FILE     The program (default: unietp on the path)
-  --sbatch OPTION    Anything else for sbatch, such as --sbatch=--account=me; may be given more than once
-  --wait             Return when the merge has ended, with its exit code
+  --partition NAME   Slurm partition (default: the cluster's)
+  --program FILE     The program (default: unietp on the PATH)
+  --sbatch OPTION    Anything else for sbatch, such as --sbatch=--account=me; can be repeated
+  --wait             Wait for the merge and return its exit code
   --help
 
 A shard that is requeued goes on where it stopped. Giving the same command again redoes what is missing: shards that are
@@ -35,8 +35,8 @@ while [ $# -gt 0 ]; do
     --wait) wait=--wait; shift; continue ;;
     --) shift; break ;;
     --sbatch=*) extra+=("${1#--sbatch=}"); shift; continue ;;
-    --*) [ $# -ge 2 ] || fail "$1 wants a value" ;;
-    *) fail "unexpected \"$1\"; the command of unietp stands behind --" ;;
+    --*) [ $# -ge 2 ] || fail "$1 needs a value" ;;
+    *) fail "unexpected \"$1\"; put the unietp command after --" ;;
   esac
   case "$1" in
     --shards) shards=$2 ;;
@@ -52,18 +52,18 @@ while [ $# -gt 0 ]; do
   esac
   shift 2
 done
-[[ "$shards" =~ ^[1-9][0-9]*$ && "$shards" != 1 ]] || fail "--shards wants a whole number from 2"
+[[ "$shards" =~ ^[1-9][0-9]*$ && "$shards" != 1 ]] || fail "--shards needs an integer >= 2"
 [ -n "$out" ] || fail "--out is missing"
 case "${1:-}" in
   benchmark | training | generate) ;;
-  *) fail "expected benchmark, training or generate behind --" ;;
+  *) fail "expected benchmark, training or generate after --" ;;
 esac
 for option in "$@"; do
   case "$option" in
-    --out | --out=* | --shard | --shard=* | --threads | --threads=* | --resume) fail "$option is given by the jobs" ;;
+    --out | --out=* | --shard | --shard=* | --threads | --threads=* | --resume) fail "$option is set by the jobs" ;;
   esac
 done
-program=$(command -v "$program") || fail "there is no program unietp; name it with --program"
+program=$(command -v "$program") || fail "cannot find the program unietp; set it with --program"
 program=$(realpath "$program")
 [ ! -e "$out" ] || fail "$out exists already; a new folder is expected"
 command -v sbatch > /dev/null || fail "there is no sbatch here; this runs where jobs are submitted"

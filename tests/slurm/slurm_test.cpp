@@ -61,10 +61,10 @@ TEST(Submit, TellsWhatItWantsBeforeAnythingIsSubmitted) {
   EXPECT_THAT(help.out, HasSubstr("--shards N"));
   const auto none = run_script(kSubmit + " --out x -- training", scratch.path());
   EXPECT_EQ(none.code, 2);
-  EXPECT_THAT(none.err, HasSubstr("--shards wants a whole number from 2"));
+  EXPECT_THAT(none.err, HasSubstr("--shards needs an integer >= 2"));
   const auto own = run_script(kSubmit + " --shards 2 --out x -- training --shard 1/2", scratch.path());
   EXPECT_EQ(own.code, 2);
-  EXPECT_THAT(own.err, HasSubstr("--shard is given by the jobs"));
+  EXPECT_THAT(own.err, HasSubstr("--shard is set by the jobs"));
   const auto other = run_script(kSubmit + " --shards 2 --out x -- validate", scratch.path());
   EXPECT_EQ(other.code, 2);
 }
