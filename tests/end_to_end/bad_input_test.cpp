@@ -147,7 +147,7 @@ TEST(BadInput, UnknownNamesAreToldWithTheNearestKnownOne) {
       {{"--splits", "atomik"}, "did you mean \"atomic\""},
       {{"--template", "open-onee"}, "did you mean \"open-one\""},
       {{"--templates", "open-one"}, "`--template open-one` selects one by name"},
-      {{"--templates", folder.at("none")}, "is no file or folder"},
+      {{"--templates", folder.at("none")}, "is not a file or folder"},
       {{"--count", "none"}, "--count"},
       {{"--seed", "9007199254740992"}, "from 0 to 9007199254740991"},
       {{"--rooms", "1"}, "--rooms"},

@@ -170,7 +170,7 @@ TEST_F(CompleteCommand, BadInputIsRefused) {
   };
   EXPECT_THAT(with("--facts", "functoin").err, HasSubstr("function"));
   EXPECT_THAT(with("--llm-url", "localhost:80").err, HasSubstr("http://"));
-  EXPECT_THAT(with("--llm-model", "my model").err, HasSubstr("without blanks"));
+  EXPECT_THAT(with("--llm-model", "my model").err, HasSubstr("without spaces"));
   EXPECT_THAT(with("complete", "compleat").err, Not(IsEmpty()));
   ASSERT_TRUE(write_file(root + ".answers", std::string(2000, 'x')));
   refused({}, "cannot be used as a cache");

@@ -109,7 +109,7 @@ TEST_F(Pages, StatsOfTwoSetsStandSideBySide) {
   const auto ended = run_program({"stats", data().string(), made().string(), "--rows", "5"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("data    made"));
-  EXPECT_THAT(ended.out, HasSubstr("more; --json has all"));
+  EXPECT_THAT(ended.out, HasSubstr("more; --json prints all"));
   const auto none = run_program({"stats", folder_.at("none")});
   EXPECT_EQ(none.code, 2);
   EXPECT_THAT(none.err, HasSubstr("a finished data set is expected"));
@@ -249,7 +249,7 @@ TEST_F(Pages, AVerdictOnAnotherTextIsRefused) {
   nobody["task"] = "ai2thor-99999";
   const auto ended = apply(review({stale, nobody}));
   EXPECT_EQ(ended.code, 1);
-  EXPECT_THAT(ended.out, HasSubstr("its text is another one now"));
+  EXPECT_THAT(ended.out, HasSubstr("its text has changed"));
   EXPECT_THAT(ended.out, HasSubstr("ai2thor-99999: not taken over: no such task"));
   EXPECT_EQ(tasks(data()).size(), static_cast<std::size_t>(kCount));
   const auto bad = folder_.at("bad.json");

@@ -47,7 +47,7 @@ TEST(IdleParts, WhatSaysNothingOrTheSameAgainIsRefused) {
   expect_one({.goal = "(exists (?a - A) (exists (?b - B) (exists (?c - B) (at-end (on ?a ?b)))))"},
              "?c is bound here but never used");
   expect_one({.instruction = "\"Put {A} {B:on}.\" \"Put {A} {B:on}.\""}, "duplicate phrasing");
-  expect_one({.instruction = "\"Put {A}\n {B:on}.\""}, "stands on one line");
+  expect_one({.instruction = "\"Put {A}\n {B:on}.\""}, "must be on one line");
   expect_one({.name = "\" \""}, "title is empty");
 }
 
