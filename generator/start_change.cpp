@@ -8,8 +8,6 @@ namespace {
 
 using symbolic::Where;
 
-std::uint32_t coat(std::uint8_t symbol) { return std::uint32_t{1} << symbol; }
-
 }  // namespace
 
 void StartDraft::make(const StartLiteral& literal, Id thing, bool truth) {
@@ -21,7 +19,7 @@ void StartDraft::make(const StartLiteral& literal, Id thing, bool truth) {
 }
 
 bool StartDraft::set_attribute(const StartLiteral& literal, Id thing) {
-  auto& role = start_.setting.cast.things[static_cast<std::size_t>(thing)];
+  auto& role = start_.setting.cast.role(thing);
   const auto& kind = setting().kind_of(thing);
   const auto set = [&](std::string& own, std::vector<std::string> others) {
     own = literal.symbol == "any" ? "" : literal.symbol;
@@ -49,9 +47,9 @@ void StartDraft::make_state(const StartLiteral& literal, Id thing, bool truth) {
   const auto number = sampler_.rules_.symbol_named(literal.symbol);
   if (literal.predicate == Predicate::Covered) {
     if (!truth) {
-      changed.coats &= number ? ~coat(*number) : 0U;
+      number ? changed.coats.erase(*number) : changed.coats.clear();
     } else if (!symbols.empty()) {
-      changed.coats |= coat(number.value_or(static_cast<std::uint8_t>(rng_.below(symbols.size()))));
+      changed.coats.insert(number.value_or(symbolic::SubstanceId(rng_.below(symbols.size()))));
     }
     return;
   }
@@ -62,7 +60,7 @@ void StartDraft::make_state(const StartLiteral& literal, Id thing, bool truth) {
     while (!truth && state == literal.predicate) state = rng_.pick(states);
     changed.set(state);
     if (state == Predicate::Filled)
-      changed.filling = number.value_or(static_cast<std::uint8_t>(rng_.below(symbols.size())));
+      changed.filling = number.value_or(symbolic::SubstanceId(rng_.below(symbols.size())));
   }
 }
 
@@ -91,7 +89,7 @@ void StartDraft::make_relation(const StartLiteral& literal, Id thing) {
     }
     case Predicate::Nearest: {
       const Id root = symbolic::root_of(world(), thing);
-      start_.setting.cast.things[static_cast<std::size_t>(root)].spot_m = rng_.unit() * kHomeLength_m;
+      start_.setting.cast.role(root).spot_m = rng_.unit() * kHomeLength_m;
       return;
     }
     default: {

@@ -16,10 +16,10 @@ std::string text_of(const symbolic::Atom& atom, const symbolic::Setting& setting
     if (id == symbolic::kAgent) {
       text += "agent";
     } else {
-      text += symbolic::is_room(id) ? setting.cast.room(id).type : setting.kind_of(id).category;
+      text += id.is_room() ? setting.cast.room(id).type : setting.kind_of(id).category;
     }
   }
-  if (atom.symbol != symbolic::kAnySymbol) text += " " + setting.rules->symbols()[atom.symbol];
+  if (atom.symbol) text += " " + setting.rules->symbols()[atom.symbol->index()];
   return text + ")";
 }
 

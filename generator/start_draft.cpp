@@ -7,15 +7,12 @@
 namespace unietp {
 namespace {
 
-using symbolic::kFirstRoom;
 using symbolic::kNobody;
 using symbolic::Where;
 
 constexpr double kHoused = 0.6;   // share of objects on or in something, not on a floor
 constexpr double kCovered = 0.3;  // of what can be covered
 constexpr double kStray = 0.1;    // of the changes are blind, to leave dead ends
-
-std::uint32_t coat(std::uint8_t symbol) { return std::uint32_t{1} << symbol; }
 
 }  // namespace
 
@@ -24,7 +21,7 @@ StartDraft::StartDraft(const StartSampler& sampler, Rng& rng) : sampler_(sampler
   start_.setting.with_nearest = sampler.with_nearest_;
   for (const auto& type : sampler.rooms_) start_.setting.cast.rooms.push_back({type + "_1", type});
   start_.setting.cast.rooms.push_back({"elsewhere_1", "elsewhere"});
-  world().room = static_cast<Id>(kFirstRoom + static_cast<Id>(sampler.rooms_.size()));
+  world().room = Id::room(sampler.rooms_.size());
   add_things();
   read_constraints();
   find_broken();
@@ -43,28 +40,29 @@ void StartDraft::add_things() {
       role.spot_m = rng_.unit() * kHomeLength_m;
       cast.things.push_back(std::move(role));
       world().things.emplace_back();
-      const auto id = static_cast<Id>(world().things.size() - 1);
+      const auto id = Id::thing(world().things.size() - 1);
       dress(id);
       world()[id].at = random_room();
     }
   }
   for (std::size_t i = 0; i < world().things.size(); ++i) {
-    if (rng_.chance(kHoused)) move_anywhere(static_cast<Id>(i));
+    if (rng_.chance(kHoused)) move_anywhere(Id::thing(i));
   }
 }
 
 void StartDraft::dress(Id id) {
   const auto& rules = sampler_.rules_;
   const auto& kind = setting().kind_of(id);
-  auto& role = start_.setting.cast.things[static_cast<std::size_t>(id)];
+  auto& role = start_.setting.cast.role(id);
   if (!kind.colours.empty()) role.colour = rng_.pick(kind.colours);
   if (!kind.materials.empty()) role.material = rng_.pick(kind.materials);
   role.size = rng_.chance(0.5) ? "small" : "large";
   auto& thing = world()[id];
-  const auto any_symbol = [&] { return static_cast<std::uint8_t>(rng_.below(rules.symbols().size())); };
+  const auto any_symbol = [&] { return symbolic::SubstanceId(rng_.below(rules.symbols().size())); };
   for (const auto* group : kind.groups) thing.set(rng_.pick(group->predicates));
-  thing.coats = kind.coverable && rng_.chance(kCovered) ? coat(any_symbol()) : 0U;
-  thing.filling = thing.has(Predicate::Filled) ? any_symbol() : std::uint8_t{0};
+  thing.coats.clear();
+  if (kind.coverable && rng_.chance(kCovered)) thing.coats.insert(any_symbol());
+  thing.filling = thing.has(Predicate::Filled) ? any_symbol() : symbolic::SubstanceId();
 }
 
 void StartDraft::read_constraints() {
@@ -88,9 +86,7 @@ void StartDraft::find_broken() {
   }
 }
 
-symbolic::Id StartDraft::random_room() {
-  return static_cast<Id>(kFirstRoom + static_cast<Id>(rng_.below(setting().cast.rooms.size())));
-}
+symbolic::Id StartDraft::random_room() { return Id::room(rng_.below(setting().cast.rooms.size())); }
 
 bool StartDraft::can_be_put(Id thing, Predicate relation, Id place) const {
   const auto& world = start_.world;
@@ -113,7 +109,7 @@ void StartDraft::move_anywhere(Id thing) {
   if (!setting().kind_of(thing).movable && rng_.chance(0.5)) return put(thing, Where::Floor, random_room());
   std::vector<std::pair<Where, Id>> places;
   for (std::size_t i = 0; i < world().things.size(); ++i) {
-    const auto place = static_cast<Id>(i);
+    const auto place = Id::thing(i);
     if (can_be_put(thing, Predicate::On, place)) places.emplace_back(Where::On, place);
     if (can_be_put(thing, Predicate::Inside, place)) places.emplace_back(Where::Inside, place);
   }
@@ -125,12 +121,12 @@ void StartDraft::move_anywhere(Id thing) {
 std::vector<symbolic::Id> StartDraft::things_of(const Domain& domain) const {
   std::vector<Id> found;
   for (std::size_t i = 0; i < start_.world.things.size(); ++i) {
-    const auto& category = setting().kind_of(static_cast<Id>(i)).category;
+    const auto& category = setting().kind_of(Id::thing(i)).category;
     const bool is_of = domain.kind == Domain::Kind::Object ||
                        std::any_of(domain.members.begin(), domain.members.end(), [&](const Domain::Member& member) {
                          return !member.slice && member.category == category;
                        });
-    if (is_of) found.push_back(static_cast<Id>(i));
+    if (is_of) found.push_back(Id::thing(i));
   }
   return found;
 }
@@ -142,7 +138,7 @@ std::vector<symbolic::Id> StartDraft::rooms_of(const Domain& domain) const {
     const bool is_of = domain.kind == Domain::Kind::Room ||
                        std::any_of(domain.members.begin(), domain.members.end(),
                                    [&](const Domain::Member& member) { return member.category == type; });
-    if (is_of) found.push_back(static_cast<Id>(kFirstRoom + static_cast<Id>(r)));
+    if (is_of) found.push_back(Id::room(r));
   }
   return found;
 }
@@ -157,14 +153,14 @@ bool StartDraft::is_true(const StartLiteral& literal, Id thing) const {
     }
     return false;
   }
-  const auto& role = setting().cast.things[static_cast<std::size_t>(thing)];
+  const auto& role = setting().cast.role(thing);
   const auto is = [&](const std::string& own) {
     return own == literal.symbol || (literal.symbol == "any" && !own.empty());
   };
   if (literal.predicate == Predicate::Colour) return is(role.colour);
   if (literal.predicate == Predicate::Material) return is(role.material);
   if (literal.predicate == Predicate::Size) return is(role.size);
-  const auto symbol = sampler_.rules_.symbol_named(literal.symbol).value_or(symbolic::kAnySymbol);
+  const auto symbol = sampler_.rules_.symbol_named(literal.symbol);
   return symbolic::holds(setting(), world, literal.predicate, thing, kNobody, symbol);
 }
 

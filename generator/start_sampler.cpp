@@ -87,12 +87,12 @@ StartSampler::StartSampler(const Specification& specification, const Knowledge& 
   }
   if (rules_.symbols().empty()) rules_.symbol_number("water");  // for what is full of something
   for (const auto& name : names_in(specification)) {
-    const int number = rules_.kind_named(name);
-    if (number < 0) {
+    const auto kind = rules_.kind_named(name);
+    if (!kind) {
       rooms_.push_back(name);
       continue;
     }
-    Amount amount{number, 1, 2};
+    Amount amount{*kind, 1, 2};
     int sum = 0;
     bool exact = false;
     for (const auto& aim : aims_) {

@@ -33,7 +33,7 @@ class StartSampler {
  private:
   friend class StartDraft;
   struct Amount {
-    int kind = 0;  // of rules_
+    symbolic::KindId kind;  // of rules_
     int least = 1, most = 2;
   };
   /// A start constraint, read once.

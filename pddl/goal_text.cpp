@@ -91,14 +91,14 @@ class GoalTextWriter {
     }
   }
 
-  /// The thing that a node says one truth of that only what is there can have; -1 for all other nodes.
+  /// The thing that a node says one truth of that only what is there can have; kNobody for all other nodes.
   symbolic::Id certainly_there(std::size_t index) const {
     const auto& node = goal_.node(index);
     const bool wraps = node.op == Goal::Op::AtEnd ||
                        ((node.op == Goal::Op::And || node.op == Goal::Op::Or) && node.children.size() == 1);
     if (wraps) return certainly_there(node.children[0]);
     const bool says = node.op == Goal::Op::Atom && node.atom.predicate != Predicate::SliceOf;
-    return says && node.atom.first >= 0 ? node.atom.first : -1;
+    return says && node.atom.first.is_thing() ? node.atom.first : symbolic::kNobody;
   }
 
   /// Of a piece with another truth beside: what is not there has none.
@@ -233,7 +233,7 @@ class GoalTextWriter {
       return std::nullopt;
     }
     if (!fact_of(node.atom, names_) || node.atom.predicate == Predicate::SliceOf ||
-        (node.atom.predicate == Predicate::Covered && node.atom.symbol == symbolic::kAnySymbol)) {
+        (node.atom.predicate == Predicate::Covered && !node.atom.symbol)) {
       refuse("a temporal operator speaks of (" + std::string(info(node.atom.predicate).name) +
              " …), which no monitor watches");
       return std::nullopt;
@@ -256,14 +256,12 @@ class GoalTextWriter {
 
 std::optional<std::string> fact_of(const symbolic::Atom& atom, const Problem& names) {
   using enum Predicate;
-  const auto thing = [&](symbolic::Id id) { return " " + names.things[static_cast<std::size_t>(id)]; };
-  const auto room = [&](symbolic::Id id) {
-    return " " + names.rooms[static_cast<std::size_t>(id - symbolic::kFirstRoom)];
-  };
+  const auto thing = [&](symbolic::Id id) { return " " + names.things[id.index()]; };
+  const auto room = [&](symbolic::Id id) { return " " + names.rooms[id.index()]; };
   const auto word = std::string(info(atom.predicate).name);
   if (atom.predicate == InRoom && atom.first == symbolic::kAgent) return "(agent-in" + room(atom.second) + ")";
-  if (atom.first < 0 || symbolic::is_room(atom.first)) return std::nullopt;
-  const bool symbol = atom.symbol != symbolic::kAnySymbol;
+  if (!atom.first.is_thing()) return std::nullopt;
+  const bool symbol = atom.symbol.has_value();
   switch (atom.predicate) {
     case On:
     case Inside:
@@ -274,10 +272,10 @@ std::optional<std::string> fact_of(const symbolic::Atom& atom, const Problem& na
     case SliceOf:
       return "(present" + thing(atom.first) + ")";
     case Filled:
-      return symbol ? "(filled-with" + thing(atom.first) + " " + names.substances[atom.symbol] + ")"
+      return symbol ? "(filled-with" + thing(atom.first) + " " + names.substances[atom.symbol->index()] + ")"
                     : "(filled" + thing(atom.first) + ")";
     case Covered: {
-      if (symbol) return "(covered-with" + thing(atom.first) + " " + names.substances[atom.symbol] + ")";
+      if (symbol) return "(covered-with" + thing(atom.first) + " " + names.substances[atom.symbol->index()] + ")";
       return std::nullopt;
     }
     default:

@@ -24,7 +24,7 @@ class StepWriter {
     const auto on_target = "(" + word + (in_hand ? "-held" : "") + (step.target == kNobody ? "" : at()) + ")";
     switch (step.action) {
       case ActionType::GoTo: {
-        if (symbolic::is_room(step.target)) return "(" + word + "-room" + at() + ")";
+        if (step.target.is_room()) return "(" + word + "-room" + at() + ")";
         const Id root = root_of(world_, step.target);
         return "(" + word + " " + name(root) + " " + name(world_[root].at) + ")";
       }
@@ -43,14 +43,14 @@ class StepWriter {
       case ActionType::PourTo: {
         const bool away = setting_.kind_of(step.target).drain || reaction(step.target, Treatment::Drains) != nullptr;
         return "(" + word + (away ? "-away" : "") + held() + at() + " " +
-               problem_.substances[world_[world_.held].filling] + ")";
+               problem_.substances[world_[world_.held].filling.index()] + ")";
       }
       case ActionType::Wipe:
         return "(" + word + (world_[world_.held].has(Predicate::Dry) ? "-dry" : "") + held() + at() + ")";
       case ActionType::SpreadTo: {
         const auto* spread = setting_.rules->reaction(setting_.kind_number(world_.held), Treatment::Dispenses,
                                                       setting_.kind_number(step.target));
-        return "(" + word + held() + at() + " " + problem_.substances[spread->symbol] + ")";
+        return "(" + word + held() + at() + " " + problem_.substances[spread->symbol.index()] + ")";
       }
       default:
         break;
@@ -62,7 +62,7 @@ class StepWriter {
       if (own == nullptr) continue;
       const bool fills = treatment == Treatment::Fills;
       return "(" + composite_name(*class_of(setting_, step.target, *own)) + held() + at() +
-             (fills ? " " + problem_.substances[own->symbol] : "") + ")";
+             (fills ? " " + problem_.substances[own->symbol.index()] : "") + ")";
     }
     return on_target;
   }
@@ -72,8 +72,7 @@ class StepWriter {
     return setting_.rules->reaction(setting_.kind_number(tool), treatment, setting_.kind_number(world_.held));
   }
   const std::string& name(Id id) const {
-    return symbolic::is_room(id) ? problem_.rooms[static_cast<std::size_t>(id - symbolic::kFirstRoom)]
-                                 : problem_.things[static_cast<std::size_t>(id)];
+    return id.is_room() ? problem_.rooms[id.index()] : problem_.things[id.index()];
   }
 
   const symbolic::Setting& setting_;
@@ -126,19 +125,9 @@ class PlanWriter {
     return Failure::None;
   }
 
-  Id named(const std::string& name) const {
-    for (std::size_t i = 0; i < setting_.cast.things.size(); ++i) {
-      if (setting_.cast.things[i].id == name) return static_cast<Id>(i);
-    }
-    for (std::size_t i = 0; i < setting_.cast.rooms.size(); ++i) {
-      if (setting_.cast.rooms[i].id == name) return static_cast<Id>(symbolic::kFirstRoom + static_cast<Id>(i));
-    }
-    return kNobody;
-  }
-
   /// Pieces bear other names in physics: the n-th made of a whole is the n-th here.
   Id id_of(const std::string& name) const {
-    if (const Id id = named(name); id != kNobody) return id;
+    if (const Id id = setting_.cast.named(name); id != kNobody) return id;
     for (const auto& [piece, whole] : pieces_) {
       if (piece != name) continue;
       std::size_t place = 0;
@@ -146,9 +135,9 @@ class PlanWriter {
         if (other == piece) break;
         if (same == whole) ++place;
       }
-      const Id cut = named(whole);
+      const Id cut = setting_.cast.named(whole);
       for (std::size_t i = 0; i < world_.things.size(); ++i) {
-        if (setting_.cast.things[i].whole == cut && place-- == 0) return static_cast<Id>(i);
+        if (setting_.cast.things[i].whole == cut && place-- == 0) return Id::thing(i);
       }
     }
     return kNobody;

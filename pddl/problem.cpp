@@ -33,15 +33,12 @@ class FactWriter {
 
  private:
   void add(std::string fact) { facts_.insert(std::move(fact)); }
-  const std::string& name(Id id) const {
-    return symbolic::is_room(id) ? names_.rooms[static_cast<std::size_t>(id - symbolic::kFirstRoom)]
-                                 : names_.things[static_cast<std::size_t>(id)];
-  }
+  const std::string& name(Id id) const { return id.is_room() ? names_.rooms[id.index()] : names_.things[id.index()]; }
   std::size_t number() const { return start_.things.size(); }
 
   void write_things() {
     for (std::size_t i = 0; i < number(); ++i) {
-      const auto id = static_cast<Id>(i);
+      const auto id = Id::thing(i);
       const auto& thing = start_[id];
       const auto& kind = setting_.kind_of(id);
       const auto of = " " + name(id) + ")";
@@ -61,9 +58,10 @@ class FactWriter {
           if (thing.has(state)) add("(" + std::string(info(state).name) + of);
         }
       }
-      if (thing.has(Predicate::Filled)) add("(filled-with " + name(id) + " " + names_.substances[thing.filling] + ")");
+      if (thing.has(Predicate::Filled))
+        add("(filled-with " + name(id) + " " + names_.substances[thing.filling.index()] + ")");
       for (std::size_t s = 0; s < names_.substances.size(); ++s) {
-        if ((thing.coats >> s & 1U) == 0) continue;
+        if (!thing.coats.contains(symbolic::SubstanceId(s))) continue;
         add("(covered-with " + name(id) + " " + names_.substances[s] + ")");
         if (rules_.symbols()[s] != "dust") add("(stained" + of);
       }
@@ -78,11 +76,11 @@ class FactWriter {
   void write_piece(Id piece, Id whole) {
     add("(piece-of " + name(piece) + " " + name(whole) + ")");
     int place = 0;  // among the pieces of its whole
-    for (Id other = 0; other < piece; ++other) {
-      if (setting_.cast.things[static_cast<std::size_t>(other)].whole == whole) ++place;
+    for (std::size_t i = 0; i < piece.index(); ++i) {
+      if (setting_.cast.things[i].whole == whole) ++place;
     }
     for (std::size_t k = 0; k < number(); ++k) {
-      const auto knife = static_cast<Id>(k);
+      const auto knife = Id::thing(k);
       const auto* cut =
           rules_.reaction(setting_.kind_number(knife), symbolic::Treatment::Slices, setting_.kind_number(whole));
       if (cut != nullptr && cut->piece == setting_.kind_number(piece) && place < cut->pieces)
@@ -92,7 +90,7 @@ class FactWriter {
 
   void write_relations() {
     for (std::size_t i = 0; i < number(); ++i) {
-      const auto id = static_cast<Id>(i);
+      const auto id = Id::thing(i);
       const auto& thing = start_[id];
       if (!thing.exists) continue;
       const auto me = " " + name(id) + " ";
@@ -109,7 +107,7 @@ class FactWriter {
         if (shut && innermost == kNobody) innermost = step;
       }
       for (std::size_t k = 0; k < number(); ++k) {
-        if (is_inside(start_, id, static_cast<Id>(k))) add("(inside" + me + names_.things[k] + ")");
+        if (is_inside(start_, id, Id::thing(k))) add("(inside" + me + names_.things[k] + ")");
       }
       add(innermost == kNobody ? "(free " + name(id) + ")" : "(shut" + me + name(innermost) + ")");
     }
@@ -118,12 +116,12 @@ class FactWriter {
   void write_reactions() {
     using symbolic::Treatment;
     for (std::size_t t = 0; t < number(); ++t) {
-      const auto tool = static_cast<Id>(t);
+      const auto tool = Id::thing(t);
       for (std::size_t i = 0; i < number(); ++i) {
-        const auto id = static_cast<Id>(i);
+        const auto id = Id::thing(i);
         if (id == tool) continue;
         const auto& rules = rules_;
-        const int own = setting_.kind_number(id), other = setting_.kind_number(tool);
+        const auto own = setting_.kind_number(id), other = setting_.kind_number(tool);
         const auto both = " " + name(id) + " " + name(tool) + ")", reversed = " " + name(tool) + " " + name(id);
         if (rules.capacity(own, Predicate::On, other) > 0) add("(fits-on" + both);
         if (rules.capacity(own, Predicate::Inside, other) > 0) add("(fits-in" + both);
@@ -135,11 +133,12 @@ class FactWriter {
           if (reaction.treatment == Treatment::Wipes) add("(wipes" + reversed + ")");
           if (reaction.treatment == Treatment::Cools) add("(can-cool" + reversed + ")");
           if (reaction.treatment == Treatment::Dispenses)
-            add("(dispenses" + reversed + " " + names_.substances[reaction.symbol] + ")");
+            add("(dispenses" + reversed + " " + names_.substances[reaction.symbol.index()] + ")");
           const auto process = class_of(setting_, tool, reaction);
           if (!process || !setting_.kind_of(id).movable) continue;
           const bool fills = reaction.treatment == Treatment::Fills;
-          add("(" + name_of(*process) + reversed + (fills ? " " + names_.substances[reaction.symbol] : "") + ")");
+          add("(" + name_of(*process) + reversed + (fills ? " " + names_.substances[reaction.symbol.index()] : "") +
+              ")");
         }
       }
     }
@@ -192,7 +191,7 @@ class ProblemWriter {
   std::string objects(const GoalText& goal) const {
     std::string movables, others;
     for (std::size_t i = 0; i < start_.things.size(); ++i) {
-      const auto& kind = setting_.kind_of(static_cast<Id>(i));
+      const auto& kind = setting_.kind_of(Id::thing(i));
       (kind.movable ? movables : others) += " " + made_.things[i];
     }
     const auto line = [](const std::string& names, const char* type) {

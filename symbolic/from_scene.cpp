@@ -56,14 +56,14 @@ SceneSymbols::SceneSymbols(const Scene& scene, const Knowledge& knowledge, Actio
   for (const auto* node : nodes) {
     Role role;
     role.id = node->id;
-    role.kind = rules.kind_named(node->category);
+    role.kind = rules.kind_named(node->category).value();
     role.colour = node->colour;
     role.material = node->material;
     setting.cast.things.push_back(std::move(role));
     Thing thing;
     for (const auto& state : node->states.all()) {
       if (state.predicate == Predicate::Covered) {
-        thing.coats |= std::uint32_t{1} << rules.symbol_number(state.symbol);
+        thing.coats.insert(rules.symbol_number(state.symbol));
         continue;
       }
       thing.set(state.predicate);
@@ -76,33 +76,24 @@ SceneSymbols::SceneSymbols(const Scene& scene, const Knowledge& knowledge, Actio
     const auto& id = nodes[i]->id;
     if (is_held(scene, id)) {
       thing.where = Where::Hand;
-      start.held = static_cast<Id>(i);
+      start.held = Id::thing(i);
     } else if (const auto* edge = resting_edge(scene, id); edge != nullptr) {
       thing.where = edge->relation == Predicate::On ? Where::On : Where::Inside;
-      thing.at = id_of(edge->to);
+      thing.at = setting.cast.named(edge->to);
     } else {
       for (const auto& edges : scene.edges) {
-        if (edges.relation == Predicate::InRoom && edges.from == id) thing.at = id_of(edges.to);
+        if (edges.relation == Predicate::InRoom && edges.from == id) thing.at = setting.cast.named(edges.to);
       }
     }
   }
-  if (const auto* room = room_at(scene, scene.agent.position); room != nullptr) start.room = id_of(room->id);
+  if (const auto* room = room_at(scene, scene.agent.position); room != nullptr)
+    start.room = setting.cast.named(room->id);
   FactReader reader(true);
   seen.states.push_back(reader.read(scene));
   seen.entities = reader.entities();
   for (const auto& entity : seen.entities)
-    cast.push_back(entity.kind == Entity::Kind::Agent ? kAgent : id_of(entity.id));
+    cast.push_back(entity.kind == Entity::Kind::Agent ? kAgent : setting.cast.named(entity.id));
   add_pieces(setting, start);
-}
-
-Id SceneSymbols::id_of(std::string_view name) const {
-  for (std::size_t i = 0; i < setting.cast.things.size(); ++i) {
-    if (setting.cast.things[i].id == name) return static_cast<Id>(i);
-  }
-  for (std::size_t i = 0; i < setting.cast.rooms.size(); ++i) {
-    if (setting.cast.rooms[i].id == name) return static_cast<Id>(kFirstRoom + static_cast<Id>(i));
-  }
-  return kNobody;
 }
 
 }  // namespace unietp::symbolic

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "logic/trace.h"
@@ -17,14 +16,13 @@ struct SceneSymbols {
   Trace seen;            // the scene's own facts, from which `:where` is read
   std::vector<Id> cast;  // by entity of `seen`; kNobody for what was left out
 
-  /// `nodes` are of the scene, and with each is what it rests on or in. The agent stands by nothing yet.
+  /// `nodes` are of the scene and of categories that the knowledge base has; with each is what it rests on or in. The
+  /// agent stands by nothing yet.
   SceneSymbols(const Scene& scene, const Knowledge& knowledge, ActionProfile profile,
                const std::vector<const Node*>& nodes);
   SceneSymbols(const SceneSymbols&) = delete;
   SceneSymbols& operator=(const SceneSymbols&) = delete;
 
-  /// Thing, room or kNobody.
-  Id id_of(std::string_view name) const;
   Goal goal(const Formula& formula) const { return {formula, setting, start, {&seen, &cast}}; }
 };
 

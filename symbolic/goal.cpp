@@ -102,8 +102,8 @@ class GoalWriter {
     return predicate == Predicate::Colour || predicate == Predicate::Material || predicate == Predicate::Size;
   }
   bool has_attribute(Predicate predicate, Id id, const std::string& word) const {
-    if (id < 0 || is_room(id)) return false;
-    const Role& role = setting_.cast.things[static_cast<std::size_t>(id)];
+    if (!id.is_thing()) return false;
+    const Role& role = setting_.cast.role(id);
     const auto& own = predicate == Predicate::Colour     ? role.colour
                       : predicate == Predicate::Material ? role.material
                                                          : role.size;
@@ -112,23 +112,22 @@ class GoalWriter {
 
   Id id_of_entity(EntityIndex entity) const {
     const std::size_t things = setting_.cast.things.size();
-    if (entity < things) return static_cast<Id>(entity);
+    if (entity < things) return Id::thing(entity);
     const std::size_t room = entity - things;
-    return room < setting_.cast.rooms.size() ? static_cast<Id>(kFirstRoom + static_cast<Id>(room)) : kAgent;
+    return room < setting_.cast.rooms.size() ? Id::room(room) : kAgent;
   }
   EntityIndex entity_of_id(Id id) const {
     const std::size_t things = setting_.cast.things.size();
     if (id == kAgent) return static_cast<EntityIndex>(things + setting_.cast.rooms.size());
-    return static_cast<EntityIndex>(is_room(id) ? things + static_cast<std::size_t>(id - kFirstRoom)
-                                                : static_cast<std::size_t>(id));
+    return static_cast<EntityIndex>(id.is_room() ? things + id.index() : id.index());
   }
 
   bool is_of(Id id, const Domain& domain) const {
     switch (domain.kind) {
       case Domain::Kind::Object:
-        return id >= 0 && !is_room(id);
+        return id.is_thing();
       case Domain::Kind::Room:
-        return is_room(id);
+        return id.is_room();
       case Domain::Kind::Agent:
         return id == kAgent;
       case Domain::Kind::Categories:
@@ -136,8 +135,8 @@ class GoalWriter {
     }
     if (id == kAgent) return false;
     return std::any_of(domain.members.begin(), domain.members.end(), [&](const Domain::Member& member) {
-      if (is_room(id)) return !member.slice && setting_.cast.room(id).type == member.category;
-      const Id whole = setting_.cast.things[static_cast<std::size_t>(id)].whole;
+      if (id.is_room()) return !member.slice && setting_.cast.room(id).type == member.category;
+      const Id whole = setting_.cast.role(id).whole;
       if (!member.slice) return setting_.kind_of(id).category == member.category;
       return whole != kNobody && setting_.kind_of(whole).category == member.category;
     });
@@ -185,10 +184,9 @@ class GoalWriter {
       scope_.emplace_back(quantifier.variable, id);
       std::size_t body = write(quantifier.children.front());
       scope_.pop_back();
-      if (id >= 0 && !is_room(id) && !start_[id].exists) {
+      if (id.is_thing() && !start_[id].exists) {
         const std::size_t is_there = add(Goal::Op::Atom, {});
-        goal_.nodes_[is_there].atom = {Predicate::SliceOf, id, setting_.cast.things[static_cast<std::size_t>(id)].whole,
-                                       kAnySymbol};
+        goal_.nodes_[is_there].atom = {Predicate::SliceOf, id, setting_.cast.role(id).whole, kAnySymbol};
         body = universal ? add(Goal::Op::Or, {add(Goal::Op::Not, {is_there}), body})
                          : add(Goal::Op::And, {is_there, body});
       }

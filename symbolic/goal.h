@@ -12,7 +12,7 @@ namespace unietp::symbolic {
 struct Atom {
   Predicate predicate = Predicate::Open;
   Id first = kNobody, second = kNobody;
-  std::uint8_t symbol = kAnySymbol;
+  std::optional<SubstanceId> symbol;  // of filled and covered; nullopt: any
 };
 
 /// The facts from which each `:where` is read, when they are not those of a world: a physical scene's, which also knows

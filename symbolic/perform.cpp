@@ -4,7 +4,7 @@ namespace unietp::symbolic {
 namespace {
 
 Failure go_to(World& world, Id target) {
-  if (is_room(target)) {
+  if (target.is_room()) {
     world.room = target;
     world.by = kNobody;
     return Failure::None;
@@ -124,7 +124,7 @@ Failure perform(const Setting& setting, World& world, const Step& step) {
   if (step.action == ActionType::GoTo) return go_to(world, step.target);
   if (step.action == ActionType::Drop) return drop(setting, world, step);
   if (about.argument == ActionArgument::None) return Failure::None;
-  if (step.target < 0 || is_room(step.target) || !world[step.target].exists) return Failure::InvalidArgument;
+  if (!step.target.is_thing() || !world[step.target].exists) return Failure::InvalidArgument;
   return perform_on(setting, world, step);
 }
 
@@ -139,7 +139,7 @@ bool has_room(const Setting& setting, const World& world, Id thing, Predicate re
   const Where where = relation == Predicate::On ? Where::On : Where::Inside;
   int there = 0;
   for (std::size_t i = 0; i < world.things.size(); ++i) {
-    const auto other = static_cast<Id>(i);
+    const auto other = Id::thing(i);
     if (other == thing || !world[other].exists || world[other].where != where || world[other].at != place) continue;
     there += setting.kind_number(other) == setting.kind_number(thing) ? 1 : 0;
   }

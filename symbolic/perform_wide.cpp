@@ -62,7 +62,7 @@ Failure break_apart(const Setting& setting, World& world, Id thing) {
   world[thing].set(Predicate::Broken);
   if (world[thing].has(Predicate::Filled)) {
     world[thing].set(Predicate::Empty);
-    world[thing].filling = 0;
+    world[thing].filling = {};
   }
   return Failure::None;
 }

@@ -20,7 +20,7 @@ Reach::Reach(const Setting& setting, const World& start) : setting_(setting), st
     outlooks_[i].exists = true;
     outlooks_[i].states = thing.states;
     outlooks_[i].coats = thing.coats;
-    if (thing.has(Predicate::Filled)) outlooks_[i].fillings = std::uint32_t{1} << thing.filling;
+    if (thing.has(Predicate::Filled)) outlooks_[i].fillings.insert(thing.filling);
   }
   spread();
 }
@@ -32,11 +32,11 @@ void Reach::spread() {
     changed = false;
     for (std::size_t i = 0; i < outlooks_.size(); ++i) {
       if (!outlooks_[i].exists) continue;
-      const auto id = static_cast<Id>(i);
+      const auto id = Id::thing(i);
       Outlook next = outlooks_[i];
       do_alone(id, next);
       for (std::size_t k = 0; k < outlooks_.size(); ++k) {
-        if (k != i && outlooks_[k].exists) do_with(static_cast<Id>(k), id, next);
+        if (k != i && outlooks_[k].exists) do_with(Id::thing(k), id, next);
       }
       changed = changed || !(next == outlooks_[i]);
       outlooks_[i] = next;
@@ -47,8 +47,8 @@ void Reach::spread() {
       Outlook next = outlooks_[i];
       next.exists = true;
       next.states |= of(whole).states & ~(bit(Predicate::Sliced) | bit(Predicate::Whole));
-      next.coats |= of(whole).coats;
-      next.fillings |= of(whole).fillings;
+      next.coats.insert(of(whole).coats);
+      next.fillings.insert(of(whole).fillings);
       changed = changed || !(next == outlooks_[i]);
       outlooks_[i] = next;
     }
@@ -98,29 +98,29 @@ void Reach::do_with(Id tool, Id target, Outlook& next) const {
     if (!states.empty()) {
       if (!works(tool, target, reaction)) continue;
       for (const Predicate state : states) next.states |= bit(state);
-      if (reaction.treatment == Treatment::Fills) next.fillings |= std::uint32_t{1} << reaction.symbol;
+      if (reaction.treatment == Treatment::Fills) next.fillings.insert(reaction.symbol);
       if (reaction.treatment == Treatment::Washes) next.uncovered = true;
       continue;
     }
     const bool by_hand = of(tool).held;
-    if (reaction.treatment == Treatment::Slices && by_hand && offered(ActionType::Slice) && reaction.piece >= 0)
+    if (reaction.treatment == Treatment::Slices && by_hand && offered(ActionType::Slice) && reaction.piece)
       next.states |= bit(Predicate::Sliced);
     if (reaction.treatment == Treatment::Wipes && by_hand && offered(ActionType::Wipe)) {
       next.uncovered = true;
       if ((next.states & bit(Predicate::Dirty)) != 0) next.states |= bit(Predicate::Clean);
     }
     if (reaction.treatment == Treatment::Dispenses && by_hand && offered(ActionType::SpreadTo))
-      next.coats |= std::uint32_t{1} << reaction.symbol;
+      next.coats.insert(reaction.symbol);
   }
   if (!offered(ActionType::PourTo)) return;
-  if (kind.fillable && of(tool).held && of(tool).fillings != 0) {
-    next.fillings |= of(tool).fillings;
+  if (kind.fillable && of(tool).held && !of(tool).fillings.empty()) {
+    next.fillings.insert(of(tool).fillings);
     next.states |= bit(Predicate::Filled);
   }
   const bool drains =
       setting_.kind_of(tool).drain || setting_.kind_of(tool).fillable ||
       setting_.rules->reaction(setting_.kind_number(tool), Treatment::Drains, setting_.kind_number(target)) != nullptr;
-  if (drains && next.held && next.fillings != 0) next.states |= bit(Predicate::Empty);
+  if (drains && next.held && !next.fillings.empty()) next.states |= bit(Predicate::Empty);
 }
 
 bool Reach::may_be_at(Id id, Predicate relation, Id place, int depth) const {
@@ -133,7 +133,7 @@ bool Reach::may_be_at(Id id, Predicate relation, Id place, int depth) const {
   if (of(id).held && fits(relation, place) && offered(action)) return true;
   if (relation == Predicate::On || depth > 2) return false;
   for (std::size_t i = 0; i < outlooks_.size(); ++i) {  // by way of something that is inside
-    const auto between = static_cast<Id>(i);
+    const auto between = Id::thing(i);
     if (between == id || between == place || !of(between).exists) continue;
     const bool there =
         start_[id].at == between || (of(id).held && (fits(Predicate::On, between) || fits(Predicate::Inside, between)));
@@ -145,11 +145,11 @@ bool Reach::may_be_at(Id id, Predicate relation, Id place, int depth) const {
 bool Reach::may(const Atom& atom, bool wanted) const {
   if (holds(setting_, start_, atom.predicate, atom.first, atom.second, atom.symbol) == wanted) return true;
   if (!wanted) return may_fail(atom);
-  const auto exists = [&](Id id) { return id < 0 || is_room(id) || of(id).exists; };
+  const auto exists = [&](Id id) { return !id.is_thing() || of(id).exists; };
   if (!exists(atom.first) || !exists(atom.second)) return false;
   if (atom.first == kAgent) return atom.predicate == Predicate::InRoom && offered(ActionType::GoTo);
-  if (atom.first < 0 || is_room(atom.first)) return false;
-  const std::uint32_t any = atom.symbol == kAnySymbol ? ~0U : std::uint32_t{1} << (atom.symbol & 31U);
+  if (!atom.first.is_thing()) return false;
+  const auto has_it = [&](const SubstanceSet& set) { return atom.symbol ? set.contains(*atom.symbol) : !set.empty(); };
   switch (atom.predicate) {
     case Predicate::Held:
       return of(atom.first).held;
@@ -169,13 +169,13 @@ bool Reach::may(const Atom& atom, bool wanted) const {
     case Predicate::Under:
       return of(atom.first).held && offered(ActionType::Drop);
     case Predicate::SliceOf:
-      return setting_.cast.things[static_cast<std::size_t>(atom.first)].whole == atom.second;
+      return setting_.cast.role(atom.first).whole == atom.second;
     case Predicate::Nearest:
       return true;  // things move
     case Predicate::Filled:
-      return (of(atom.first).fillings & any) != 0;
+      return has_it(of(atom.first).fillings);
     case Predicate::Covered:
-      return (of(atom.first).coats & any) != 0;
+      return has_it(of(atom.first).coats);
     default:
       return may_have(atom.first, atom.predicate);
   }
@@ -212,8 +212,7 @@ bool Reach::may_fail(const Atom& atom) const {
     default:
       break;
   }
-  if (atom.predicate == Predicate::Filled && atom.symbol != kAnySymbol &&
-      (of(atom.first).fillings & ~(std::uint32_t{1} << (atom.symbol & 31U))) != 0)
+  if (atom.predicate == Predicate::Filled && atom.symbol && of(atom.first).fillings.has_other_than(atom.symbol))
     return true;
   for (const StateGroup* group : setting_.kind_of(atom.first).groups) {
     const auto& states = group->predicates;

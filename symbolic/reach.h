@@ -19,12 +19,12 @@ class Reach {
  private:
   struct Outlook {
     std::uint64_t states = 0;
-    std::uint32_t fillings = 0, coats = 0;
+    SubstanceSet fillings, coats;
     bool exists = false, held = false, uncovered = false;
     bool operator==(const Outlook&) const = default;
   };
   bool offered(ActionType action) const { return setting_.rules->offer().has(action); }
-  const Outlook& of(Id id) const { return outlooks_[static_cast<std::size_t>(id)]; }
+  const Outlook& of(Id id) const { return outlooks_[id.index()]; }
   bool may_have(Id id, Predicate state) const;
   void spread();
   void do_alone(Id id, Outlook& next) const;

@@ -8,7 +8,6 @@ namespace {
 constexpr std::array<std::string_view, kTreatments> kTreatmentNames{"heats",     "cools",  "freezes", "cooks",  "burns",
                                                                     "washes",    "soaks",  "fills",   "slices", "wipes",
                                                                     "dispenses", "drains", "attaches"};
-constexpr std::size_t kMostSymbols = 32;
 
 }  // namespace
 
@@ -55,7 +54,7 @@ Rules::Rules(const Knowledge& knowledge, const Offer& offer, const std::vector<s
   for (std::size_t i = 0; i < given; ++i) {
     if (!kinds_[i].sliceable) continue;
     for (const Effect* row : knowledge.effects_on(std::string(kinds_[i].category), "slices")) {
-      if (kind_named(row->tool) >= 0) add_kind(knowledge, row->gives.empty() ? row->target : row->gives);
+      if (kind_named(row->tool)) add_kind(knowledge, row->gives.empty() ? row->target : row->gives);
     }
   }
   const std::size_t n = kinds_.size();
@@ -73,7 +72,7 @@ Rules::Rules(const Knowledge& knowledge, const Offer& offer, const std::vector<s
 
 void Rules::add_kind(const Knowledge& knowledge, const std::string& category) {
   const Category* known = knowledge.find(category);
-  if (known == nullptr || kind_named(category) >= 0) return;
+  if (known == nullptr || kind_named(category)) return;
   Kind kind;
   kind.category = category;
   kind.movable = known->movable;
@@ -104,10 +103,12 @@ void Rules::read_reactions(const Knowledge& knowledge, std::size_t tools, std::s
   for (std::size_t target = 0; target < targets; ++target) {
     for (std::size_t t = 0; t < kTreatments; ++t) {
       for (const Effect* row : knowledge.effects_on(kinds_[target].category, kTreatmentNames[t])) {
-        const int tool = kind_named(row->tool);
-        if (tool < 0 || static_cast<std::size_t>(tool) >= tools) continue;
-        auto& known = reactions_[cell(tool, static_cast<int>(target))];
-        Reaction reaction{static_cast<Treatment>(t), needs_of(*row), 0, -1, 0};
+        const auto tool = kind_named(row->tool);
+        if (!tool || tool->index() >= tools) continue;
+        auto& known = reactions_[cell(*tool, KindId(target))];
+        Reaction reaction;
+        reaction.treatment = static_cast<Treatment>(t);
+        reaction.needs = needs_of(*row);
         // As everywhere, the first row of a tool, effect and target decides.
         if (!known.empty() && known.back().treatment == reaction.treatment) continue;
         if (reaction.treatment == Treatment::Slices) {
@@ -116,55 +117,53 @@ void Rules::read_reactions(const Knowledge& knowledge, std::size_t tools, std::s
         } else if (!row->gives.empty()) {
           reaction.symbol = symbol_number(row->gives);
         }
-        if ((reaction.needs & (kInside | kUnderTap)) != 0) make_room(static_cast<int>(target), 1, tool);
+        if ((reaction.needs & (kInside | kUnderTap)) != 0) make_room(KindId(target), 1, *tool);
         const bool attaching = reaction.treatment == Treatment::Attaches && offer_.attaching;
-        if ((reaction.needs & kOn) != 0 || attaching) make_room(static_cast<int>(target), 0, tool);
+        if ((reaction.needs & kOn) != 0 || attaching) make_room(KindId(target), 0, *tool);
         known.push_back(reaction);
       }
     }
   }
 }
 
-void Rules::make_room(int thing, std::size_t relation, int place) {
+void Rules::make_room(KindId thing, std::size_t relation, KindId place) {
   if (!kind(thing).movable) return;
   auto& fits = capacity_[cell(thing, place)][relation];
   fits = std::max(fits, 1);
 }
 
-std::size_t Rules::cell(int first, int second) const {
-  return static_cast<std::size_t>(first) * kinds_.size() + static_cast<std::size_t>(second);
-}
+std::size_t Rules::cell(KindId first, KindId second) const { return first.index() * kinds_.size() + second.index(); }
 
-int Rules::kind_named(std::string_view category) const {
+std::optional<KindId> Rules::kind_named(std::string_view category) const {
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    if (kinds_[i].category == category) return static_cast<int>(i);
+    if (kinds_[i].category == category) return KindId(i);
   }
-  return -1;
+  return std::nullopt;
 }
 
-int Rules::capacity(int thing, Predicate relation, int place) const {
+int Rules::capacity(KindId thing, Predicate relation, KindId place) const {
   return capacity_[cell(thing, place)][relation == Predicate::Inside ? 1 : 0];
 }
 
-const Reaction* Rules::reaction(int tool, Treatment treatment, int thing) const {
+const Reaction* Rules::reaction(KindId tool, Treatment treatment, KindId thing) const {
   for (const Reaction& reaction : reactions(tool, thing)) {
     if (reaction.treatment == treatment) return &reaction;
   }
   return nullptr;
 }
 
-const std::vector<Reaction>& Rules::reactions(int tool, int thing) const { return reactions_[cell(tool, thing)]; }
+const std::vector<Reaction>& Rules::reactions(KindId tool, KindId thing) const { return reactions_[cell(tool, thing)]; }
 
-std::optional<std::uint8_t> Rules::symbol_named(std::string_view symbol) const {
+std::optional<SubstanceId> Rules::symbol_named(std::string_view symbol) const {
   const auto found = std::find(symbols_.begin(), symbols_.end(), symbol);
   if (found == symbols_.end()) return std::nullopt;
-  return static_cast<std::uint8_t>(found - symbols_.begin());
+  return SubstanceId(static_cast<std::size_t>(found - symbols_.begin()));
 }
 
-std::uint8_t Rules::symbol_number(const std::string& symbol) {
+SubstanceId Rules::symbol_number(const std::string& symbol) {
   if (const auto known = symbol_named(symbol)) return *known;
-  if (symbols_.size() < kMostSymbols) symbols_.push_back(symbol);
-  return static_cast<std::uint8_t>(symbols_.size() - 1);
+  symbols_.push_back(symbol);
+  return SubstanceId(symbols_.size() - 1);
 }
 
 }  // namespace unietp::symbolic

@@ -10,6 +10,7 @@
 #include "akb/knowledge.h"
 #include "scene/action.h"
 #include "scene/states.h"
+#include "symbolic/substances.h"
 
 namespace unietp::symbolic {
 
@@ -51,13 +52,16 @@ enum Need : std::uint8_t { kClosed = 1, kPowerOn = 2, kInside = 4, kOn = 8, kUnd
 
 std::uint8_t needs_of(const Effect& row);
 
+/// Position of a kind in Rules::kinds().
+using KindId = TypedId<struct KindTag>;
+
 /// One row of the effect table, between two kinds.
 struct Reaction {
   Treatment treatment = Treatment::Heats;
   std::uint8_t needs = 0;
-  std::uint8_t symbol = 0;  // fills, dispenses: the substance, a number of Rules::symbols
-  int piece = -1;           // slices: kind of the pieces
-  int pieces = 0;           // slices: how many
+  SubstanceId symbol;           // fills, dispenses: the substance
+  std::optional<KindId> piece;  // slices: kind of the pieces
+  int pieces = 0;               // slices: how many
 };
 
 /// A category as far as actions ask about it.
@@ -80,28 +84,28 @@ class Rules {
 
   const Offer& offer() const { return offer_; }
   const std::vector<Kind>& kinds() const { return kinds_; }
-  const Kind& kind(int number) const { return kinds_[static_cast<std::size_t>(number)]; }
-  /// -1 when there is none.
-  int kind_named(std::string_view category) const;
+  const Kind& kind(KindId id) const { return kinds_[id.index()]; }
+  /// nullopt when there is none.
+  std::optional<KindId> kind_named(std::string_view category) const;
 
   /// How many things of a kind fit on or inside one of another; 0 when they do not go there.
-  int capacity(int thing, Predicate relation, int place) const;
+  int capacity(KindId thing, Predicate relation, KindId place) const;
   /// What a tool does to a thing; nullptr when it does not.
-  const Reaction* reaction(int tool, Treatment treatment, int thing) const;
+  const Reaction* reaction(KindId tool, Treatment treatment, KindId thing) const;
   /// All that a tool does to a thing, one of a treatment.
-  const std::vector<Reaction>& reactions(int tool, int thing) const;
+  const std::vector<Reaction>& reactions(KindId tool, KindId thing) const;
 
   /// Substances, numbered; "any" is none of them.
   const std::vector<std::string>& symbols() const { return symbols_; }
-  std::optional<std::uint8_t> symbol_named(std::string_view symbol) const;
-  /// The number of a substance, new if need be. At most 32 are told apart; further ones share the last number.
-  std::uint8_t symbol_number(const std::string& symbol);
+  std::optional<SubstanceId> symbol_named(std::string_view symbol) const;
+  /// The number of a substance, new if need be. All are told apart.
+  SubstanceId symbol_number(const std::string& symbol);
 
  private:
-  std::size_t cell(int first, int second) const;
+  std::size_t cell(KindId first, KindId second) const;
   void add_kind(const Knowledge& knowledge, const std::string& category);
   /// A tool that treats a thing on or in it takes at least one, though no row says that such things belong there.
-  void make_room(int thing, std::size_t relation, int place);
+  void make_room(KindId thing, std::size_t relation, KindId place);
   void read_reactions(const Knowledge& knowledge, std::size_t tools, std::size_t targets);
 
   Offer offer_;

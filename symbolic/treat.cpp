@@ -13,7 +13,7 @@ bool needs_met(const Setting& setting, const World& world, const Reaction& react
   if (asks(kClosed) && setting.kind_of(tool).openable && !world[tool].has(Predicate::Closed)) return false;
   if (asks(kPowerOn) && world[tool].has(Predicate::PowerOff)) return false;
   if (asks(kInside) && !is_inside(world, thing, tool)) return false;
-  if (asks(kOn) && !holds(setting, world, Predicate::On, thing, tool, 0)) return false;
+  if (asks(kOn) && !holds(setting, world, Predicate::On, thing, tool, kAnySymbol)) return false;
   return !asks(kUnderTap) || tap_runs || world[tool].has(Predicate::PowerOn);
 }
 
@@ -54,14 +54,14 @@ std::optional<ActionType> action_for(Treatment treatment) {
 
 void run_processes(const Setting& setting, World& world, Id tool, bool tap_runs) {
   for (std::size_t i = 0; i < world.things.size(); ++i) {
-    const auto thing = static_cast<Id>(i);
+    const auto thing = Id::thing(i);
     if (!world[thing].exists || !rests_on(world, thing, tool)) continue;
     for (const Reaction& reaction : setting.rules->reactions(setting.kind_number(tool), setting.kind_number(thing))) {
       const auto& states = sets(reaction.treatment);
       if (states.empty() || !needs_met(setting, world, reaction, tool, thing, tap_runs)) continue;
       for (const Predicate state : states) world[thing].set(state);
       if (reaction.treatment == Treatment::Fills) world[thing].filling = reaction.symbol;
-      if (reaction.treatment == Treatment::Washes) world[thing].coats = 0;
+      if (reaction.treatment == Treatment::Washes) world[thing].coats.clear();
     }
   }
 }
@@ -140,7 +140,7 @@ Failure pour_to(const Setting& setting, World& world, Id target) {
     world[target].filling = vessel.filling;
   }
   vessel.set(Predicate::Empty);
-  vessel.filling = 0;
+  vessel.filling = {};
   return Failure::None;
 }
 
@@ -160,10 +160,10 @@ Failure wipe(const Setting& setting, World& world, Id thing) {
   if (const Failure blocked = out_of_reach(setting, world, thing); blocked != Failure::None) return blocked;
   // Dust comes off with a dry cloth; everything else wants a wet one.
   const auto dust = setting.rules->symbol_named("dust");
-  const std::uint32_t stains = world[thing].coats & ~(dust ? std::uint32_t{1} << *dust : 0U);
-  if ((stains != 0 || world[thing].has(Predicate::Dirty)) && world[world.held].has(Predicate::Dry))
+  if ((world[thing].coats.has_other_than(dust) || world[thing].has(Predicate::Dirty)) &&
+      world[world.held].has(Predicate::Dry))
     return Failure::NotReady;
-  world[thing].coats = 0;
+  world[thing].coats.clear();
   if (world[thing].has(Predicate::Dirty)) world[thing].set(Predicate::Clean);
   return Failure::None;
 }
@@ -174,7 +174,7 @@ Failure spread_to(const Setting& setting, World& world, Id thing) {
   const Reaction* spread = by_hand(setting, world, Treatment::Dispenses, thing);
   if (spread == nullptr) return Failure::NoEffect;
   if (const Failure blocked = out_of_reach(setting, world, thing); blocked != Failure::None) return blocked;
-  world[thing].coats |= std::uint32_t{1} << spread->symbol;
+  world[thing].coats.insert(spread->symbol);
   return Failure::None;
 }
 

@@ -19,10 +19,9 @@ Wish Way::to(const Atom& atom, bool wanted, int depth) const {
   if (holds(setting_, world_, atom.predicate, atom.first, atom.second, atom.symbol) == wanted) return {};
   if (depth > kDeepestNeed) return kNever;
   if (atom.predicate == Predicate::InRoom && atom.first == kAgent) return to_room(atom.second, wanted);
-  if (atom.first < 0 || is_room(atom.first)) return kNever;
+  if (!atom.first.is_thing()) return kNever;
   if (const auto missing = missing_of(atom); missing != kNobody && wanted) {
-    return after(to_state(setting_.cast.things[static_cast<std::size_t>(missing)].whole, Predicate::Sliced, 0, depth),
-                 2);
+    return after(to_state(setting_.cast.role(missing).whole, Predicate::Sliced, kAnySymbol, depth), 2);
   }
   switch (atom.predicate) {
     case Predicate::Held:
@@ -34,7 +33,7 @@ Wish Way::to(const Atom& atom, bool wanted, int depth) const {
       return wanted ? to_attach(atom.first, atom.second, depth) : to_hold(atom.first, depth);
     case Predicate::SatOn:
     case Predicate::LainOn:
-      return wanted ? to_state(atom.first, atom.predicate, 0, depth) : then({}, {ActionType::StandUp});
+      return wanted ? to_state(atom.first, atom.predicate, kAnySymbol, depth) : then({}, {ActionType::StandUp});
     case Predicate::OnFloor:
       return wanted ? to_drop(atom.first, atom.second, depth) : to_hold(atom.first, depth);
     case Predicate::InRoom:
@@ -54,7 +53,7 @@ Wish Way::to(const Atom& atom, bool wanted, int depth) const {
 
 Id Way::missing_of(const Atom& atom) const {
   for (const Id id : {atom.first, atom.second}) {
-    if (id >= 0 && !is_room(id) && !world_[id].exists) return id;
+    if (id.is_thing() && !world_[id].exists) return id;
   }
   return kNobody;
 }
@@ -72,7 +71,7 @@ Wish Way::then(Wish need, const Step& step) const {
 Wish Way::to_reach(Id id, int depth) const {
   if (root_of(world_, id) == world_.held) return to_free_hand(depth + 1);
   const Id container = closed_around(setting_, world_, id);
-  return container == kNobody ? Wish{} : to_state(container, Predicate::Open, 0, depth + 1);
+  return container == kNobody ? Wish{} : to_state(container, Predicate::Open, kAnySymbol, depth + 1);
 }
 
 Wish Way::to_hold(Id id, int depth) const {
@@ -96,7 +95,7 @@ Wish Way::to_free_hand(int depth) const {
   const Id id = world_.held;
   for (const bool furniture : {true, false}) {
     for (std::size_t i = 0; i < world_.things.size() && wish.steps.size() <= kMostPlaces; ++i) {
-      const auto place = static_cast<Id>(i);
+      const auto place = Id::thing(i);
       if (kind(place).movable == furniture || closed_around(setting_, world_, place) != kNobody) continue;
       if (takes(id, Predicate::On, place)) wish.steps.add({ActionType::PlaceOn, place});
       const bool open = !kind(place).openable || world_[place].has(Predicate::Open);
@@ -105,8 +104,8 @@ Wish Way::to_free_hand(int depth) const {
   }
   if (!wish.steps.empty()) return wish;
   for (std::size_t i = 0; i < world_.things.size() && depth < kDeepestNeed; ++i) {
-    const auto place = static_cast<Id>(i);
-    if (takes(id, Predicate::Inside, place)) return after(to_state(place, Predicate::Open, 0, depth + 1), 1);
+    const auto place = Id::thing(i);
+    if (takes(id, Predicate::Inside, place)) return after(to_state(place, Predicate::Open, kAnySymbol, depth + 1), 1);
   }
   return kNever;
 }
@@ -121,7 +120,8 @@ Wish Way::to_place(Id id, Predicate relation, Id place, Id beside, int depth) co
     need = together(together(std::move(need), to_free_hand(depth + 1)), after(to_reach(id, depth), 1));
   } else {
     const bool into = relation == Predicate::Inside && kind(place).openable && !world_[place].has(Predicate::Open);
-    need = together(std::move(need), into ? to_state(place, Predicate::Open, 0, depth + 1) : to_reach(place, depth));
+    need = together(std::move(need),
+                    into ? to_state(place, Predicate::Open, kAnySymbol, depth + 1) : to_reach(place, depth));
     if (world_.held != id) need = together(std::move(need), to_hold(id, depth));
   }
   const auto action = relation == Predicate::On ? ActionType::PlaceOn : ActionType::PlaceIn;
@@ -129,7 +129,7 @@ Wish Way::to_place(Id id, Predicate relation, Id place, Id beside, int depth) co
   if (!treats_by_power(place, id)) return put;
   Choice ways;  // what runs treats what is put there, which may be what is wanted or not
   ways.add(put);
-  ways.add(together(to_state(place, Predicate::PowerOff, 0, depth + 1), put));
+  ways.add(together(to_state(place, Predicate::PowerOff, kAnySymbol, depth + 1), put));
   return ways.wish();
 }
 
@@ -153,7 +153,7 @@ Wish Way::to_make_room(Id id, Predicate relation, Id place, int depth) const {
   const Where where = relation == Predicate::On ? Where::On : Where::Inside;
   Choice ways;
   for (std::size_t i = 0; i < world_.things.size(); ++i) {
-    const auto other = static_cast<Id>(i);
+    const auto other = Id::thing(i);
     if (other == id || !world_[other].exists || world_[other].where != where || world_[other].at != place) continue;
     if (setting_.kind_number(other) != setting_.kind_number(id)) continue;  // those take no room from it
     ways.add(after(to_hold(other, depth + 1), 1));
@@ -164,7 +164,7 @@ Wish Way::to_make_room(Id id, Predicate relation, Id place, int depth) const {
 Wish Way::to_room(Id room, bool wanted) const {
   if (wanted) return one_step({ActionType::GoTo, room});
   for (std::size_t r = 0; r < setting_.cast.rooms.size(); ++r) {
-    const auto other = static_cast<Id>(kFirstRoom + static_cast<Id>(r));
+    const auto other = Id::room(r);
     if (other != room) return one_step({ActionType::GoTo, other});
   }
   return kNever;
@@ -179,7 +179,7 @@ Wish Way::to_drop(Id id, Id room, int depth) const {
 Wish Way::to_bring(Id id, Id room, int depth) const {
   Choice ways;
   for (std::size_t i = 0; i < world_.things.size() && ways.size() < kMostPlaces; ++i) {
-    const auto place = static_cast<Id>(i);
+    const auto place = Id::thing(i);
     if (kind(place).movable || !world_[place].exists || room_of(world_, place) != room) continue;
     for (const auto relation : {Predicate::On, Predicate::Inside}) {
       if (takes(id, relation, place)) ways.add(to_place(id, relation, place, kNobody, depth));
@@ -217,7 +217,7 @@ Wish Way::to_bring_both(Id first, Id second, int depth) const {
     if (!kind(other).pickupable) continue;
     if (world_.room != kNobody) ways.add(after(to_drop(id, world_.room, depth), 2));
     for (std::size_t i = 0; i < world_.things.size(); ++i) {
-      const auto place = static_cast<Id>(i);
+      const auto place = Id::thing(i);
       if (takes(id, Predicate::On, place) && takes(other, Predicate::On, place))
         ways.add(after(to_place(id, Predicate::On, place, kNobody, depth), 2));
     }

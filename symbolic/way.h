@@ -47,7 +47,7 @@ class Way {
   template <class Use>
   void each_tool(Treatment treatment, Id target, Use use) const {
     for (std::size_t i = 0; i < world_.things.size(); ++i) {
-      const auto tool = static_cast<Id>(i);
+      const auto tool = Id::thing(i);
       if (tool == target || !world_[tool].exists) continue;
       const Reaction* reaction =
           setting_.rules->reaction(setting_.kind_number(tool), treatment, setting_.kind_number(target));
@@ -60,15 +60,15 @@ class Way {
   /// Wiped or washed: no dirt and nothing that covers it.
   Wish to_clean(Id id, int depth) const;
   /// Held and treated with a tool, or put where the tool works by itself.
-  void treated(Id id, Treatment treatment, std::uint8_t symbol, int depth, Choice& ways) const;
+  void treated(Id id, Treatment treatment, std::optional<SubstanceId> symbol, int depth, Choice& ways) const;
   Wish by_composite(Id id, Id tool, ActionType action, const Reaction& reaction, int depth) const;
   Wish by_itself(Id id, Id tool, const Reaction& reaction, int depth) const;
-  Wish to_fill(Id id, std::uint8_t symbol, int depth) const;
+  Wish to_fill(Id id, std::optional<SubstanceId> symbol, int depth) const;
   Wish to_empty(Id id, int depth) const;
   Wish done_to(Id id, ActionType action, Wish need, int depth, bool also_in_hand) const;
   /// A free hand, and nothing on it.
   Wish to_fold(Id id, int depth) const;
-  Wish to_state(Id id, Predicate state, std::uint8_t symbol, int depth) const;
+  Wish to_state(Id id, Predicate state, std::optional<SubstanceId> symbol, int depth) const;
   /// A state ends when another of its group begins.
   Wish away_from(const Atom& atom, int depth) const;
 

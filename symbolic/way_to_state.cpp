@@ -13,7 +13,7 @@ Wish Way::with_held(Id tool, ActionType action, Id target, Wish need, int depth)
 Wish Way::to_cover(const Atom& atom, int depth) const {
   Choice ways;
   each_tool(Treatment::Dispenses, atom.first, [&](Id tool, const Reaction& reaction) {
-    if (atom.symbol == kAnySymbol || atom.symbol == reaction.symbol)
+    if (!atom.symbol || *atom.symbol == reaction.symbol)
       ways.add(with_held(tool, ActionType::SpreadTo, atom.first, {}, depth));
   });
   return ways.wish();
@@ -24,19 +24,18 @@ Wish Way::to_clean(Id id, int depth) const {
   treated(id, Treatment::Washes, kAnySymbol, depth, ways);
   each_tool(Treatment::Wipes, id, [&](Id tool, const Reaction&) {
     const auto dust = setting_.rules->symbol_named("dust");
-    const std::uint32_t stains = world_[id].coats & ~(dust ? std::uint32_t{1} << *dust : 0U);
-    const bool wet = stains != 0 || world_[id].has(Predicate::Dirty);
+    const bool wet = world_[id].coats.has_other_than(dust) || world_[id].has(Predicate::Dirty);
     Wish need;
-    if (wet && world_[tool].has(Predicate::Dry)) need = to_state(tool, Predicate::Soaked, 0, depth + 1);
+    if (wet && world_[tool].has(Predicate::Dry)) need = to_state(tool, Predicate::Soaked, kAnySymbol, depth + 1);
     ways.add(with_held(tool, ActionType::Wipe, id, std::move(need), depth));
   });
   return ways.wish();
 }
 
-void Way::treated(Id id, Treatment treatment, std::uint8_t symbol, int depth, Choice& ways) const {
+void Way::treated(Id id, Treatment treatment, std::optional<SubstanceId> symbol, int depth, Choice& ways) const {
   each_tool(treatment, id, [&](Id tool, const Reaction& reaction) {
     if ((reaction.needs & (kHeld | kUnknown)) != 0) return;
-    if (treatment == Treatment::Fills && symbol != kAnySymbol && symbol != reaction.symbol) return;
+    if (treatment == Treatment::Fills && symbol && *symbol != reaction.symbol) return;
     const auto action = action_for(treatment);
     if (action && offered(*action)) ways.add(by_composite(id, tool, *action, reaction, depth));
     if ((reaction.needs & kUnderTap) == 0) ways.add(by_itself(id, tool, reaction, depth));
@@ -50,7 +49,7 @@ Wish Way::by_composite(Id id, Id tool, ActionType action, const Reaction& reacti
   Wish need = together(to_hold(id, depth), to_reach(tool, depth));
   if (!takes(id, relation, tool)) need = together(std::move(need), to_make_room(id, relation, tool, depth));
   const bool running = inside && kind(tool).openable && world_[tool].has(Predicate::PowerOn);
-  if (running) need = together(std::move(need), to_state(tool, Predicate::PowerOff, 0, depth + 1));
+  if (running) need = together(std::move(need), to_state(tool, Predicate::PowerOff, kAnySymbol, depth + 1));
   return then(std::move(need), {action, tool});
 }
 
@@ -64,25 +63,25 @@ Wish Way::by_itself(Id id, Id tool, const Reaction& reaction, int depth) const {
   if (!is_there) {
     Wish need;
     if (power && shut && world_[tool].has(Predicate::PowerOn)) {
-      need = to_state(tool, Predicate::PowerOff, 0, depth + 1);
+      need = to_state(tool, Predicate::PowerOff, kAnySymbol, depth + 1);
       if (need.cost > 0) return after(std::move(need), 4);
     }
     return after(to_place(id, relation, tool, kNobody, depth), afterwards);
   }
-  if (shut && !world_[tool].has(Predicate::Closed)) return to_state(tool, Predicate::Closed, 0, depth + 1);
-  if (power && !world_[tool].has(Predicate::PowerOn)) return to_state(tool, Predicate::PowerOn, 0, depth + 1);
+  if (shut && !world_[tool].has(Predicate::Closed)) return to_state(tool, Predicate::Closed, kAnySymbol, depth + 1);
+  if (power && !world_[tool].has(Predicate::PowerOn)) return to_state(tool, Predicate::PowerOn, kAnySymbol, depth + 1);
   return after(to_hold(id, depth), 2);  // it has been there without effect: once more
 }
 
-Wish Way::to_fill(Id id, std::uint8_t symbol, int depth) const {
+Wish Way::to_fill(Id id, std::optional<SubstanceId> symbol, int depth) const {
   Choice ways;
   treated(id, Treatment::Fills, symbol, depth, ways);
   if (kind(id).fillable && offered(ActionType::PourTo)) {
     for (std::size_t i = 0; i < world_.things.size(); ++i) {
-      const auto vessel = static_cast<Id>(i);
+      const auto vessel = Id::thing(i);
       if (vessel == id || !world_[vessel].exists || !kind(vessel).fillable) continue;
       Wish need;
-      if (world_[id].has(Predicate::Filled)) need = to_state(id, Predicate::Empty, 0, depth + 1);
+      if (world_[id].has(Predicate::Filled)) need = to_state(id, Predicate::Empty, kAnySymbol, depth + 1);
       if (!holds(setting_, world_, Predicate::Filled, vessel, kNobody, symbol)) {
         Choice fillings;
         if (depth + 2 <= kDeepestNeed) treated(vessel, Treatment::Fills, symbol, depth + 2, fillings);
@@ -97,7 +96,7 @@ Wish Way::to_fill(Id id, std::uint8_t symbol, int depth) const {
 Wish Way::to_empty(Id id, int depth) const {
   Choice drains, vessels;  // what is poured into another vessel fills that one
   for (std::size_t i = 0; i < world_.things.size(); ++i) {
-    const auto target = static_cast<Id>(i);
+    const auto target = Id::thing(i);
     if (target == id || !world_[target].exists) continue;
     const bool drain = kind(target).drain || setting_.rules->reaction(setting_.kind_number(target), Treatment::Drains,
                                                                       setting_.kind_number(id)) != nullptr;
@@ -115,13 +114,13 @@ Wish Way::done_to(Id id, ActionType action, Wish need, int depth, bool also_in_h
 Wish Way::to_fold(Id id, int depth) const {
   if (world_.held != kNobody) return to_free_hand(depth + 1);
   for (std::size_t i = 0; i < world_.things.size(); ++i) {
-    const auto other = static_cast<Id>(i);
+    const auto other = Id::thing(i);
     if (world_[other].exists && other != id && rests_on(world_, other, id)) return after(to_hold(other, depth + 1), 1);
   }
   return {};
 }
 
-Wish Way::to_state(Id id, Predicate state, std::uint8_t symbol, int depth) const {
+Wish Way::to_state(Id id, Predicate state, std::optional<SubstanceId> symbol, int depth) const {
   if (depth > kDeepestNeed) return kNever;
   Choice ways;
   switch (state) {
@@ -129,7 +128,7 @@ Wish Way::to_state(Id id, Predicate state, std::uint8_t symbol, int depth) const
       if (!kind(id).openable) return kNever;
       Wish need;
       if (setting_.rules->offer().open_needs_power_off && world_[id].has(Predicate::PowerOn))
-        need = to_state(id, Predicate::PowerOff, 0, depth + 1);
+        need = to_state(id, Predicate::PowerOff, kAnySymbol, depth + 1);
       return done_to(id, ActionType::Open, std::move(need), depth, false);
     }
     case Predicate::Closed:
@@ -138,9 +137,9 @@ Wish Way::to_state(Id id, Predicate state, std::uint8_t symbol, int depth) const
       if (!kind(id).switchable) return kNever;
       Wish need;
       if (setting_.rules->offer().power_needs_closed && kind(id).shuts_to_run && world_[id].has(Predicate::Open))
-        need = to_state(id, Predicate::Closed, 0, depth + 1);
+        need = to_state(id, Predicate::Closed, kAnySymbol, depth + 1);
       if (setting_.rules->offer().power_needs_plug && world_[id].has(Predicate::Unplugged))
-        need = together(std::move(need), to_state(id, Predicate::PluggedIn, 0, depth + 1));
+        need = together(std::move(need), to_state(id, Predicate::PluggedIn, kAnySymbol, depth + 1));
       return done_to(id, ActionType::TurnOn, std::move(need), depth, true);
     }
     case Predicate::PowerOff:

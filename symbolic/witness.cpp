@@ -36,20 +36,21 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
   return hash * 0xff51afd7ed558ccdU;
 }
 
+std::uint64_t pair_of(std::uint32_t first, std::uint32_t second) {
+  return (static_cast<std::uint64_t>(first) << 32) | second;
+}
+
 std::uint64_t digest(const World& world, const Progress& progress) {
   std::uint64_t hash = 1;
   for (const Thing& thing : world.things) {
     hash = mix(hash, thing.states);
-    hash = mix(hash, (static_cast<std::uint64_t>(thing.coats) << 32) ^
-                         (static_cast<std::uint64_t>(static_cast<std::uint16_t>(thing.at)) << 16) ^
-                         static_cast<std::uint16_t>(thing.beside));
-    hash = mix(hash, static_cast<std::uint64_t>(thing.where) | (static_cast<std::uint64_t>(thing.filling) << 8) |
-                         (thing.under ? 1U << 16 : 0U) | (thing.attached ? 1U << 18 : 0U) |
-                         (thing.exists ? 1U << 17 : 0U));
+    hash = mix(hash, thing.coats.hash());
+    hash = mix(hash, pair_of(thing.at.value(), thing.beside.value()));
+    const unsigned flags = (thing.under ? 1U : 0U) | (thing.exists ? 2U : 0U) | (thing.attached ? 4U : 0U);
+    hash = mix(hash, pair_of(thing.filling.value(), static_cast<std::uint32_t>(thing.where) << 8 | flags));
   }
-  hash = mix(hash, static_cast<std::uint16_t>(world.held));
-  hash = mix(hash, (static_cast<std::uint64_t>(static_cast<std::uint16_t>(world.room)) << 16) ^
-                       static_cast<std::uint16_t>(world.by));
+  hash = mix(hash, pair_of(world.held.value(), world.seat.value()));
+  hash = mix(hash, pair_of(world.room.value(), world.by.value()));
   for (const auto part : progress.parts()) hash = mix(hash, static_cast<std::uint64_t>(part));
   return hash;
 }

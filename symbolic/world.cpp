@@ -26,7 +26,7 @@ const std::array<std::uint64_t, kPredicateCount>& group_masks() {
 
 double spot_of(const Setting& setting, const World& world, Id thing) {
   const Id root = root_of(world, thing);
-  return setting.cast.things[static_cast<std::size_t>(root)].spot_m + 1e-3 * thing;  // no two at one spot
+  return setting.cast.role(root).spot_m + 1e-3 * static_cast<double>(thing.index());  // no two at one spot
 }
 
 /// The nearest of the things of `thing`'s category to `other`, `other` itself aside.
@@ -34,7 +34,7 @@ bool is_nearest(const Setting& setting, const World& world, Id thing, Id other) 
   const double to = spot_of(setting, world, other);
   const auto away = [&](Id id) { return std::abs(spot_of(setting, world, id) - to); };
   for (std::size_t i = 0; i < world.things.size(); ++i) {
-    const auto rival = static_cast<Id>(i);
+    const auto rival = Id::thing(i);
     if (rival == thing || rival == other || !world[rival].exists) continue;
     if (setting.kind_number(rival) != setting.kind_number(thing)) continue;
     if (away(rival) < away(thing)) return false;
@@ -55,7 +55,7 @@ class FactWriter {
     Facts facts;
     const std::size_t rooms = setting_.cast.rooms.size();
     for (std::size_t i = 0; i < world.things.size(); ++i) {
-      if (world.things[i].exists) write(world, static_cast<Id>(i), facts);
+      if (world.things[i].exists) write(world, Id::thing(i), facts);
     }
     for (std::size_t r = 0; r < rooms; ++r) facts.set_exists(first_room_ + static_cast<EntityIndex>(r));
     const auto agent = first_room_ + static_cast<EntityIndex>(rooms);
@@ -65,21 +65,22 @@ class FactWriter {
   }
 
  private:
-  EntityIndex room(Id id) const { return first_room_ + static_cast<EntityIndex>(id - kFirstRoom); }
-  EntityIndex entity(Id id) const { return entities_[static_cast<std::size_t>(id)]; }
+  EntityIndex room(Id id) const { return first_room_ + static_cast<EntityIndex>(id.index()); }
+  EntityIndex entity(Id id) const { return entities_[id.index()]; }
 
   void write(const World& world, Id id, Facts& facts) const {
     const auto& thing = world[id];
-    const auto& role = setting_.cast.things[static_cast<std::size_t>(id)];
+    const auto& role = setting_.cast.role(id);
     const auto me = entity(id);
     facts.set_exists(me);
     for (std::size_t p = 0; p < kPredicateCount; ++p) {
       const auto state = static_cast<Predicate>(p);
       if (state != Predicate::Filled && thing.has(state)) facts.set(state, me);
     }
-    if (thing.has(Predicate::Filled)) facts.set(Predicate::Filled, me, setting_.rules->symbols()[thing.filling]);
+    if (thing.has(Predicate::Filled))
+      facts.set(Predicate::Filled, me, setting_.rules->symbols()[thing.filling.index()]);
     for (std::size_t s = 0; s < setting_.rules->symbols().size(); ++s) {
-      if ((thing.coats >> s & 1U) != 0) facts.set(Predicate::Covered, me, setting_.rules->symbols()[s]);
+      if (thing.coats.contains(SubstanceId(s))) facts.set(Predicate::Covered, me, setting_.rules->symbols()[s]);
     }
     if (!role.colour.empty()) facts.set(Predicate::Colour, me, role.colour);
     if (!role.material.empty()) facts.set(Predicate::Material, me, role.material);
@@ -91,7 +92,7 @@ class FactWriter {
   void write_relations(const World& world, Id id, Facts& facts) const {
     const auto& thing = world[id];
     const auto me = entity(id);
-    const Id whole = setting_.cast.things[static_cast<std::size_t>(id)].whole;
+    const Id whole = setting_.cast.role(id).whole;
     if (whole != kNobody) facts.set(Predicate::SliceOf, me, entity(whole));
     if (thing.beside != kNobody) {
       facts.set(thing.under ? Predicate::Under : Predicate::NextTo, me, entity(thing.beside));
@@ -107,7 +108,7 @@ class FactWriter {
     if (in != kNobody) facts.set(Predicate::InRoom, me, room(in));
     if (setting_.with_nearest) {
       for (std::size_t i = 0; i < world.things.size(); ++i) {
-        const auto other = static_cast<Id>(i);
+        const auto other = Id::thing(i);
         if (other != id && world[other].exists && is_nearest(setting_, world, id, other))
           facts.set(Predicate::Nearest, me, entity(other));
       }
@@ -158,18 +159,18 @@ Thing default_thing(const Kind& kind) {
 void add_pieces(Setting& setting, World& world) {
   const std::size_t wholes = world.things.size();
   for (std::size_t i = 0; i < wholes; ++i) {
-    const int kind = setting.cast.things[i].kind;
+    const KindId kind = setting.cast.things[i].kind;
     if (!setting.rules->kind(kind).sliceable) continue;
     const Reaction* most = nullptr;
     for (std::size_t k = 0; k < wholes; ++k) {
       const auto* cut = setting.rules->reaction(setting.cast.things[k].kind, Treatment::Slices, kind);
-      if (cut != nullptr && cut->piece >= 0 && (most == nullptr || cut->pieces > most->pieces)) most = cut;
+      if (cut != nullptr && cut->piece && (most == nullptr || cut->pieces > most->pieces)) most = cut;
     }
     for (int n = 0; most != nullptr && n < most->pieces; ++n) {
       Role role;
       role.id = setting.cast.things[i].id + "_piece_" + std::to_string(n + 1);
-      role.kind = most->piece;
-      role.whole = static_cast<Id>(i);
+      role.kind = *most->piece;
+      role.whole = Id::thing(i);
       setting.cast.things.push_back(std::move(role));
       Thing piece;
       piece.exists = false;
@@ -180,8 +181,18 @@ void add_pieces(Setting& setting, World& world) {
 
 const std::string& name_of(const Setting& setting, Id id) {
   static const std::string kAgentName = "agent";
-  if (id < 0) return kAgentName;
-  return is_room(id) ? setting.cast.room(id).id : setting.cast.things[static_cast<std::size_t>(id)].id;
+  if (!id.is_thing() && !id.is_room()) return kAgentName;
+  return id.is_room() ? setting.cast.room(id).id : setting.cast.role(id).id;
+}
+
+Id Cast::named(std::string_view name) const {
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (things[i].id == name) return Id::thing(i);
+  }
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    if (rooms[i].id == name) return Id::room(i);
+  }
+  return kNobody;
 }
 
 Id root_of(const World& world, Id thing) {
@@ -218,10 +229,11 @@ Id room_of(const World& world, Id thing) {
   return root.where == Where::Floor ? root.at : kNobody;
 }
 
-bool holds(const Setting& setting, const World& world, Predicate predicate, Id first, Id second, std::uint8_t symbol) {
+bool holds(const Setting& setting, const World& world, Predicate predicate, Id first, Id second,
+           std::optional<SubstanceId> symbol) {
   if (predicate == Predicate::InRoom && first == kAgent) return world.room == second;
-  if (first < 0 || is_room(first) || !world[first].exists) return false;
-  if (second >= 0 && !is_room(second) && !world[second].exists) return false;
+  if (!first.is_thing() || !world[first].exists) return false;
+  if (second.is_thing() && !world[second].exists) return false;
   const Thing& thing = world[first];
   switch (predicate) {
     case Predicate::Held:
@@ -241,13 +253,13 @@ bool holds(const Setting& setting, const World& world, Predicate predicate, Id f
     case Predicate::Under:
       return thing.beside == second && thing.under;
     case Predicate::SliceOf:
-      return setting.cast.things[static_cast<std::size_t>(first)].whole == second;
+      return setting.cast.role(first).whole == second;
     case Predicate::Nearest:
       return first != second && is_nearest(setting, world, first, second);
     case Predicate::Filled:
-      return thing.has(Predicate::Filled) && (symbol == kAnySymbol || thing.filling == symbol);
+      return thing.has(Predicate::Filled) && (!symbol || thing.filling == *symbol);
     case Predicate::Covered:
-      return symbol == kAnySymbol ? thing.coats != 0 : (thing.coats >> symbol & 1U) != 0;
+      return symbol ? thing.coats.contains(*symbol) : !thing.coats.empty();
     default:
       return thing.has(predicate);
   }

@@ -1,26 +1,23 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "logic/evaluate.h"
 #include "logic/trace.h"
+#include "symbolic/id.h"
 #include "symbolic/rules.h"
+#include "symbolic/substances.h"
 
 namespace unietp::symbolic {
-
-/// Number of a thing, of a room (from kFirstRoom on), or one of the two below.
-using Id = std::int16_t;
-inline constexpr Id kNobody = -1;
-inline constexpr Id kAgent = -2;
-inline constexpr Id kFirstRoom = 4096;
-inline bool is_room(Id id) { return id >= kFirstRoom; }
 
 /// What never changes about a thing.
 struct Role {
   std::string id;
-  int kind = 0;
+  KindId kind;
   Id whole = kNobody;                  // of a piece: what it is cut from
   std::string colour, material, size;  // "" when not known
   double spot_m = 0;                   // of furniture: where it stands along its home, for `nearest`
@@ -32,22 +29,26 @@ struct Cast {
   struct Room {
     std::string id, type;
   };
-  std::vector<Room> rooms;  // room i has the number kFirstRoom + i
-  const Room& room(Id id) const { return rooms[static_cast<std::size_t>(id - kFirstRoom)]; }
+  std::vector<Room> rooms;
+  const Role& role(Id thing) const { return things[thing.index()]; }
+  Role& role(Id thing) { return things[thing.index()]; }
+  const Room& room(Id id) const { return rooms[id.index()]; }
+  /// The thing or room of that name (Role::id, Room::id), or kNobody.
+  Id named(std::string_view name) const;
 };
 
 enum class Where : std::uint8_t { Floor, On, Inside, Hand };
 
-/// What may change about a thing: 16 bytes.
+/// What may change about a thing.
 struct Thing {
   std::uint64_t states = 0;  // bit of each state that holds; of a filled thing that of Filled
-  std::uint32_t coats = 0;   // bit of each substance that covers it
+  SubstanceSet coats;        // that cover it
   Id at = kNobody;           // the thing that it is on or in, or the room on whose floor it stands
   Id beside = kNobody;       // what it was set down next to, or under
   Where where = Where::Floor;
-  std::uint8_t filling = 0;  // number of the substance
-  bool under = false;        // `beside` is what it lies under
-  bool attached = false;     // to what it is on
+  SubstanceId filling;    // of a filled thing
+  bool under = false;     // `beside` is what it lies under
+  bool attached = false;  // to what it is on
   bool exists = true;
   bool operator==(const Thing&) const = default;
   bool has(Predicate state) const { return (states >> static_cast<unsigned>(state) & 1U) != 0; }
@@ -64,8 +65,8 @@ struct World {
   Id by = kNobody;    // what the agent stands by: a thing on a floor; all that rests on or in it is in reach
   Id seat = kNobody;  // what the agent sits or lies on
   bool operator==(const World&) const = default;
-  Thing& operator[](Id id) { return things[static_cast<std::size_t>(id)]; }
-  const Thing& operator[](Id id) const { return things[static_cast<std::size_t>(id)]; }
+  Thing& operator[](Id thing) { return things[thing.index()]; }
+  const Thing& operator[](Id thing) const { return things[thing.index()]; }
 };
 
 /// A knowledge base and a cast: what stays the same while a world changes.
@@ -73,8 +74,8 @@ struct Setting {
   const Rules* rules = nullptr;  // outlives the setting
   Cast cast;
   bool with_nearest = false;  // facts say which thing is nearest to which; quadratic, so only where a formula asks
-  const Kind& kind_of(Id id) const { return rules->kind(cast.things[static_cast<std::size_t>(id)].kind); }
-  int kind_number(Id id) const { return cast.things[static_cast<std::size_t>(id)].kind; }
+  const Kind& kind_of(Id thing) const { return rules->kind(cast.role(thing).kind); }
+  KindId kind_number(Id thing) const { return cast.role(thing).kind; }
 };
 
 /// A thing in the default states of its kind, on no floor yet.
@@ -95,9 +96,9 @@ bool rests_on(const World& world, Id upper, Id lower);
 Id closed_around(const Setting& setting, const World& world, Id thing);
 /// The room whose floor a thing stands on or above, kNobody while it is in the hand.
 Id room_of(const World& world, Id thing);
-/// A truth of one moment. `second` is a thing, a room or kNobody; `symbol` a number, or kAnySymbol.
-inline constexpr std::uint8_t kAnySymbol = 255;
-bool holds(const Setting& setting, const World& world, Predicate predicate, Id first, Id second, std::uint8_t symbol);
+/// A truth of one moment. `second` is a thing, a room or kNobody; `symbol` a substance or kAnySymbol.
+bool holds(const Setting& setting, const World& world, Predicate predicate, Id first, Id second,
+           std::optional<SubstanceId> symbol);
 
 /// The states of a sequence of worlds for the evaluators of the logic: entities are the things that exist in one of
 /// them, the rooms, and the agent.

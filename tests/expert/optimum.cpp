@@ -20,19 +20,20 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
   return hash * 0xff51afd7ed558ccdU;
 }
 
+std::uint64_t pair_of(std::uint32_t first, std::uint32_t second) {
+  return static_cast<std::uint64_t>(first) << 32 | second;
+}
+
 std::uint64_t digest(const Place& place) {
   std::uint64_t hash = 7;
   for (const auto& thing : place.world.things) {
     hash = mix(hash, thing.states);
-    hash =
-        mix(hash, static_cast<std::uint64_t>(static_cast<std::uint16_t>(thing.at)) |
-                      static_cast<std::uint64_t>(thing.where) << 16 | static_cast<std::uint64_t>(thing.filling) << 24 |
-                      static_cast<std::uint64_t>(thing.coats) << 32);
-    hash = mix(hash, thing.exists ? 1 : 2);
+    hash = mix(hash, pair_of(thing.at.value(), thing.filling.value()));
+    hash = mix(hash, thing.coats.hash());
+    hash = mix(hash, pair_of(static_cast<std::uint32_t>(thing.where), thing.exists ? 1 : 2));
   }
-  hash = mix(hash, static_cast<std::uint16_t>(place.world.held));
-  hash = mix(hash, static_cast<std::uint64_t>(static_cast<std::uint16_t>(place.world.by)) << 16 |
-                       static_cast<std::uint16_t>(place.world.room));
+  hash = mix(hash, place.world.held.value());
+  hash = mix(hash, pair_of(place.world.by.value(), place.world.room.value()));
   for (const auto part : place.progress.parts()) hash = mix(hash, static_cast<std::uint64_t>(part));
   return hash;
 }
@@ -82,7 +83,7 @@ Optimum optimum(const Setting& setting, const World& start, const Goal& goal, in
       for (const auto action : actions) {
         const bool alone = info(action).argument == ActionArgument::None;
         for (std::size_t t = 0; t < (alone ? 1 : place.world.things.size()); ++t) {
-          const Step step{action, alone ? kNobody : static_cast<Id>(t)};
+          const Step step{action, alone ? kNobody : Id::thing(t)};
           auto next = place;
           if (take(next, step)) {
             add(std::move(next), 1);

@@ -172,8 +172,9 @@ TEST(PddlProblem, WhateverTheSymbolsAllowTheActionsDo) {
         if (take(step) == Failure::TooFar && take({ActionType::GoTo, step.target}) == Failure::None) take(step);
       };
       std::vector<std::pair<symbolic::Id, symbolic::Id>> pairs;  // a tool and what it does something to
-      for (symbolic::Id tool = 0; tool < std::ssize(world.things); ++tool) {
-        for (symbolic::Id thing = 0; thing < std::ssize(world.things); ++thing) {
+      for (std::size_t t = 0; t < world.things.size(); ++t) {
+        for (std::size_t i = 0; i < world.things.size(); ++i) {
+          const auto tool = symbolic::Id::thing(t), thing = symbolic::Id::thing(i);
           const auto& rules = *scene.setting.rules;
           if (tool != thing &&
               !rules.reactions(scene.setting.kind_number(tool), scene.setting.kind_number(thing)).empty())
@@ -183,7 +184,7 @@ TEST(PddlProblem, WhateverTheSymbolsAllowTheActionsDo) {
       Rng rng = Rng(7).fork(source.name, static_cast<std::uint64_t>(simulator));
       for (int tries = 0; tries < kTries && !HasFailure(); ++tries) {
         const symbolic::Step step{static_cast<ActionType>(rng.below(kActionCount)),
-                                  static_cast<symbolic::Id>(rng.below(world.things.size()))};
+                                  symbolic::Id::thing(rng.below(world.things.size()))};
         const bool of_body = step.action <= ActionType::RotateHand || step.action == ActionType::TurnTo ||
                              step.action == ActionType::Stop;
         if (!of_body) reach(step);  // the others change no symbol

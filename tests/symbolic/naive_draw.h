@@ -16,7 +16,8 @@ class NaiveDraw {
   using Id = symbolic::Id;
   using Goal = symbolic::Goal;
   using Where = symbolic::Where;
-  static constexpr symbolic::Id kFirstRoom = symbolic::kFirstRoom, kNobody = symbolic::kNobody;
+  using KindId = symbolic::KindId;
+  static constexpr Id kNobody = symbolic::kNobody;
   static constexpr int kRepairs = 1500;
 
  public:
@@ -26,17 +27,17 @@ class NaiveDraw {
     setting.with_nearest = scenes.with_nearest_;
     for (const auto& type : scenes.room_types_) setting.cast.rooms.push_back({type + "_1", type});
     for (std::size_t k = 0; k < scenes.categories_.size(); ++k) {
-      const bool movable = scenes.rules_.kind(static_cast<int>(k)).movable;
+      const bool movable = scenes.rules_.kind(KindId(k)).movable;
       const int least = std::max(scenes.demanded_[k], 1);
       const auto drawn = least + static_cast<int>(rng_.below(movable ? 4 : 2));
       const auto number = std::max(scenes.demanded_[k], std::min(drawn, scenes.limits_[k]));
-      for (int n = 0; n < number; ++n) add(static_cast<int>(k), n);
+      for (int n = 0; n < number; ++n) add(KindId(k), n);
     }
     furnish_rooms();
-    for (std::size_t i = 0; i < scene_.start.things.size(); ++i) move(static_cast<Id>(i));
+    for (std::size_t i = 0; i < scene_.start.things.size(); ++i) move(Id::thing(i));
     for (const auto& [id, room] : for_rooms_) {
       scene_.start[id].where = Where::Floor;
-      scene_.start[id].at = static_cast<Id>(kFirstRoom + static_cast<Id>(room));
+      scene_.start[id].at = Id::room(room);
     }
     scene_.start.room = random_room();
   }
@@ -64,8 +65,8 @@ class NaiveDraw {
 
  private:
   const symbolic::Kind& kind(Id id) const { return scene_.setting.kind_of(id); }
-  const symbolic::Kind& kind_numbered(int number) const { return scenes_.rules_.kind(number); }
-  Id random_room() { return static_cast<Id>(kFirstRoom + static_cast<Id>(rng_.below(scenes_.room_types_.size()))); }
+  const symbolic::Kind& kind_numbered(KindId number) const { return scenes_.rules_.kind(number); }
+  Id random_room() { return Id::room(rng_.below(scenes_.room_types_.size())); }
 
   void read(std::vector<Goal>& constraints) {
     constraints.clear();
@@ -81,7 +82,7 @@ class NaiveDraw {
     }
   }
 
-  void add(int kind_number, int n) {
+  void add(KindId kind_number, int n) {
     const auto& about = scenes_.rules_.kind(kind_number);
     symbolic::Role role;
     role.id = about.category + "_" + std::to_string(n + 1);
@@ -90,7 +91,7 @@ class NaiveDraw {
     dress(role, about);
     scene_.setting.cast.things.push_back(role);
     scene_.start.things.push_back(symbolic::default_thing(about));
-    const auto id = static_cast<Id>(scene_.start.things.size() - 1);
+    const auto id = Id::thing(scene_.start.things.size() - 1);
     scene_.start[id].at = random_room();
     for (const auto* group : about.groups) draw_state(id, *group);
     if (about.coverable) draw_coat(id);
@@ -100,26 +101,27 @@ class NaiveDraw {
   /// of could be put down there.
   void furnish_rooms() {
     for (std::size_t k = scenes_.named_; k < scenes_.categories_.size(); ++k) {
-      if (scenes_.rules_.kind(static_cast<int>(k)).movable) continue;
+      if (scenes_.rules_.kind(KindId(k)).movable) continue;
       for (std::size_t r = 0; r + kOtherRooms.size() < scenes_.room_types_.size(); ++r) {
-        add(static_cast<int>(k), 10 + static_cast<int>(r));
-        for_rooms_.emplace_back(static_cast<Id>(scene_.start.things.size() - 1), r);
+        add(KindId(k), 10 + static_cast<int>(r));
+        for_rooms_.emplace_back(Id::thing(scene_.start.things.size() - 1), r);
       }
     }
-    for (std::size_t k = 0; k < scenes_.named_; ++k) make_room_for(static_cast<int>(k));
+    for (std::size_t k = 0; k < scenes_.named_; ++k) make_room_for(KindId(k));
   }
 
-  void make_room_for(int movable) {
+  void make_room_for(KindId movable) {
     if (!scenes_.rules_.kind(movable).movable) return;
-    int number = 0, room = 0, spacious = -1;
-    const auto space = [&](int place) { return scenes_.rules_.capacity(movable, Predicate::On, place); };
+    int number = 0, room = 0;
+    std::optional<KindId> spacious;
+    const auto space = [&](KindId place) { return scenes_.rules_.capacity(movable, Predicate::On, place); };
     for (const auto& role : scene_.setting.cast.things) {
       number += role.kind == movable ? 1 : 0;
-      if (static_cast<std::size_t>(role.kind) < scenes_.named_ || kind_numbered(role.kind).movable) continue;
+      if (role.kind.index() < scenes_.named_ || kind_numbered(role.kind).movable) continue;
       room += space(role.kind);
-      if (space(role.kind) > 0 && (spacious < 0 || space(role.kind) > space(spacious))) spacious = role.kind;
+      if (space(role.kind) > 0 && (!spacious || space(role.kind) > space(*spacious))) spacious = role.kind;
     }
-    for (int n = 20; spacious >= 0 && room < number; ++n, room += space(spacious)) add(spacious, n);
+    for (int n = 20; spacious && room < number; ++n, room += space(*spacious)) add(*spacious, n);
   }
 
   void dress(symbolic::Role& role, const symbolic::Kind& about) {
@@ -131,13 +133,17 @@ class NaiveDraw {
   void draw_state(Id id, const StateGroup& group) {
     auto& thing = scene_.start[id];
     thing.set(rng_.pick(group.predicates));
-    thing.filling = static_cast<std::uint8_t>(rng_.below(scenes_.rules_.symbols().size()));
-    if (!thing.has(Predicate::Filled)) thing.filling = 0;
+    thing.filling = symbolic::SubstanceId(rng_.below(scenes_.rules_.symbols().size()));
+    if (!thing.has(Predicate::Filled)) thing.filling = {};
   }
 
   void draw_coat(Id id) {
-    if (!scenes_.coats_.empty())
-      scene_.start[id].coats = static_cast<std::uint32_t>(rng_.below(2)) << rng_.pick(scenes_.coats_);
+    if (scenes_.coats_.empty()) return;
+    auto& coats = scene_.start[id].coats;
+    const bool covered = rng_.below(2) == 1;
+    const auto coat = rng_.pick(scenes_.coats_);
+    coats.clear();
+    if (covered) coats.insert(coat);
   }
 
   void move(Id id) {
@@ -151,7 +157,7 @@ class NaiveDraw {
     thing.at = random_room();
     std::vector<std::pair<Where, Id>> places;
     for (std::size_t i = 0; i < scene_.start.things.size(); ++i) {
-      const auto place = static_cast<Id>(i);
+      const auto place = Id::thing(i);
       if (place == id || rests_on(scene_.start, place, id)) continue;
       if (may_stand(id, Predicate::On, place)) places.emplace_back(Where::On, place);
       if (may_stand(id, Predicate::Inside, place)) places.emplace_back(Where::Inside, place);
@@ -162,7 +168,7 @@ class NaiveDraw {
 
   /// What cannot be carried stands where that can be put which the goal wants beside it.
   bool may_stand(Id id, Predicate relation, Id place) const {
-    const int own = scene_.setting.kind_number(id), host = scene_.setting.kind_number(place);
+    const auto own = scene_.setting.kind_number(id), host = scene_.setting.kind_number(place);
     return has_room(scene_.setting, scene_.start, id, relation, place) &&
            std::all_of(scenes_.visited_.begin(), scenes_.visited_.end(), [&](const auto& visit) {
              return visit.second != own || scenes_.rules_.capacity(visit.first, relation, host) > 0;
@@ -170,7 +176,7 @@ class NaiveDraw {
   }
 
   bool may_stand_on_floor(Id id) const {
-    const int own = scene_.setting.kind_number(id);
+    const auto own = scene_.setting.kind_number(id);
     return scenes_.rules_.offer().has(ActionType::Drop) ||
            std::none_of(scenes_.visited_.begin(), scenes_.visited_.end(),
                         [&](const auto& visit) { return visit.second == own; });
@@ -178,7 +184,7 @@ class NaiveDraw {
 
   void sit_beside(Id id, bool under) {
     move(id);
-    const auto other = static_cast<Id>(rng_.below(scene_.start.things.size()));
+    const auto other = Id::thing(rng_.below(scene_.start.things.size()));
     auto& thing = scene_.start[id];
     const auto& host = scene_.start[other];
     const bool same = thing.where == host.where && thing.at == host.at;
@@ -196,7 +202,7 @@ class NaiveDraw {
     }
     std::vector<Id> concerned;
     for (std::size_t i = 0; i < scene_.start.things.size(); ++i) {
-      const auto id = static_cast<Id>(i);
+      const auto id = Id::thing(i);
       const auto& kinds = broken.kinds;
       if (std::find(kinds.begin(), kinds.end(), scene_.setting.kind_number(id)) != kinds.end()) concerned.push_back(id);
     }
@@ -209,11 +215,11 @@ class NaiveDraw {
       case Predicate::Colour:
       case Predicate::Material:
       case Predicate::Size:
-        dress(scene_.setting.cast.things[static_cast<std::size_t>(id)], kind(id));
+        dress(scene_.setting.cast.role(id), kind(id));
         return true;
       case Predicate::Nearest:
         move(id);
-        scene_.setting.cast.things[static_cast<std::size_t>(root_of(scene_.start, id))].spot_m = rng_.unit() * 30;
+        scene_.setting.cast.role(root_of(scene_.start, id)).spot_m = rng_.unit() * 30;
         return false;
       case Predicate::NextTo:
       case Predicate::Under:

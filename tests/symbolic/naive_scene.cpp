@@ -108,7 +108,7 @@ void read_substances(const Formula& formula, Rules& rules, bool& nearest) {
 }
 
 /// Substances that a formula speaks of as covering something.
-void read_coats(const Formula& formula, const Rules& rules, std::vector<std::uint8_t>& coats) {
+void read_coats(const Formula& formula, const Rules& rules, std::vector<SubstanceId>& coats) {
   if (formula.op == Formula::Op::Atom && formula.predicate == Predicate::Covered) {
     if (const auto number = rules.symbol_named(formula.terms[1].name)) coats.push_back(*number);
   }
@@ -129,7 +129,7 @@ int room_for(const Rules& rules, const std::string& category) {
   int least = kMany;
   for (std::size_t place = 0; place < rules.kinds().size(); ++place) {
     for (const auto relation : {Predicate::On, Predicate::Inside}) {
-      const int fits = rules.capacity(rules.kind_named(category), relation, static_cast<int>(place));
+      const int fits = rules.capacity(*rules.kind_named(category), relation, KindId(place));
       if (fits > 0) least = std::min(least, fits);
     }
   }
@@ -171,14 +171,14 @@ NaiveScenes::NaiveScenes(const Specification& specification, const Knowledge& kn
   read_coats(specification.goal, rules_, coats_);
   for (const auto& [visitor, visited] : visits_of(specification, knowledge)) {
     if (!knowledge.has(visited, "pickupable"))
-      visited_.emplace_back(rules_.kind_named(visitor), rules_.kind_named(visited));
+      visited_.emplace_back(*rules_.kind_named(visitor), *rules_.kind_named(visited));
   }
   for (const auto& start : specification.init) read_coats(start, rules_, coats_);
   for (const auto& start : specification.init) {
     Constraint constraint{&start, {}, {}};
     read_atoms(start, constraint.atoms);
     for (const auto& name : categories_of(start)) {
-      if (const int number = rules_.kind_named(name); number >= 0) constraint.kinds.push_back(number);
+      if (const auto kind = rules_.kind_named(name)) constraint.kinds.push_back(*kind);
     }
     constraints_.push_back(std::move(constraint));
   }

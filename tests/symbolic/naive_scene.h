@@ -34,16 +34,17 @@ class NaiveScenes {
   struct Constraint {
     const Formula* formula = nullptr;
     std::vector<Formula> atoms;
-    std::vector<int> kinds;  // that it speaks of
+    std::vector<symbolic::KindId> kinds;  // that it speaks of
   };
   const Specification& specification_;
   std::vector<Constraint> constraints_;
   std::vector<std::string> categories_, room_types_;
-  std::vector<std::uint8_t> coats_;
-  std::size_t named_ = 0;                     // the first so many categories are the specification's
-  std::vector<int> limits_;                   // by category: no more than fit, where the goal is about all of them
-  std::vector<int> demanded_;                 // by category: objects that some constraint asks for
-  std::vector<std::pair<int, int>> visited_;  // a category that the goal wants beside one that cannot be carried
+  std::vector<symbolic::SubstanceId> coats_;
+  std::size_t named_ = 0;      // the first so many categories are the specification's
+  std::vector<int> limits_;    // by category: no more than fit, where the goal is about all of them
+  std::vector<int> demanded_;  // by category: objects that some constraint asks for
+  std::vector<std::pair<symbolic::KindId, symbolic::KindId>>
+      visited_;  // a category that the goal wants beside one that cannot be carried
   symbolic::Rules rules_;
   bool with_nearest_ = false;
 };

@@ -44,20 +44,20 @@ struct Kitchen {
     apple = add("Apple", Where::Inside, fridge);
     mug = add("Mug", Where::Inside, sink);
     world[mug].set(Predicate::Dirty);
-    world.room = kFirstRoom + 1;
+    world.room = Id::room(1);
     add_pieces(setting, world);
   }
 
-  Id add(const std::string& category, Where where = Where::Floor, Id at = kFirstRoom) {
+  Id add(const std::string& category, Where where = Where::Floor, Id at = Id::room(0)) {
     Role role;
     role.id = category;
-    role.kind = rules.kind_named(category);
+    role.kind = rules.kind_named(category).value();
     setting.cast.things.push_back(role);
     Thing thing = default_thing(rules.kind(role.kind));
     thing.where = where;
     thing.at = at;
     world.things.push_back(thing);
-    return static_cast<Id>(world.things.size() - 1);
+    return Id::thing(world.things.size() - 1);
   }
 
   Failure act(ActionType action, Id target = kNobody) { return perform(setting, world, {action, target}); }
@@ -70,7 +70,7 @@ TEST(Perform, WhatIsFarOrShutAwayIsOutOfReach) {
   Kitchen home;
   EXPECT_EQ(home.act(Open, home.fridge), Failure::TooFar);
   EXPECT_EQ(home.act(GoTo, home.apple), Failure::None);
-  EXPECT_EQ(home.world.room, kFirstRoom);
+  EXPECT_EQ(home.world.room, Id::room(0));
   EXPECT_EQ(home.act(PickUp, home.apple), Failure::InsideClosed);
   EXPECT_EQ(home.act(Open, home.fridge), Failure::None);
   EXPECT_EQ(home.act(Open, home.fridge), Failure::AlreadyOpen);
@@ -83,7 +83,8 @@ TEST(Perform, AFailedActionChangesNothing) {
   Kitchen home;
   const World before = home.world;
   for (const ActionInfo& action : all_actions()) {
-    for (Id id = 0; id < static_cast<Id>(home.world.things.size()); ++id) {
+    for (std::size_t i = 0; i < home.world.things.size(); ++i) {
+      const Id id = Id::thing(i);
       World trial = before;
       if (perform(home.setting, trial, {action.type, id}) == Failure::None) continue;
       EXPECT_EQ(trial, before) << action.name;
@@ -143,7 +144,7 @@ TEST(Perform, SlicingMakesPiecesWhereTheWholeIsAndKeepsTheWhole) {
   EXPECT_EQ(std::count_if(trace.entities.begin(), trace.entities.end(),
                           [](const Entity& entity) { return entity.slice_of == "Apple"; }),
             3);
-  const Id piece = home.mug + 1;
+  const Id piece = Id::thing(home.mug.index() + 1);
   EXPECT_TRUE(holds(home.setting, home.world, Predicate::Inside, piece, home.fridge, kAnySymbol));
   EXPECT_EQ(home.act(Slice, home.apple), Failure::NotSliceable);
 }

@@ -13,7 +13,6 @@ namespace unietp {
 namespace {
 
 using symbolic::Id;
-using symbolic::kFirstRoom;
 using symbolic::kNobody;
 using symbolic::Where;
 
@@ -51,14 +50,14 @@ struct Twin {
     for (const auto& node : scene.nodes) {
       symbolic::Role role;
       role.id = node.id;
-      role.kind = rules.kind_named(node.category);
+      role.kind = rules.kind_named(node.category).value();
       setting.cast.things.push_back(role);
       world.things.push_back(thing_of(scene, node));
       const bool seat = node.states.has(Predicate::SatOn) || node.states.has(Predicate::LainOn);
-      if (seat) world.seat = static_cast<Id>(world.things.size() - 1);
+      if (seat) world.seat = Id::thing(world.things.size() - 1);
     }
     for (const auto& id : scene.agent.held) world.held = number(scene, id);
-    world.room = kFirstRoom;
+    world.room = Id::room(0);
     symbolic::add_pieces(setting, world);
   }
 
@@ -68,15 +67,15 @@ struct Twin {
   }
 
   static Id number(const Scene& scene, std::string_view id) {
-    return static_cast<Id>(NodeIndex(scene.nodes).find(id).value());
+    return Id::thing(NodeIndex(scene.nodes).find(id).value());
   }
 
   symbolic::Thing thing_of(const Scene& scene, const Node& node) {
     symbolic::Thing thing;
-    thing.at = kFirstRoom;
+    thing.at = Id::room(0);
     for (const auto& state : node.states.all()) {
       if (state.predicate == Predicate::Covered) {
-        thing.coats |= std::uint32_t{1} << rules.symbol_number(state.symbol);
+        thing.coats.insert(rules.symbol_number(state.symbol));
         continue;
       }
       thing.set(state.predicate);

@@ -104,23 +104,23 @@ TEST(Reach, CoversWhateverRandomActionsBringAbout) {
       ASSERT_TRUE(scene);
       const Reach reach(scene->setting, scene->start);
       World world = scene->start;
-      const auto things = static_cast<Id>(world.things.size());
+      const auto things = world.things.size();
       for (int i = 0; i < 300; ++i) {
-        const auto target = static_cast<Id>(rng.below(static_cast<std::uint64_t>(things)));
+        const auto target = Id::thing(rng.below(things));
         if (rng.chance(0.6)) perform(scene->setting, world, {ActionType::GoTo, target});
         const auto action = static_cast<ActionType>(rng.below(kActionCount));
         if (action == ActionType::GoTo) continue;
         if (perform(scene->setting, world, {action, target}) == Failure::None) ++changes;
-        const auto other = static_cast<Id>(rng.below(static_cast<std::uint64_t>(things)));
+        const auto other = Id::thing(rng.below(things));
         for (const auto& predicate : all_predicates()) {
           Atom atom{predicate.predicate, target, kNobody, kAnySymbol};
           if (predicate.arguments.size() == 2 && predicate.arguments[1] == ArgumentKind::Object) atom.second = other;
-          if (predicate.arguments.size() == 2 && predicate.arguments[1] == ArgumentKind::Room) atom.second = kFirstRoom;
+          if (predicate.arguments.size() == 2 && predicate.arguments[1] == ArgumentKind::Room)
+            atom.second = Id::room(0);
           if (atom.predicate == Predicate::Nearest || atom.second == target) continue;
           const bool now = holds(scene->setting, world, atom.predicate, target, atom.second, kAnySymbol);
-          ASSERT_TRUE(reach.may(atom, now))
-              << predicate.name << " of " << scene->setting.cast.things[static_cast<std::size_t>(target)].id << " is "
-              << now << " on " << name_of(simulator) << " seed " << seed;
+          ASSERT_TRUE(reach.may(atom, now)) << predicate.name << " of " << scene->setting.cast.role(target).id << " is "
+                                            << now << " on " << name_of(simulator) << " seed " << seed;
         }
       }
     }
