@@ -33,6 +33,9 @@ inline constexpr double kCompleted_m = 20, kCompleted_kg = 2000;  // as a langua
 inline constexpr std::int64_t kReservedRows = 1 << 20;            // a damaged file must not ask for all memory
 inline constexpr double kProfileCount = 100'000;                  // pixels or hands in a simulator's profile
 
+// Templates. Starts are drawn with as many objects as they ask for, and a home has some hundreds.
+inline constexpr int kCountedObjects = 1000;  // that init asks for in all, or that a goal counts to
+
 // Runs. Many JSON readers hold numbers as doubles, which are exact for whole numbers up to 2^53.
 inline constexpr std::uint64_t kSeed = 9'007'199'254'740'991;  // 2^53 - 1
 inline constexpr int kTasks = 1'000'000'000;                   // of a run

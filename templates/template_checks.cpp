@@ -5,6 +5,7 @@
 #include <functional>
 #include <set>
 
+#include "core/limits.h"
 #include "core/text.h"
 #include "templates/constraint_kinds.h"
 #include "templates/init_shape.h"
@@ -141,6 +142,7 @@ class Checker {
   std::vector<Error> run() {
     check_placeholders();
     check_init_shapes();
+    check_counts();
     check_never_vacuous();
     check_refinement();
     check_phrasings();
@@ -239,6 +241,31 @@ class Checker {
       } else {
         starts_.push_back(&start);
       }
+    }
+  }
+
+  /// Each start is drawn with as many objects as init asks for in all.
+  void check_counts() {
+    const auto most = limits::kCountedObjects;
+    std::int64_t asked = 0;
+    std::size_t formula = 0;
+    for (std::size_t i = 0; i < source_.init.size(); ++i) {
+      if (!source_.init_read[i]) continue;
+      const auto before = asked;
+      asked += demanded_count(value_.init[formula++]);
+      if (before <= most && asked > most)
+        error(source_.init[i].pos, "init asks for " + std::to_string(asked) + " objects up to here; at most " +
+                                       std::to_string(most) + " are allowed");
+    }
+    if (!source_.goal_read) return;
+    const auto binders = binders_of(source_.goal.front());
+    std::vector<Quantifier> quantifiers;
+    std::vector<const Formula*> outer;
+    collect_quantifiers(value_.goal, outer, quantifiers);
+    for (std::size_t i = 0; i < quantifiers.size() && i < binders.size(); ++i) {
+      if (quantifiers[i].formula->op != Op::Count || quantifiers[i].formula->number <= most) continue;
+      error(binders[i].pos, "this count compares with " + std::to_string(quantifiers[i].formula->number) +
+                                "; at most " + std::to_string(most) + " is allowed");
     }
   }
 

@@ -87,6 +87,17 @@ TEST_F(BadTemplate, ACategoryThatNoKnowledgeBaseHasIsPlaced) {
                                "(goal (at-end (exists (?a - A) (exists (?b - Unicornstable) (on ?a ?b)))))"),
                  "put-one.template:7:[0-9]+: ", "Unicornstable");
 }
+TEST_F(BadTemplate, AStartWithTooManyObjectsIsPlaced) {
+  const auto ended = generate_with("(forall (?a - A) (not (exists (?b - B) (on ?a ?b))))",
+                                   "(count >= 40000 (?a - A) (not (exists (?b - B) (on ?a ?b))))");
+  expect_refused(ended, "put-one.template:6:[0-9]+: ", "init asks for 40000 objects up to here; at most 1000");
+  EXPECT_EQ(split(trim(ended.err), '\n').size(), 1U) << ended.err;
+}
+TEST_F(BadTemplate, AGoalThatCountsTooFarIsPlaced) {
+  const auto ended = generate_with("(goal (at-end (exists (?a - A) (exists (?b - B) (on ?a ?b)))))",
+                                   "(goal (at-end (count >= 40000 (?a - A) (exists (?b - B) (on ?a ?b)))))");
+  expect_refused(ended, "put-one.template:7:[0-9]+: ", "this count compares with 40000; at most 1000 is allowed");
+}
 TEST_F(BadTemplate, ASoundOneIsTaken) {
   const auto file = folder_.at("put-one.template");
   ASSERT_TRUE(write_file(file, template_with("put-one", "put-one")));
