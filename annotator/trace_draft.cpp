@@ -12,7 +12,7 @@ namespace {
 using Op = Formula::Op;
 using P = Predicate;
 
-constexpr EntityIndex kAgent = 0;
+constexpr EntityIndex kAgent(0);
 
 /// Of what has one of these states, the other is not true. Facts of the second are kept as the first's absence.
 constexpr std::array<std::pair<P, P>, 12> kExcluding = {{{P::Open, P::Closed},
@@ -98,7 +98,7 @@ void TraceDraft::add_entities(const Formula& formula) {
 TraceDraft::Fact TraceDraft::random_fact() {
   const auto kind = std::next(kinds_.begin(), static_cast<std::ptrdiff_t>(rng_.below(kinds_.size())));
   const bool two = info(kind->predicate).arguments.size() == 2 && kind->symbol.empty();
-  const auto entity = [&] { return static_cast<EntityIndex>(rng_.below(entities_.size())); };
+  const auto entity = [&] { return EntityIndex(rng_.below(entities_.size())); };
   const EntityIndex first = entity();
   return {kind->predicate, first, two ? entity() : kNone, kind->symbol};
 }
@@ -138,7 +138,7 @@ void TraceDraft::nudge() {
 
 std::vector<EntityIndex> TraceDraft::members(const Domain& domain) const {
   std::vector<EntityIndex> found;
-  for (EntityIndex e = 0; e < entities_.size(); ++e)
+  for (EntityIndex e; e.index() < entities_.size(); ++e)
     if (is_of(entities_[e], domain)) found.push_back(e);
   return found;
 }
@@ -155,8 +155,8 @@ Trace TraceDraft::trace() const {
   made.entities = entities_;
   for (std::size_t i = 0; i < states_.size(); ++i) {
     Facts facts;
-    const auto exists = [&](EntityIndex e) { return since_[e] <= i; };
-    for (EntityIndex e = 0; e < entities_.size(); ++e)
+    const auto exists = [&](EntityIndex e) { return since_[e.index()] <= i; };
+    for (EntityIndex e; e.index() < entities_.size(); ++e)
       if (exists(e)) facts.set_exists(e);
     for (const auto& [predicate, first, second, symbol] : states_[i]) {
       if (!exists(first)) continue;
@@ -170,7 +170,7 @@ Trace TraceDraft::trace() const {
     }
     for (const auto& [one, other] : kExcluding) {
       if (!kinds_.contains({one, ""})) continue;
-      for (EntityIndex e = 3; e < entities_.size(); ++e)  // what stands for other things has no such state
+      for (EntityIndex e(3); e.index() < entities_.size(); ++e)  // what stands for other things has no such state
         if (exists(e) && entities_[e].kind == Entity::Kind::Object && !states_[i].contains({one, e, kNone, ""}))
           facts.set(other, e);
     }

@@ -35,7 +35,7 @@ class TraceDraft {
     std::string symbol;
     auto operator<=>(const Kind&) const = default;
   };
-  static constexpr EntityIndex kNone = 0xffffffff;
+  static constexpr EntityIndex kNone = EntityIndex::none();
   using Fact = std::tuple<Predicate, EntityIndex, EntityIndex, std::string>;
 
   void collect(const Formula& formula);

@@ -36,23 +36,23 @@ Trace house(std::size_t states) {
   }
   std::vector<std::array<bool, 4>> states_of(kObjects);
   std::vector<EntityIndex> stands_on(kObjects);
-  for (auto& below : stands_on) below = static_cast<EntityIndex>(rng.below(kObjects));
+  for (auto& below : stands_on) below = EntityIndex(rng.below(kObjects));
   constexpr std::array kStates = {Predicate::Open, Predicate::Hot, Predicate::Clean, Predicate::Held};
   for (std::size_t n = 0; n < states; ++n) {
     for (int change = 0; change < 4; ++change) {
       auto& flag = states_of[rng.below(kObjects)][rng.below(3)];
       flag = !flag;
-      stands_on[rng.below(kObjects)] = static_cast<EntityIndex>(rng.below(kObjects));
+      stands_on[rng.below(kObjects)] = EntityIndex(rng.below(kObjects));
     }
     Facts facts;
-    for (EntityIndex e = 0; e < kObjects; ++e) {
+    for (EntityIndex e; e.index() < kObjects; ++e) {
       facts.set_exists(e);
       for (std::size_t k = 0; k < kStates.size(); ++k) {
-        if (states_of[e][k]) facts.set(kStates[k], e);
+        if (states_of[e.index()][k]) facts.set(kStates[k], e);
       }
-      facts.set(Predicate::On, e, stands_on[e]);
-      facts.set(Predicate::NextTo, e, static_cast<EntityIndex>((e + 1) % kObjects));
-      facts.set(Predicate::NextTo, static_cast<EntityIndex>((e + 1) % kObjects), e);
+      facts.set(Predicate::On, e, stands_on[e.index()]);
+      facts.set(Predicate::NextTo, e, EntityIndex((e.index() + 1) % kObjects));
+      facts.set(Predicate::NextTo, EntityIndex((e.index() + 1) % kObjects), e);
     }
     trace.states.push_back(std::move(facts));
   }
@@ -69,16 +69,16 @@ Formula goal_of(std::size_t index) {
 class PlainReader {
  public:
   explicit PlainReader(const Trace& trace) : trace_(trace) {
-    const auto count = static_cast<EntityIndex>(trace.entities.size());
+    const std::size_t count = trace.entities.size();
     for (const auto& facts : trace.states) {
-      std::set<std::array<EntityIndex, 3>> known;
-      for (EntityIndex a = 0; a < count; ++a) {
+      std::set<std::array<std::size_t, 3>> known;
+      for (EntityIndex a; a.index() < count; ++a) {
         for (const auto& predicate : all_predicates()) {
-          const auto p = static_cast<EntityIndex>(predicate.predicate);
-          if (predicate.arguments.size() == 1 && facts.holds(predicate.predicate, a)) known.insert({p, a, 0});
+          const auto p = static_cast<std::size_t>(predicate.predicate);
+          if (predicate.arguments.size() == 1 && facts.holds(predicate.predicate, a)) known.insert({p, a.index(), 0});
           if (predicate.predicate != Predicate::On && predicate.predicate != Predicate::NextTo) continue;
-          for (EntityIndex b = 0; b < count; ++b) {
-            if (facts.holds(predicate.predicate, a, b)) known.insert({p, a, b});
+          for (EntityIndex b; b.index() < count; ++b) {
+            if (facts.holds(predicate.predicate, a, b)) known.insert({p, a.index(), b.index()});
           }
         }
       }
@@ -92,8 +92,8 @@ class PlainReader {
     const auto child = [&](std::size_t k, std::size_t at) { return holds(f.children[k], at); };
     switch (f.op) {
       case Atom:
-        return states_[i].count({static_cast<EntityIndex>(f.predicate), value_[f.terms[0].name],
-                                 f.terms.size() > 1 ? value_[f.terms[1].name] : 0}) > 0;
+        return states_[i].count({static_cast<std::size_t>(f.predicate), value_[f.terms[0].name].index(),
+                                 f.terms.size() > 1 ? value_[f.terms[1].name].index() : 0}) > 0;
       case And:
         for (std::size_t k = 0; k < f.children.size(); ++k) {
           if (!child(k, i)) return false;
@@ -136,7 +136,7 @@ class PlainReader {
  private:
   int number_of(const Formula& f, std::size_t i, bool wanted) {
     int number = 0;
-    for (EntityIndex e = 0; e < trace_.entities.size(); ++e) {
+    for (EntityIndex e; e.index() < trace_.entities.size(); ++e) {
       if (trace_.entities[e].category != f.domain.members.front().category) continue;
       value_[f.variable] = e;
       if (!f.domain.where.empty() && !holds(f.domain.where.front(), 0)) continue;
@@ -147,7 +147,7 @@ class PlainReader {
   }
 
   const Trace& trace_;
-  std::vector<std::set<std::array<EntityIndex, 3>>> states_;
+  std::vector<std::set<std::array<std::size_t, 3>>> states_;
   std::map<std::string, EntityIndex> value_;
 };
 

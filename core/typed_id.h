@@ -15,10 +15,15 @@ template <class Tag>
 class TypedId {
  public:
   constexpr TypedId() = default;
-  /// Throws std::length_error for a position that does not fit into 32 bits; containers do the same when they are full.
+  /// Throws std::length_error for a position from 2^32 - 1 on; containers do the same when they are full.
   explicit constexpr TypedId(std::size_t position) : value_(static_cast<std::uint32_t>(position)) {
-    if (position > std::numeric_limits<std::uint32_t>::max())
-      throw std::length_error("more than 2^32 things of a kind");
+    if (position >= kNone) throw std::length_error("too many things of a kind");
+  }
+  /// That of nothing: greater than all others.
+  static constexpr TypedId none() {
+    TypedId id;
+    id.value_ = kNone;
+    return id;
   }
 
   constexpr std::size_t index() const { return value_; }
@@ -31,6 +36,7 @@ class TypedId {
   auto operator<=>(const TypedId&) const = default;
 
  private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t value_ = 0;
 };
 

@@ -26,7 +26,7 @@ std::optional<EntityIndex> Attempt::current(EntityIndex entity) const {
   for (std::size_t i = situation_->start->nodes.size(); i < nodes.size(); ++i) {  // it came after all that was there
     const Node& node = nodes[i];
     if (node.slice_of != whole || ordinal++ != slice.ordinal) continue;
-    for (EntityIndex index = situation_->first_imagined; index < trace_.entities.size(); ++index) {
+    for (EntityIndex index = situation_->first_imagined; index.index() < trace_.entities.size(); ++index) {
       if (trace_.entities[index].id == node.id) return index;
     }
   }

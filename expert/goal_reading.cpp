@@ -99,7 +99,9 @@ class Reader {
     return choices_.none();
   }
 
-  EntityIndex entity_of(const Term& term) const { return term.kind == Term::Kind::Agent ? 0 : value_of(term.name); }
+  EntityIndex entity_of(const Term& term) const {
+    return term.kind == Term::Kind::Agent ? kAgentEntity : value_of(term.name);
+  }
 
   EntityIndex value_of(const std::string& name) const {
     for (auto bound = assignment_.rbegin(); bound != assignment_.rend(); ++bound) {

@@ -153,7 +153,7 @@ bool Methods::pour_from_vessel(const Literal& literal) {
   const Situation& situation = attempt_.situation();
   if (pours_ || !situation.knowledge->has(situation.entity(literal.subject).category, "fillable")) return false;
   std::vector<std::tuple<bool, double, Literal>> vessels;
-  for (EntityIndex entity = 0; entity < situation.first_imagined; ++entity) {
+  for (EntityIndex entity; entity < situation.first_imagined; ++entity) {
     const Node* node = attempt_.node(entity);
     if (node == nullptr || !node->movable || node->id == id) continue;
     if (!situation.knowledge->has(node->category, "fillable")) continue;

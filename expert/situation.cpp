@@ -24,7 +24,7 @@ const Effect* slicing_of(const std::string& category, const Situation& situation
 void imagine_slices(Situation& situation) {
   Facts later = situation.facts();
   std::map<std::string, const Effect*> slicing;  // of each category; entities move when slices are added
-  for (EntityIndex whole = 0; whole < situation.first_imagined; ++whole) {
+  for (EntityIndex whole; whole < situation.first_imagined; ++whole) {
     const std::string& category = situation.entity(whole).category;
     const auto [known, fresh] = slicing.try_emplace(category, nullptr);
     if (fresh) known->second = slicing_of(category, situation);
@@ -34,7 +34,7 @@ void imagine_slices(Situation& situation) {
     if (node == nullptr || node->states.has(Predicate::Sliced)) continue;
     // The first piece keeps the whole's identity, so that a goal can still speak of it; the others are new.
     for (int ordinal = 0; ordinal < std::max(2, effect->amount) - 1; ++ordinal) {
-      const auto slice = static_cast<EntityIndex>(situation.trace.entities.size());
+      const auto slice = EntityIndex(situation.trace.entities.size());
       situation.trace.entities.push_back(Entity{
           Entity::Kind::Object, node->id + "/slice_" + std::to_string(ordinal + 1), effect->gives, node->category});
       situation.imagined.push_back({whole, ordinal});
@@ -54,7 +54,7 @@ bool has_operator(const Formula& formula, std::initializer_list<Formula::Op> ope
 }
 
 Situation::Known& Situation::known(EntityIndex index) const {
-  std::uint32_t& at = known_at_[index];
+  std::uint32_t& at = known_at_[index.index()];
   if (at == 0) {
     known_.emplace_back();
     at = static_cast<std::uint32_t>(known_.size());
@@ -109,7 +109,7 @@ Situation look_around(const Rehearsal& rehearsal, Mode mode) {
   situation.trace.states.push_back(rehearsal.facts(rehearsal.world()));
   situation.trace.entities = rehearsal.entities_at_start();
   const std::size_t count = situation.trace.entities.size();
-  situation.first_imagined = static_cast<EntityIndex>(count);
+  situation.first_imagined = EntityIndex(count);
   situation.known_at_.resize(count);
   if (ranges_over_slices(rehearsal.goal())) imagine_slices(situation);
   return situation;

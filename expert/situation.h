@@ -11,7 +11,7 @@
 
 namespace unietp {
 
-inline constexpr EntityIndex kNobody = std::numeric_limits<EntityIndex>::max();
+inline constexpr EntityIndex kNobody = EntityIndex::none();
 
 /// A slice that does not exist yet: the `ordinal`-th (from 0) that cutting `whole` would make.
 struct ImaginedSlice {
@@ -27,7 +27,7 @@ struct Situation {
   const Knowledge* knowledge = nullptr;
   Profile profile;  // with the actions that the mode offers
   Trace trace;      // the start, then an imagined state in which all slices exist too
-  EntityIndex first_imagined = 0;
+  EntityIndex first_imagined;
   std::vector<ImaginedSlice> imagined;
   static constexpr double kFar_m = 100;
 
@@ -44,7 +44,7 @@ struct Situation {
   const Facts& facts() const { return trace.states.front(); }
   const Entity& entity(EntityIndex index) const { return trace.entities[index]; }
   bool is_imagined(EntityIndex index) const { return index != kNobody && index >= first_imagined; }
-  const ImaginedSlice& slice(EntityIndex index) const { return imagined[index - first_imagined]; }
+  const ImaginedSlice& slice(EntityIndex index) const { return imagined[index.index() - first_imagined.index()]; }
 
  private:
   friend Situation look_around(const Rehearsal& rehearsal, Mode mode);

@@ -17,8 +17,8 @@ struct EntityList::Block {
   std::vector<std::string_view> categories;
 
   explicit Block(std::vector<Entity> all) : entities(std::move(all)) {
-    for (EntityIndex e = 0; e < entities.size(); ++e) {
-      const Entity& entity = entities[e];
+    for (EntityIndex e; e.index() < entities.size(); ++e) {
+      const Entity& entity = entities[e.index()];
       by_id.emplace(entity.id, e);
       if (entity.kind == Entity::Kind::Agent) continue;
       by_category[entity.category].push_back(e);
@@ -62,7 +62,7 @@ std::vector<EntityIndex> EntityList::of(const Domain& domain) const {
     looked_up = shared_size_;
   }
   for (std::size_t e = looked_up; e < size(); ++e) {
-    if (is_of((*this)[e], domain)) numbers.push_back(static_cast<EntityIndex>(e));
+    if (is_of((*this)[e], domain)) numbers.push_back(EntityIndex(e));
   }
   return numbers;
 }

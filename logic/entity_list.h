@@ -10,12 +10,14 @@
 #include <string_view>
 #include <vector>
 
+#include "core/typed_id.h"
+
 namespace unietp {
 
 struct Domain;
 
 /// Position in Trace::entities. Meaningless in another trace.
-using EntityIndex = std::uint32_t;
+using EntityIndex = TypedId<struct EntityTag>;
 
 /// Something that a variable can stand for.
 struct Entity {
@@ -39,6 +41,7 @@ class EntityList {
   std::size_t size() const { return shared_size_ + own_.size(); }
   bool empty() const { return size() == 0; }
   const Entity& operator[](std::size_t i) const { return i < shared_size_ ? (*first_)[i] : own_[i - shared_size_]; }
+  const Entity& operator[](EntityIndex entity) const { return (*this)[entity.index()]; }
   Iterator begin() const;
   Iterator end() const;
 

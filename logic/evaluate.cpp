@@ -18,7 +18,7 @@ namespace {
 using Op = Formula::Op;
 using Bits = std::pmr::vector<std::uint64_t>;
 
-constexpr EntityIndex kNobody = std::numeric_limits<EntityIndex>::max();  // exists nowhere
+constexpr EntityIndex kNobody = EntityIndex::none();  // exists nowhere
 constexpr int kAgentSlot = -1, kSymbolSlot = -2;
 
 /// A formula with its variables resolved to slots of the assignment and its domains to lists of entities, so that
@@ -178,13 +178,14 @@ class Reading {
 
   static EntityIndex find_agent(const Trace& trace) {
     for (std::size_t e = 0; e < trace.entities.size(); ++e) {
-      if (trace.entities[e].kind == Entity::Kind::Agent) return static_cast<EntityIndex>(e);
+      if (trace.entities[e].kind == Entity::Kind::Agent) return EntityIndex(e);
     }
     return kNobody;
   }
 
   bool exists_somewhere(EntityIndex e) const {
-    return e / 64 < any_position_.size() && ((any_position_[e / 64] >> (e % 64)) & 1U) != 0;
+    const std::size_t word = e.index() / 64;
+    return word < any_position_.size() && ((any_position_[word] >> (e.index() % 64)) & 1U) != 0;
   }
 
   template <class T>

@@ -33,11 +33,10 @@ void Monitor::Impl::take_in(const EntityList& given, const Facts& facts) {
   known.members.resize(program.quantifiers.size());
   known.fresh_from.clear();
   for (const auto& members : known.members) known.fresh_from.push_back(members.size());
-  const auto count = static_cast<EntityIndex>(entities.size());
-  for (EntityIndex e = 0; e < count; ++e) {
-    if (entities[e].kind == Entity::Kind::Agent) known.agent = std::min(known.agent, e);
-    if (met[e] || !facts.exists(e)) continue;
-    met[e] = true;
+  for (EntityIndex e; e.index() < entities.size(); ++e) {
+    if (entities[e].kind == Entity::Kind::Agent) known.agent = std::min(known.agent.value_or(e), e);
+    if (met[e.index()] || !facts.exists(e)) continue;
+    met[e.index()] = true;
     for (Slot slot = 0; slot < program.quantifiers.size(); ++slot) {
       const Quantifier& quantifier = program.quantifiers[slot];
       if (quantifier.first_state_only && started) continue;

@@ -12,8 +12,8 @@ bool is_inner(Kind kind) {
 }
 
 void instantiate_part(Part& part, Slot slot, EntityIndex entity, Residuals& residuals) {
-  part.origin = residuals.instantiate(part.origin, slot, entity);
-  part.residual = residuals.instantiate(part.residual, slot, entity);
+  part.origin = residuals.instantiate(part.origin, slot, Value(entity));
+  part.residual = residuals.instantiate(part.residual, slot, Value(entity));
   for (auto& group : part.groups) {
     for (auto& inner : group.parts) instantiate_part(inner, slot, entity, residuals);
     for (auto& inner : group.waiting) instantiate_part(inner, slot, entity, residuals);
@@ -81,8 +81,8 @@ Part build_part(const Program& program, NodeId id, Residuals& residuals) {
   Part part;
   part.node = id;
   if (!is_inner(node.kind)) {
-    std::vector<Value> values;
-    for (const Slot slot : node.free) values.push_back(waiting(slot));
+    std::vector<std::uint32_t> values;
+    for (const Slot slot : node.free) values.push_back(Value::waiting(slot).word());
     part.origin = part.residual = residuals.pending(id, values);
     return part;
   }

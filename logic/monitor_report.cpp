@@ -82,10 +82,10 @@ double Report::share(const Node& node) {
   std::vector<double> shares;
   const auto over_members = [&](Slot slot, NodeId body) {
     for (const EntityIndex e : known_.members[slot]) {
-      step_.value(slot) = e;
+      step_.value(slot) = Value(e);
       shares.push_back(share(program_.nodes[body]));
     }
-    step_.value(slot) = waiting(slot);
+    step_.value(slot) = Value::waiting(slot);
   };
   double result = 0;
   switch (node.kind) {
@@ -222,10 +222,10 @@ void Report::explain(const Node& node, Reasons& reasons) {
     }
     case Kind::Forall:
       for (const EntityIndex e : known_.members[node.slot]) {
-        step_.value(node.slot) = e;
+        step_.value(node.slot) = Value(e);
         explain(program_.nodes[node.children[0]], reasons);
       }
-      step_.value(node.slot) = waiting(node.slot);
+      step_.value(node.slot) = Value::waiting(node.slot);
       return;
     case Kind::Exists:
     case Kind::Sum: {
@@ -233,10 +233,10 @@ void Report::explain(const Node& node, Reasons& reasons) {
       const Slot slot = is_sum ? node.summands.front().slot : node.slot;
       const NodeId body = is_sum ? node.summands.front().body : node.children.front();
       int value = node.constant;
-      EntityIndex nearest = kWaits;
+      std::optional<EntityIndex> nearest;
       double nearest_share = -1;
       for (const EntityIndex e : known_.members[slot]) {
-        step_.value(slot) = e;
+        step_.value(slot) = Value(e);
         const double here = share(program_.nodes[body]);
         value += here == 1 ? 1 : 0;
         if (here == 1 || here <= nearest_share) continue;
@@ -246,20 +246,20 @@ void Report::explain(const Node& node, Reasons& reasons) {
       for (std::size_t i = 1; i < node.summands.size(); ++i) {
         const auto& other = node.summands[i];
         for (const EntityIndex e : known_.members[other.slot]) {
-          step_.value(other.slot) = e;
+          step_.value(other.slot) = Value(e);
           value += step_.now(program_.nodes[other.body]) ? other.weight : 0;
         }
-        step_.value(other.slot) = waiting(other.slot);
+        step_.value(other.slot) = Value::waiting(other.slot);
       }
       if (is_sum)
         reasons.push_back(sum_words(node, value));
-      else if (nearest == kWaits)
+      else if (!nearest)
         reasons.push_back("there is no " + program_.quantifiers[slot].words);
-      if (nearest != kWaits && (!is_sum || value < 0)) {
-        step_.value(slot) = nearest;
+      if (nearest && (!is_sum || value < 0)) {
+        step_.value(slot) = Value(*nearest);
         explain(program_.nodes[body], reasons);
       }
-      step_.value(slot) = waiting(slot);
+      step_.value(slot) = Value::waiting(slot);
       return;
     }
     case Kind::AtEnd:
@@ -295,8 +295,8 @@ std::string Report::name(const Node::Argument& argument) const {
   if (argument.kind == Node::Argument::Kind::Agent) return "agent";
   if (argument.kind == Node::Argument::Kind::Symbol) return argument.symbol;
   const Value value = step_.value(argument);
-  if (waits(value) || value >= entities_.size()) return program_.quantifiers[argument.slot].words;
-  return entities_[value].id;
+  if (value.waits() || value.entity().index() >= entities_.size()) return program_.quantifiers[argument.slot].words;
+  return entities_[value.entity()].id;
 }
 
 /// The opposite of the literal, which does not hold: "mug_1 is not on table_2".

@@ -14,47 +14,48 @@ constexpr Ref truth(bool value) { return value ? kTrue : kFalse; }
 }  // namespace
 
 Value Progression::value(const Node::Argument& argument) const {
-  return argument.kind == Node::Argument::Kind::Agent ? known_.agent : values_[argument.slot];
+  if (argument.kind != Node::Argument::Kind::Agent) return values_[argument.slot];
+  return known_.agent ? Value(*known_.agent) : Value::nothing();
 }
 
 void Progression::enter(Ref pending_ref) {
   const auto words = residuals_.data(pending_ref);
   const auto& free = program_.nodes[residuals_.id(pending_ref)].free;
-  for (std::size_t i = 0; i < free.size(); ++i) values_[free[i]] = words[i];
+  for (std::size_t i = 0; i < free.size(); ++i) values_[free[i]] = Value::from_word(words[i]);
 }
 
 Ref Progression::pending(NodeId id) {
   const auto& free = program_.nodes[id].free;
-  std::vector<Value> values;
+  std::vector<std::uint32_t> values;
   values.reserve(free.size());
-  for (const Slot slot : free) values.push_back(values_[slot]);
+  for (const Slot slot : free) values.push_back(values_[slot].word());
   return residuals_.pending(id, values);
 }
 
 bool Progression::holds_atom(const Node& node) const {
   const Value first = value(node.arguments[0]);
-  if (waits(first)) return false;
+  if (first.waits()) return false;
   switch (node.arguments[1].kind) {
     case Node::Argument::Kind::None:
-      return facts_->holds(node.predicate, first);
+      return facts_->holds(node.predicate, first.entity());
     case Node::Argument::Kind::Symbol:
-      return facts_->holds(node.predicate, first, node.arguments[1].symbol);
+      return facts_->holds(node.predicate, first.entity(), node.arguments[1].symbol);
     default:
       break;
   }
   const Value second = value(node.arguments[1]);
-  return !waits(second) && facts_->holds(node.predicate, first, second);
+  return !second.waits() && facts_->holds(node.predicate, first.entity(), second.entity());
 }
 
 bool Progression::now_quantified(const Node& node, bool universal) {
   bool result = universal;
   for (const EntityIndex e : known_.members[node.slot]) {
-    values_[node.slot] = e;
+    values_[node.slot] = Value(e);
     if (now(program_.nodes[node.children[0]]) == universal) continue;
     result = !universal;
     break;
   }
-  values_[node.slot] = waiting(node.slot);
+  values_[node.slot] = Value::waiting(node.slot);
   return result;
 }
 
@@ -62,10 +63,10 @@ int Progression::number_of(const Node& node) {
   int total = node.constant;
   for (const auto& summand : node.summands) {
     for (const EntityIndex e : known_.members[summand.slot]) {
-      values_[summand.slot] = e;
+      values_[summand.slot] = Value(e);
       if (now(program_.nodes[summand.body])) total += summand.weight;
     }
-    values_[summand.slot] = waiting(summand.slot);
+    values_[summand.slot] = Value::waiting(summand.slot);
   }
   return total;
 }
@@ -110,7 +111,7 @@ bool Progression::now(const Node& node) {
 Ref Progression::next_same(Value a, Value b, bool positive) {
   if (a == b) return truth(positive);
   // A waiting variable is none of the entities known by now; of two waiting ones nothing is known yet.
-  if (!waits(a) || !waits(b)) return truth(!positive);
+  if (!a.waits() || !b.waits()) return truth(!positive);
   return residuals_.same(a, b, positive);
 }
 
@@ -129,13 +130,13 @@ Ref Progression::next_quantifier(const Node& node) {
   std::vector<Ref> parts;
   bool decided = false;
   for (const EntityIndex e : known_.members[node.slot]) {
-    values_[node.slot] = e;
+    values_[node.slot] = Value(e);
     const Ref part = next(node.children[0]);
     decided = part == truth(!universal);
     if (decided) break;
     if (part != truth(universal)) parts.push_back(part);
   }
-  values_[node.slot] = waiting(node.slot);
+  values_[node.slot] = Value::waiting(node.slot);
   if (decided) return truth(!universal);
   if (!program_.quantifiers[node.slot].first_state_only) {
     const Ref body = next(node.children[0]);
@@ -149,10 +150,10 @@ Ref Progression::next_sum(const Node& node) {
   std::vector<Residuals::NewTerm> news;
   for (const auto& summand : node.summands) {
     for (const EntityIndex e : known_.members[summand.slot]) {
-      values_[summand.slot] = e;
+      values_[summand.slot] = Value(e);
       terms.push_back({next(summand.body), summand.weight});
     }
-    values_[summand.slot] = waiting(summand.slot);
+    values_[summand.slot] = Value::waiting(summand.slot);
     if (program_.quantifiers[summand.slot].first_state_only) continue;
     news.push_back({summand.slot, next(summand.body), summand.weight});
   }
@@ -216,7 +217,7 @@ bool Progression::now_new(Ref ref, bool universal) {
   const Ref body = residuals_.data(ref)[0];
   const auto& members = known_.members[slot];
   for (std::size_t i = known_.fresh_from[slot]; i < members.size(); ++i) {
-    if (holds_now(residuals_.instantiate(body, slot, members[i])) != universal) return !universal;
+    if (holds_now(residuals_.instantiate(body, slot, Value(members[i]))) != universal) return !universal;
   }
   return universal;
 }
@@ -251,7 +252,7 @@ bool Progression::holds_now(Ref ref) {
       for (const auto& term : view.news) {
         const auto& members = known_.members[term.slot];
         for (std::size_t i = known_.fresh_from[term.slot]; i < members.size(); ++i) {
-          total += holds_now(residuals_.instantiate(term.part, term.slot, members[i])) ? term.weight : 0;
+          total += holds_now(residuals_.instantiate(term.part, term.slot, Value(members[i]))) ? term.weight : 0;
         }
       }
       return compare_with_zero(view.relation, total);
@@ -279,7 +280,7 @@ Ref Progression::compute_advance(Ref ref) {
       return next(residuals_.id(ref));
     case Rest::Same: {
       const auto words = residuals_.data(ref);
-      return next_same(words[0], words[1], words[2] != 0);
+      return next_same(Value::from_word(words[0]), Value::from_word(words[1]), words[2] != 0);
     }
     case Rest::And:
     case Rest::Or: {
@@ -308,7 +309,7 @@ Ref Progression::advance_new(Ref ref) {
   const auto& members = known_.members[slot];
   std::vector<Ref> parts;
   for (std::size_t i = known_.fresh_from[slot]; i < members.size(); ++i) {
-    parts.push_back(advance(residuals_.instantiate(body, slot, members[i])));
+    parts.push_back(advance(residuals_.instantiate(body, slot, Value(members[i]))));
   }
   const Ref rest = advance(body);
   parts.push_back(universal ? residuals_.for_new(slot, rest) : residuals_.some_new(slot, rest));
@@ -322,7 +323,7 @@ Ref Progression::advance_sum(Ref ref) {
   for (std::size_t k = 0; k < news.size(); ++k) {
     const auto& members = known_.members[news[k].slot];
     for (std::size_t i = known_.fresh_from[news[k].slot]; i < members.size(); ++i) {
-      const Ref instance = residuals_.instantiate(news[k].part, news[k].slot, members[i]);
+      const Ref instance = residuals_.instantiate(news[k].part, news[k].slot, Value(members[i]));
       view.terms.push_back({advance(instance), news[k].weight});
     }
     view.news[k].part = advance(news[k].part);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "logic/residual.h"
@@ -10,8 +11,8 @@ namespace unietp::monitoring {
 struct Known {
   std::vector<std::vector<EntityIndex>> members;  // by slot, in order of appearance
   std::vector<std::size_t> fresh_from;            // by slot: members from here on are new in the last state
-  EntityIndex agent = kWaits - 1;                 // an entity that exists nowhere while there is no agent
-  Facts first, last;                              // the first and the last observed state
+  std::optional<EntityIndex> agent;
+  Facts first, last;  // the first and the last observed state
 };
 
 /// Reads a program in the last observed state: truth if the trace ends here (`now`, of a residual
@@ -21,7 +22,7 @@ class Progression {
  public:
   Progression(const Program& program, const Known& known, Residuals& residuals)
       : program_(program), known_(known), residuals_(residuals), facts_(&known.last) {
-    for (Slot slot = 0; slot < program.quantifiers.size(); ++slot) values_.push_back(waiting(slot));
+    for (Slot slot = 0; slot < program.quantifiers.size(); ++slot) values_.push_back(Value::waiting(slot));
   }
 
   bool holds_now(Ref ref);

@@ -7,6 +7,7 @@ namespace unietp::monitoring {
 namespace {
 
 constexpr std::uint64_t bit_of(Slot slot) { return std::uint64_t{1} << (slot % 64); }
+std::uint64_t waiting_bit(Value value) { return value.waits() ? bit_of(value.slot()) : 0; }
 
 std::uint64_t hash_of(Residuals::Kind kind, std::uint32_t id, std::span<const std::uint32_t> data) {
   std::uint64_t hash = (static_cast<std::uint64_t>(kind) << 32 | id) * 0x9e3779b97f4a7c15ULL;
@@ -27,10 +28,10 @@ std::uint64_t Residuals::waiting_in(Kind kind, std::uint32_t id, std::span<const
     case Kind::True:
       break;
     case Kind::Pending:
-      for (const Value value : data) mask |= waits(value) ? bit_of(value & ~kWaits) : 0;
+      for (const std::uint32_t word : data) mask |= waiting_bit(Value::from_word(word));
       break;
     case Kind::Same:
-      for (const Value value : data.first(2)) mask |= waits(value) ? bit_of(value & ~kWaits) : 0;
+      for (const std::uint32_t word : data.first(2)) mask |= waiting_bit(Value::from_word(word));
       break;
     case Kind::And:
     case Kind::Or:
@@ -78,12 +79,14 @@ Ref Residuals::intern(Kind kind, std::uint32_t id, std::span<const std::uint32_t
   return table_[at];
 }
 
-Ref Residuals::pending(NodeId node, std::span<const Value> values) { return intern(Kind::Pending, node, values); }
+Ref Residuals::pending(NodeId node, std::span<const std::uint32_t> values) {
+  return intern(Kind::Pending, node, values);
+}
 
 Ref Residuals::same(Value a, Value b, bool positive) {
   if (a == b) return positive ? kTrue : kFalse;
-  if (!waits(a) && !waits(b)) return positive ? kFalse : kTrue;
-  const std::uint32_t data[] = {std::min(a, b), std::max(a, b), positive ? 1U : 0U};
+  if (!a.waits() && !b.waits()) return positive ? kFalse : kTrue;
+  const std::uint32_t data[] = {std::min(a, b).word(), std::max(a, b).word(), positive ? 1U : 0U};
   return intern(Kind::Same, 0, data);
 }
 
@@ -221,11 +224,11 @@ Ref Residuals::instantiate(Ref ref, Slot slot, Value entity) {
     case Kind::True:
       return ref;
     case Kind::Pending:
-      std::replace(copy.begin(), copy.end(), waiting(slot), entity);
+      std::replace(copy.begin(), copy.end(), Value::waiting(slot).word(), entity.word());
       return intern(Kind::Pending, item.id, copy);
     case Kind::Same:
-      std::replace(copy.begin(), copy.begin() + 2, waiting(slot), entity);
-      return same(copy[0], copy[1], copy[2] != 0);
+      std::replace(copy.begin(), copy.begin() + 2, Value::waiting(slot).word(), entity.word());
+      return same(Value::from_word(copy[0]), Value::from_word(copy[1]), copy[2] != 0);
     case Kind::And:
     case Kind::Or:
       for (Ref& part : copy) part = instantiate(part, slot, entity);

@@ -1,18 +1,45 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "logic/monitor_program.h"
 
 namespace unietp::monitoring {
 
-/// An entity, or, with the highest bit set, the variable of a slot that still waits for an entity to appear.
-using Value = std::uint32_t;
-inline constexpr Value kWaits = 0x80000000U;
-inline constexpr bool waits(Value value) { return (value & kWaits) != 0; }
-inline constexpr Value waiting(Slot slot) { return kWaits | slot; }
+/// What a variable stands for: an entity, no entity at all, or, of the variable of a slot that still waits for an
+/// entity to appear, that slot. Ordered: entities, nothing, slots.
+class Value {
+ public:
+  /// Throws std::length_error for an entity from 2^31 - 1 on.
+  explicit Value(EntityIndex entity) : word_(entity.value()) {
+    if (word_ >= kNothing) throw std::length_error("too many entities for a monitor");
+  }
+  static Value nothing() { return from_word(kNothing); }
+  static Value waiting(Slot slot) { return from_word(kWaits | slot); }
+
+  bool waits() const { return (word_ & kWaits) != 0; }
+  Slot slot() const { return word_ & ~kWaits; }  // of one that waits
+  /// Of one that does not wait; EntityIndex::none() for nothing.
+  EntityIndex entity() const { return word_ == kNothing ? EntityIndex::none() : EntityIndex(word_); }
+
+  /// As a word of Residuals::data.
+  std::uint32_t word() const { return word_; }
+  static Value from_word(std::uint32_t word) {
+    Value value;
+    value.word_ = word;
+    return value;
+  }
+  auto operator<=>(const Value&) const = default;
+
+ private:
+  static constexpr std::uint32_t kWaits = 0x8000'0000U, kNothing = kWaits - 1;
+  Value() = default;
+  std::uint32_t word_ = kNothing;
+};
 
 /// Position of a residual in its store.
 using Ref = std::uint32_t;
@@ -40,7 +67,8 @@ class Residuals {
   std::span<const std::uint32_t> data(Ref ref) const { return {pool_.data() + items_[ref].begin, items_[ref].size}; }
   std::size_t size() const { return items_.size(); }
 
-  Ref pending(NodeId node, std::span<const Value> values);
+  /// `values`: words of the values of the node's free variables.
+  Ref pending(NodeId node, std::span<const std::uint32_t> values);
   Ref same(Value a, Value b, bool positive);
   Ref conjunction(std::vector<Ref> parts) { return junction(Kind::And, std::move(parts)); }
   Ref disjunction(std::vector<Ref> parts) { return junction(Kind::Or, std::move(parts)); }

@@ -8,17 +8,17 @@ namespace {
 constexpr std::size_t kWordBits = 64;
 static_assert(kPredicateCount <= kWordBits, "the states of an entity are one word");
 
-bool has(std::uint64_t word, EntityIndex entity) { return ((word >> (entity % kWordBits)) & 1U) != 0; }
+bool has(std::uint64_t word, EntityIndex entity) { return ((word >> (entity.index() % kWordBits)) & 1U) != 0; }
 
 bool test(const std::vector<std::uint64_t>& bits, EntityIndex entity) {
-  const std::size_t word = entity / kWordBits;
+  const std::size_t word = entity.index() / kWordBits;
   return word < bits.size() && has(bits[word], entity);
 }
 
 void mark(std::vector<std::uint64_t>& bits, EntityIndex entity) {
-  const std::size_t word = entity / kWordBits;
+  const std::size_t word = entity.index() / kWordBits;
   if (word >= bits.size()) bits.resize(word + 1);
-  bits[word] |= std::uint64_t{1} << (entity % kWordBits);
+  bits[word] |= std::uint64_t{1} << (entity.index() % kWordBits);
 }
 
 std::uint64_t bit_of(Predicate predicate) { return std::uint64_t{1} << static_cast<unsigned>(predicate); }
@@ -40,21 +40,21 @@ std::span<const std::uint64_t> significant(const std::vector<std::uint64_t>& bit
 
 template <class T>
 std::span<const T> Facts::Lists<T>::of(EntityIndex entity) const {
-  if (entity + std::size_t{1} >= start.size()) return {};
-  return {all.data() + start[entity], all.data() + start[entity + 1]};
+  const std::size_t i = entity.index();
+  if (i + 1 >= start.size()) return {};
+  return {all.data() + start[i], all.data() + start[i + 1]};
 }
 
 template <class T>
 void Facts::Lists<T>::insert(EntityIndex entity, T value) {
-  if (start.size() < entity + std::size_t{2}) {
-    start.resize(entity + std::size_t{2}, static_cast<std::uint32_t>(all.size()));
-  }
-  const auto from = all.begin() + start[entity];
-  const auto to = all.begin() + start[entity + 1];
+  const std::size_t place = entity.index();
+  if (start.size() < place + 2) start.resize(place + 2, static_cast<std::uint32_t>(all.size()));
+  const auto from = all.begin() + start[place];
+  const auto to = all.begin() + start[place + 1];
   const auto at = std::lower_bound(from, to, value);
   if (at != to && *at == value) return;
   all.insert(at, std::move(value));
-  for (std::size_t i = entity + std::size_t{1}; i < start.size(); ++i) ++start[i];
+  for (std::size_t i = place + 1; i < start.size(); ++i) ++start[i];
 }
 
 Facts::Ground& Facts::ground() {
@@ -79,13 +79,13 @@ Facts::Part& Facts::make_own(EntityIndex entity) {
   const auto pairs_here = pairs(entity);
   const auto symbols_here = symbols(entity);
   Part part{states(entity), {pairs_here.begin(), pairs_here.end()}, {symbols_here.begin(), symbols_here.end()}};
-  some |= std::uint64_t{1} << (entity % kWordBits);
+  some |= std::uint64_t{1} << (entity.index() % kWordBits);
   return all.insert(at, Own{entity, std::move(part)})->part.edit();
 }
 
 Facts::States Facts::states(EntityIndex entity) const {
   if (const Part* mine = own(entity)) return mine->states;
-  return ground_ == nullptr || entity >= ground_->states.size() ? 0 : ground_->states[entity];
+  return ground_ == nullptr || entity.index() >= ground_->states.size() ? 0 : ground_->states[entity.index()];
 }
 
 void Facts::set_states(EntityIndex entity, States states) {
@@ -95,12 +95,13 @@ void Facts::set_states(EntityIndex entity, States states) {
     return;
   }
   Ground& all = ground();
-  if (entity >= all.states.size()) {
-    all.states.resize(entity + std::size_t{1});
-    all.anywhere.resize(entity / Ground::kAtOnce + 1);
+  const std::size_t place = entity.index();
+  if (place >= all.states.size()) {
+    all.states.resize(place + 1);
+    all.anywhere.resize(place / Ground::kAtOnce + 1);
   }
-  all.states[entity] = states;
-  all.anywhere[entity / Ground::kAtOnce] |= states;
+  all.states[place] = states;
+  all.anywhere[place / Ground::kAtOnce] |= states;
 }
 
 std::span<const Facts::Pair> Facts::pairs(EntityIndex entity) const {
@@ -158,7 +159,8 @@ void Facts::clear_states(EntityIndex entity) {
 }
 
 void Facts::forget(EntityIndex entity) {
-  if (exists(entity)) existing_.edit()[entity / kWordBits] &= ~(std::uint64_t{1} << (entity % kWordBits));
+  if (exists(entity))
+    existing_.edit()[entity.index() / kWordBits] &= ~(std::uint64_t{1} << (entity.index() % kWordBits));
   clear_states(entity);
   if (!pairs(entity).empty()) make_own(entity).pairs.clear();
 }
@@ -198,7 +200,7 @@ std::vector<EntityIndex> Facts::with(Predicate state) const {
     if ((ground_->anywhere[i] & bit_of(state)) == 0) continue;
     const std::size_t end = std::min((i + 1) * Ground::kAtOnce, ground_->states.size());
     for (std::size_t entity = i * Ground::kAtOnce; entity < end; ++entity) {
-      if ((ground_->states[entity] & bit_of(state)) != 0) entities.push_back(static_cast<EntityIndex>(entity));
+      if ((ground_->states[entity] & bit_of(state)) != 0) entities.push_back(EntityIndex(entity));
     }
   }
   for (const Own& mine : own_->all) entities.push_back(mine.entity);
@@ -212,7 +214,7 @@ std::vector<std::pair<Predicate, EntityIndex>> Facts::relations(EntityIndex firs
   std::vector<std::pair<Predicate, EntityIndex>> relations;
   if (!exists(first)) return relations;
   for (const Pair pair : pairs(first)) {
-    const auto second = static_cast<EntityIndex>(pair);
+    const EntityIndex second = second_of(pair);
     if (exists(second)) relations.emplace_back(static_cast<Predicate>(pair >> 32), second);
   }
   return relations;
@@ -222,13 +224,13 @@ bool Facts::operator==(const Facts& other) const {
   const auto same = [](const auto& a, const auto& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
   if (!same(significant(*existing_), significant(*other.existing_))) return false;
   const auto count_of = [](const Facts& facts) {
-    std::size_t count = facts.own_->all.empty() ? 0 : facts.own_->all.back().entity + std::size_t{1};
+    std::size_t count = facts.own_->all.empty() ? 0 : facts.own_->all.back().entity.index() + 1;
     if (facts.ground_ == nullptr) return count;
     const Ground& ground = *facts.ground_;
     return std::max({count, ground.states.size(), ground.pairs.start.size(), ground.symbols.start.size()});
   };
   const std::size_t count = std::max(count_of(*this), count_of(other));
-  for (EntityIndex entity = 0; entity < count; ++entity) {
+  for (EntityIndex entity; entity.index() < count; ++entity) {
     if (states(entity) != other.states(entity) || !same(pairs(entity), other.pairs(entity)) ||
         !same(symbols(entity), other.symbols(entity)))
       return false;

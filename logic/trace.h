@@ -50,7 +50,7 @@ class Facts {
   bool any_related(Predicate relation, EntityIndex first, const Asked& asked) const {
     if (!exists(first)) return false;
     for (const Pair pair : pairs(first)) {
-      const auto second = static_cast<EntityIndex>(pair);
+      const EntityIndex second = second_of(pair);
       if (static_cast<Predicate>(pair >> 32) == relation && exists(second) && asked(second)) return true;
     }
     return false;
@@ -62,7 +62,10 @@ class Facts {
  private:
   using Bits = std::vector<std::uint64_t>;
   using Pair = std::uint64_t;  // predicate and second entity; the first is known by its place
-  static Pair pair_of(Predicate predicate, EntityIndex second) { return (static_cast<Pair>(predicate) << 32) | second; }
+  static Pair pair_of(Predicate predicate, EntityIndex second) {
+    return (static_cast<Pair>(predicate) << 32) | second.value();
+  }
+  static EntityIndex second_of(Pair pair) { return EntityIndex(static_cast<std::uint32_t>(pair)); }
   struct Symbol {
     Predicate predicate;
     std::string text;
@@ -91,7 +94,7 @@ class Facts {
     std::vector<Symbol> symbols;
   };
   struct Own {
-    EntityIndex entity = 0;
+    EntityIndex entity;
     SharedValue<Part> part;
   };
   struct Owned {

@@ -27,7 +27,7 @@ std::vector<Formula> descriptions(const Scene& start, const Trace& trace, Entity
   for (const P state : kStates)
     if (facts.holds(state, entity)) found.push_back(atom(state, {variable}));
   for (const P place : kPlaces)
-    for (EntityIndex other = 0; other < trace.entities.size(); ++other)
+    for (EntityIndex other; other.index() < trace.entities.size(); ++other)
       if (facts.holds(place, entity, other)) found.push_back(at_place(place, variable, trace.entities[other].category));
   const auto node = std::find_if(start.nodes.begin(), start.nodes.end(),
                                  [&](const Node& one) { return one.id == trace.entities[entity].id; });

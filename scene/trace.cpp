@@ -36,9 +36,9 @@ class NodeFinder {
 
 /// In the order in which facts are kept.
 struct Relation {
-  EntityIndex first = 0;
+  EntityIndex first;
   Predicate predicate = Predicate::Open;
-  EntityIndex second = 0;
+  EntityIndex second;
   auto operator<=>(const Relation&) const = default;
 };
 
@@ -122,7 +122,7 @@ void FactReader::share() {
 
 EntityIndex FactReader::index_of(Entity entity) {
   if (const auto shared = entities_.find_shared(entity.id)) return *shared;
-  const auto [place, fresh] = by_id_.try_emplace(entity.id, static_cast<EntityIndex>(entities_.size()));
+  const auto [place, fresh] = by_id_.try_emplace(entity.id, EntityIndex(entities_.size()));
   if (fresh) entities_.push_back(std::move(entity));
   return place->second;
 }

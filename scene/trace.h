@@ -33,6 +33,9 @@ inline constexpr double kClearlyLarger = 1.3;
 inline constexpr double kClearlyNearer_m = 0.25, kClearlyNearer = 0.2;
 bool clearly_nearer(double distance_m, double other_m);
 
+/// The agent, in all that a FactReader reads.
+inline constexpr EntityIndex kAgentEntity(0);
+
 /// Turns scenes of one episode into states of the logic, one after the other, over one growing list of entities: the
 /// agent, the rooms, then the nodes in order of first appearance. Also the facts that follow from others: a node's
 /// colour, material; `held`; and, only when asked for because the cost is quadratic, what comes of comparing things of

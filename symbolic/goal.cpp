@@ -112,14 +112,14 @@ class GoalWriter {
 
   Id id_of_entity(EntityIndex entity) const {
     const std::size_t things = setting_.cast.things.size();
-    if (entity < things) return Id::thing(entity);
-    const std::size_t room = entity - things;
+    if (entity.index() < things) return Id::thing(entity.index());
+    const std::size_t room = entity.index() - things;
     return room < setting_.cast.rooms.size() ? Id::room(room) : kAgent;
   }
   EntityIndex entity_of_id(Id id) const {
     const std::size_t things = setting_.cast.things.size();
-    if (id == kAgent) return static_cast<EntityIndex>(things + setting_.cast.rooms.size());
-    return static_cast<EntityIndex>(id.is_room() ? things + id.index() : id.index());
+    if (id == kAgent) return EntityIndex(things + setting_.cast.rooms.size());
+    return EntityIndex(id.is_room() ? things + id.index() : id.index());
   }
 
   bool is_of(Id id, const Domain& domain) const {
@@ -148,7 +148,7 @@ class GoalWriter {
     if (domain.where.empty()) {
       const std::size_t all = setting_.cast.things.size() + setting_.cast.rooms.size() + 1;
       for (std::size_t i = 0; i < all; ++i) {
-        const Id id = id_of_entity(static_cast<EntityIndex>(i));
+        const Id id = id_of_entity(EntityIndex(i));
         if (is_of(id, domain)) found.push_back(id);
       }
       return found;
@@ -166,12 +166,11 @@ class GoalWriter {
     Assignment assignment;
     for (const auto& [name, id] : scope_) {
       const auto place = std::find(seen_.ids->begin(), seen_.ids->end(), id);
-      if (place != seen_.ids->end())
-        assignment.emplace_back(name, static_cast<EntityIndex>(place - seen_.ids->begin()));
+      if (place != seen_.ids->end()) assignment.emplace_back(name, EntityIndex(place - seen_.ids->begin()));
     }
     std::vector<Id> found;
     for (const auto entity : members_of(quantifier.domain, quantifier.variable, *seen_.trace, assignment)) {
-      if (const Id id = (*seen_.ids)[entity]; id != kNobody) found.push_back(id);
+      if (const Id id = (*seen_.ids)[entity.index()]; id != kNobody) found.push_back(id);
     }
     return found;
   }

@@ -44,11 +44,11 @@ bool is_nearest(const Setting& setting, const World& world, Id thing, Id other) 
 
 /// Entity of each thing, or none.
 using Entities = std::vector<EntityIndex>;
-constexpr EntityIndex kNone = std::numeric_limits<EntityIndex>::max();
+constexpr EntityIndex kNone = EntityIndex::none();
 
 class FactWriter {
  public:
-  FactWriter(const Setting& setting, const Entities& entities, EntityIndex first_room)
+  FactWriter(const Setting& setting, const Entities& entities, std::size_t first_room)
       : setting_(setting), entities_(entities), first_room_(first_room) {}
 
   Facts read(const World& world) const {
@@ -57,15 +57,15 @@ class FactWriter {
     for (std::size_t i = 0; i < world.things.size(); ++i) {
       if (world.things[i].exists) write(world, Id::thing(i), facts);
     }
-    for (std::size_t r = 0; r < rooms; ++r) facts.set_exists(first_room_ + static_cast<EntityIndex>(r));
-    const auto agent = first_room_ + static_cast<EntityIndex>(rooms);
+    for (std::size_t r = 0; r < rooms; ++r) facts.set_exists(EntityIndex(first_room_ + r));
+    const EntityIndex agent(first_room_ + rooms);
     facts.set_exists(agent);
     if (world.room != kNobody) facts.set(Predicate::InRoom, agent, room(world.room));
     return facts;
   }
 
  private:
-  EntityIndex room(Id id) const { return first_room_ + static_cast<EntityIndex>(id.index()); }
+  EntityIndex room(Id id) const { return EntityIndex(first_room_ + id.index()); }
   EntityIndex entity(Id id) const { return entities_[id.index()]; }
 
   void write(const World& world, Id id, Facts& facts) const {
@@ -117,7 +117,7 @@ class FactWriter {
 
   const Setting& setting_;
   const Entities& entities_;
-  EntityIndex first_room_;
+  std::size_t first_room_;  // position of the first room among the entities
 };
 
 Entity entity_of(const Setting& setting, std::size_t i) {
@@ -132,10 +132,10 @@ Trace trace_with(const Setting& setting, const std::vector<World>& worlds, const
   Entities entities(setting.cast.things.size(), kNone);
   for (std::size_t i = 0; i < entities.size(); ++i) {
     if (!taken[i]) continue;
-    entities[i] = static_cast<EntityIndex>(trace.entities.size());
+    entities[i] = EntityIndex(trace.entities.size());
     trace.entities.push_back(entity_of(setting, i));
   }
-  const auto first_room = static_cast<EntityIndex>(trace.entities.size());
+  const std::size_t first_room = trace.entities.size();
   for (const auto& room : setting.cast.rooms) trace.entities.push_back({Entity::Kind::Room, room.id, room.type, ""});
   trace.entities.push_back({Entity::Kind::Agent, "agent", "agent", ""});
   const FactWriter writer(setting, entities, first_room);

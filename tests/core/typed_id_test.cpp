@@ -24,9 +24,11 @@ TEST(TypedId, IsAPositionAndComparesAsOne) {
 }
 
 TEST(TypedId, APositionThatDoesNotFitIsAnError) {
-  EXPECT_EQ(CupId(0xFFFF'FFFF).index(), 0xFFFF'FFFFU);
+  EXPECT_EQ(CupId(0xFFFF'FFFE).index(), 0xFFFF'FFFEU);
+  EXPECT_THROW(CupId(0xFFFF'FFFF), std::length_error);
   EXPECT_THROW(CupId(std::size_t{1} << 32), std::length_error);
-  CupId last(0xFFFF'FFFF);
+  CupId last(0xFFFF'FFFE);
+  EXPECT_LT(last, CupId::none());
   EXPECT_THROW(++last, std::length_error);
 }
 

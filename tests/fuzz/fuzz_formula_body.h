@@ -27,9 +27,9 @@ inline bool parse_formula_body(std::string_view text) {
     Trace trace;
     trace.entities = {{Entity::Kind::Object, "a_1", "A", ""}, {Entity::Kind::Room, "r_1", "R", ""}};
     Facts facts;
-    facts.set_exists(0);
-    facts.set_exists(1);
-    facts.set(Predicate::Open, 0);
+    facts.set_exists(EntityIndex(0));
+    facts.set_exists(EntityIndex(1));
+    facts.set(Predicate::Open, EntityIndex(0));
     trace.states = {facts, facts};
     Monitor monitor(*parsed);
     monitor.observe(trace.entities, facts);

@@ -52,7 +52,7 @@ SceneOffer offer_with(const std::vector<std::string>& categories) {
   SceneOffer offer;
   Facts facts;
   const auto add = [&](const std::string& name, Entity::Kind kind) {
-    facts.set_exists(static_cast<EntityIndex>(offer.now.entities.size()));
+    facts.set_exists(EntityIndex(offer.now.entities.size()));
     offer.now.entities.push_back({kind, name + std::to_string(offer.now.entities.size()), name, ""});
   };
   for (const auto* room : {"Kitchen", "LivingRoom"}) add(room, Entity::Kind::Room);
@@ -143,8 +143,8 @@ TEST(RefineReferring, WhatCannotBeMovedIsReferredToOnlyAsTheHomeHasIt) {
   const auto plain = made("open-one", {{"A", "Fridge"}});
   EXPECT_FALSE(refine_referring(plain, knowledge, offer_with({"Fridge", "Table"}), "by-room", Rng(1)));
   auto two = offer_with({"Fridge", "Fridge", "Table"});
-  two.now.states[0].set(Predicate::InRoom, 2, 0);
-  two.now.states[0].set(Predicate::InRoom, 3, 1);
+  two.now.states[0].set(Predicate::InRoom, EntityIndex(2), EntityIndex(0));
+  two.now.states[0].set(Predicate::InRoom, EntityIndex(3), EntityIndex(1));
   const auto refined = refine_referring(plain, knowledge, two, "by-room", Rng(1));
   ASSERT_TRUE(refined);
   EXPECT_EQ(referring(refined->goal)->domain.where.front().domain.members.size(), 1U);
@@ -159,8 +159,8 @@ TEST(CanRefer, AsksTheHomeForFurnitureAndLeavesTheRestToGrounding) {
     specification.init = {*formula};
   };
   auto two = offer_with({"Fridge", "Fridge", "Table", "Mug"});
-  two.now.states[0].set(Predicate::InRoom, 2, 0);
-  two.now.states[0].set(Predicate::InRoom, 3, 1);
+  two.now.states[0].set(Predicate::InRoom, EntityIndex(2), EntityIndex(0));
+  two.now.states[0].set(Predicate::InRoom, EntityIndex(3), EntityIndex(1));
   needs("(count = 1 (?a - Fridge) (exists (?r - Kitchen) (in_room ?a ?r)))");
   EXPECT_TRUE(can_refer(specification, knowledge, two));
   EXPECT_FALSE(can_refer(specification, knowledge, offer_with({"Table"})));

@@ -208,26 +208,27 @@ void draw_comparisons(const EntityList& entities, const Knowledge& knowledge, Rn
     volume.push_back(static_cast<int>(10 + 4 * rng.below(8)));
     place.push_back(static_cast<int>(rng.below(40)));
   }
-  for (EntityIndex x = 0; x < entities.size(); ++x) {
+  for (EntityIndex x; x.index() < entities.size(); ++x) {
     const auto* category = knowledge.find(entities[x].category);
     if (category == nullptr) continue;
     if (!category->colours.empty()) facts.set(Colour, x, rng.pick(category->colours));
     if (!category->materials.empty()) facts.set(Material, x, rng.pick(category->materials));
     int others = 0;
     bool large = true, small = true;
-    for (EntityIndex y = 0; y < entities.size(); ++y) {
+    for (EntityIndex y; y.index() < entities.size(); ++y) {
       if (entities[y].kind == Entity::Kind::Room && rng.chance(0.5)) facts.set(InRoom, x, y);
       if (entities[y].kind == Entity::Kind::Room || x == y) continue;
       if (rng.chance(0.1)) facts.set(NextTo, x, y);
       if (entities[y].category == entities[x].category) {
         ++others;
-        large = large && 10 * volume[x] >= 13 * volume[y];
-        small = small && 10 * volume[y] >= 13 * volume[x];
+        large = large && 10 * volume[x.index()] >= 13 * volume[y.index()];
+        small = small && 10 * volume[y.index()] >= 13 * volume[x.index()];
       }
       bool nearest = true;  // in tenths of a metre
-      for (EntityIndex z = 0; z < entities.size(); ++z) {
+      for (EntityIndex z; z.index() < entities.size(); ++z) {
         if (z == x || z == y || entities[z].category != entities[x].category) continue;
-        const int own = std::abs(place[x] - place[y]), more = std::abs(place[z] - place[y]) - own;
+        const int own = std::abs(place[x.index()] - place[y.index()]),
+                  more = std::abs(place[z.index()] - place[y.index()]) - own;
         nearest = nearest && 2 * more >= 5 && 5 * more >= own;
       }
       if (nearest) facts.set(Nearest, x, y);
@@ -260,7 +261,7 @@ std::vector<Trace> starts_by_rejection(const Specification& specification, const
       for (std::uint64_t n = 0; n < number; ++n) {
         const bool room = knowledge.find(name) == nullptr;
         if (room && n > 0) break;
-        facts.set_exists(static_cast<EntityIndex>(trace.entities.size()));
+        facts.set_exists(EntityIndex(trace.entities.size()));
         trace.entities.push_back(
             {room ? Entity::Kind::Room : Entity::Kind::Object, name + std::to_string(n), name, ""});
       }
@@ -270,7 +271,7 @@ std::vector<Trace> starts_by_rejection(const Specification& specification, const
     const bool alike = rng.chance(0.5);
     for (const auto& name : names) {
       std::vector<std::pair<Predicate, EntityIndex>> places;
-      for (EntityIndex to = 0; to < trace.entities.size(); ++to) {
+      for (EntityIndex to; to.index() < trace.entities.size(); ++to) {
         for (const auto& [relation, word] : {std::pair(On, "on"), std::pair(Inside, "inside")}) {
           for (const auto& row : knowledge.placements()) {
             if (row.object == name && row.relation == word && row.receptacle == trace.entities[to].category) {
@@ -282,7 +283,7 @@ std::vector<Trace> starts_by_rejection(const Specification& specification, const
       std::vector<std::size_t> shared;
       for (const auto& group : groups) shared.push_back(rng.below(group.second.size()));
       const auto shared_place = rng.below(3 * places.size() + 1);
-      for (EntityIndex at = 0; at < trace.entities.size(); ++at) {
+      for (EntityIndex at; at.index() < trace.entities.size(); ++at) {
         if (trace.entities[at].category != name) continue;
         for (std::size_t g = 0; g < groups.size(); ++g) {
           if (!knowledge.has(name, groups[g].first)) continue;

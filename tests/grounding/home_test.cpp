@@ -58,16 +58,16 @@ std::string texts(const EdgeSet& edges) {
 EntityIndex place_of(const Trace& trace, const std::string& id) {
   const auto same = [&](const Entity& entity) { return entity.id == id; };
   const auto found = std::find_if(trace.entities.begin(), trace.entities.end(), same);
-  return static_cast<EntityIndex>(found - trace.entities.begin());
+  return EntityIndex(found - trace.entities.begin());
 }
 
 /// The same state but for comparisons: every edge, nothing else between any two that `before` related, and the same
 /// states and symbols.
 void expect_shows(const Trace& now, const Scene& scene, const EdgeSet& before) {
   const Trace read = to_logic(scene, {});
-  for (EntityIndex e = 0; e < now.entities.size(); ++e) {
+  for (EntityIndex e; e.index() < now.entities.size(); ++e) {
     const EntityIndex there = place_of(read, now.entities[e].id);
-    const bool exists = there < read.entities.size();
+    const bool exists = there.index() < read.entities.size();
     EXPECT_EQ(now.states.front().exists(e), exists) << now.entities[e].id;
     if (!exists) continue;
     for (const PredicateInfo& one : all_predicates()) {

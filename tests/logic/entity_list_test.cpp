@@ -53,13 +53,13 @@ TEST(EntityList, SharedOrNotItHasTheSameEntitiesAndFindsTheSameOfEachDomain) {
     EXPECT_TRUE(std::equal(plain.begin(), plain.end(), list.begin(), list.end()));
     for (const Domain& domain : some_domains()) {
       std::vector<EntityIndex> expected;
-      for (EntityIndex e = 0; e < plain.size(); ++e) {
-        if (is_of(plain[e], domain)) expected.push_back(e);
+      for (EntityIndex e; e.index() < plain.size(); ++e) {
+        if (is_of(plain[e.index()], domain)) expected.push_back(e);
       }
       EXPECT_EQ(list.of(domain), expected);
     }
     EXPECT_EQ(earlier.size(), 20U);
-    EXPECT_EQ(list.find_shared(plain[12].id), EntityIndex{12});
+    EXPECT_EQ(list.find_shared(plain[12].id), EntityIndex(12));
     EXPECT_EQ(list.find_shared(plain[25].id), std::nullopt);
     EXPECT_FALSE(earlier == list);
     earlier.follow(list);

@@ -30,7 +30,7 @@ class Story {
   }
   Story& state(const std::vector<std::vector<std::string>>& facts) {
     Facts next;
-    for (EntityIndex e = 0; e < trace_.entities.size(); ++e) {
+    for (EntityIndex e; e.index() < trace_.entities.size(); ++e) {
       const bool gone = std::any_of(facts.begin(), facts.end(), [&](const auto& fact) {
         return fact[0] == "gone" && fact[1] == trace_.entities[e].id;
       });
@@ -64,11 +64,11 @@ class Story {
 
  private:
   EntityIndex index(const std::string& id) const {
-    for (EntityIndex e = 0; e < trace_.entities.size(); ++e) {
+    for (EntityIndex e; e.index() < trace_.entities.size(); ++e) {
       if (trace_.entities[e].id == id) return e;
     }
     ADD_FAILURE() << "no entity " << id;
-    return 0;
+    return {};
   }
   Trace trace_;
 };
@@ -253,16 +253,16 @@ TEST(MembersOf, ListsADomainInOrderWithOuterVariablesGiven) {
       parse_formula("t", "(exists (?t - Table) (exists (?x - (Mug :where (on ?x ?t))) (and)))", FormulaUse::Goal);
   ASSERT_TRUE(formula) << format(formula.error());
   const Domain& domain = formula->children[0].domain;
-  EXPECT_EQ(members_of(domain, "x", story.trace(), {{"t", 2}}), std::vector<EntityIndex>{1});
-  EXPECT_EQ(members_of(of_category("Mug"), "x", story.trace()), (std::vector<EntityIndex>{0, 1}));
+  EXPECT_EQ(members_of(domain, "x", story.trace(), {{"t", EntityIndex(2)}}), std::vector{EntityIndex(1)});
+  EXPECT_EQ(members_of(of_category("Mug"), "x", story.trace()), (std::vector{EntityIndex(0), EntityIndex(1)}));
 }
 
 TEST(HoldsIn, ReadsOneStateWithGivenVariables) {
   Story story = two_mugs();
   story.state({}).state({{"open", "m2"}});
   const Formula open = atom(Predicate::Open, {"x"});
-  EXPECT_FALSE(holds_in(open, story.trace(), 0, {{"x", 1}}));
-  EXPECT_TRUE(holds_in(open, story.trace(), 1, {{"x", 1}}));
+  EXPECT_FALSE(holds_in(open, story.trace(), 0, {{"x", EntityIndex(1)}}));
+  EXPECT_TRUE(holds_in(open, story.trace(), 1, {{"x", EntityIndex(1)}}));
   EXPECT_TRUE(holds_in(exists("y", of_category("Mug"), atom(Predicate::Open, {"y"})), story.trace(), 1));
 }
 
@@ -271,20 +271,21 @@ TEST(Facts, AgreeWithASetOfTextsForRandomFacts) {
     Rng rng(seed);
     Facts facts, again;
     std::set<std::string> known;
-    std::vector<std::array<EntityIndex, 3>> order;
+    std::vector<std::array<std::size_t, 3>> order;
     for (int i = 0; i < 200; ++i) {
-      order.push_back({static_cast<EntityIndex>(rng.below(3)), static_cast<EntityIndex>(rng.below(90)),
-                       static_cast<EntityIndex>(rng.below(90))});
+      order.push_back({rng.below(3), rng.below(90), rng.below(90)});
     }
-    for (EntityIndex e = 0; e < 90; e += 2) facts.set_exists(e), again.set_exists(e);
-    const auto add = [](Facts& to, const std::array<EntityIndex, 3>& fact) {
-      if (fact[0] == 0) to.set(Predicate::Hot, fact[1]);
-      if (fact[0] == 1) to.set(fact[2] % 2 == 0 ? Predicate::On : Predicate::Nearest, fact[1] % 7, fact[2]);
-      if (fact[0] == 2) to.set(Predicate::Filled, fact[1], fact[2] % 2 == 0 ? "water" : "milk");
+    for (std::size_t e = 0; e < 90; e += 2) facts.set_exists(EntityIndex(e)), again.set_exists(EntityIndex(e));
+    const auto add = [](Facts& to, const std::array<std::size_t, 3>& fact) {
+      const EntityIndex one(fact[1]);
+      if (fact[0] == 0) to.set(Predicate::Hot, one);
+      if (fact[0] == 1)
+        to.set(fact[2] % 2 == 0 ? Predicate::On : Predicate::Nearest, EntityIndex(fact[1] % 7), EntityIndex(fact[2]));
+      if (fact[0] == 2) to.set(Predicate::Filled, one, fact[2] % 2 == 0 ? "water" : "milk");
     };
     for (const auto& fact : order) {
       add(facts, fact);
-      const EntityIndex a = fact[0] == 1 ? fact[1] % 7 : fact[1];
+      const std::size_t a = fact[0] == 1 ? fact[1] % 7 : fact[1];
       const std::string b = fact[0] == 0       ? ""
                             : fact[0] == 1     ? std::to_string(fact[2])
                             : fact[2] % 2 == 0 ? "water"
@@ -295,21 +296,57 @@ TEST(Facts, AgreeWithASetOfTextsForRandomFacts) {
     for (const auto& fact : order) add(again, fact);
     EXPECT_EQ(facts, again) << "the order of setting must not matter";
     const auto has = [&](int kind, EntityIndex a, const std::string& b) {
-      return known.count(std::to_string(kind) + " " + std::to_string(a) + " " + b) > 0;
+      return known.count(std::to_string(kind) + " " + std::to_string(a.index()) + " " + b) > 0;
     };
-    for (EntityIndex a = 0; a < 100; ++a) {
-      const bool here = a < 90 && a % 2 == 0;
+    for (EntityIndex a; a.index() < 100; ++a) {
+      const bool here = a.index() < 90 && a.index() % 2 == 0;
       ASSERT_EQ(facts.exists(a), here);
       ASSERT_EQ(facts.holds(Predicate::Hot, a), here && has(0, a, ""));
       ASSERT_EQ(facts.holds(Predicate::Filled, a, "water"), here && has(2, a, "water"));
       ASSERT_EQ(facts.holds(Predicate::Filled, a, "any"), here && (has(2, a, "water") || has(2, a, "milk")));
-      for (EntityIndex b = 0; b < 100; ++b) {
-        const Predicate predicate = b % 2 == 0 ? Predicate::On : Predicate::Nearest;
-        const bool both = here && b < 90 && b % 2 == 0;
-        ASSERT_EQ(facts.holds(predicate, a, b), both && has(1, a, std::to_string(b)));
+      for (EntityIndex b; b.index() < 100; ++b) {
+        const Predicate predicate = b.index() % 2 == 0 ? Predicate::On : Predicate::Nearest;
+        const bool both = here && b.index() < 90 && b.index() % 2 == 0;
+        ASSERT_EQ(facts.holds(predicate, a, b), both && has(1, a, std::to_string(b.index())));
       }
     }
   }
+}
+
+/// Both evaluators on a home with more objects and rooms than 16 bits tell apart.
+TEST(ManyEntities, AreToldApartByBothEvaluators) {
+  constexpr std::size_t kEach = 70'000;
+  Trace trace;
+  Facts facts;
+  const auto add = [&](Entity::Kind kind, const std::string& id, const std::string& category) {
+    const EntityIndex index(trace.entities.size());
+    trace.entities.push_back({kind, id, category, ""});
+    facts.set_exists(index);
+    return index;
+  };
+  add(Entity::Kind::Agent, "agent", "agent");
+  std::vector<EntityIndex> mugs, rooms;
+  for (std::size_t i = 0; i < kEach; ++i) mugs.push_back(add(Entity::Kind::Object, "m" + std::to_string(i), "Mug"));
+  for (std::size_t i = 0; i < kEach; ++i) rooms.push_back(add(Entity::Kind::Room, "r" + std::to_string(i), "Hall"));
+  facts.set(Predicate::Open, mugs[4463]);  // its number and that of the last are the same in 16 bits
+  facts.set(Predicate::Hot, mugs[70'000 - 1]);
+  facts.set(Predicate::Covered, mugs[70'000 - 1], "dust");
+  facts.set(Predicate::InRoom, mugs[70'000 - 1], rooms[70'000 - 1]);
+  trace.states.push_back(facts);
+  const auto holds_in_both = [&](const std::string& text) {
+    const auto goal = parse_formula("test", text, FormulaUse::Goal);
+    Monitor monitor(*goal);
+    monitor.observe(trace.entities, facts);
+    const bool direct = holds(*goal, trace);
+    EXPECT_EQ(monitor.satisfied(), direct) << text;
+    return direct;
+  };
+  EXPECT_TRUE(holds_in_both("(at-end (count = 1 (?x - Mug) (open ?x)))"));
+  EXPECT_TRUE(holds_in_both("(at-end (count = 70000 (?x - Mug) (and)))"));
+  EXPECT_TRUE(holds_in_both("(at-end (exists (?x - Mug) (and (hot ?x) (covered ?x dust))))"));
+  EXPECT_TRUE(holds_in_both("(at-end (exists (?x - Mug) (exists (?r - Hall) (in_room ?x ?r))))"));
+  EXPECT_FALSE(holds_in_both("(at-end (exists (?x - Mug) (and (open ?x) (hot ?x))))"));
+  EXPECT_FALSE(holds_in_both("(at-end (exists (?r - Hall) (in_room agent ?r)))"));
 }
 
 TEST(Vocabulary, EveryPredicateIsFoundByItsName) {

@@ -59,8 +59,8 @@ TEST(Monitor, SaysHowMuchIsMetAndWhatIsMissing) {
   Trace trace;
   trace.entities = {{Entity::Kind::Object, "mug_1", "Mug", ""}, {Entity::Kind::Object, "table_2", "Table", ""}};
   Facts facts;
-  facts.set_exists(0);
-  facts.set_exists(1);
+  facts.set_exists(EntityIndex(0));
+  facts.set_exists(EntityIndex(1));
   Monitor monitor(goal);
   EXPECT_EQ(monitor.progress(), 0);
   EXPECT_FALSE(monitor.satisfied());
@@ -68,11 +68,11 @@ TEST(Monitor, SaysHowMuchIsMetAndWhatIsMissing) {
   monitor.observe(trace.entities, facts);
   EXPECT_EQ(monitor.progress(), 0);
   EXPECT_EQ(monitor.missing(), "mug_1 is not on table_2; mug_1 is not hot");
-  facts.set(Predicate::Hot, 0);
+  facts.set(Predicate::Hot, EntityIndex(0));
   monitor.observe(trace.entities, facts);
   EXPECT_EQ(monitor.progress(), 0.5);
   EXPECT_EQ(monitor.missing(), "mug_1 is not on table_2");
-  facts.set(Predicate::On, 0, 1);
+  facts.set(Predicate::On, EntityIndex(0), EntityIndex(1));
   monitor.observe(trace.entities, facts);
   EXPECT_EQ(monitor.progress(), 1);
   EXPECT_EQ(monitor.missing(), "");

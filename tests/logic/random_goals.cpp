@@ -199,17 +199,19 @@ Trace random_trace(Rng rng) {
   const double density = rng.uniform(0.2, 0.8);
   for (std::size_t i = 0; i < length; ++i) {
     Facts facts;
-    for (EntityIndex e = 0; e < lives.size(); ++e) {
-      if (lives[e].from <= i && i < lives[e].to) facts.set_exists(e);
+    for (EntityIndex e; e.index() < lives.size(); ++e) {
+      const Life& life = lives[e.index()];
+      if (life.from <= i && i < life.to) facts.set_exists(e);
     }
-    for (EntityIndex e = 0; e < lives.size(); ++e) {  // also of what does not exist: must not count
-      if (lives[e].entity.kind == Kind::Agent && rng.chance(density)) facts.set(Predicate::InRoom, e, EntityIndex{1});
-      if (lives[e].entity.kind != Kind::Object) continue;
+    for (EntityIndex e; e.index() < lives.size(); ++e) {  // also of what does not exist: must not count
+      const auto kind = lives[e.index()].entity.kind;
+      if (kind == Kind::Agent && rng.chance(density)) facts.set(Predicate::InRoom, e, EntityIndex(1));
+      if (kind != Kind::Object) continue;
       if (rng.chance(density)) facts.set(Predicate::Open, e);
       if (rng.chance(density)) facts.set(Predicate::Hot, e);
       if (rng.chance(density)) facts.set(Predicate::Filled, e, rng.chance(0.5) ? "water" : "milk");
-      if (rng.chance(density)) facts.set(Predicate::InRoom, e, EntityIndex{1});
-      for (EntityIndex other = 2; other < lives.size(); ++other) {
+      if (rng.chance(density)) facts.set(Predicate::InRoom, e, EntityIndex(1));
+      for (EntityIndex other(2); other.index() < lives.size(); ++other) {
         if (rng.chance(density / 2)) facts.set(Predicate::On, e, other);
       }
     }
@@ -222,12 +224,12 @@ Trace prefix_of(const Trace& trace, std::size_t states) {
   Trace result;
   result.states.assign(trace.states.begin(), trace.states.begin() + static_cast<std::ptrdiff_t>(states));
   std::size_t met = 0;
-  for (EntityIndex e = 0; e < trace.entities.size(); ++e) {
+  for (EntityIndex e; e.index() < trace.entities.size(); ++e) {
     for (const auto& facts : result.states) {
-      if (facts.exists(e)) met = std::max<std::size_t>(met, e + std::size_t{1});
+      if (facts.exists(e)) met = std::max<std::size_t>(met, e.index() + 1);
     }
   }
-  for (EntityIndex e = 0; e < met; ++e) result.entities.push_back(trace.entities[e]);
+  for (EntityIndex e; e.index() < met; ++e) result.entities.push_back(trace.entities[e]);
   return result;
 }
 

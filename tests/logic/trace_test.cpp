@@ -13,7 +13,7 @@
 namespace unietp {
 namespace {
 
-constexpr EntityIndex kEntities = 300;
+constexpr std::size_t kEntities = 300;
 constexpr Predicate kStates[] = {Predicate::Open, Predicate::Dirty, Predicate::Held};
 
 /// The same truths, kept the plain way.
@@ -24,8 +24,7 @@ struct Plain {
 };
 
 void change(Facts& facts, Plain& plain, Rng& rng) {
-  const auto one = static_cast<EntityIndex>(rng.below(kEntities)),
-             other = static_cast<EntityIndex>(rng.below(kEntities));
+  const auto one = EntityIndex(rng.below(kEntities)), other = EntityIndex(rng.below(kEntities));
   const Predicate state = kStates[rng.below(std::size(kStates))];
   switch (rng.below(7)) {
     case 0:
@@ -57,21 +56,21 @@ void change(Facts& facts, Plain& plain, Rng& rng) {
 void expect_same(const Facts& facts, const Plain& plain) {
   for (const Predicate state : kStates) {
     std::vector<EntityIndex> with;
-    for (EntityIndex entity = 0; entity < kEntities; ++entity) {
+    for (EntityIndex entity; entity.index() < kEntities; ++entity) {
       const bool holds =
           plain.existing.contains(entity) && plain.states.contains(state) && plain.states.at(state).contains(entity);
-      EXPECT_EQ(facts.holds(state, entity), holds) << entity;
+      EXPECT_EQ(facts.holds(state, entity), holds) << entity.index();
       if (holds) with.push_back(entity);
     }
     EXPECT_EQ(facts.with(state), with);
   }
-  for (EntityIndex entity = 0; entity < kEntities; ++entity) {
+  for (EntityIndex entity; entity.index() < kEntities; ++entity) {
     std::vector<std::pair<Predicate, EntityIndex>> relations;
     for (const auto& [first, second] : plain.on) {
       if (first == entity && plain.existing.contains(first) && plain.existing.contains(second))
         relations.emplace_back(Predicate::On, second);
     }
-    EXPECT_EQ(facts.relations(entity), relations) << entity;
+    EXPECT_EQ(facts.relations(entity), relations) << entity.index();
   }
 }
 
@@ -81,7 +80,7 @@ TEST(StateFacts, AreWhatWasSetAndCopiesStayWhatTheyWereForAnySeed) {
     Rng rng(seed);
     Facts facts;
     Plain plain;
-    for (EntityIndex entity = 0; entity < kEntities; entity += 1 + static_cast<EntityIndex>(rng.below(3))) {
+    for (EntityIndex entity; entity.index() < kEntities; entity = EntityIndex(entity.index() + 1 + rng.below(3))) {
       facts.set_exists(entity), plain.existing.insert(entity);
     }
     std::vector<std::pair<Facts, Plain>> copies;

@@ -51,13 +51,13 @@ TEST(Compared, AreReadAsInAReadingThatComparesEverythingAndNothingElseIsForAnySe
              std::binary_search(compared.categories.begin(), compared.categories.end(), entity.slice_of);
     };
     const Facts &few = some.states.front(), &all = every.states.front();
-    for (EntityIndex x = 0; x < every.entities.size(); ++x) {
+    for (EntityIndex x; x.index() < every.entities.size(); ++x) {
       for (const char* size : {"large", "small"}) {
         if (!of_named(x)) continue;
         EXPECT_EQ(few.holds(Predicate::Size, x, size), all.holds(Predicate::Size, x, size)) << every.entities[x].id;
         sized += few.holds(Predicate::Size, x, size) ? 1 : 0;
       }
-      for (EntityIndex y = 0; y < every.entities.size(); ++y) {
+      for (EntityIndex y; y.index() < every.entities.size(); ++y) {
         for (const PredicateInfo& one : all_predicates()) {
           if (one.predicate == Predicate::Nearest) continue;
           EXPECT_EQ(few.holds(one.predicate, x, y), all.holds(one.predicate, x, y));

@@ -11,10 +11,10 @@ namespace unietp {
 namespace {
 
 EntityIndex index_of(const EntityList& entities, std::string_view id) {
-  for (EntityIndex i = 0; i < entities.size(); ++i) {
+  for (EntityIndex i; i.index() < entities.size(); ++i) {
     if (entities[i].id == id) return i;
   }
-  return static_cast<EntityIndex>(entities.size());
+  return EntityIndex(entities.size());
 }
 
 TEST(Delta, AppliedToTheSceneBeforeGivesTheSceneAfterForAnySeed) {
@@ -55,7 +55,7 @@ TEST(Facts, OfASceneAreItsNodesStatesAndEdgesAndNothingElseForAnySeed) {
     for (int step = 0; step < 3; ++step, scene = random_successor(scene, rng)) {
       const Facts facts = reader.read(scene);
       const auto& entities = reader.entities();
-      for (EntityIndex x = 0; x < entities.size(); ++x) {
+      for (EntityIndex x; x.index() < entities.size(); ++x) {
         const std::string& id = entities[x].id;
         const Node* node = find_node(scene, id);
         EXPECT_EQ(facts.exists(x), id == "agent" || find_room(scene, id) || node) << id;
@@ -67,7 +67,7 @@ TEST(Facts, OfASceneAreItsNodesStatesAndEdgesAndNothingElseForAnySeed) {
         EXPECT_EQ(facts.holds(Predicate::Filled, x, "any"), node && node->states.has(Predicate::Filled));
         EXPECT_EQ(facts.holds(Predicate::Colour, x, "red"), node && node->colour == "red");
         EXPECT_EQ(facts.holds(Predicate::Material, x, "any"), node && !node->material.empty());
-        for (EntityIndex y = 0; y < entities.size(); ++y) {
+        for (EntityIndex y; y.index() < entities.size(); ++y) {
           for (const Predicate p : {Predicate::On, Predicate::InRoom, Predicate::OnFloor}) {
             EXPECT_EQ(facts.holds(p, x, y), has_edge(scene, p, id, entities[y].id));
           }
@@ -95,8 +95,8 @@ TEST(Facts, EntitiesAreTheAgentTheRoomsThenTheNodesInOrderOfAppearanceAndKeepThe
   EXPECT_EQ(reader.entities()[0], (Entity{Entity::Kind::Agent, "agent", "agent", ""}));
   EXPECT_EQ(reader.entities()[1], (Entity{Entity::Kind::Room, "kitchen_1", "kitchen", ""}));
   EXPECT_EQ(reader.entities()[4], (Entity{Entity::Kind::Object, "m", "BreadSliced", "Bread"}));
-  EXPECT_FALSE(facts.exists(2));
-  EXPECT_TRUE(facts.holds(Predicate::SliceOf, 4, 3));
+  EXPECT_FALSE(facts.exists(EntityIndex(2)));
+  EXPECT_TRUE(facts.holds(Predicate::SliceOf, EntityIndex(4), EntityIndex(3)));
 }
 
 TEST(Facts, NearestIsTheOneThatEveryOtherOfItsCategoryIsClearlyFurtherThanForAnySeed) {

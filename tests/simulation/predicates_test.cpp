@@ -136,7 +136,7 @@ bool holds(const std::string& text, const Facts& facts, const EntityList& entiti
   const auto entity = [&](const std::string& id) {
     const auto found = std::find_if(entities.begin(), entities.end(), [&](const Entity& e) { return e.id == id; });
     EXPECT_NE(found, entities.end()) << id;
-    return static_cast<EntityIndex>(found - entities.begin());
+    return EntityIndex(found - entities.begin());
   };
   if (predicate.arguments.size() == 1) return facts.holds(predicate.predicate, entity(words[1]));
   if (predicate.arguments[1] == ArgumentKind::Symbol)
