@@ -69,7 +69,7 @@ void BM_PlacementCheck(benchmark::State& state) {
   PlacementChecker checker;
   for (std::size_t i = 0; i < home->nodes.size(); ++i) {
     const Node& node = home->nodes[i];
-    checker.set(static_cast<BodyId>(i), shape_of(node), node.pose, node.opening);
+    checker.set(BodyId::node(i), shape_of(node), node.pose, node.opening);
   }
   const Shape probe = make_shape(Archetype::Box, {0.1, 0.1, 0.1}, false);
   Rng rng(1);

@@ -44,7 +44,7 @@ struct Fixture {
 
 void BuildAllBodies(benchmark::State& state) {
   const Fixture f;
-  for (auto _ : state) benchmark::DoNotOptimize(physics_of(f.scene).has(0));
+  for (auto _ : state) benchmark::DoNotOptimize(physics_of(f.scene).has(BodyId::node(0)));
 }
 void ReadAllRelations(benchmark::State& state) {
   const Fixture f;
@@ -52,7 +52,7 @@ void ReadAllRelations(benchmark::State& state) {
 }
 void ReadLinksAroundOne(benchmark::State& state) {
   const Fixture f;
-  const Bounds touched[] = {f.physics.bounds(6)};
+  const Bounds touched[] = {f.physics.bounds(BodyId::node(6))};
   const std::size_t changed[] = {6};
   for (auto _ : state) {
     for (const std::size_t i : affected_by(f.physics, touched, changed))
@@ -62,11 +62,11 @@ void ReadLinksAroundOne(benchmark::State& state) {
 /// Each time from a place where nothing was settled before.
 void SettleOne(benchmark::State& state) {
   Fixture f;
-  const BodyId loose[] = {6};
+  const BodyId loose[] = {BodyId::node(6)};
   Pose pose = f.scene.nodes[6].pose;
   for (auto _ : state) {
     pose.position.x() += 1e-9;
-    f.physics.move(6, pose);
+    f.physics.move(BodyId::node(6), pose);
     benchmark::DoNotOptimize(f.physics.settle(loose).calm);
   }
 }

@@ -35,7 +35,7 @@ class Course {
  private:
   Rehearsal* rehearsal_;
   ModeEpisode episode_;
-  std::vector<std::uint32_t> moments_;  // the start, then one after each action that succeeded
+  std::vector<MomentId> moments_;  // the start, then one after each action that succeeded
   std::vector<Action> done_;
 };
 

@@ -49,25 +49,26 @@ Facts Rehearsal::compared(Facts facts, const Scene& scene) const {
 }
 
 Outcome Rehearsal::step(World& world, const Action& action) {
-  const std::uint32_t before = world.moment();
+  const MomentId before = world.moment();
   Outcome outcome = world.step(action);
   read(before, world);
   return outcome;
 }
 
-void Rehearsal::read(std::uint32_t before, const World& world) {
-  const std::uint32_t now = world.moment();
-  if (now >= facts_.size()) facts_.resize(now + std::size_t{1});
+void Rehearsal::read(MomentId before, const World& world) {
+  const std::size_t now = world.moment().index();
+  if (now >= facts_.size()) facts_.resize(now + 1);
   if (!facts_[now])
-    facts_[now] = compares_later_ ? read(world.scene()) : reader_.read(*facts_[before], world.changes());
+    facts_[now] = compares_later_ ? read(world.scene()) : reader_.read(*facts_[before.index()], world.changes());
 }
 
-bool Rehearsal::reaches_goal(std::vector<std::uint32_t> moments) {
+bool Rehearsal::reaches_goal(std::vector<MomentId> moments) {
   // No operator of the logic tells a state that lasts from one that does not.
   moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
   const auto differ = std::mismatch(judged_.begin(), judged_.end(), moments.begin(), moments.end());
   trace_.states.resize(static_cast<std::size_t>(differ.first - judged_.begin()));
-  for (auto moment = differ.second; moment != moments.end(); ++moment) trace_.states.push_back(*facts_[*moment]);
+  for (auto moment = differ.second; moment != moments.end(); ++moment)
+    trace_.states.push_back(*facts_[moment->index()]);
   trace_.entities.follow(entities());
   judged_ = std::move(moments);
   return holds(*goal_, trace_);

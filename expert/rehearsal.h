@@ -44,12 +44,12 @@ class Rehearsal {
   /// Does the action in a world that goes back to this start by steps of this rehearsal.
   Outcome step(World& world, const Action& action);
   /// Takes in a world that came from the moment `before` by one step, whoever did it.
-  void read(std::uint32_t before, const World& world);
+  void read(MomentId before, const World& world);
   /// What the logic sees in such a world.
-  const Facts& facts(const World& world) const { return *facts_[world.moment()]; }
+  const Facts& facts(const World& world) const { return *facts_[world.moment().index()]; }
 
   /// Truth of the goal, by the direct evaluator, on the trace of these moments, of which the first is the start.
-  bool reaches_goal(std::vector<std::uint32_t> moments);
+  bool reaches_goal(std::vector<MomentId> moments);
 
  private:
   Rehearsal(const Formula& goal, const Scene& start, const Knowledge& knowledge, const Profile& profile,
@@ -69,7 +69,7 @@ class Rehearsal {
   bool compares_later_;
   std::deque<std::optional<Facts>> facts_;  // by moment
   Trace trace_;                             // the last that was judged, and its moments
-  std::vector<std::uint32_t> judged_;
+  std::vector<MomentId> judged_;
 };
 
 }  // namespace unietp

@@ -109,12 +109,12 @@ bool SceneEditor::open_or_close(const std::string& id, double opening) {
   // What stands where the door comes to be goes elsewhere; so does a small thing whose lid has no room.
   for (int round = 0; round < 5; ++round) {
     const Node& now = workspace_.scene().nodes[*index_of(id)];
-    std::vector<BodyId> ignore{static_cast<BodyId>(*index_of(id))};
-    for (const std::string& rider : riders) ignore.push_back(static_cast<BodyId>(*index_of(rider)));
+    std::vector<BodyId> ignore{BodyId::node(*index_of(id))};
+    for (const std::string& rider : riders) ignore.push_back(BodyId::node(*index_of(rider)));
     const auto hit = workspace_.checker().hit_by_joints(shape, now.pose, opening, PlacementChecker::kGap_m, ignore);
     if (!hit) return true;
     const std::string obstacle = workspace_.name_of(*hit);
-    const bool movable = *hit < workspace_.scene().nodes.size() && workspace_.scene().nodes[*hit].movable;
+    const bool movable = hit->is_node() && workspace_.scene().nodes[hit->index()].movable;
     bool made_room = false;
     if (before.movable) {
       made_room = relocate(id, [&](const Node& host) { return host.id != obstacle; });

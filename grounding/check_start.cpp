@@ -152,7 +152,7 @@ std::optional<GroundingFailure> check_calm(const Scene& start, const NodeIndex& 
   for (const std::size_t i : there) {
     const Node& node = start.nodes[i];
     if (!node.movable) continue;
-    const BodyId loose[] = {static_cast<BodyId>(i)};
+    const BodyId loose[] = {BodyId::node(i)};
     const Settled settled = world.settle(loose);
     const double moved = (settled.bodies.front().pose.position - node.pose.position).norm();
     if (!settled.calm || moved > kCalm_m) {

@@ -33,7 +33,7 @@ std::shared_ptr<fcl::CollisionGeometryd> geometry_of(const Part& part, double ga
 
 /// A part in the world; FCL's form of it.
 struct PlacedPart {
-  BodyId id = 0;
+  BodyId id;
   Bounds bounds;
   fcl::CollisionObjectd object;
 
@@ -109,7 +109,7 @@ struct PlacementChecker::Impl {
       const auto test = [&](const PlacedPart& there) {
         if (lowest && *lowest <= there.id) return;
         if (std::find(ignore.begin(), ignore.end(), there.id) != ignore.end()) return;
-        if (!probe) probe.emplace(0, part, in_world, bounds, gap);
+        if (!probe) probe.emplace(BodyId(), part, in_world, bounds, gap);
         const fcl::CollisionRequestd request(1, false);
         fcl::CollisionResultd result;
         if (fcl::collide(&there.object, &probe->object, request, result) > 0) lowest = there.id;
@@ -163,11 +163,11 @@ std::optional<BodyId> PlacementChecker::hit_by_joints(const Shape& shape, const 
 }
 
 void set_walls(PlacementChecker& checker, const Scene& scene) {
-  BodyId wall = kFirstWall;
+  std::size_t wall = 0;
   for (const WallPiece& piece : walls_of(scene)) {
     Shape shape;
     shape.parts.push_back({Part::Kind::Box, {}, piece.size, -1});
-    checker.set(wall++, shape, piece.pose, 0);
+    checker.set(BodyId::wall(wall++), shape, piece.pose, 0);
   }
 }
 

@@ -44,7 +44,7 @@ class PlacementChecker {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The walls of a scene, as bodies from kFirstWall on.
+/// The walls of a scene, as bodies of their own.
 void set_walls(PlacementChecker& checker, const Scene& scene);
 
 }  // namespace unietp

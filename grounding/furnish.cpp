@@ -274,7 +274,7 @@ bool within(const Bounds& inner, const Bounds& room) {
 bool opens_freely(const Workspace& workspace, const Node& node, const Shape& shape, std::optional<std::size_t> host) {
   if (shape.joints.empty()) return true;
   std::vector<BodyId> ignore;
-  if (host) ignore.push_back(static_cast<BodyId>(*host));
+  if (host) ignore.push_back(BodyId::node(*host));
   for (int k = 1; k <= 4; ++k) {
     if (workspace.checker().hit_by_joints(shape, node.pose, k / 4.0, kGap_m / 2, ignore)) return false;
   }
@@ -297,7 +297,8 @@ bool fits(const Workspace& workspace, const Bounds& room, const Node& node, cons
   for (const Bounds& space : own_spaces) {
     if (!within({space.low.cwiseMax(Vec3(-1e9, -1e9, 0)), space.high}, room)) return false;
     for (const BodyId near : workspace.physics().near(space, kGap_m)) {
-      if (near < standing.size() && host != near && overlap(space, standing[near])) return false;
+      const std::size_t i = near.index();
+      if (near.is_node() && i < standing.size() && host != i && overlap(space, standing[i])) return false;
     }
   }
   return !workspace.checker().hit(shape, node.pose, 0, host ? PlacementChecker::kGap_m : kGap_m) &&

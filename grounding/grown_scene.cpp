@@ -16,11 +16,11 @@ GrownScene read_grown(const Home& home, const Scene& scene) {
   grown.places = home.places;
   Present present(home);
   for (const std::size_t i : grown.changed.gone) {
-    present.touch(home.scene.nodes[i].id, home.physics.bounds(static_cast<BodyId>(i)));
+    present.touch(home.scene.nodes[i].id, home.physics.bounds(BodyId::node(i)));
     grown.places.remove(i, home.scene.nodes[i]);
   }
   for (const std::size_t i : grown.changed.nodes) {
-    present.touch(scene.nodes[i].id, grown.physics.bounds(static_cast<BodyId>(i)));
+    present.touch(scene.nodes[i].id, grown.physics.bounds(BodyId::node(i)));
     grown.places.add(i, scene.nodes[i]);
   }
   for (const std::size_t i : grown.changed.states) present.touch(scene.nodes[i].id);
@@ -44,7 +44,7 @@ KnownStart known_start(const Home& home, const Scene& scene, GrownScene grown) {
   links.resize(std::max(count, links.size()));
   while (colliders.size() < count) colliders.emplace_back();
   while (colliders.size() > count) colliders.pop_back();
-  for (const std::size_t i : changed.nodes) colliders.edit(i) = physics.share(static_cast<BodyId>(i));
+  for (const std::size_t i : changed.nodes) colliders.edit(i) = physics.share(BodyId::node(i));
   for (const std::size_t i : changed.gone) links.set(i, {});
   for (auto& [i, read] : grown.links) links.set(i, std::move(read));
   links.resize(count);

@@ -58,11 +58,11 @@ Home prepare_home(Scene scene, const Profile& profile) {
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
     const Shape shape = shape_of(node);
-    solids.set(static_cast<BodyId>(i), shape, node.pose, node.opening);
+    solids.set(BodyId::node(i), shape, node.pose, node.opening);
     home.bounds.push_back(bounds_of(shape, node.pose, node.opening));
     home.sweeps.push_back(node.movable ? std::nullopt : sweep_of(node));
     home.farthest_sweep = std::max(home.farthest_sweep, goes_beyond(home.sweeps.back(), home.bounds.back()));
-    home.colliders.push_back(home.physics.share(static_cast<BodyId>(i)));
+    home.colliders.push_back(home.physics.share(BodyId::node(i)));
     home.rooms.push_back(room_number(home.physics, node.pose.position.head<2>()));
   }
   home.solids = PlacementChecker::shared(std::move(solids));
@@ -100,11 +100,11 @@ Differences differences(const Home& home, const Scene& scene) {
 PhysicsWorld physics_of(const Home& home, const Scene& scene, const Differences& changed) {
   PhysicsWorld physics = home.physics;
   for (const std::size_t i : changed.gone) {
-    if (i >= scene.nodes.size()) physics.remove(static_cast<BodyId>(i));
+    if (i >= scene.nodes.size()) physics.remove(BodyId::node(i));
   }
   for (const std::size_t i : changed.nodes) {
     const Node& node = scene.nodes[i];
-    physics.set(static_cast<BodyId>(i), shape_of(node), node.pose, node.opening, node.movable ? node.mass : 0);
+    physics.set(BodyId::node(i), shape_of(node), node.pose, node.opening, node.movable ? node.mass : 0);
   }
   return physics;
 }

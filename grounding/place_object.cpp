@@ -53,16 +53,17 @@ struct Rest {
 };
 
 /// What physics reads of the body and of the movable things that may rest on or in it, sorted by edge.
-std::vector<Rest> rests_around(const Workspace& workspace, BodyId body) {
+std::vector<Rest> rests_around(const Workspace& workspace, std::size_t node) {
   const Scene& scene = workspace.scene();
-  std::vector<std::size_t> around{body};
+  std::vector<std::size_t> around{node};
+  const auto body = BodyId::node(node);
   for (const BodyId near : workspace.physics().near(workspace.physics().bounds(body), 0.02)) {
-    if (near != body && near < scene.nodes.size() && scene.nodes[near].movable) around.push_back(near);
+    if (near != body && near.is_node() && scene.nodes[near.index()].movable) around.push_back(near.index());
   }
   std::vector<Rest> rests;
   for (const std::size_t thing : around) {
     for (const Link& link : links_of(scene, workspace.physics(), thing)) {
-      if (carries(link) && (thing == body || link.to == body))
+      if (carries(link) && (thing == node || link.to == node))
         rests.push_back({edge_of(scene, thing, link), thing, link.to});
     }
   }
@@ -71,12 +72,12 @@ std::vector<Rest> rests_around(const Workspace& workspace, BodyId body) {
 }
 
 /// The one thing wrong with where the node came to rest, or "".
-std::string misplaced(const Workspace& workspace, BodyId body, std::optional<Predicate> wanted,
+std::string misplaced(const Workspace& workspace, std::size_t node, std::optional<Predicate> wanted,
                       std::optional<std::size_t> receptacle) {
   const auto& nodes = workspace.scene().nodes;
   bool found = !wanted;
-  for (const auto& [edge, thing, host] : rests_around(workspace, body)) {
-    if (thing == body && wanted == edge.relation && host == receptacle) {
+  for (const auto& [edge, thing, host] : rests_around(workspace, node)) {
+    if (thing == node && wanted == edge.relation && host == receptacle) {
       found = true;
       continue;  // it was asked for
     }
@@ -92,7 +93,9 @@ bool blocks_a_door(const Workspace& workspace, const Bounds& bounds, std::size_t
   const auto& sweeps = workspace.sweeps();
   const auto near = workspace.physics().near(bounds, workspace.farthest_sweep() + kSlack_m);
   return std::any_of(near.begin(), near.end(), [&](BodyId i) {
-    return i != except && i < sweeps.size() && sweeps[i] && overlap(*sweeps[i], bounds);
+    if (!i.is_node() || i.index() == except || i.index() >= sweeps.size()) return false;
+    const auto& sweep = sweeps[i.index()];
+    return sweep && overlap(*sweep, bounds);
   });
 }
 
@@ -100,7 +103,7 @@ bool blocks_a_door(const Workspace& workspace, const Bounds& bounds, std::size_t
 /// over its base, on the floor or on something level that never moves. Letting it down in physics would show nothing.
 bool stands_firmly(const Workspace& workspace, const StandIn& trial, std::optional<std::size_t> receptacle) {
   const auto& nodes = workspace.scene().nodes;
-  const Node& node = nodes[trial.body()];
+  const Node& node = nodes[trial.body().index()];
   const auto& parts = trial.shape().parts;
   if (node.opening > 0 || !node.boards.empty()) return false;
   if (std::any_of(parts.begin(), parts.end(), [](const Part& part) { return part.kind == Part::Kind::Sphere; }))
@@ -150,7 +153,7 @@ std::optional<Pose> try_pose(Workspace& workspace, double opening, StandIn& tria
     return std::nullopt;
   }
   trial.move(*rest);
-  obstacle = misplaced(workspace, trial.body(), wanted, receptacle);
+  obstacle = misplaced(workspace, trial.body().index(), wanted, receptacle);
   if (!obstacle.empty()) return std::nullopt;
   return rest;
 }

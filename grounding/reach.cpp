@@ -18,7 +18,7 @@ namespace {
 
 void place(Scene& scene, PhysicsWorld& world, std::size_t index, const Pose& pose) {
   scene.nodes.edit(index).pose = pose;
-  world.move(static_cast<BodyId>(index), pose);
+  world.move(BodyId::node(index), pose);
 }
 
 /// Bodies near some bounds that can be carried away, but for one.
@@ -26,7 +26,7 @@ std::vector<BodyId> loose_near(const Scene& scene, const PhysicsWorld& world, co
                                std::size_t except) {
   std::vector<BodyId> loose;
   for (const BodyId id : world.near(bounds, gap)) {
-    if (id < scene.nodes.size() && id != except && scene.nodes[id].movable) loose.push_back(id);
+    if (id.is_node() && id.index() != except && scene.nodes[id.index()].movable) loose.push_back(id);
   }
   return loose;
 }
@@ -61,7 +61,7 @@ class Footholds {
         standing_(standing),
         profile_(profile),
         target_(target),
-        held_{static_cast<BodyId>(held)} {}
+        held_{BodyId::node(held)} {}
   /// The arm gets to the spot from one of them from which the target is in sight.
   bool reach(const Vec3& spot) {
     if (!places_) {
@@ -108,10 +108,9 @@ Spots spots_for(const Scene& scene, const PhysicsWorld& world, const Standing& s
   const auto& [thing, target, inside] = errand;
   const Node& node = scene.nodes[thing];
   const Node& receptacle = scene.nodes[target];
-  const auto& collider = world.collider(static_cast<BodyId>(thing));
-  const auto& shape = world.collider(static_cast<BodyId>(target)).shape;
-  const auto loose =
-      loose_near(scene, world, world.bounds(static_cast<BodyId>(target)), node.size.norm(), scene.nodes.size());
+  const auto& collider = world.collider(BodyId::node(thing));
+  const auto& shape = world.collider(BodyId::node(target)).shape;
+  const auto loose = loose_near(scene, world, world.bounds(BodyId::node(target)), node.size.norm(), scene.nodes.size());
   std::optional<Footholds> footholds;
   if (!receptacle.movable) footholds.emplace(scene, world, standing, profile, target, thing);
   Spots spots;
@@ -250,7 +249,7 @@ std::vector<std::size_t> Reach::doors_before(std::size_t target, bool inside) co
 bool Reach::spot_for(std::size_t thing, std::size_t target, bool inside) {
   const Errand errand{thing, target, inside};
   const Vec3& size = scene_.nodes[thing].size;
-  const Digest& form = world_.collider(static_cast<BodyId>(thing)).digest;
+  const Digest& form = world_.collider(BodyId::node(thing)).digest;
   const Full asked{target, inside, form.a, form.b, size.x(), size.y(), size.z()};
   if (full_.contains(asked)) return false;
   const auto found = [&](const Spots& spots) {
@@ -267,9 +266,7 @@ bool Reach::spot_for(std::size_t thing, std::size_t target, bool inside) {
 }
 
 bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t target, bool inside) {
-  const auto collider = [this](std::size_t node) -> const Collider& {
-    return world_.collider(static_cast<BodyId>(node));
-  };
+  const auto collider = [this](std::size_t node) -> const Collider& { return world_.collider(BodyId::node(node)); };
   if (is_ample(scene_, collider(target).shape, things, inside)) return true;
   const auto holds_others = [&](std::size_t thing) { return !collider(thing).shape.surfaces.empty(); };
   if (inside && std::any_of(things.begin(), things.end(), holds_others)) return true;
@@ -297,7 +294,7 @@ bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t tar
 
 bool Reach::swings(std::size_t index) const {
   const Node& node = scene_.nodes[index];
-  const auto body = static_cast<BodyId>(index);
+  const auto body = BodyId::node(index);
   const Shape& shape = world_.collider(body).shape;
   if (node.movable || !node.openable || shape.joints.empty()) return true;
   const auto swept = sweep_of(node);
@@ -321,14 +318,14 @@ Reach::Opened& Reach::with_open(const std::vector<std::size_t>& doors) {
   if (!opened_) opened_ = Opened{{}, without_edges(scene_), world_, nullptr, {}};
   for (const std::size_t door : opened_->doors) {  // shut again
     const Node& container = scene_.nodes[door];
-    const auto body = static_cast<BodyId>(door);
+    const auto body = BodyId::node(door);
     opened_->scene.nodes.edit(door).opening = container.opening;
     opened_->world.set(body, world_.share(body), container.pose, container.mass);
   }
   for (const std::size_t door : doors) {
     const Node& container = scene_.nodes[door];
     opened_->scene.nodes.edit(door).opening = 1;
-    opened_->world.set(static_cast<BodyId>(door), shape_of(container), container.pose, 1, container.mass);
+    opened_->world.set(BodyId::node(door), shape_of(container), container.pose, 1, container.mass);
   }
   opened_->walk.reset();
   opened_->doors = doors;

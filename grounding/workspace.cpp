@@ -19,7 +19,7 @@ Workspace::Workspace(Scene scene, const Knowledge& knowledge)
   for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
     const Node& node = scene_.nodes[i];
     const Shape shape = shape_of(node);
-    checker_.set(static_cast<BodyId>(i), shape, node.pose, node.opening);
+    checker_.set(BodyId::node(i), shape, node.pose, node.opening);
     bounds_.push_back(bounds_of(shape, node.pose, node.opening));
     sweeps_.push_back(node.movable ? std::nullopt : sweep_of(node));
     farthest_sweep_ = std::max(farthest_sweep_, goes_beyond(sweeps_.back(), bounds_.back()));
@@ -42,12 +42,12 @@ Workspace::Workspace(const Home& home, const Knowledge& knowledge)
       present_(home) {}
 
 void Workspace::note(std::size_t index) {
-  if (present_) present_->touch(scene_.nodes[index].id, physics_.bounds(static_cast<BodyId>(index)));
+  if (present_) present_->touch(scene_.nodes[index].id, physics_.bounds(BodyId::node(index)));
 }
 
 void Workspace::place(std::size_t index, Node node) {
   const Shape shape = shape_of(node);
-  const auto body = static_cast<BodyId>(index);
+  const auto body = BodyId::node(index);
   physics_.set(body, shape, node.pose, node.opening, node.mass);
   checker_.set(body, shape, node.pose, node.opening);
   bounds_.edit(index) = bounds_of(shape, node.pose, node.opening);
@@ -91,8 +91,8 @@ void Workspace::remove(std::size_t index) {
   places_.remove(last, moved);
   if (index != last) place(index, std::move(moved));
   moved_.push_back(last);
-  physics_.remove(static_cast<BodyId>(last));
-  checker_.remove(static_cast<BodyId>(last));
+  physics_.remove(BodyId::node(last));
+  checker_.remove(BodyId::node(last));
   scene_.nodes.pop_back();
   sweeps_.pop_back();
   bounds_.pop_back();
@@ -116,8 +116,10 @@ std::vector<std::string> Workspace::carried_by(std::size_t index) const {
   for (std::size_t at = 0; at < found.size(); ++at) {
     const auto carrier = reader.find(scene_.nodes[found[at]].id);
     if (!carrier) continue;
-    for (const BodyId near : physics_.near(physics_.bounds(static_cast<BodyId>(found[at])), kNear_m)) {
-      if (near >= scene_.nodes.size() || std::find(found.begin(), found.end(), near) != found.end()) continue;
+    for (const BodyId body : physics_.near(physics_.bounds(BodyId::node(found[at])), kNear_m)) {
+      if (!body.is_node()) continue;
+      const std::size_t near = body.index();
+      if (std::find(found.begin(), found.end(), near) != found.end()) continue;
       const auto thing = reader.find(scene_.nodes[near].id);
       const bool rests =
           thing && (facts.holds(Predicate::On, *thing, *carrier) || facts.holds(Predicate::Inside, *thing, *carrier));
@@ -156,8 +158,9 @@ const Room* Workspace::room_of(std::size_t index) const {
 std::vector<std::size_t> Workspace::nodes_in(std::size_t room) const {
   constexpr double kAbove_m = 1;  // the walls
   std::vector<std::size_t> nodes;
-  for (const BodyId i : physics_.near(room_bounds(scene_.rooms[room], scene_.wall_height), kAbove_m)) {
-    if (i < rooms_.size() && rooms_[i] == static_cast<std::int32_t>(room)) nodes.push_back(i);
+  for (const BodyId body : physics_.near(room_bounds(scene_.rooms[room], scene_.wall_height), kAbove_m)) {
+    const std::size_t i = body.index();
+    if (body.is_node() && i < rooms_.size() && rooms_[i] == static_cast<std::int32_t>(room)) nodes.push_back(i);
   }
   return nodes;
 }
@@ -171,8 +174,8 @@ std::vector<std::size_t> Workspace::nodes_in(const std::vector<bool>& rooms) con
 }
 
 std::string Workspace::name_of(BodyId body) const {
-  if (body < scene_.nodes.size()) return scene_.nodes[body].id;
-  return body >= kFloor ? "the floor" : "a wall";
+  if (body.is_node()) return scene_.nodes[body.index()].id;
+  return body == kFloor ? "the floor" : "a wall";
 }
 
 StandIn::StandIn(Workspace& workspace, Node node, std::size_t index)

@@ -112,7 +112,7 @@ class StandIn {
 
   void move(const Pose& pose);
   const Shape& shape() const { return shape_; }
-  BodyId body() const { return static_cast<BodyId>(index_); }
+  BodyId body() const { return BodyId::node(index_); }
 
  private:
   Workspace& workspace_;

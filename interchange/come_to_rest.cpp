@@ -14,7 +14,7 @@ constexpr double kRestless_m = 0.002, kRestless_s = 2;
 std::vector<BodyId> loose_ones(const Scene& scene) {
   std::vector<BodyId> loose;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (scene.nodes[i].movable) loose.push_back(static_cast<BodyId>(i));
+    if (scene.nodes[i].movable) loose.push_back(BodyId::node(i));
   }
   return loose;
 }
@@ -28,7 +28,7 @@ void settle_in_rounds(Scene& scene) {
   for (int round = 0; round < kMostRounds && moved > kStill_m; ++round) {
     moved = 0;
     for (const SettledBody& settled : world.settle(loose_ones(scene), options).bodies) {
-      Pose& pose = scene.nodes.edit(settled.body).pose;
+      Pose& pose = scene.nodes.edit(settled.body.index()).pose;
       moved = std::max(moved, (settled.pose.position - pose.position).norm());
       pose = settled.pose;
       world.move(settled.body, pose);
@@ -51,9 +51,9 @@ std::vector<Restless> restless_ones(const Scene& scene) {
   std::map<std::size_t, double> farthest;
   for (int order = 0; order < 2; ++order, std::reverse(loose.begin(), loose.end())) {
     for (const SettledBody& settled : world.settle(loose, options).bodies) {
-      const double moved = (settled.pose.position - scene.nodes[settled.body].pose.position).norm();
+      const double moved = (settled.pose.position - scene.nodes[settled.body.index()].pose.position).norm();
       if (moved <= kRestless_m) continue;  // not so what is no number
-      double& so_far = farthest[settled.body];
+      double& so_far = farthest[settled.body.index()];
       so_far = std::max(so_far, std::isnan(moved) ? 1.0 : moved);
     }
   }

@@ -193,18 +193,18 @@ Outcome slice(WorldState& state, std::size_t i) {
       part.states.clear(Predicate::Sliced);
       index = state.add(part);
     }
-    loose.push_back(static_cast<BodyId>(index));
+    loose.push_back(BodyId::node(index));
   }
   const Settled settled = state.physics().settle(loose);
   const Bounds whole_bounds = bounds_of(whole.pose, whole.size);
   std::vector<Bounds> touched{whole_bounds};
   for (const SettledBody& body : settled.bodies) {
-    state.move(body.body, body.pose);
+    state.move(body.body.index(), body.pose);
     touched.push_back(state.physics().bounds(body.body));
   }
   look_at(state, state.node(i).pose.position);
   state.carry_along();
-  const std::vector<std::size_t> changed(loose.begin(), loose.end());
+  const std::vector<std::size_t> changed = nodes_of(loose);
   state.refresh(touched, changed);
   return succeeded();
 }

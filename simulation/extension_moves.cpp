@@ -32,9 +32,9 @@ Outcome is_seated(const WorldState& state, std::size_t seat) {
 bool free_for_body(const WorldState& state, std::size_t seat, const Pose& pose, const Vec3& size) {
   Shape body;
   body.parts.push_back({Part::Kind::Box, {}, size, -1});
-  std::vector<BodyId> ignore{static_cast<BodyId>(seat)};
+  std::vector<BodyId> ignore{BodyId::node(seat)};
   for (const BodyId id : state.physics().near(bounds_of(pose, size), 0)) {
-    if (id >= state.count() || !state.node(id).movable) ignore.push_back(id);
+    if (!id.is_node() || !state.node(id.index()).movable) ignore.push_back(id);
   }
   return !state.physics().overlap(body, pose, 0, ignore);
 }

@@ -13,9 +13,9 @@ constexpr double kSunk_m = 0.003;         // resting contacts sink by up to this
 constexpr double kKnocked_m = 0.05;       // neighbours that move farther than this have been knocked over
 
 Bounds group_bounds(const WorldState& state, const std::vector<std::size_t>& group) {
-  Bounds all = state.physics().bounds(static_cast<BodyId>(group.front()));
+  Bounds all = state.physics().bounds(BodyId::node(group.front()));
   for (const std::size_t i : group) {
-    const Bounds one = state.physics().bounds(static_cast<BodyId>(i));
+    const Bounds one = state.physics().bounds(BodyId::node(i));
     all.low = all.low.cwiseMin(one.low);
     all.high = all.high.cwiseMax(one.high);
   }
@@ -26,9 +26,9 @@ Bounds group_bounds(const WorldState& state, const std::vector<std::size_t>& gro
 std::vector<BodyId> neighbours(const WorldState& state, const Bounds& bounds, const std::vector<std::size_t>& group) {
   std::vector<BodyId> found;
   for (const BodyId id : state.physics().near(bounds, kTouching_m)) {
-    if (id >= state.count() || !state.node(id).movable) continue;
-    for (const std::size_t member : state.group_of(id)) {
-      if (std::find(group.begin(), group.end(), member) == group.end()) found.push_back(static_cast<BodyId>(member));
+    if (!id.is_node() || !state.node(id.index()).movable) continue;
+    for (const std::size_t member : state.group_of(id.index())) {
+      if (std::find(group.begin(), group.end(), member) == group.end()) found.push_back(BodyId::node(member));
     }
   }
   std::sort(found.begin(), found.end());
@@ -40,11 +40,11 @@ std::vector<BodyId> neighbours(const WorldState& state, const Bounds& bounds, co
 double apply(WorldState& state, const Settled& settled, const std::vector<BodyId>& watched) {
   double farthest = 0;
   for (const SettledBody& body : settled.bodies) {
-    const Node& node = state.node(body.body);
+    const Node& node = state.node(body.body.index());
     if (std::find(watched.begin(), watched.end(), body.body) != watched.end()) {
       farthest = std::max(farthest, (node.pose.position - body.pose.position).norm());
     }
-    state.move(body.body, body.pose);
+    state.move(body.body.index(), body.pose);
   }
   return farthest;
 }
@@ -96,7 +96,7 @@ bool in_grasp(const WorldState& state, const std::vector<std::size_t>& group, co
   Node thing = state.node(group.front());
   thing.pose = pose;
   if (reach_distance(thing, place, *state.profile) > state.profile->reach_m) return false;
-  const std::vector<BodyId> held(group.begin(), group.end());
+  const std::vector<BodyId> held = bodies_of(group);
   return sees(thing, held.front(), state.physics(), *state.profile, place, held);
 }
 
@@ -127,7 +127,7 @@ Outcome pick_up(WorldState& state, std::size_t i) {
   state.set_hand({});
   state.carry_along();
   std::vector<Bounds> touched{before};
-  std::vector<std::size_t> changed(left_behind.begin(), left_behind.end());
+  std::vector<std::size_t> changed = nodes_of(left_behind);
   if (!left_behind.empty()) {
     apply(state, state.physics().settle(left_behind), {});
     touched.push_back(group_bounds(state, changed));
@@ -173,13 +173,13 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
     look_at(state, state.node(i).pose.position);
     const Bounds let_go = group_bounds(state, group);
     const auto beside = neighbours(state, let_go, group);
-    std::vector<BodyId> loose(group.begin(), group.end());
+    std::vector<BodyId> loose = bodies_of(group);
     loose.insert(loose.end(), beside.begin(), beside.end());
     const Settled settled = state.physics().settle(loose);
     const double knocked = apply(state, settled, beside);
     if (!settled.calm || knocked > kKnocked_m) return false;
     std::erase(state.edit_agent().held, id);
-    const std::vector<std::size_t> changed(loose.begin(), loose.end());
+    const std::vector<std::size_t> changed = nodes_of(loose);
     const Bounds touched[] = {let_go, group_bounds(state, changed)};
     state.refresh(touched, changed);
     if (!state.linked(i, inside ? Predicate::Inside : Predicate::On, target)) return false;
@@ -227,7 +227,7 @@ namespace {
 /// A body that came to rest while it was still in another: a fall may end so, a placing does not.
 bool any_sunk(const WorldState& state, const std::vector<std::size_t>& bodies) {
   return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t i) {
-    const BodyId self[] = {static_cast<BodyId>(i)};
+    const BodyId self[] = {BodyId::node(i)};
     const Node& node = state.node(i);
     return state.physics().overlap(state.collider(i), node.pose, self, kSunk_m).has_value();
   });
@@ -247,11 +247,11 @@ Outcome drop(WorldState& state) {
   Bounds below = let_go;
   below.low.z() = 0;
   const auto hit = neighbours(state, below, group);
-  std::vector<BodyId> loose(group.begin(), group.end());
+  std::vector<BodyId> loose = bodies_of(group);
   loose.insert(loose.end(), hit.begin(), hit.end());
   const Settled settled = state.physics().settle(loose);
   apply(state, settled, {});
-  const std::vector<std::size_t> changed(loose.begin(), loose.end());
+  const std::vector<std::size_t> changed = nodes_of(loose);
   const bool in_a_room = std::all_of(changed.begin(), changed.end(), [&](std::size_t i) {
     return room_at(state.scene(), state.node(i).pose.position.head<2>()) != nullptr;
   });

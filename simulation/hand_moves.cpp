@@ -17,8 +17,8 @@ std::optional<Outcome> held_meets(const WorldState& state) {
       const Node& node = state.node(member);
       const auto hit = state.physics().overlap(state.collider(member), node.pose, {});
       if (!hit) continue;
-      const bool thing = *hit < state.count();
-      return failed(Failure::Blocked, id + " would hit " + (thing ? state.node(*hit).id : "a wall") + ".");
+      const bool thing = hit->is_node();
+      return failed(Failure::Blocked, id + " would hit " + (thing ? state.node(hit->index()).id : "a wall") + ".");
     }
   }
   return std::nullopt;

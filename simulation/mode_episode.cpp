@@ -54,7 +54,7 @@ const VisibleObject* ModeEpisode::in_view(std::string_view id) const { return fi
 
 bool ModeEpisode::was_seen(std::string_view id) const {
   return std::any_of(looked_at_.rbegin(), looked_at_.rend(),
-                     [&](std::uint32_t moment) { return world_.at(moment).shows(id); });
+                     [&](MomentId moment) { return world_.at(moment).shows(id); });
 }
 
 const VisibleObject* ModeEpisode::best_match(const PixelBox& box) const {

@@ -50,8 +50,7 @@ class ModeEpisode {
 
   World world_;
   Mode mode_;
-  std::vector<std::uint32_t>
-      looked_at_;  // M2: the moments before its steps; what they show is looked at when asked for
+  std::vector<MomentId> looked_at_;  // M2: the moments before its steps; what they show is looked at when asked for
   int steps_ = 0, failures_ = 0;
 };
 

@@ -18,22 +18,22 @@ std::string key_of(const Action& action) {
 
 MomentTree::MomentTree(WorldState start, Viewer viewer) : state_(std::move(start)), viewer_(std::move(viewer)) {
   moments_.emplace_back();  // moments are told apart by what they gained since the start, which gained nothing
-  known_.emplace(Digest{}, 0);
+  known_.emplace(Digest{}, MomentId());
 }
 
 void MomentTree::go(MomentId to) {
   std::vector<MomentId> down;
   MomentId up = here_, from = to;
   while (up != from) {
-    if (moments_[up].depth >= moments_[from].depth) {
-      state_.undo(moments_[up].log);
-      up = moments_[up].parent;
+    if (moments_[up.index()].depth >= moments_[from.index()].depth) {
+      state_.undo(moments_[up.index()].log);
+      up = moments_[up.index()].parent;
     } else {
       down.push_back(from);
-      from = moments_[from].parent;
+      from = moments_[from.index()].parent;
     }
   }
-  for (auto next = down.rbegin(); next != down.rend(); ++next) state_.redo(moments_[*next].log);
+  for (auto next = down.rbegin(); next != down.rend(); ++next) state_.redo(moments_[next->index()].log);
   here_ = to;
 }
 
@@ -43,7 +43,7 @@ const WorldState& MomentTree::at(MomentId moment) {
 }
 
 const MomentTree::Step& MomentTree::step(MomentId at, const Action& action) {
-  const auto [place, fresh] = moments_[at].steps.try_emplace(key_of(action));
+  const auto [place, fresh] = moments_[at.index()].steps.try_emplace(key_of(action));
   Step& step = place->second;
   if (!fresh) return step;
   if (at != here_) go(at);
@@ -54,14 +54,14 @@ const MomentTree::Step& MomentTree::step(MomentId at, const Action& action) {
     return step;
   }
   WorldState::Change change = state_.change();
-  Digest digest = moments_[at].digest;
+  Digest digest = moments_[at.index()].digest;
   digest += change.gained;
   step.changes = std::move(change.seen);
   std::vector<Edit> log = state_.take_log();
-  const auto [known, is_new] = known_.try_emplace(digest, static_cast<MomentId>(moments_.size()));
+  const auto [known, is_new] = known_.try_emplace(digest, MomentId(moments_.size()));
   step.next = known->second;
   if (is_new) {
-    const std::uint32_t depth = moments_[at].depth + 1;
+    const std::uint32_t depth = moments_[at.index()].depth + 1;
     Moment& moment = moments_.emplace_back();
     moment.parent = at;
     moment.depth = depth;
@@ -76,7 +76,7 @@ const MomentTree::Step& MomentTree::step(MomentId at, const Action& action) {
 }
 
 const std::vector<VisibleObject>& MomentTree::visible(MomentId moment, double sight_m) {
-  const auto [known, fresh] = moments_[moment].visible.try_emplace(sight_m);
+  const auto [known, fresh] = moments_[moment.index()].visible.try_emplace(sight_m);
   if (fresh) {
     const WorldState& state = at(moment);
     known->second = viewer_.view(state.viewed(), state.agent(), *state.profile, sight_m);
@@ -85,7 +85,7 @@ const std::vector<VisibleObject>& MomentTree::visible(MomentId moment, double si
 }
 
 bool MomentTree::shows(MomentId moment, std::string_view id) {
-  const auto [known, fresh] = moments_[moment].shown.try_emplace(std::string(id), false);
+  const auto [known, fresh] = moments_[moment.index()].shown.try_emplace(std::string(id), false);
   if (!fresh) return known->second;
   const WorldState& state = at(moment);
   const auto node = state.index_of(id);

@@ -8,13 +8,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "simulation/moment_id.h"
 #include "simulation/view.h"
 #include "simulation/world_state.h"
 
 namespace unietp {
-
-/// A moment of an episode. The start is 0.
-using MomentId = std::uint32_t;
 
 /// All that has happened from one start, in every branch that was tried: a tree of moments, of which one is laid out as
 /// a WorldState. Moments that are alike in all that can change are one moment, however they were reached, and a step
@@ -26,13 +24,13 @@ class MomentTree {
   struct Step {
     Outcome outcome;
     Delta changes;
-    MomentId next = 0;
+    MomentId next;
   };
   /// What the action comes to at that moment. The reference stays valid.
   const Step& step(MomentId at, const Action& action);
   /// The state at that moment, until another one is asked for.
   const WorldState& at(MomentId moment);
-  bool stopped(MomentId moment) const { return moments_[moment].stopped; }
+  bool stopped(MomentId moment) const { return moments_[moment.index()].stopped; }
   const Profile& profile() const { return *state_.profile; }
   const std::vector<VisibleObject>& visible(MomentId moment, double sight_m);
   /// Whether the view within the profile's sight has the object.
@@ -42,7 +40,7 @@ class MomentTree {
 
  private:
   struct Moment {
-    MomentId parent = 0;
+    MomentId parent;
     std::uint32_t depth = 0;
     std::vector<Edit> log;  // between the parent and here
     Digest digest;
@@ -54,7 +52,7 @@ class MomentTree {
   void go(MomentId to);
 
   WorldState state_;
-  MomentId here_ = 0;
+  MomentId here_;
   std::deque<Moment> moments_;
   std::unordered_map<Digest, MomentId, DigestHash> known_;
   Viewer viewer_;

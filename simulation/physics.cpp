@@ -78,12 +78,11 @@ struct PhysicsWorld::Impl {
   // What settles came to: plans are tried, shortened and mutated, and let the same things fall again and again.
   mutable std::unordered_map<std::string, Rest> settled;
 
-  SharedList<Body>& list_of(BodyId id) { return id < kFirstWall ? things : walls; }
-  static std::size_t place_of(BodyId id) { return id < kFirstWall ? id : id - kFirstWall; }
+  SharedList<Body>& list_of(BodyId id) { return id.is_node() ? things : walls; }
 
   const Body* find(BodyId id) const {
-    const auto& list = id < kFirstWall ? things : walls;
-    const std::size_t place = place_of(id);
+    const auto& list = id.is_node() ? things : walls;
+    const std::size_t place = id.index();
     return place < list.size() && list[place].collider != nullptr ? &list[place] : nullptr;
   }
   const Body& at(BodyId id) const { return *find(id); }
@@ -91,10 +90,10 @@ struct PhysicsWorld::Impl {
   template <class Visit>
   void each(Visit visit) const {
     for (std::size_t i = 0; i < things.size(); ++i) {
-      if (things[i].collider != nullptr) visit(static_cast<BodyId>(i), things[i]);
+      if (things[i].collider != nullptr) visit(BodyId::node(i), things[i]);
     }
     for (std::size_t i = 0; i < walls.size(); ++i) {
-      if (walls[i].collider != nullptr) visit(static_cast<BodyId>(kFirstWall + i), walls[i]);
+      if (walls[i].collider != nullptr) visit(BodyId::wall(i), walls[i]);
     }
   }
 
@@ -103,7 +102,7 @@ struct PhysicsWorld::Impl {
       std::optional<Bounds> around;
       each([&](BodyId, const Body& body) { around = around ? merged(*around, body.bounds) : body.bounds; });
       grid.emplace(around.value_or(Bounds{}));
-      each([&](BodyId id, const Body& body) { grid->insert(id, body.bounds); });
+      each([&](BodyId id, const Body& body) { grid->insert(id.number(), body.bounds); });
     }
     return *grid;
   }
@@ -113,7 +112,8 @@ struct PhysicsWorld::Impl {
     std::vector<BodyId> ids;
     ids.reserve(kUsual);
     const Vec3 grown = Vec3::Constant(gap);
-    ask().visit({bounds.low - grown, bounds.high + grown}, [&](BodyId id) {
+    ask().visit({bounds.low - grown, bounds.high + grown}, [&](std::uint32_t number) {
+      const auto id = BodyId::from_number(number);
       if (unietp::overlap(at(id).bounds, bounds, gap)) ids.push_back(id);
     });
     std::sort(ids.begin(), ids.end());
@@ -151,11 +151,11 @@ void PhysicsWorld::prepare() {
 void PhysicsWorld::set(BodyId id, std::shared_ptr<const Collider> collider, const Pose& pose, double mass) {
   remove(id);
   auto& list = impl_->list_of(id);
-  const std::size_t place = Impl::place_of(id);
+  const std::size_t place = id.index();
   while (place >= list.size()) list.emplace_back();
   const Bounds bounds = collider->bounds(pose);
   list.edit(place) = {std::move(collider), pose, mass, bounds, nullptr};
-  if (impl_->grid) impl_->grid->insert(id, bounds);
+  if (impl_->grid) impl_->grid->insert(id.number(), bounds);
 }
 
 void PhysicsWorld::set(BodyId id, const Shape& shape, const Pose& pose, double opening, double mass) {
@@ -163,19 +163,19 @@ void PhysicsWorld::set(BodyId id, const Shape& shape, const Pose& pose, double o
 }
 
 void PhysicsWorld::move(BodyId id, const Pose& pose) {
-  Body& body = impl_->list_of(id).edit(Impl::place_of(id));
-  if (impl_->grid) impl_->grid->erase(id, body.bounds);
+  Body& body = impl_->list_of(id).edit(id.index());
+  if (impl_->grid) impl_->grid->erase(id.number(), body.bounds);
   body.pose = pose;
   body.bounds = body.collider->bounds(pose);
   body.placed.reset();
-  if (impl_->grid) impl_->grid->insert(id, body.bounds);
+  if (impl_->grid) impl_->grid->insert(id.number(), body.bounds);
 }
 
 void PhysicsWorld::remove(BodyId id) {
   const Body* body = impl_->find(id);
   if (body == nullptr) return;
-  if (impl_->grid) impl_->grid->erase(id, body->bounds);
-  impl_->list_of(id).edit(Impl::place_of(id)) = {};
+  if (impl_->grid) impl_->grid->erase(id.number(), body->bounds);
+  impl_->list_of(id).edit(id.index()) = {};
 }
 
 bool PhysicsWorld::has(BodyId id) const { return impl_->find(id) != nullptr; }
@@ -227,9 +227,10 @@ std::optional<RayHit> PhysicsWorld::ray(const Vec3& from, const Vec3& to, std::s
   const Vec3 way = to - from;
   std::optional<RayHit> nearest;
   double best = 1;
-  impl_->ask().along(from, way, [&](const std::vector<BodyId>& here, double entered) {
+  impl_->ask().along(from, way, [&](const std::vector<std::uint32_t>& here, double entered) {
     if (entered > best) return false;
-    for (const BodyId id : here) {
+    for (const std::uint32_t number : here) {
+      const auto id = BodyId::from_number(number);
       const Body& body = impl_->at(id);
       if (!meets(body.bounds, from, way, best)) continue;
       if (std::find(ignore.begin(), ignore.end(), id) != ignore.end()) continue;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -8,24 +7,19 @@
 
 #include "scene/geometry.h"
 #include "scene/room_finder.h"
+#include "simulation/body_id.h"
 #include "simulation/collider.h"
 
 namespace unietp {
 
-/// Handle of a body in one PhysicsWorld; callers use the node's position in Scene::nodes, and walls lie above
-/// kFirstWall.
-using BodyId = std::uint32_t;
-inline constexpr BodyId kFirstWall = 1'000'000;
-inline constexpr BodyId kFloor = 2'000'000;
-
 struct Contact {
-  BodyId other = 0;
+  BodyId other;
   Vec3 normal = Vec3::UnitZ();  // from the other body to this one, W
   double gap = 0;               // metres, negative when they overlap
 };
 
 struct RayHit {
-  BodyId body = 0;
+  BodyId body;
   double fraction = 1;  // of the way from start to end
 };
 
@@ -39,7 +33,7 @@ struct SettleOptions {
 };
 
 struct SettledBody {
-  BodyId body = 0;
+  BodyId body;
   Pose pose;
 };
 struct Settled {

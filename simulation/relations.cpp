@@ -42,6 +42,8 @@ bool lies_in(const Node& node, const Node& container, const Shape& shape) {
   return false;
 }
 
+Link link_to(Predicate relation, BodyId node) { return {relation, static_cast<std::uint32_t>(node.index())}; }
+
 /// next_to: boxes apart by at most kNextTo_m sideways, at overlapping heights, of objects that neither hold nor carry
 /// one another (those overlap sideways).
 void add_beside(const PhysicsWorld& world, std::span<const BodyId> around, const Bounds& bounds,
@@ -53,7 +55,7 @@ void add_beside(const PhysicsWorld& world, std::span<const BodyId> around, const
     const double dy = std::max({bounds.low.y() - that.high.y(), that.low.y() - bounds.high.y()});
     if (std::max(dx, dy) <= 0) continue;
     const double gap = std::hypot(std::max(dx, 0.0), std::max(dy, 0.0));
-    if (gap <= kNextTo_m) links.push_back({Predicate::NextTo, other});
+    if (gap <= kNextTo_m) links.push_back(link_to(Predicate::NextTo, other));
   }
 }
 
@@ -65,28 +67,30 @@ bool has(const std::vector<Link>& links, const Link& link) {
 void add_contacts(const Scene& scene, const PhysicsWorld& world, std::size_t i, const Bounds& bounds,
                   std::span<const BodyId> around, const std::optional<std::uint32_t>& room, std::vector<Link>& links) {
   const Node& node = scene.nodes[i];
-  const auto id = static_cast<BodyId>(i);
+  const auto id = BodyId::node(i);
   for (const BodyId other : around) {
     if (world.collider(other).shape.cavities.empty() || !overlap(world.bounds(other), bounds)) continue;
-    if (lies_in(node, scene.nodes[other], world.collider(other).shape)) links.push_back({Predicate::Inside, other});
+    if (lies_in(node, scene.nodes[other.index()], world.collider(other).shape))
+      links.push_back(link_to(Predicate::Inside, other));
   }
   std::vector<BodyId> supports;
   for (const Contact& contact : world.contacts(id, kTouch_m)) {
     if (contact.normal.z() < kUpward) continue;
     if (contact.other == kFloor) {
       if (room) links.push_back({Predicate::OnFloor, *room});
-    } else if (contact.other < scene.nodes.size()) {
+    } else if (contact.other.is_node()) {
       supports.push_back(contact.other);
-      if (!has(links, {Predicate::Inside, contact.other})) links.push_back({Predicate::On, contact.other});
+      if (!has(links, link_to(Predicate::Inside, contact.other)))
+        links.push_back(link_to(Predicate::On, contact.other));
     }
   }
   if (!node.movable) return;
   const Vec3 top(node.pose.position.x(), node.pose.position.y(), bounds.high.z());
   const BodyId self[] = {id};
   const auto roof = world.ray(top, top + Vec3(0, 0, kOverhead_m), self);
-  if (!roof || roof->body >= scene.nodes.size() || has(links, {Predicate::Inside, roof->body})) return;
+  if (!roof || !roof->body.is_node() || has(links, link_to(Predicate::Inside, roof->body))) return;
   if (std::find(supports.begin(), supports.end(), roof->body) == supports.end())
-    links.push_back({Predicate::Under, roof->body});
+    links.push_back(link_to(Predicate::Under, roof->body));
 }
 
 void add_agent(const Scene& scene, std::vector<Edge>& edges) {
@@ -100,11 +104,11 @@ void add_links(const Scene& scene, const PhysicsWorld& world, std::size_t i, std
 
 void add_rooms(const Scene& scene, PhysicsWorld& world) {
   world.divide_floor(scene.rooms);
-  BodyId wall = kFirstWall;
+  std::size_t wall = 0;
   for (const WallPiece& piece : walls_of(scene)) {
     Shape box;
     box.parts.push_back({Part::Kind::Box, {}, piece.size, -1});
-    world.set(wall++, box, piece.pose, 0, 0);
+    world.set(BodyId::wall(wall++), box, piece.pose, 0, 0);
   }
 }
 
@@ -119,7 +123,7 @@ PhysicsWorld physics_of(const Scene& scene, ColliderBook& colliders) {
   PhysicsWorld world;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
-    world.set(static_cast<BodyId>(i), colliders.of(node), node.pose, node.movable ? node.mass : 0);
+    world.set(BodyId::node(i), colliders.of(node), node.pose, node.movable ? node.mass : 0);
   }
   add_rooms(scene, world);
   return world;
@@ -136,13 +140,13 @@ std::vector<Link> links_of(const Scene& scene, const PhysicsWorld& world, std::s
   const Node& node = scene.nodes[i];
   std::vector<Link> links;
   if (!node.slice_of.empty()) links.push_back({Predicate::SliceOf, 0});
-  const auto id = static_cast<BodyId>(i);
+  const auto id = BodyId::node(i);
   if (world.has(id)) {  // what is in the hand is at no place
     const auto room = world.floor().at(node.pose.position.head<2>());
     if (room) links.push_back({Predicate::InRoom, *room});
     const Bounds bounds = world.bounds(id);
     std::vector<BodyId> around = world.near(bounds, kNextTo_m);
-    std::erase_if(around, [&](BodyId other) { return other == id || other >= scene.nodes.size(); });
+    std::erase_if(around, [&](BodyId other) { return other == id || !other.is_node(); });
     if (!node.movable && bounds.low.z() < kTouch_m) {  // furniture stands where it was put; no need to ask contacts
       if (room) links.push_back({Predicate::OnFloor, *room});
     } else {
@@ -160,7 +164,7 @@ std::vector<std::size_t> affected_by(const PhysicsWorld& world, std::span<const 
   std::vector<std::size_t> affected(changed.begin(), changed.end());
   const auto add = [&](const Bounds& bounds, double gap) {
     for (const BodyId id : world.near(bounds, gap)) {
-      if (id < kFirstWall) affected.push_back(id);
+      if (id.is_node()) affected.push_back(id.index());
     }
   };
   for (const Bounds& bounds : touched) {

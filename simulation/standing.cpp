@@ -105,7 +105,7 @@ bool sees(const Node& thing, BodyId body, const PhysicsWorld& world, const Profi
 
 bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Vec2& at, std::size_t node,
           std::span<const BodyId> ignore) {
-  return sees(scene.nodes[node], static_cast<BodyId>(node), world, profile, at, ignore);
+  return sees(scene.nodes[node], BodyId::node(node), world, profile, at, ignore);
 }
 
 void StandingCells::look_farther(const StandingQuestion& asked, double limit_m) {
@@ -173,7 +173,7 @@ std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world
 
 std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const NavigationGrid& grid,
                                    const CellSet& walk_from_agent, const Profile& profile, std::size_t node) {
-  const auto body = static_cast<BodyId>(node);
+  const auto body = BodyId::node(node);
   const Shape shape = world.has(body) ? world.collider(body).shape : shape_of(scene.nodes[node]);
   StandingCells cells;
   return standing_place(scene, world, node, {scene.nodes[node], shape, grid, walk_from_agent, profile}, cells);

@@ -39,7 +39,7 @@ std::vector<std::size_t> riders(const WorldState& state, std::size_t node, const
 }
 
 std::string name_of_body(const WorldState& state, BodyId body) {
-  return body < state.count() ? state.node(body).id : body == kFloor ? "the floor" : "a wall";
+  return body.is_node() ? state.node(body.index()).id : body == kFloor ? "the floor" : "a wall";
 }
 
 }  // namespace
@@ -70,8 +70,8 @@ Outcome swing(WorldState& state, std::size_t i, bool open) {
   const double from = state.node(i).opening, to = open ? 1.0 : 0.0;
   const std::vector<std::size_t> riding = riders(state, i, shape);
   if (!shape.joints.empty()) {
-    std::vector<BodyId> ignore{static_cast<BodyId>(i)};
-    ignore.insert(ignore.end(), riding.begin(), riding.end());
+    std::vector<BodyId> ignore{BodyId::node(i)};
+    for (const std::size_t rider : riding) ignore.push_back(BodyId::node(rider));
     if (const auto hit = in_the_way(state.physics(), state.node(i), shape, to, ignore))
       return failed(Failure::Blocked, id + " is blocked by " + name_of_body(state, *hit) + ".");
     if (in_door_way(state.node(i), state.agent().position, *state.profile)) {
@@ -81,7 +81,7 @@ Outcome swing(WorldState& state, std::size_t i, bool open) {
 
   look_at(state, state.node(i).pose.position);
   std::vector<std::size_t> changed{i};
-  std::vector<Bounds> touched{state.physics().bounds(static_cast<BodyId>(i))};
+  std::vector<Bounds> touched{state.physics().bounds(BodyId::node(i))};
   if (!riding.empty()) {
     const int joint =
         std::find_if(shape.cavities.begin(), shape.cavities.end(), [](const Cavity& c) { return c.joint >= 0; })->joint;
@@ -89,15 +89,15 @@ Outcome swing(WorldState& state, std::size_t i, bool open) {
     const Pose motion =
         pose * joint_motion(shape, joint, to) * inverse(joint_motion(shape, joint, from)) * inverse(pose);
     for (const std::size_t rider : riding) {
-      touched.push_back(state.physics().bounds(static_cast<BodyId>(rider)));
+      touched.push_back(state.physics().bounds(BodyId::node(rider)));
       state.move(rider, motion * state.node(rider).pose);
-      touched.push_back(state.physics().bounds(static_cast<BodyId>(rider)));
+      touched.push_back(state.physics().bounds(BodyId::node(rider)));
       changed.push_back(rider);
     }
   }
   state.edit_states(i).set({open ? Predicate::Open : Predicate::Closed, ""});
   state.set_opening(i, to);
-  touched.push_back(state.physics().bounds(static_cast<BodyId>(i)));
+  touched.push_back(state.physics().bounds(BodyId::node(i)));
   state.carry_along();
   state.refresh(touched, changed);
   run_processes(state, i);

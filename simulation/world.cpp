@@ -79,7 +79,7 @@ const Scene& World::scene() const {
   return *shown_;
 }
 
-World World::at(std::uint32_t moment) const {
+World World::at(MomentId moment) const {
   World other(tree_);
   other.moment_ = moment;
   return other;
@@ -168,7 +168,7 @@ std::vector<std::size_t> World::places_near(const Bounds& bounds, double gap) co
   const WorldState& state = tree_->at(moment_);
   std::vector<std::size_t> places;
   for (const BodyId body : state.physics().near(bounds, gap)) {
-    if (body < state.count()) places.push_back(body);
+    if (body.is_node()) places.push_back(body.index());
   }
   return places;
 }

@@ -13,6 +13,7 @@
 #include "scene/scene.h"
 #include "scene/trace.h"
 #include "scene/visible_object.h"
+#include "simulation/moment_id.h"
 #include "simulation/profile.h"
 
 namespace unietp {
@@ -52,10 +53,9 @@ class World {
   const Scene& scene() const;
   const Profile& profile() const;
   bool stopped() const;  // `stop` was done
-  /// Worlds of one start at moments that are alike in all that can change have equal numbers.
-  std::uint32_t moment() const { return moment_; }
+  MomentId moment() const { return moment_; }
   /// The same start at another of its moments.
-  World at(std::uint32_t moment) const;
+  World at(MomentId moment) const;
 
   /// What the camera shows now: objects nearer than the profile's sight of which a pixel is met first by its ray, by
   /// id.
@@ -116,7 +116,7 @@ class World {
  private:
   explicit World(std::shared_ptr<MomentTree> tree);
   std::shared_ptr<MomentTree> tree_;  // of all copies, which are moments of it
-  std::uint32_t moment_ = 0;
+  MomentId moment_;
   const Delta* changes_ = nullptr;
   mutable std::unique_ptr<Scene> shown_;             // as of the last call of `scene()`
   mutable std::vector<const Delta*> not_yet_shown_;  // what changed since then

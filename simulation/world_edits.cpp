@@ -41,7 +41,7 @@ StateSet& WorldState::edit_states(std::size_t i) {
 
 void WorldState::put_body(std::size_t i) {
   const Node& here = node(i);
-  physics_.set(static_cast<BodyId>(i), colliders_[i], here.pose, here.movable ? here.mass : 0);
+  physics_.set(BodyId::node(i), colliders_[i], here.pose, here.movable ? here.mass : 0);
 }
 
 /// Brings the node's collider, its body and the grid in line with what it is now.
@@ -51,11 +51,11 @@ void WorldState::follow(std::size_t i, const Node& before) {
   if (!moved && !other) return;
   moved_.push_back(i);
   if (other) colliders_.edit(i) = book_.of(now);
-  if (!physics_.has(static_cast<BodyId>(i))) return;
+  if (!physics_.has(BodyId::node(i))) return;
   if (other) {
     put_body(i);
   } else {
-    physics_.move(static_cast<BodyId>(i), now.pose);
+    physics_.move(BodyId::node(i), now.pose);
   }
 }
 
@@ -64,7 +64,7 @@ void WorldState::move(std::size_t i, const Pose& pose) {
   log_node(i);
   scene_.nodes.edit(i).pose = pose;
   moved_.push_back(i);
-  if (physics_.has(static_cast<BodyId>(i))) physics_.move(static_cast<BodyId>(i), pose);
+  if (physics_.has(BodyId::node(i))) physics_.move(BodyId::node(i), pose);
 }
 
 void WorldState::set_opening(std::size_t i, double opening) {
@@ -89,7 +89,7 @@ std::size_t WorldState::add(Node node) {
 }
 
 void WorldState::lift(std::size_t i) {
-  physics_.remove(static_cast<BodyId>(i));
+  physics_.remove(BodyId::node(i));
   moved_.push_back(i);
   log(Lifted{i});
 }
@@ -155,8 +155,8 @@ void WorldState::exchange(Edit& edit) {
     links_.exchange(of_links->node, of_links->value);
   } else if (const auto* lifted = std::get_if<Lifted>(&edit.what)) {
     moved_.push_back(lifted->node);
-    if (physics_.has(static_cast<BodyId>(lifted->node))) {
-      physics_.remove(static_cast<BodyId>(lifted->node));
+    if (physics_.has(BodyId::node(lifted->node))) {
+      physics_.remove(BodyId::node(lifted->node));
     } else {
       put_body(lifted->node);
     }

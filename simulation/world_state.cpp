@@ -24,7 +24,7 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
   if (known.colliders) {
     state.colliders_ = std::move(*known.colliders);
   } else {
-    for (std::size_t i = 0; i < count; ++i) state.colliders_.push_back(state.physics_.share(static_cast<BodyId>(i)));
+    for (std::size_t i = 0; i < count; ++i) state.colliders_.push_back(state.physics_.share(BodyId::node(i)));
   }
   for (const std::string& id : state.agent().held) {
     if (!state.index_of(id))
@@ -57,7 +57,7 @@ void WorldState::read_links(const EdgeSet& edges) {
       if (from && to) add_link(*from, {edge.relation, static_cast<std::uint32_t>(*to)});
     }
     in_hand = this->in_hand();
-    for (const std::size_t i : in_hand) physics_.remove(static_cast<BodyId>(i));
+    for (const std::size_t i : in_hand) physics_.remove(BodyId::node(i));
   }
   const auto held = [&](std::size_t i) { return std::binary_search(in_hand.begin(), in_hand.end(), i); };
   for (std::size_t i = 0; i < count(); ++i) {
@@ -135,7 +135,7 @@ ViewedScene WorldState::viewed() const {
   const auto near = [this](const Bounds& bounds) {
     std::vector<std::size_t> nodes;
     for (const BodyId body : physics_.near(bounds, 0)) {
-      if (body < count()) nodes.push_back(body);
+      if (body.is_node()) nodes.push_back(body.index());
     }
     return nodes;
   };

@@ -7,7 +7,7 @@ const NavigationGrid& WorldState::grid() const {
     grid_.emplace(scene_, *profile);
   } else {
     for (const std::size_t i : moved_) {
-      const bool there = i < count() && physics_.has(static_cast<BodyId>(i));
+      const bool there = i < count() && physics_.has(BodyId::node(i));
       grid_->update(i, there ? &node(i) : nullptr, there ? &collider(i).shape : nullptr);
     }
   }

@@ -30,17 +30,16 @@ bool is_loose(const Scene& scene, const Node& node) {
 std::vector<std::vector<BodyId>> groups_of(const Scene& scene, const PhysicsWorld& physics) {
   const auto count = scene.nodes.size();
   std::vector<bool> waiting(count, false);
-  for (std::size_t i = 0; i < count; ++i)
-    waiting[i] = is_loose(scene, scene.nodes[i]) && physics.has(static_cast<BodyId>(i));
+  for (std::size_t i = 0; i < count; ++i) waiting[i] = is_loose(scene, scene.nodes[i]) && physics.has(BodyId::node(i));
   std::vector<std::vector<BodyId>> groups;
   for (std::size_t i = 0; i < count; ++i) {
     if (!waiting[i]) continue;
-    std::vector<BodyId> group{static_cast<BodyId>(i)};
+    std::vector<BodyId> group{BodyId::node(i)};
     waiting[i] = false;
     for (std::size_t next = 0; next < group.size(); ++next) {
       for (const BodyId other : physics.near(physics.bounds(group[next]), kTogether_m)) {
-        if (other >= count || !waiting[other]) continue;
-        waiting[other] = false;
+        if (!other.is_node() || !waiting[other.index()]) continue;
+        waiting[other.index()] = false;
         group.push_back(other);
       }
     }
@@ -54,12 +53,12 @@ void add(Digester& digest, const Vec3& v) { digest.add(v.x()).add(v.y()).add(v.z
 
 /// All of a body that physics is given.
 void add_body(Digester& digest, const Scene& scene, const PhysicsWorld& physics, BodyId id) {
-  if (id >= scene.nodes.size()) {  // floor and walls: upright boxes
+  if (!id.is_node()) {  // floor and walls: upright boxes
     const Bounds bounds = physics.bounds(id);
     add(digest, bounds.low);
     return add(digest, bounds.high);
   }
-  const Node& node = scene.nodes[id];
+  const Node& node = scene.nodes[id.index()];
   digest.add(static_cast<std::uint64_t>(node.archetype) * 2 + (node.openable ? 1 : 0)).add(node.mass).add(node.opening);
   add(digest, node.size);
   add(digest, node.pose.position);
@@ -109,13 +108,13 @@ std::vector<RestCheck::Moved> RestCheck::of(const Scene& scene, const PhysicsWor
       std::vector<Moved> moved;
       const auto settled = physics.settle(group, options);
       for (std::size_t i = 0; i < group.size(); ++i) {
-        const double distance = (settled.bodies[i].pose.position - scene.nodes[group[i]].pose.position).norm();
+        const double distance = (settled.bodies[i].pose.position - scene.nodes[group[i].index()].pose.position).norm();
         if (!(distance <= moved_m_)) moved.push_back({i, distance});  // also when it is no number
       }
       lock.lock();
       known = memory_->known.emplace(key, std::move(moved)).first;
     }
-    for (const Moved& one : known->second) all.push_back({group[one.node], one.distance_m});
+    for (const Moved& one : known->second) all.push_back({group[one.node].index(), one.distance_m});
   }
   std::sort(all.begin(), all.end(), [](const Moved& a, const Moved& b) { return a.node < b.node; });
   return all;

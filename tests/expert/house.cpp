@@ -118,9 +118,9 @@ Scene at_rest(Scene scene) {
   PhysicsWorld physics = physics_of(scene);
   std::vector<BodyId> loose;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (scene.nodes[i].movable) loose.push_back(static_cast<BodyId>(i));
+    if (scene.nodes[i].movable) loose.push_back(BodyId::node(i));
   }
-  for (const SettledBody& body : physics.settle(loose).bodies) scene.nodes.edit(body.body).pose = body.pose;
+  for (const SettledBody& body : physics.settle(loose).bodies) scene.nodes.edit(body.body.index()).pose = body.pose;
   scene.edges = read_relations(scene);
   return scene;
 }

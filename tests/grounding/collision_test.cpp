@@ -63,7 +63,8 @@ TEST(PlacementChecker, AgreesWithSeparatingAxesOnRandomBoxes) {
     Rng rng(seed);
     PlacementChecker checker;
     std::vector<OrientedBox> boxes;
-    for (BodyId id = 0; id < 12; ++id) {
+    for (std::size_t i = 0; i < 12; ++i) {
+      const auto id = BodyId::node(i);
       boxes.push_back(random_box(rng, 0.8));
       checker.set(id, shape_of_box(boxes.back().size), boxes.back().pose, 0);
     }
@@ -74,10 +75,10 @@ TEST(PlacementChecker, AgreesWithSeparatingAxesOnRandomBoxes) {
       grown.size += Vec3::Constant(2 * PlacementChecker::kGap_m);
       std::optional<BodyId> expected;
       bool too_close_to_call = false;
-      for (BodyId id = 0; id < boxes.size(); ++id) {
-        const double apart = separation(boxes[id], grown);
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const double apart = separation(boxes[i], grown);
         too_close_to_call = too_close_to_call || std::abs(apart) < 1e-6;
-        if (apart < 0 && !expected) expected = id;
+        if (apart < 0 && !expected) expected = BodyId::node(i);
       }
       if (too_close_to_call) continue;
       EXPECT_EQ(checker.hit(shape_of_box(box.size), box.pose, 0), expected);
@@ -90,26 +91,26 @@ TEST(PlacementChecker, AgreesWithSeparatingAxesOnRandomBoxes) {
 
 TEST(PlacementChecker, KeepsAGapToWhatItAlmostTouches) {
   PlacementChecker checker;
-  checker.set(7, shape_of_box(Vec3::Constant(1)), Pose{}, 0);
+  checker.set(BodyId::node(7), shape_of_box(Vec3::Constant(1)), Pose{}, 0);
   const auto probe_at = [&](double x) {
     return checker.hit(shape_of_box(Vec3::Constant(1)), upright({x, 0, 0}, 0), 0);
   };
-  EXPECT_EQ(probe_at(1.0), 7u) << "exactly touching";
-  EXPECT_EQ(probe_at(1.0009), 7u) << "less than a millimetre apart";
+  EXPECT_EQ(probe_at(1.0), BodyId::node(7)) << "exactly touching";
+  EXPECT_EQ(probe_at(1.0009), BodyId::node(7)) << "less than a millimetre apart";
   EXPECT_EQ(probe_at(1.002), std::nullopt);
 }
 
 TEST(PlacementChecker, ForgetsWhatIsTakenOutAndLeavesOutWhatIsIgnored) {
   PlacementChecker checker;
   const Shape cube = shape_of_box(Vec3::Constant(0.2));
-  checker.set(1, cube, Pose{}, 0);
-  checker.set(2, cube, upright({0.05, 0, 0}, 0), 0);
-  EXPECT_EQ(checker.hit(cube, Pose{}, 0), 1u);
-  const std::array<BodyId, 1> ignored{1};
-  EXPECT_EQ(checker.hit(cube, Pose{}, 0, PlacementChecker::kGap_m, ignored), 2u);
-  checker.remove(1);
-  EXPECT_EQ(checker.hit(cube, Pose{}, 0), 2u);
-  checker.set(2, cube, upright({5, 0, 0}, 0), 0);
+  checker.set(BodyId::node(1), cube, Pose{}, 0);
+  checker.set(BodyId::node(2), cube, upright({0.05, 0, 0}, 0), 0);
+  EXPECT_EQ(checker.hit(cube, Pose{}, 0), BodyId::node(1));
+  const std::array<BodyId, 1> ignored{BodyId::node(1)};
+  EXPECT_EQ(checker.hit(cube, Pose{}, 0, PlacementChecker::kGap_m, ignored), BodyId::node(2));
+  checker.remove(BodyId::node(1));
+  EXPECT_EQ(checker.hit(cube, Pose{}, 0), BodyId::node(2));
+  checker.set(BodyId::node(2), cube, upright({5, 0, 0}, 0), 0);
   EXPECT_EQ(checker.hit(cube, Pose{}, 0), std::nullopt) << "a body that is set again has left its old place";
 }
 
@@ -118,7 +119,8 @@ TEST(PlacementChecker, LaidOverAnotherAnswersAsOneThatWasBuiltSo) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     PlacementChecker base, built;
-    for (BodyId id = 0; id < 12; ++id) {
+    for (std::size_t i = 0; i < 12; ++i) {
+      const auto id = BodyId::node(i);
       const OrientedBox box = random_box(rng, 0.8);
       base.set(id, shape_of_box(box.size), box.pose, 0);
       built.set(id, shape_of_box(box.size), box.pose, 0);
@@ -126,7 +128,7 @@ TEST(PlacementChecker, LaidOverAnotherAnswersAsOneThatWasBuiltSo) {
     const auto below = PlacementChecker::shared(std::move(base));
     PlacementChecker over(below), untouched(below);
     for (int change = 0; change < 6; ++change) {
-      const auto id = static_cast<BodyId>(rng.below(14));
+      const auto id = BodyId::node(rng.below(14));
       const OrientedBox box = random_box(rng, 0.8);
       const bool gone = rng.chance(0.3);
       for (PlacementChecker* checker : {&over, &built}) {
@@ -147,10 +149,10 @@ TEST(PlacementChecker, LaidOverAnotherAnswersAsOneThatWasBuiltSo) {
 TEST(PlacementChecker, SeesADoorWhereItStandsOpen) {
   const Shape cabinet = make_shape(Archetype::Cabinet, {0.6, 0.5, 0.8}, true);
   PlacementChecker checker;
-  checker.set(0, shape_of_box(Vec3::Constant(0.1)), upright({-0.3, -0.5, 0}, 0), 0);
+  checker.set(BodyId::node(0), shape_of_box(Vec3::Constant(0.1)), upright({-0.3, -0.5, 0}, 0), 0);
   EXPECT_EQ(checker.hit_by_joints(cabinet, Pose{}, 0.0, 0.001), std::nullopt);
-  EXPECT_EQ(checker.hit_by_joints(cabinet, Pose{}, 1.0, 0.001), 0u);
-  EXPECT_EQ(checker.hit(cabinet, Pose{}, 1.0), 0u);
+  EXPECT_EQ(checker.hit_by_joints(cabinet, Pose{}, 1.0, 0.001), BodyId::node(0));
+  EXPECT_EQ(checker.hit(cabinet, Pose{}, 1.0), BodyId::node(0));
   EXPECT_EQ(checker.hit(cabinet, Pose{}, 0.0), std::nullopt);
 }
 
@@ -158,10 +160,10 @@ TEST(PlacementChecker, ChecksRoundThingsAsRound) {
   PlacementChecker checker;
   Shape ball;
   ball.parts.push_back({Part::Kind::Sphere, {}, Vec3::Constant(1), -1});
-  checker.set(0, ball, Pose{}, 0);
+  checker.set(BodyId::node(0), ball, Pose{}, 0);
   const Shape crumb = shape_of_box(Vec3::Constant(0.02));
   EXPECT_EQ(checker.hit(crumb, upright({0.4, 0.4, 0.4}, 0), 0), std::nullopt) << "in the corner of the ball's box";
-  EXPECT_EQ(checker.hit(crumb, upright({0, 0, 0.49}, 0), 0), 0u);
+  EXPECT_EQ(checker.hit(crumb, upright({0, 0, 0.49}, 0), 0), BodyId::node(0));
 }
 
 }  // namespace

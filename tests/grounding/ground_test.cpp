@@ -111,7 +111,7 @@ TEST_F(Ground, OpensDoorsInPhysicsNotOnlyInWords) {
     EXPECT_EQ(node.opening, 1);
     EXPECT_TRUE(node.states.has(Predicate::Open));
     const PhysicsWorld world = physics_of(episode.start);
-    const BodyId self[] = {static_cast<BodyId>(i)};
+    const BodyId self[] = {BodyId::node(i)};
     EXPECT_EQ(world.overlap(shape_of(node), node.pose, 1, self, 0.002), std::nullopt);
   }
 }

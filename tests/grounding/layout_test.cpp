@@ -126,7 +126,7 @@ TEST_P(EveryHome, HasRoomAboveWhatHeatsOrFillsAThingThatIsPutOnIt) {
       above.low.z() = above.high.z() + 0.01;
       above.high.z() += 0.2;
       for (const BodyId other : world.near(above, 0))
-        EXPECT_TRUE(other >= home.nodes.size() || home.nodes[other].movable) << home.nodes[other].id;
+        EXPECT_TRUE(!other.is_node() || home.nodes[other.index()].movable) << home.nodes[other.index()].id;
     }
   }
 }
@@ -214,14 +214,14 @@ TEST_P(EveryHome, StaysAsItIsForTwoSecondsOfPhysics) {
   for (const Scene& home : homes_) {
     std::vector<BodyId> loose;
     for (std::size_t i = 0; i < home.nodes.size(); ++i) {
-      if (home.nodes[i].movable) loose.push_back(static_cast<BodyId>(i));
+      if (home.nodes[i].movable) loose.push_back(BodyId::node(i));
     }
     SettleOptions two_seconds;
     two_seconds.max_steps = 480;
     two_seconds.calm_steps = 481;  // never stop early
     const Settled settled = physics_of(home).settle(loose, two_seconds);
     for (const SettledBody& body : settled.bodies) {
-      const Node& node = home.nodes[body.body];
+      const Node& node = home.nodes[body.body.index()];
       const double moved = (body.pose.position - node.pose.position).norm();
       const double turned = node.pose.rotation.angularDistance(body.pose.rotation) * 180 / M_PI;
       EXPECT_LT(moved, 0.005) << node.id;
@@ -271,19 +271,19 @@ TEST_P(EveryHome, KeepsFurnitureInItsRoomAndItsDoorsFree) {
     for (std::size_t i = 0; i < home.nodes.size(); ++i) {
       const Node& node = home.nodes[i];
       if (node.movable || !node.openable) continue;
-      std::vector<BodyId> ignore{static_cast<BodyId>(i)};
+      std::vector<BodyId> ignore{BodyId::node(i)};
       for (const std::string& id : carried_by(home, node.id)) {  // rides along in a drawer
-        ignore.push_back(static_cast<BodyId>(NodeIndex(home.nodes).find(id).value()));
+        ignore.push_back(BodyId::node(NodeIndex(home.nodes).find(id).value()));
       }
       for (const Edge& edge : home.edges) {  // stands on it: a door ends a hair above
         if (edge.from == node.id && edge.relation == Predicate::On) {
-          ignore.push_back(static_cast<BodyId>(NodeIndex(home.nodes).find(edge.to).value()));
+          ignore.push_back(BodyId::node(NodeIndex(home.nodes).find(edge.to).value()));
         }
       }
       for (const double opening : {0.3, 0.6, 1.0}) {
         const auto hit = world.overlap(shape_of(node), node.pose, opening, ignore, 0.002);
         EXPECT_FALSE(hit) << node.id << " at " << opening << " hits "
-                          << (*hit < home.nodes.size() ? home.nodes[*hit].id : "a wall");
+                          << (hit->is_node() ? home.nodes[hit->index()].id : "a wall");
       }
     }
   }

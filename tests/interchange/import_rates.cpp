@@ -93,11 +93,11 @@ std::vector<std::string> restless(const Scene& scene) {
   two_seconds.max_steps = two_seconds.calm_steps = 480;
   std::vector<BodyId> loose;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (scene.nodes[i].movable) loose.push_back(static_cast<BodyId>(i));
+    if (scene.nodes[i].movable) loose.push_back(BodyId::node(i));
   }
   std::vector<std::string> moved;
   for (const SettledBody& settled : world.settle(loose, two_seconds).bodies) {
-    const Node& node = scene.nodes[settled.body];
+    const Node& node = scene.nodes[settled.body.index()];
     if ((settled.pose.position - node.pose.position).norm() > 0.005) moved.push_back(node.id);
   }
   return moved;

@@ -110,7 +110,7 @@ TEST_P(ACamera, AmongManyThingsOfAllSizesSeesWhatALookAtAllOfThemSees) {
     const auto near = [&](const Bounds& bounds) {
       std::vector<std::size_t> nodes;
       for (const BodyId body : physics.near(bounds, 0)) {
-        if (body < scene.nodes.size()) nodes.push_back(body);
+        if (body.is_node()) nodes.push_back(body.index());
       }
       return nodes;
     };

@@ -53,7 +53,7 @@ TEST_P(Branching, OneThingIsAskedForAsTheWholeViewTells) {
     std::set<std::string> seen;
     for (const VisibleObject& object : world.visible()) seen.insert(object.id);
     for (const Node& node : world.scene().nodes) EXPECT_EQ(world.shows(node.id), seen.contains(node.id)) << node.id;
-    EXPECT_EQ(world.at(0).visible(), at_the_start);
+    EXPECT_EQ(world.at(MomentId()).visible(), at_the_start);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "logic/entity_list.h"
 #include "scene/node_index.h"
 #include "simulation/relations.h"
 #include "tests/simulation/kitchen.h"
@@ -22,7 +23,7 @@ std::size_t index_of(const Scene& scene, std::string_view id) {
 /// Drops one object and reads what it came to.
 Scene dropped(Scene scene, const std::string& id) {
   PhysicsWorld world = physics_of(scene);
-  const BodyId loose[] = {static_cast<BodyId>(index_of(scene, id))};
+  const BodyId loose[] = {BodyId::node(index_of(scene, id))};
   const Settled settled = world.settle(loose);
   EXPECT_TRUE(settled.calm);
   edit_node(scene, id)->pose = settled.bodies.front().pose;
@@ -79,8 +80,7 @@ TEST(Settle, GivesTheSameBitsEachTime) {
   Scene scene = kitchen();
   add(scene, "apple_2", kitchen_knowledge(), "Apple", 2.6, 1.2, 1.2);
   const PhysicsWorld world = physics_of(scene);
-  const BodyId loose[] = {static_cast<BodyId>(index_of(scene, "apple_2")),
-                          static_cast<BodyId>(index_of(scene, "mug_1"))};
+  const BodyId loose[] = {BodyId::node(index_of(scene, "apple_2")), BodyId::node(index_of(scene, "mug_1"))};
   const Settled first = world.settle(loose), second = PhysicsWorld(world).settle(loose);
   ASSERT_EQ(first.bodies.size(), second.bodies.size());
   for (std::size_t i = 0; i < first.bodies.size(); ++i) EXPECT_TRUE(first.bodies[i].pose == second.bodies[i].pose);
@@ -92,8 +92,21 @@ TEST(Overlap, NamesWhatStandsThereAndNothingWhenFree) {
   const Shape mug = make_shape(Archetype::Vessel, {0.09, 0.09, 0.1}, false);
   const auto hit = world.overlap(mug, upright({2.2, 1.0, 0.81}, 0), 0, {});
   ASSERT_TRUE(hit);
-  EXPECT_EQ(scene.nodes[*hit].id, "mug_1");
+  EXPECT_EQ(scene.nodes[hit->index()].id, "mug_1");
   EXPECT_FALSE(world.overlap(mug, upright({2.2, 1.0, 1.2}, 0), 0, {}));
+}
+
+static_assert(!std::is_convertible_v<std::size_t, BodyId> && !std::is_convertible_v<BodyId, std::size_t>);
+static_assert(!std::is_convertible_v<EntityIndex, BodyId> && !std::is_constructible_v<EntityIndex, BodyId>);
+
+TEST(BodyId, NodesWallsAndTheFloorAreToldApartInAnyNumber) {
+  const auto node = BodyId::node(1'000'000), wall = BodyId::wall(1'000'000);
+  EXPECT_TRUE(node.is_node() && !node.is_wall());
+  EXPECT_TRUE(wall.is_wall() && !wall.is_node());
+  EXPECT_FALSE(kFloor.is_node() || kFloor.is_wall());
+  EXPECT_TRUE(node < BodyId::wall(0) && wall < kFloor);
+  EXPECT_EQ(node.index(), wall.index());
+  EXPECT_THROW(BodyId::node(std::size_t{1} << 31), std::length_error);
 }
 
 TEST(Ray, MeetsWallsAndClosedDoorsFirst) {
@@ -101,10 +114,10 @@ TEST(Ray, MeetsWallsAndClosedDoorsFirst) {
   const PhysicsWorld world = physics_of(scene);
   const auto wall = world.ray({2.5, 2, 1.5}, {2.5, -3, 1.5});
   ASSERT_TRUE(wall);
-  EXPECT_GE(wall->body, kFirstWall);
+  EXPECT_TRUE(wall->body.is_wall());
   const auto door = world.ray({4.4, 2, 1.0}, {4.4, 3.6, 1.0});
   ASSERT_TRUE(door);
-  EXPECT_EQ(scene.nodes[door->body].id, "fridge_1");
+  EXPECT_EQ(scene.nodes[door->body.index()].id, "fridge_1");
 }
 
 TEST(ReadRelations, OnlyThoseOfWhatIsNearAChangeAreOthersAfterIt) {
@@ -113,10 +126,10 @@ TEST(ReadRelations, OnlyThoseOfWhatIsNearAChangeAreOthersAfterIt) {
   std::vector<std::vector<Link>> before;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) before.push_back(links_of(scene, world, i));
   const std::size_t mug = index_of(scene, "mug_1");
-  const Bounds was = world.bounds(static_cast<BodyId>(mug));
+  const Bounds was = world.bounds(BodyId::node(mug));
   scene.nodes.edit(mug).pose = upright({1.2, 3.55, 0.9505}, 0.3);
-  world.move(static_cast<BodyId>(mug), scene.nodes[mug].pose);
-  const Bounds touched[] = {was, world.bounds(static_cast<BodyId>(mug))};
+  world.move(BodyId::node(mug), scene.nodes[mug].pose);
+  const Bounds touched[] = {was, world.bounds(BodyId::node(mug))};
   const std::size_t changed[] = {mug};
   const auto affected = affected_by(world, touched, changed);
   EXPECT_LT(affected.size(), scene.nodes.size());

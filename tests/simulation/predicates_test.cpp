@@ -121,12 +121,11 @@ Scene settled(Scene scene) {
   std::vector<BodyId> loose;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& thing = scene.nodes[i];
-    if (thing.movable && scene.agent.held != std::vector<std::string>{thing.id})
-      loose.push_back(static_cast<BodyId>(i));
+    if (thing.movable && scene.agent.held != std::vector<std::string>{thing.id}) loose.push_back(BodyId::node(i));
   }
   const Settled rest = world.settle(loose);
   EXPECT_TRUE(rest.calm);
-  for (const SettledBody& body : rest.bodies) scene.nodes.edit(body.body).pose = body.pose;
+  for (const SettledBody& body : rest.bodies) scene.nodes.edit(body.body.index()).pose = body.pose;
   return scene;
 }
 

@@ -35,14 +35,14 @@ std::string deep_overlap(const Scene& scene) {
   const std::set<std::string> carried = in_hand(scene);
   PhysicsWorld world = physics_of(scene);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (carried.contains(scene.nodes[i].id)) world.remove(static_cast<BodyId>(i));
+    if (carried.contains(scene.nodes[i].id)) world.remove(BodyId::node(i));
   }
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
     if (!node.movable || carried.contains(node.id)) continue;
-    const BodyId self[] = {static_cast<BodyId>(i)};
+    const BodyId self[] = {BodyId::node(i)};
     if (const auto other = world.overlap(shape_of(node), node.pose, node.opening, self, kDeepest_m)) {
-      return node.id + " in " + (*other < scene.nodes.size() ? scene.nodes[*other].id : "a wall or the floor");
+      return node.id + " in " + (other->is_node() ? scene.nodes[other->index()].id : "a wall or the floor");
     }
   }
   return "";
