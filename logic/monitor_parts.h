@@ -24,6 +24,7 @@ struct Part {
   std::vector<Group> groups;  // empty: a leaf
 };
 
+/// The part of a node before the first state.
 Part build_part(const Program& program, NodeId node, Residuals& residuals);
 /// Takes in the last state: new objects get instances, residuals advance.
 void update_part(Part& part, const Program& program, const Known& known, Residuals& residuals, Progression& step);

@@ -11,17 +11,19 @@ namespace unietp::monitoring {
 
 /// Position of a node in Program::nodes.
 using NodeId = std::uint32_t;
+/// Number of a quantifier's variable: a position in Program::quantifiers.
 using Slot = std::uint32_t;
 
 /// A comparison of a weighted sum of truths with zero; closed under negation, which `Comparison` is not.
 enum class Relation : std::uint8_t { Equal, Unequal, AtLeast, AtMost, Greater, Less };
+/// Whether `value relation 0` holds.
 bool compare_with_zero(Relation relation, int value);
 
 /// The variable of one quantifier: what it ranges over.
 struct Quantifier {
   Domain domain;
   bool first_state_only = false;  // it has a `:where`: its members are fixed by the first state
-  std::string words;              // "Mug", for people
+  std::string words;              // what messages call a member: "Mug"
 };
 
 /// A goal in negation normal form: negation stands only at atoms, `imply`, `before` and the two counts are rewritten,
@@ -66,15 +68,17 @@ struct Node {
   Relation relation = Relation::Equal;
   int constant = 0;  // Sum: constant + summands `relation` 0
   std::vector<Summand> summands;
-  std::vector<Slot> free;  // variables it speaks of, sorted
+  std::vector<Slot> free;  // its free variables, sorted
 };
 
+/// A goal as a monitor reads it.
 struct Program {
   std::vector<Node> nodes;
   std::vector<Quantifier> quantifiers;  // by slot: every quantifier of the goal has a variable of its own
   NodeId root = 0;
 };
 
+/// The goal has no free variables.
 Program compile(const Formula& goal);
 
 }  // namespace unietp::monitoring

@@ -15,9 +15,9 @@ struct Known {
   Facts first, last;  // the first and the last observed state
 };
 
-/// Reads a program in the last observed state: truth if the trace ends here (`now`, of a residual
-/// `holds_now`), and what is left to ask of the rest if it goes on (`next`, `advance`). Lives for one step. Every
-/// variable starts as waiting: for an entity that is yet to appear, of which nothing holds in this state.
+/// Evaluates a program in the last observed state: its truth if the trace ends here (`now`, of a residual `holds_now`),
+/// and the residual for the rest of the trace if it goes on (`next`, `advance`). Used for one step. Every variable
+/// starts as waiting: for an entity that is yet to appear, of which nothing holds in this state.
 class Progression {
  public:
   Progression(const Program& program, const Known& known, Residuals& residuals)
@@ -25,14 +25,15 @@ class Progression {
     for (Slot slot = 0; slot < program.quantifiers.size(); ++slot) values_.push_back(Value::waiting(slot));
   }
 
-  bool holds_now(Ref ref);
-  Ref advance(Ref ref);
+  bool holds_now(Ref ref);  // if the trace ends here
+  Ref advance(Ref ref);     // what is asked of the next state on
   /// Gives the free variables of a pending residual their values; for reading its program node directly.
   void enter(Ref pending);
 
-  bool now(const Node& node);
-  Ref next(NodeId node);
+  bool now(const Node& node);  // if the trace ends here
+  Ref next(NodeId node);       // what is asked of the next state on
   const Node& node(NodeId id) const { return program_.nodes[id]; }
+  /// What a variable stands for at present; may be set to read a body.
   Value& value(Slot slot) { return values_[slot]; }
   Value value(const Node::Argument& argument) const;
 

@@ -62,6 +62,7 @@ class Residuals {
   };
 
   Residuals();
+  // The parts of a residual, as said at Kind.
   Kind kind(Ref ref) const { return items_[ref].kind; }
   std::uint32_t id(Ref ref) const { return items_[ref].id; }
   std::span<const std::uint32_t> data(Ref ref) const { return {pool_.data() + items_[ref].begin, items_[ref].size}; }
@@ -69,6 +70,7 @@ class Residuals {
 
   /// `values`: words of the values of the node's free variables.
   Ref pending(NodeId node, std::span<const std::uint32_t> values);
+  // Each gives the residual of that form, simplified: parts that are true or false are left out, repeated ones merged.
   Ref same(Value a, Value b, bool positive);
   Ref conjunction(std::vector<Ref> parts) { return junction(Kind::And, std::move(parts)); }
   Ref disjunction(std::vector<Ref> parts) { return junction(Kind::Or, std::move(parts)); }

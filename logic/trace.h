@@ -20,6 +20,7 @@ namespace unietp {
 /// changing it costs what changes: the states and relations that both have are one block in memory.
 class Facts {
  public:
+  // An entity may have facts before it exists; they hold once it does.
   void set_exists(EntityIndex entity);
   void set(Predicate predicate, EntityIndex entity);
   void set(Predicate predicate, EntityIndex first, EntityIndex second);
@@ -32,6 +33,7 @@ class Facts {
   /// The entity exists no longer, nor anything that was set of it as the first.
   void forget(EntityIndex entity);
 
+  // False of entities that do not exist.
   bool exists(EntityIndex entity) const;
   /// The entities that exist, one bit each, lowest bit first.
   const std::vector<std::uint64_t>& existing() const { return *existing_; }

@@ -33,7 +33,8 @@ std::vector<ActionText> actions_of(const Knowledge& knowledge, const std::vector
 /// Its predicates other than those of monitors.
 std::vector<PredicateText> predicates_of(const std::vector<ProcessClass>& processes);
 
-/// "(hot ?w) (not (cool ?w)) (not (room_temperature ?w))"
+/// The effect by which a state begins and those that exclude it end: "(hot ?w) (not (cool ?w)) (not
+/// (room_temperature ?w))".
 std::string becomes(Predicate state, const std::string& thing);
 /// The name of the composite action that a process stands for on a tool, such as
 /// "heat_with-inside-closed-running-door".
