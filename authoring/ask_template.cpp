@@ -36,9 +36,9 @@ class Interview {
         wanted.insert(section);
       }
       if (!in_) {
-        return Error{Error::Kind::Usage, draft_.name, {}, "the answers ended before the template was sound"};
+        return Error{Error::Kind::Usage, draft_.name, {}, "the answers ended before the template was valid"};
       }
-      out_ << "\nOnce more:\n";
+      out_ << "\nPlease correct:\n";
     }
   }
 
@@ -65,7 +65,8 @@ class Interview {
   }
 
   void ask(const TemplateSection& section) {
-    out_ << "\n" << section.name << ": " << section.says << (section.required ? "" : "; empty to leave it out") << "\n";
+    out_ << "\n"
+         << section.name << ": " << section.says << (section.required ? "" : "; leave empty to omit it") << "\n";
     if (section.name == "name") {
       out_ << "  such as: open one <A>\n";
       draft_.title = line();
@@ -79,19 +80,19 @@ class Interview {
       out_ << "  some of: ai2thor virtualhome habitat behavior\n";
       draft_.simulators = words();
     } else if (section.name == "parameters") {
-      out_ << "  one a line, such as: A - pickupable\n";
+      out_ << "  one per line, such as: A - pickupable\n";
       draft_.parameters = lines();
     } else if (section.name == "constraints") {
-      out_ << "  one a line, such as: (fits-on A B 2)\n";
+      out_ << "  one per line, such as: (fits-on A B 2)\n";
       draft_.constraints = lines();
     } else if (section.name == "init") {
-      out_ << "  one a line, such as: (exists (?a - A) (closed ?a))\n";
+      out_ << "  one per line, such as: (exists (?a - A) (closed ?a))\n";
       draft_.init = lines();
     } else if (section.name == "goal") {
       out_ << "  on one line, such as: (exists (?a - A) (at-end (open ?a)))\n";
       draft_.goal = line();
     } else if (section.name == "instruction") {
-      out_ << "  one a line, without quotes, such as: Open {A:indefinite}.\n";
+      out_ << "  one per line, without quotes, such as: Open {A:indefinite}.\n";
       draft_.phrasings = lines();
     }
   }

@@ -40,8 +40,8 @@ std::string doubt(const Template& source, const Knowledge& knowledge) {
   const std::string simulator(name_of(knowledge.simulator()));
   if (enumerate_bindings(source, knowledge, 1).empty()) {
     const auto culprit = constraint_in_the_way(source, knowledge);
-    return simulator + " has no categories that fill the placeholders together" +
-           (culprit.empty() ? "" : "; without " + culprit + " it would have some");
+    return simulator + " has no categories that can be bound to all placeholders" +
+           (culprit.empty() ? "" : "; without " + culprit + " it would have");
   }
   std::string last;
   for (int i = 0; i < kTried; ++i) {
@@ -51,7 +51,8 @@ std::string doubt(const Template& source, const Knowledge& knowledge) {
     if (made) return "";
     last = made.error().message;
   }
-  return "none of " + std::to_string(kTried) + " bindings drawn for " + simulator + " makes a task; the last: " + last;
+  return "none of " + std::to_string(kTried) + " bindings drawn for " + simulator +
+         " gives a task; the last one: " + last;
 }
 
 }  // namespace

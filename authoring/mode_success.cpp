@@ -41,7 +41,7 @@ std::string to_text(const std::array<ModeSuccess, kSimulators.size()>& success, 
     }
     std::array<char, 128> head{};
     (void)std::snprintf(
-        head.data(), head.size(), "%-12s %d of %d candidates shown in M1 are shown in all modes (%.1f %%)",
+        head.data(), head.size(), "%-12s %d of %d candidates solved in M1 are solved in all modes (%.1f %%)",
         std::string(name_of(kSimulators[i])).c_str(), one.in_all, one.in_m1, 100.0 * one.in_all / one.in_m1);
     text += std::string(head.data()) + "; mean steps: " + join(steps, ", ") + "\n";
     for (const auto& why : one.reasons)

@@ -10,7 +10,7 @@ namespace unietp {
 Result<std::string> settle_binding(const BindingRequest& request, const Resources& resources,
                                    RunConfiguration& configuration) {
   if (configuration.templates.size() != 1)
-    return Error{Error::Kind::Usage, "--bind", {}, "needs one template whose placeholders it fills: --template NAME"};
+    return Error{Error::Kind::Usage, "--bind", {}, "needs exactly one template: --template NAME"};
   const auto source = std::find_if(resources.templates.begin(), resources.templates.end(),
                                    [&](const Template& one) { return one.name == configuration.templates.front(); });
   if (source == resources.templates.end()) return std::string();  // told with the nearest name when slots are planned

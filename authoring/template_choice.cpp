@@ -46,9 +46,9 @@ TemplateChoice choose_template(const DataFolders& folders, const std::string& na
   choice.errors.push_back({Error::Kind::Usage,
                            "template",
                            {},
-                           "there is no template or file \"" + name_or_file + "\"" +
+                           "no template or file \"" + name_or_file + "\"" +
                                (near.empty() ? "" : ", did you mean \"" + near + "\"") +
-                               "; `unietp template list` shows all names"});
+                               "; see `unietp template list`"});
   return choice;
 }
 

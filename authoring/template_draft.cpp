@@ -82,14 +82,14 @@ TemplateDraft draft_like(const Template& source, std::string name) {
 
 std::string draft_text(const TemplateDraft& draft) {
   std::string text =
-      "; A semicolon starts a comment. The language: docs/templates.md; its words: `unietp template vocabulary`.\n"
+      "; A semicolon starts a comment. Language: docs/templates.md. Words: `unietp template vocabulary`.\n"
       "(template " +
       draft.name;
   for (const auto& section : template_sections()) {
     const auto items = items_of(draft, section.name);
     text += "\n  ; " + std::string(section.says) + "\n";
     if (items.empty() && !section.required) {
-      text += "  ; left out: " + std::string(section.usage);
+      text += "  ; optional: " + std::string(section.usage);
       continue;
     }
     text += "  (" + std::string(section.name);

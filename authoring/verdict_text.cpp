@@ -32,7 +32,7 @@ std::string verdict_text(const Template& source, Simulator simulator, const Bind
     text += "  " + padded(std::string(name_of(gate)), 18) + (refused ? "refused: " : "passed:  ") +
             std::string(meaning_of(gate)) + "\n";
   }
-  if (!verdict.refusal) return text + "  every gate is passed\n";
+  if (!verdict.refusal) return text + "  all gates pass\n";
   text += "  why:     " + verdict.refusal->reason + (verdict.fact.empty() ? "" : ": " + verdict.fact) + "\n";
   text += "  change:  " + verdict.refusal->remedy + "\n";
   for (const auto& one : verdict.alternatives)
@@ -43,7 +43,7 @@ std::string verdict_text(const Template& source, Simulator simulator, const Bind
 std::string trial_text(const TemplateTrial& trial) {
   std::string text = "  " + padded("homes", 18) + (trial.tasks.empty() ? "refused: " : "passed:  ") +
                      std::to_string(trial.tasks.size()) + " of " + std::to_string(trial.candidates) +
-                     " candidates became proven tasks\n";
+                     " candidates became verified tasks\n";
   for (const auto& task : trial.tasks) text += "  \"" + task.instruction.text + "\"\n";
   if (!trial.tasks.empty()) return text;
   for (const auto& why : trial.reasons) text += "  why:     " + text_of(why) + "\n";

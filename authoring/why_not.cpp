@@ -37,8 +37,8 @@ std::string fact_of(const DomainConstraint& constraint, const Binding& binding, 
     return "effect has no row (" + bound[0] + ", " + word + ", " + bound[1] + ")";
   const auto* row = knowledge.placement(bound[0], word, bound[1]);
   if (row == nullptr) return "relation has no row (" + word + ", " + bound[0] + ", " + bound[1] + ")";
-  return "relation says that " + std::to_string(row->capacity) + " " + bound[0] + " fit " + word + " " + bound[1] +
-         ", and the template asks for " + std::to_string(capacity_of(constraint));
+  return "relation allows " + std::to_string(row->capacity) + " " + bound[0] + " fit " + word + " " + bound[1] +
+         "; the template requires " + std::to_string(capacity_of(constraint));
 }
 
 std::string nearest_category(const std::string& name, const Knowledge& knowledge) {

@@ -46,8 +46,7 @@ class BddlProblem {
   Result<Done> take(const std::string& id) {
     if (taken_.contains(id)) return Done{};
     const auto name = names_.find(id);
-    if (name == names_.end())
-      return Error{Error::Kind::Unsatisfiable, "", {}, id + ", on which things rest, has no synset"};
+    if (name == names_.end()) return Error{Error::Kind::Unsatisfiable, "", {}, "the support " + id + " has no synset"};
     taken_.insert(id);
     const Node& node = *find_node(start_, id);
     for (const State& state : node.states.all()) {
@@ -66,7 +65,7 @@ class BddlProblem {
     } else if (!rest.floor.empty()) {
       fact("ontop " + name->second + " " + floor(rest.floor));
     } else {
-      return Error{Error::Kind::Unsatisfiable, "", {}, id + " rests on nothing that it has a word for"};
+      return Error{Error::Kind::Unsatisfiable, "", {}, id + " rests on nothing that BDDL can express"};
     }
     return Done{};
   }
@@ -116,7 +115,7 @@ class BddlProblem {
 Result<std::string> bddl_problem(const std::string& name, const Formula& goal, const Scene& start,
                                  const Knowledge& knowledge, const BddlSynsets& synsets) {
   if (start.simulator != Simulator::Behavior)
-    return Error{Error::Kind::Unsatisfiable, "", {}, "its domain is BEHAVIOR's"};
+    return Error{Error::Kind::Unsatisfiable, "", {}, "BDDL problems are for BEHAVIOR only"};
   const auto names = names_of(start, synsets);
   const auto said = bddl_goal(goal, start, knowledge, synsets, names);
   if (!said) return said.error();

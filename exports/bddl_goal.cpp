@@ -51,15 +51,15 @@ class Translator {
       case Op::Count:
         return quantified(f);
       case Op::Equal:
-        return refuse("it compares no objects");
+        return refuse("BDDL cannot compare objects");
       case Op::Number:
       case Op::CountCompare:
-        return refuse("it compares no numbers of objects");
+        return refuse("BDDL cannot compare numbers of objects");
       case Op::Sometime:
       case Op::Always:
       case Op::Until:
       case Op::Before:
-        return refuse("it reads the last state alone");
+        return refuse("BDDL evaluates only the last state");
     }
     return "";
   }
@@ -80,16 +80,16 @@ class Translator {
 
   std::string quantified(const Formula& f) {
     if (f.domain.kind != Domain::Kind::Categories || f.domain.members.size() != 1)
-      return refuse("it ranges over objects of one synset");
+      return refuse("a BDDL quantifier ranges over objects of one synset");
     const auto& member = f.domain.members[0];
-    if (knowledge_.find(member.category) == nullptr) return refuse("rooms are no objects in it");
-    if (member.slice) return refuse("pieces that do not exist at the start");
+    if (knowledge_.find(member.category) == nullptr) return refuse("rooms are not objects in BDDL");
+    if (member.slice) return refuse("slices that do not exist at the start");
     const auto synset = synsets_.find(member.category);
     if (synset == synsets_.end()) return refuse(member.category + " has no synset");
     bool alone = true;  // the synset is no more than the category here
     for (const Node& other : start_.nodes) {
       for (const Effect* cut : knowledge_.effects_on(other.category, "slices")) {
-        if (cut->gives == member.category) return refuse("pieces that do not exist at the start");
+        if (cut->gives == member.category) return refuse("slices that do not exist at the start");
       }
       const auto its = synsets_.find(other.category);
       alone = alone && (other.category == member.category || its == synsets_.end() || its->second != synset->second);
@@ -124,8 +124,8 @@ class Translator {
   std::string over_named(const Formula& f) {
     const auto free = f.domain.where.empty() ? std::vector<std::string>() : free_variables(f.domain.where.front());
     if (std::any_of(free.begin(), free.end(), [&](const auto& name) { return name != f.variable; }))
-      return refuse("what is meant depends on another object of the goal");
-    if (f.op == Op::Count) return refuse("a count of what has no synset of its own");
+      return refuse("the referent depends on another object of the goal");
+    if (f.op == Op::Count) return refuse("a count over objects without a synset of their own");
     const Trace trace = to_logic(start_, {}, true);
     std::string text;
     for (const EntityIndex entity : members_of(f.domain, f.variable, trace)) {
@@ -133,20 +133,20 @@ class Translator {
       text += " " + node(f.children[0]);
     }
     values_.erase(f.variable);
-    return text.empty() ? refuse("nothing is meant") : (f.op == Op::Exists ? "(or" : "(and") + text + ")";
+    return text.empty() ? refuse("there is no referent") : (f.op == Op::Exists ? "(or" : "(and") + text + ")";
   }
 
   std::string atom(const Formula& f) {
-    if (!at_end_) return refuse("it reads the last state alone");
+    if (!at_end_) return refuse("BDDL evaluates only the last state");
     const std::string word(info(f.predicate).name);
-    if (f.terms[0].kind == Term::Kind::Agent) return refuse("it does not say where the agent is");
+    if (f.terms[0].kind == Term::Kind::Agent) return refuse("BDDL cannot express where the agent is");
     const std::string first = values_[f.terms[0].name];
     if (const auto state = bddl_state(f.predicate)) {
       const std::string literal = "(" + std::string(state->name) + " " + first + ")";
       return state->negated ? "(not " + literal + ")" : literal;
     }
     const auto relation = bddl_relation(f.predicate);
-    if (relation.empty()) return refuse("it has no word for `" + word + "`");
+    if (relation.empty()) return refuse("BDDL cannot express `" + word + "`");
     return "(" + std::string(relation) + " " + first + " " + values_[f.terms[1].name] + ")";
   }
 

@@ -14,7 +14,7 @@ fs::path demonstrations_of(const fs::path& dataset, Mode mode) {
 }
 
 Error not_readable(const fs::path& file) {
-  return {Error::Kind::Io, file.string(), {}, "cannot be read; a finished data set is expected"};
+  return {Error::Kind::Io, file.string(), {}, "cannot be read; expected a finished data set"};
 }
 
 }  // namespace

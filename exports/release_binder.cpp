@@ -17,7 +17,7 @@ bool ReleaseBinder::born_later(const std::string& category) const {
 
 std::optional<ReleaseBound> ReleaseBinder::bind(const Formula& f) {
   if (f.domain.kind != Domain::Kind::Categories) {
-    refuse("theirs ranges over all nodes, not over all objects, rooms or agents");
+    refuse("their quantifiers range over all nodes, not over all objects, rooms or agents");
     return std::nullopt;
   }
   ReleaseBound bound;
@@ -53,12 +53,12 @@ std::string ReleaseBinder::their_category(const std::string& category) const {
 void ReleaseBinder::add_room(const std::string& type, ReleaseBound& bound) {
   const auto name = release_room(knowledge_.simulator(), type);
   if (!name) {
-    refuse("the categories of their rooms are not known for this simulator");
+    refuse("the room categories of this simulator are unknown in the release");
     return;
   }
   for (const Room& room : start_.rooms) {
     if (room.type != type && release_room(knowledge_.simulator(), room.type) == name)
-      refuse("their category " + *name + " is more than our " + type);
+      refuse("their category " + *name + " includes more than our " + type);
   }
   bound.room = true;
   bound.ours.push_back(type);
@@ -69,7 +69,7 @@ void ReleaseBinder::add_pieces(const std::string& whole, ReleaseBound& bound) {
   std::set<std::string> pieces;
   for (const Effect* effect : knowledge_.effects_on(whole, "slices")) pieces.insert(effect->gives);
   if (pieces.size() != 1 || pieces.begin()->empty()) {
-    refuse("the pieces of " + whole + " have no single category");
+    refuse("the slices of " + whole + " have no single category");
     return;
   }
   const std::string& piece = *pieces.begin();
@@ -78,7 +78,7 @@ void ReleaseBinder::add_pieces(const std::string& whole, ReleaseBound& bound) {
     const auto cuts = knowledge_.effects_on(node.category, "slices");
     const bool other_whole =
         node.category != whole && std::any_of(cuts.begin(), cuts.end(), [&](auto* cut) { return cut->gives == piece; });
-    if (other_piece || other_whole) refuse("pieces of " + whole + " cannot be told from other " + piece);
+    if (other_piece || other_whole) refuse("slices of " + whole + " cannot be told from other " + piece);
   }
   bound.late = true;
   add_category(piece, bound);
@@ -88,29 +88,30 @@ void ReleaseBinder::add_referents(const Formula& f, const ReleaseBound& bound) {
   const Formula& where = f.domain.where.front();
   const auto free = free_variables(where);
   if (std::any_of(free.begin(), free.end(), [&](const auto& name) { return name != f.variable; })) {
-    refuse("what is meant depends on another object of the goal");
+    refuse("the referent depends on another object of the goal");
     return;
   }
   if (bound.theirs.size() != 1 || bound.late || bound.room) {
-    refuse("theirs refers to objects of one category");
+    refuse("their references are to objects of one category");
     return;
   }
   const Trace trace = to_logic(start_, {}, true);
   std::vector<std::string> ids;
   for (const EntityIndex entity : members_of(f.domain, f.variable, trace)) ids.push_back(trace.entities[entity].id);
   const auto [place, is_new] = referents_.emplace(bound.theirs[0], ids);
-  if (!is_new && place->second != ids) refuse("theirs refers to the same objects wherever a category is named");
+  if (!is_new && place->second != ids) refuse("their references select the same objects wherever a category occurs");
 }
 
 void ReleaseBinder::check_referents(bool counts) {
   if (!why_.empty() || referents_.empty()) return;
-  if (counts) refuse("theirs has no `forall` and no count beside a reference");
+  if (counts) refuse("their evaluator has no `forall` and no count together with a reference");
   for (const auto& [category, ids] : referents_) {
-    if (plain_.contains(category)) refuse("theirs refers to the same objects wherever a category is named");
+    if (plain_.contains(category)) refuse("their references select the same objects wherever a category occurs");
     const Category* own = knowledge_.find(category);
     const auto cuts = own == nullptr ? std::vector<const Effect*>() : knowledge_.effects_on(category, "slices");
     for (const Effect* cut : cuts) {
-      if (plain_.contains(their_category(cut->gives))) refuse("theirs then refers to the pieces of these alone");
+      if (plain_.contains(their_category(cut->gives)))
+        refuse("their reference would then select only the slices of these");
     }
   }
 }

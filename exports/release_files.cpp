@@ -33,7 +33,7 @@ class Exporter {
     for (const auto& [category, ids] : goal->referents) {
       for (const auto& id : ids) {
         const auto named = scene->names.find(id);
-        if (named == scene->names.end()) return std::optional(id + ", which is meant, has no name in their scene");
+        if (named == scene->names.end()) return std::optional("the referent " + id + " has no name in their scene");
         references[category].push_back(named->second);
         referents[id] = named->second;
       }

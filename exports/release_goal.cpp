@@ -38,10 +38,10 @@ class ReleaseTranslator {
       case Op::Atom:
         return atom(f);
       case Op::Equal:
-        return refuse("their goals compare no objects");
+        return refuse("their goals cannot compare objects");
       case Op::And:
       case Op::Or: {
-        if (f.children.empty()) return refuse("their And and Or are never empty");
+        if (f.children.empty()) return refuse("their And and Or must not be empty");
         Json children = Json::array();
         for (const Formula& child : f.children) children.push_back(node(child));
         return {{"type", f.op == Op::And ? "And" : "Or"}, {"children", std::move(children)}};
@@ -136,9 +136,9 @@ class ReleaseTranslator {
     auto bound = binder_.bind(f);
     if (!bound) return Json();
     if (f.op != Op::Exists) {
-      if (bound->late && !at_end_) return refuse("theirs ranges over the pieces that exist at the step at hand");
+      if (bound->late && !at_end_) return refuse("their quantifiers range over the slices of the current step");
       if (binder_.vanishes(*bound))
-        return refuse("theirs forgets what was cut, so a `forall` or count over it differs");
+        return refuse("their graph loses objects that are cut, so a `forall` or count over them differs");
     }
     Json categories = bound->theirs;
     bound_.push_back(std::move(*bound));
@@ -164,11 +164,11 @@ class ReleaseTranslator {
       case Predicate::InRoom:
         if (f.terms[0].kind == Term::Kind::Agent) return relation("inside_room", kTheirAgent, word(f.terms[1]));
         if (!says_rooms_of_objects(knowledge_.simulator()))
-          return refuse("their graph does not say for every object in which room it is");
+          return refuse("their graph does not have the room of every object");
         return from_object("inside_room", f);
       case Predicate::OnFloor:
         if (knowledge_.simulator() != Simulator::Ai2thor)
-          return refuse("their graph does not say of every object that it lies on the floor");
+          return refuse("their graph does not show for every object whether it is on the floor");
         return from_object("on_room_floor", f);
       default:
         return state(f);
@@ -178,11 +178,11 @@ class ReleaseTranslator {
   Json on_or_inside(const Formula& f) {
     const bool on = f.predicate == Predicate::On;
     const ReleaseBound* place = bound(f.terms[1]);
-    if (place == nullptr) return refuse("a relation to something that is no object");
+    if (place == nullptr) return refuse("a relation to something that is not an object");
     for (const std::string& category : place->ours) {
       const bool has_other = knowledge_.has(category, on ? "container" : "receptacle");
       if (!says_on_and_inside(knowledge_.simulator()) && has_other)
-        return refuse("things are on and inside " + category + ", of which their graph says only one");
+        return refuse("objects can be on and inside " + category + ", but their graph has only one of these");
     }
     return from_object(on ? "on_receptacle" : "inside_receptacle", f);
   }
@@ -190,9 +190,9 @@ class ReleaseTranslator {
   /// Their evaluator stops with an error when the first object of a relation does not exist.
   Json from_object(const char* name, const Formula& f) {
     const ReleaseBound* first = bound(f.terms[0]);
-    if (first == nullptr) return refuse("a relation of something that is no object");
-    if (first->late && !at_end_) return refuse("their relations fail for pieces that do not exist yet");
-    if (binder_.vanishes(*first)) return refuse("their relations fail for what was cut and is gone");
+    if (first == nullptr) return refuse("a relation of something that is not an object");
+    if (first->late && !at_end_) return refuse("their relations fail for slices that do not exist yet");
+    if (binder_.vanishes(*first)) return refuse("their relations fail for objects that were cut and disappeared");
     return relation(name, word(f.terms[0]), word(f.terms[1]));
   }
 
@@ -208,7 +208,8 @@ class ReleaseTranslator {
     if (!name) return refuse("their graph of this simulator has no `" + std::string(info(f.predicate).name) + "`");
     Json params;
     if (f.terms.size() > 1 && f.terms[1].name != "any") {
-      if (f.predicate == Predicate::Covered) return refuse("theirs compares all that covers an object at once");
+      if (f.predicate == Predicate::Covered)
+        return refuse("their evaluator compares all substances on an object at once");
       params = {{"liquid_type", f.terms[1].name}};
     }
     return {{"type", "Predicate"},

@@ -69,8 +69,8 @@ ReleaseScene ai2thor(const std::string& name, ExportedScene written) {
   scene.file_text = std::move(written.text);
   scene.not_said = std::move(written.left_out);
   scene.not_said.insert(scene.not_said.begin(),
-                        "the home: records name a ProcTHOR-10k house by its number or an iTHOR scene by its name; "
-                        "AI2-THOR itself builds it from " +
+                        "the home: a record names a ProcTHOR-10k house by number or an iTHOR scene by name; "
+                        "AI2-THOR can build it from " +
                             scene.file + " (CreateHouse)");
   scene.names = std::move(written.names);
   return scene;

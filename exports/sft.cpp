@@ -166,7 +166,7 @@ Result<Done> choose_modes(const fs::path& dataset, const SftOptions& options, Sf
       return Error{
           Error::Kind::Usage, "--modes", {}, "the data set has no demonstrations of " + std::string(name_of(mode))};
     if (!options.modes.empty() && blind)
-      return Error{Error::Kind::Usage, "--modes", {}, "M3 shows pictures alone; expected --observation image or both"};
+      return Error{Error::Kind::Usage, "--modes", {}, "M3 has only images; expected --observation image or both"};
     (blind ? made.left_out : made.modes).push_back(mode);
   }
   return Done{};

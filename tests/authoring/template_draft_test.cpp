@@ -42,7 +42,7 @@ TEST(TemplateDraft, EveryTemplateOfTheLibraryCanBeTheBeginningOfAnother) {
 TEST(TemplateDraft, EachSectionHasALineThatSaysWhatItIsFor) {
   const auto text = draft_text(open_one());
   EXPECT_THAT(text, HasSubstr("  ; what every start must satisfy; grounding makes it true\n  (init\n    (exists"));
-  EXPECT_THAT(text, HasSubstr("  ; left out: (constraints (fits-on A B 2) ...)"));
+  EXPECT_THAT(text, HasSubstr("  ; optional: (constraints (fits-on A B 2) ...)"));
   for (const auto& problem : draft_problems(open_one(), "unlock-one.template")) {
     ADD_FAILURE() << format(problem.problem.error);
   }
@@ -77,7 +77,7 @@ TEST(AskTemplate, AsksForEverySectionAndAgainForAWrongAnswer) {
   ASSERT_TRUE(asked) << format(asked.error());
   EXPECT_EQ(*asked, open_one());
   EXPECT_THAT(questions.str(), HasSubstr("did you mean 'open'?"));
-  EXPECT_THAT(questions.str(), HasSubstr("Once more:"));
+  EXPECT_THAT(questions.str(), HasSubstr("Please correct:"));
 }
 
 TEST(AskTemplate, ABracketThatIsMissingIsAskedForWhereItIsMissing) {

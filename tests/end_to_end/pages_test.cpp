@@ -112,7 +112,7 @@ TEST_F(Pages, StatsOfTwoSetsStandSideBySide) {
   EXPECT_THAT(ended.out, HasSubstr("more; --json prints all"));
   const auto none = run_program({"stats", folder_.at("none")});
   EXPECT_EQ(none.code, 2);
-  EXPECT_THAT(none.err, HasSubstr("a finished data set is expected"));
+  EXPECT_THAT(none.err, HasSubstr("expected a finished data set"));
 }
 
 TEST_F(Pages, AReportDrawsItsChartsAndShowsTextsAsTheyAre) {

@@ -105,7 +105,7 @@ TEST(TemplateWhyNot, ABindingThatPassesIsTakenThroughHomes) {
   const auto ended =
       run_program({"template", "why-not", "place-one-inside", "--bind", "A=Bowl", "--simulator", "ai2thor", "--try"});
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("every gate is passed"));
+  EXPECT_THAT(ended.out, HasSubstr("all gates pass"));
   EXPECT_THAT(ended.out, ContainsRegex("homes +passed"));
 }
 

@@ -128,10 +128,10 @@ TEST(ReleaseGoal, SaysWhyItCannotBeSaid) {
     return said ? std::string() : said.error().message;
   };
   EXPECT_THAT(why("(at-end (exists (?m - Mug) (exists (?n - Mug) (and (hot ?n) (not (= ?m ?n))))))"),
-              HasSubstr("compare no objects"));
+              HasSubstr("cannot compare objects"));
   EXPECT_THAT(why("(at-end (exists (?m - Mug) (frozen ?m)))"), HasSubstr("has no `frozen`"));
   EXPECT_THAT(why("(at-end (exists (?m - object) (hot ?m)))"), HasSubstr("all nodes"));
-  EXPECT_THAT(why("(forall (?m - (Mug :where (dirty ?m))) (at-end (hot ?m)))"), HasSubstr("beside a reference"));
+  EXPECT_THAT(why("(forall (?m - (Mug :where (dirty ?m))) (at-end (hot ?m)))"), HasSubstr("together with a reference"));
 }
 
 TEST(ReleaseGoal, WhatIsMeantIsNamed) {
