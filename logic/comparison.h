@@ -4,8 +4,8 @@
 
 namespace unietp {
 
-/// Whether `left ⋈ right`. Shared by what makes and reads goals; the monitor has its own, so that it and the direct
-/// evaluator stay apart.
+/// Whether `left comparison right` holds. The monitor has a function of its own for this, so that it shares no code
+/// with the direct evaluator.
 inline bool compares(int left, Comparison comparison, int right) {
   switch (comparison) {
     case Comparison::Equal:

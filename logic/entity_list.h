@@ -29,8 +29,8 @@ struct Entity {
   bool operator==(const Entity&) const = default;
 };
 
-/// Entities by number, to which more can be added. What `share` was called for is one block in memory for all copies,
-/// with an index of its ids and categories; what was added since, each copy has for itself and looks through.
+/// A list of entities that can grow. The entities up to the last call of `share` are one block in memory for all
+/// copies, indexed by id and category; each copy stores those added since by itself and searches them one by one.
 class EntityList {
  public:
   class Iterator;
@@ -46,17 +46,17 @@ class EntityList {
   Iterator end() const;
 
   void push_back(Entity entity) { own_.push_back(std::move(entity)); }
-  /// Adds those that a list has which began with the same ones.
+  /// Appends what `longer`, a list that starts with the same entities, has in addition.
   void follow(const EntityList& longer);
-  /// Copies made from now on have all of it in common.
+  /// Moves all entities into a block that copies made from now on share.
   void share();
 
-  /// The first with that id among those that are shared.
+  /// The first shared entity with that id.
   std::optional<EntityIndex> find_shared(std::string_view id) const;
-  /// Those of a domain's kind and category (is_of of logic/membership.h), ascending.
+  /// The entities of a domain's kind and category (is_of in logic/membership.h), ascending.
   std::vector<EntityIndex> of(const Domain& domain) const;
 
-  /// That something other than the agent is of, sorted.
+  /// The categories of all entities but the agent, sorted, without repeats.
   std::vector<std::string_view> categories() const;
 
   bool operator==(const EntityList& other) const;

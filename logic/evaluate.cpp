@@ -184,8 +184,7 @@ class Reading {
   }
 
   bool exists_somewhere(EntityIndex e) const {
-    const std::size_t word = e.index() / 64;
-    return word < any_position_.size() && ((any_position_[word] >> (e.index() % 64)) & 1U) != 0;
+    return e.index() / 64 < any_position_.size() && ((any_position_[e.index() / 64] >> (e.index() % 64)) & 1U) != 0;
   }
 
   template <class T>
@@ -220,7 +219,7 @@ class Reading {
     fill_some(node, easiest_order(std::move(some), *body), *body);
   }
 
-  /// What a thing stands in relation to comes after that thing, for then it can be looked up.
+  /// An entity that another is related to comes after that one, so that it can be looked up.
   Some easiest_order(Some left, const Formula& body) {
     Some order(&buffer_);
     while (!left.empty()) {
@@ -241,7 +240,7 @@ class Reading {
     return order;
   }
 
-  /// Whether it holds only where x stands in a relation to y.
+  /// Whether the formula implies that x is related to y.
   static bool relates(const Formula& formula, std::string_view x, std::string_view y) {
     const auto is = [](const Term& term, std::string_view name) {
       return term.kind == Term::Kind::Variable && term.name == name;
@@ -293,7 +292,7 @@ class Reading {
     finish(node);
   }
 
-  /// What speeds up the reading of a node whose parts are there.
+  /// Prepares a node whose children are complete for fast evaluation.
   void finish(Node& node) {
     set_cost(node);
     if (node.op == Op::Exists) find_link(node);
@@ -308,8 +307,8 @@ class Reading {
     }
   }
 
-  /// `exists y: P(x) and Q(y)` is `P(x) and exists y: Q(y)`: what does not speak of y is read once for all of them, and
-  /// what is left may say the same for every x. Makes the node that `and`, unless all of its parts speak of y.
+  /// Rewrites `exists y: P(x) and Q(y)` as `P(x) and exists y: Q(y)`: parts without y are evaluated once for all y, and
+  /// the rest may have the same value for every x. Returns false and changes nothing when all parts contain y.
   bool set_apart(Node& node) {
     const bool at_end = node.children[0].op == Op::AtEnd;
     Node& body = at_end ? node.children[0].children[0] : node.children[0];
@@ -346,7 +345,7 @@ class Reading {
   }
 
   static void find_link(Node& node) { static_cast<void>(find_link(node, node.children[0], false)); }
-  /// In what must hold for the node to hold.
+  /// Searches the parts that must hold for the node to hold.
   static bool find_link(Node& node, const Node& part, bool at_end) {
     switch (part.op) {
       case Op::Atom:
@@ -389,7 +388,7 @@ class Reading {
     if (!own) node.where = where;
   }
 
-  /// Whether it speaks of a variable in one of the slots from `from` to before `to`.
+  /// Whether a variable in one of the slots from `from` to before `to` occurs in it.
   static bool names_any(const Node& node, int from, int to) {
     for (std::size_t i = 0; i < node.arity; ++i) {
       if (node.slots[i] >= from && node.slots[i] < to) return true;

@@ -8,19 +8,18 @@
 
 namespace unietp {
 
-/// Reads one formula and notes everything that is wrong with it. A member that returns nullopt has noted at least one
-/// problem.
+/// Parses one formula and collects all errors in it. A member that returns nullopt has added at least one error.
 class FormulaParser {
  public:
   /// What a variable may stand for, as far as its domain says; a category may be of objects or of rooms.
   enum class Sort { Unknown, Object, Room, Agent };
 
-  /// Where in a formula the reader stands: decides whether predicates and temporal operators are welcome.
+  /// What is accepted at a position of a formula.
   struct Place {
     bool predicates = true;
     bool temporal = true;
     bool where = true;          // a `:where` may be written here
-    bool inside_where = false;  // for the words of a message
+    bool inside_where = false;  // named in error messages
   };
 
   FormulaParser(std::string_view where, const std::vector<std::string>& bound);
@@ -65,7 +64,7 @@ class FormulaParser {
   std::vector<Error> errors_;
 };
 
-// The words of its messages.
+// Helpers for error messages.
 std::string quoted(std::string_view word);
 /// The source in short: "'(open …)'".
 std::string shown(const Sexpr& expression);

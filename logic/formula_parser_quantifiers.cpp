@@ -24,7 +24,7 @@ FormulaParser::Sort sort_of(const Domain& domain) {
   return slices ? FormulaParser::Sort::Object : FormulaParser::Sort::Unknown;
 }
 
-/// One text a number: "2", not "02".
+/// A number in its shortest form: "2", not "02".
 std::optional<int> whole_number(const Sexpr& expression) {
   const std::string& text = expression.text;
   int value = -1;

@@ -61,7 +61,7 @@ void import_part(Part& part, const Residuals& from, Residuals& to, std::vector<R
 
 }  // namespace
 
-/// Residuals that are no longer asked for are dropped when they outnumber the rest.
+/// Drops residuals that are no longer used once they outnumber the others.
 void Monitor::Impl::clear_out() {
   constexpr std::size_t kFew = 1024;
   if (residuals.size() < 2 * live + kFew) return;

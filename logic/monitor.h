@@ -9,10 +9,10 @@
 
 namespace unietp {
 
-/// Reads a goal while it happens: fed one state at a time, it says after each whether the goal would hold if the trace
-/// ended here, how much of it is met and what is missing. By formula progression, so the cost of a step depends on the
-/// goal and the scene, never on the trace's length. Objects may appear later (slices): quantifiers take them in.
-/// Copyable, so that a search can branch.
+/// Evaluates a goal online: after each state it says whether the goal would hold if the trace ended here, how much of
+/// it is met and what is missing. It uses formula progression, so the cost of a step depends on the goal and the scene
+/// and not on the trace's length. Objects may appear later (slices); quantifiers then range over them too. Copyable, so
+/// that a search can branch.
 class Monitor {
  public:
   explicit Monitor(Formula goal);

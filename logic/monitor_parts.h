@@ -6,8 +6,8 @@
 
 namespace unietp::monitoring {
 
-/// The goal's own structure down to its outermost temporal operators, with an instance for every object met so far; so
-/// that parts which are already met still count. Each leaf carries the residual of its temporal formula.
+/// The goal's structure down to its outermost temporal operators, with an instance for every object that has existed so
+/// far, so that parts that are already met still count. Each leaf has the residual of its temporal formula.
 struct Part {
   /// The instances of one variable, or the parts of an and/or.
   struct Group {
@@ -29,7 +29,7 @@ Part build_part(const Program& program, NodeId node, Residuals& residuals);
 /// Takes in the last state: new objects get instances, residuals advance.
 void update_part(Part& part, const Program& program, const Known& known, Residuals& residuals, Progression& step);
 
-/// What any continuation can still make of a part; `Open` where that is not known.
+/// Whether every continuation makes the part false (`Lost`) or true (`Won`); `Open` where that is not known.
 enum class Outlook : std::uint8_t { Lost, Won, Open };
 Outlook outlook_of(const Part& part, const Program& program);
 

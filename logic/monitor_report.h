@@ -7,7 +7,7 @@
 
 namespace unietp::monitoring {
 
-/// Reads the last state for people: how much of a goal is met, and in words what is missing.
+/// Reports on the last state: how much of a goal is met and, in English, what is missing.
 class Report {
  public:
   Report(const Program& program, const Known& known, const EntityList& entities, Residuals& residuals)

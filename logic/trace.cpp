@@ -29,7 +29,7 @@ void insert_once(std::vector<T>& sorted, T value) {
   if (at == sorted.end() || *at != value) sorted.insert(at, std::move(value));
 }
 
-/// Without trailing zeros, which say nothing.
+/// Without trailing zeros, which change nothing.
 std::span<const std::uint64_t> significant(const std::vector<std::uint64_t>& bits) {
   std::size_t size = bits.size();
   while (size > 0 && bits[size - 1] == 0) --size;

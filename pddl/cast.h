@@ -9,10 +9,10 @@
 
 namespace unietp::pddl {
 
-/// The nodes that take part in a problem, in scene order: all of the categories that the goal speaks of, `handled`
-/// (ids, as in a demonstration), the tools for them (a few of a category), places to put them aside, what any of these
-/// rests on or in, and what can be moved and rests on or in what can be moved. The rest of a home makes no difference
-/// to the shortest plan, except by standing where something else could.
+/// The nodes to include in a problem, in scene order: all of the goal's categories, `handled` (ids, as in a
+/// demonstration), tools for these (a few per category), places to put them aside, everything that any of these rests
+/// on or in, and movable things that rest on or in movable things. Other nodes do not change the shortest plan, except
+/// by taking up space.
 std::vector<const Node*> cast_of(const Scene& scene, const Knowledge& knowledge, const Formula& goal,
                                  const std::vector<std::string>& handled);
 

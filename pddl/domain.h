@@ -14,7 +14,7 @@ struct PredicateText {
   std::string name, arguments;
 };
 
-/// An action: its parts as PDDL, without the outer brackets that all share.
+/// An action: its parts in PDDL, without the keywords around them.
 struct ActionText {
   std::string name, parameters;
   std::vector<std::string> needs, effects;
@@ -23,14 +23,14 @@ struct ActionText {
 /// "unietp-ai2thor".
 std::string domain_name(Simulator simulator);
 
-/// The domain of a simulator: what its actions need and do to symbols, for all its knowledge. Typed, with negative
-/// preconditions; effects are conditional only where one action does different things to different objects (what lies
-/// in a fridge when its door shuts) or where monitors of temporal goals are kept. Deterministic.
+/// The domain of a simulator: preconditions and effects of its actions for everything in its knowledge base. Typed,
+/// with negative preconditions; effects are conditional only where one action affects objects differently (those in a
+/// fridge when its door shuts) or updates monitors of temporal goals. Deterministic.
 std::string domain_text(const Knowledge& knowledge);
 
-/// Its actions other than those that keep monitors.
+/// The domain's actions without those for monitors.
 std::vector<ActionText> actions_of(const Knowledge& knowledge, const std::vector<ProcessClass>& processes);
-/// Its predicates other than those of monitors.
+/// The domain's predicates without those of monitors.
 std::vector<PredicateText> predicates_of(const std::vector<ProcessClass>& processes);
 
 /// The effect by which a state begins and those that exclude it end: "(hot ?w) (not (cool ?w)) (not

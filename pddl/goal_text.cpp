@@ -10,9 +10,9 @@ namespace {
 using symbolic::Goal;
 
 constexpr std::size_t kMostText = 400'000;  // bytes of a goal
-constexpr double kMostCases = 20'000;       // conjunctions of literals that it comes to, as many planners write it
+constexpr double kMostCases = 20'000;       // conjunctions in disjunctive normal form, which many planners build
 
-/// A part of a goal, and how many conjunctions of literals it comes to when it is written as one of several.
+/// A part of a goal, and the number of conjunctions in its disjunctive normal form.
 struct Part {
   std::string text;
   double cases = 1;
@@ -57,7 +57,7 @@ class GoalTextWriter {
     return joint;
   }
 
-  /// The node, or with `wanted` false its opposite; "not" stands only before atoms.
+  /// The node, or with `wanted` false its negation; "not" stands only before atoms.
   Part text(std::size_t index, bool wanted) {
     if (!problem_.empty()) return kTrue;
     const auto& node = goal_.node(index);
@@ -91,7 +91,7 @@ class GoalTextWriter {
     }
   }
 
-  /// The thing that a node says one truth of that only what is there can have; kNobody for all other nodes.
+  /// The thing that must exist for the node, a single atom, to hold; kNobody for all other nodes.
   symbolic::Id certainly_there(std::size_t index) const {
     const auto& node = goal_.node(index);
     const bool wraps = node.op == Goal::Op::AtEnd ||
@@ -101,7 +101,7 @@ class GoalTextWriter {
     return says && node.atom.first.is_thing() ? node.atom.first : symbolic::kNobody;
   }
 
-  /// Of a piece with another truth beside: what is not there has none.
+  /// Whether the node, that a piece exists, is implied by a sibling: an atom about the piece.
   bool goes_without_saying(std::size_t index, const std::vector<std::size_t>& beside) const {
     const auto& node = goal_.node(index);
     if (node.op != Goal::Op::Atom || node.atom.predicate != Predicate::SliceOf) return false;
@@ -109,7 +109,8 @@ class GoalTextWriter {
                        [&](std::size_t other) { return certainly_there(other) == node.atom.first; });
   }
 
-  /// One of all choices of k of the children that hold, or do not; with `no_other` the rest does not, or does.
+  /// The disjunction over all choices of k children: these hold (or, with `wanted` false, do not), and with `no_other`
+  /// the other children do not (or do).
   Part choices(const std::vector<std::size_t>& children, int k, bool wanted, bool no_other) {
     const auto n = static_cast<int>(children.size());
     if (k < 0 || k > n) return kFalse;
@@ -185,7 +186,7 @@ class GoalTextWriter {
   static Part flag(const std::string& fact, bool wanted) { return {wanted ? fact : "(not " + fact + ")", 1}; }
 
   Part monitored(const Goal::Node& node, bool wanted) {
-    // Parts of parts: what is said of all of several is said of each.
+    // `always` of a conjunction is the conjunction of `always` of each part.
     const auto& children = node.children;
     if (node.op == Goal::Op::Always && goal_.node(children[0]).op == Goal::Op::And) {
       std::vector<Part> parts;

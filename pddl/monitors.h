@@ -7,7 +7,7 @@
 
 namespace unietp::pddl {
 
-/// Truths that a monitor can watch: all that one action may change.
+/// A predicate that a monitor can watch: any that an action may change.
 struct Watched {
   Predicate predicate;
   std::string name;       // as a predicate of the domain
@@ -16,10 +16,10 @@ struct Watched {
 };
 const std::vector<Watched>& all_watched();
 
-/// Temporal operators, for planners that know none. A problem that needs them says (watching) and names its monitors;
-/// then each action is followed by `note`, which reads what each monitor watches, and `judge`, which keeps what has
-/// come of it: (seen ?m), (missed ?m), (in-order ?first ?second), (not-kept ?first ?until). Where nothing is watched,
-/// neither can happen.
+/// Temporal operators for planners that have none. A problem that needs them contains (watching) and declares its
+/// monitors; then each action must be followed by `note`, which evaluates what each monitor watches, and `judge`, which
+/// stores the result: (seen ?m), (missed ?m), (in-order ?first ?second), (not-kept ?first ?until). In other problems
+/// neither is applicable.
 std::vector<PredicateText> monitor_predicates();
 std::vector<ActionText> monitor_actions();
 

@@ -6,11 +6,11 @@
 
 namespace unietp::pddl {
 
-/// A text as a name of PDDL: lower case, a letter first, then letters, digits, '-' and '_'; never a word that PDDL
-/// itself or our domains use.
+/// Turns a text into a PDDL name: lower case, a letter first, then letters, digits, '-' and '_'; never a keyword of
+/// PDDL or a type of our domains.
 std::string name_for(std::string_view text);
 
-/// Names for texts, all different also when case is ignored; equal texts get different names. In the given order.
+/// Names for texts, in the given order. All differ, also for equal texts and when case is ignored.
 std::vector<std::string> names_for(const std::vector<std::string>& texts);
 
 }  // namespace unietp::pddl

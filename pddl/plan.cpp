@@ -125,7 +125,7 @@ class PlanWriter {
     return Failure::None;
   }
 
-  /// Pieces bear other names in physics: the n-th made of a whole is the n-th here.
+  /// Pieces have other names in physics: the n-th cut from a whole is the n-th here.
   Id id_of(const std::string& name) const {
     if (const Id id = setting_.cast.named(name); id != kNobody) return id;
     for (const auto& [piece, whole] : pieces_) {

@@ -11,18 +11,18 @@
 
 namespace unietp::pddl {
 
-/// What a tool does by itself to what is there, as far as an action asks: rows of the effect table that differ in their
-/// categories only. A need that the tool cannot fail (closed, of what has no door) is none.
+/// A class of rows of the effect table that differ in their categories only: what a tool does to things on or in it,
+/// and under which conditions. A condition that always holds (closed, of a tool without a door) is left out.
 struct ProcessClass {
   enum class Place : std::uint8_t { Rests, On, Inside };
   symbolic::Treatment treatment = symbolic::Treatment::Heats;
   Place place = Place::Rests;
   bool closed = false, power = false;
-  bool tap = false;   // happens only under the running tap, so within a composite action
+  bool tap = false;   // only under the running tap, so only within a composite action
   bool door = false;  // the tool opens
   auto operator<=>(const ProcessClass&) const = default;
 };
-/// "heats-inside-closed-running-door": the name of the predicate that says of which tool and thing it is true.
+/// "heats-inside-closed-running-door": the predicate of the tools and things that the process applies to.
 std::string name_of(const ProcessClass& process);
 
 /// The class of an effect row or reaction with these needs (symbolic::Need) and such a tool; nullopt for what is done
@@ -31,7 +31,7 @@ std::optional<ProcessClass> class_of(symbolic::Treatment treatment, std::uint8_t
 std::optional<ProcessClass> class_of(const symbolic::Setting& setting, symbolic::Id tool,
                                      const symbolic::Reaction& reaction);
 
-/// All that the effects of a knowledge base come to, sorted.
+/// The classes of all effects of a knowledge base, sorted.
 std::vector<ProcessClass> classes_of(const Knowledge& knowledge);
 
 }  // namespace unietp::pddl
