@@ -5,7 +5,10 @@
 #include "akb/fit.h"
 #include "akb/name_table.h"
 #include "akb/override.h"
+#include "akb/table_words.h"
+#include "core/limits.h"
 #include "core/text.h"
+#include "scene/simulator.h"
 
 namespace unietp {
 namespace {
@@ -73,7 +76,7 @@ class Overlay {
       c.size = *size;
       c.size_source = source_;
     } else if (word == "mass") {
-      const auto mass = number_in(value, kHeaviestOverride_kg);
+      const auto mass = number_in(value, limits::kCategory_kg);
       if (!mass) return bad_value("kilograms > 0 and <= 90000");
       c.mass = *mass;
       c.mass_source = source_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "akb/fit.h"
+#include "scene/size_and_nearness.h"
 #include "scene/trace.h"
 
 namespace unietp {

@@ -17,7 +17,8 @@ bool told_apart(std::string_view one, std::string_view other);
 std::vector<std::string> values_of(const Category& category);
 
 /// Whether one thing of the category may be so much larger than another that it is clearly so (kClearlyLarger of
-/// scene/trace.h): by its usable models, or, where it has none, by scaling its typical box within what `usable` allows.
+/// scene/size_and_nearness.h): by its usable models, or, where it has none, by scaling its typical box within what
+/// `usable` allows.
 bool comes_in_sizes(const Category& category, const Knowledge& knowledge);
 
 }  // namespace unietp

@@ -3,6 +3,7 @@
 
 #include "akb/completed.h"
 #include "akb/database.h"
+#include "akb/knowledge.h"
 #include "akb/override.h"
 #include "core/digest.h"
 #include "core/files.h"

@@ -6,6 +6,8 @@
 
 #include "akb/fit.h"
 #include "akb/phrases.h"
+#include "akb/table_words.h"
+#include "core/limits.h"
 #include "core/text.h"
 #include "llm/json_object.h"
 #include "llm/redact.h"
@@ -112,7 +114,7 @@ class Entry {
     int axis = 0;
     for (const char* side : {"width", "depth", "height"}) {
       if (!value.is_object() || !value.contains(side)) return reject(value, "not in the requested form");
-      const auto extent = amount(value, value.at(side), kLargest_m);
+      const auto extent = amount(value, value.at(side), limits::kCompleted_m);
       if (!extent) return;
       size[axis++] = *extent;
     }
@@ -121,7 +123,7 @@ class Entry {
   }
 
   void take_mass(const Json& value) {
-    const auto mass = amount(value, value, kHeaviest_kg);
+    const auto mass = amount(value, value, limits::kCompleted_kg);
     if (mass && possible(value, category_.size, *mass))
       out_.accepted.masses.push_back({category_.name, *mass, source_});
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "akb/table_words.h"
 #include "core/text.h"
 
 namespace unietp {

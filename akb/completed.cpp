@@ -6,7 +6,9 @@
 
 #include "akb/name_table.h"
 #include "akb/row_reader.h"
+#include "akb/table_words.h"
 #include "core/files.h"
+#include "core/limits.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -150,15 +152,16 @@ CompletedFacts read_completed(const std::filesystem::path& folder, const Tables&
   using Key = std::vector<std::string>;
   const auto category = [&](RowReader& row) { return row.one_of("category", names, "category"); };
   with_rows("size", [&](RowReader& row) -> Key {
-    CompletedFacts::Size f{category(row),
-                           {row.number("width", 0, kLargest_m, false), row.number("depth", 0, kLargest_m, false),
-                            row.number("height", 0, kLargest_m, false)},
-                           source(row)};
+    CompletedFacts::Size f{
+        category(row),
+        {row.number("width", 0, limits::kCompleted_m, false), row.number("depth", 0, limits::kCompleted_m, false),
+         row.number("height", 0, limits::kCompleted_m, false)},
+        source(row)};
     if (row.sound()) facts.sizes.push_back(f);
     return {f.category};
   });
   with_rows("mass", [&](RowReader& row) -> Key {
-    CompletedFacts::Mass f{category(row), row.number("mass", 0, kHeaviest_kg, false), source(row)};
+    CompletedFacts::Mass f{category(row), row.number("mass", 0, limits::kCompleted_kg, false), source(row)};
     if (row.sound()) facts.masses.push_back(f);
     return {f.category};
   });

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "akb/tables.h"
+#include "scene/simulator.h"
 
 namespace unietp {
 
@@ -46,8 +47,6 @@ struct CompletedFacts {
   std::vector<Placement> placements;
   std::vector<Alias> aliases;
 };
-
-inline constexpr double kLargest_m = 20, kHeaviest_kg = 2000;  // what a category may be told to be
 
 /// The categories of which something of a kind is told.
 using ToldFacts = std::map<FactKind, std::set<std::string, std::less<>>>;

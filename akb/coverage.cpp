@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "akb/table_words.h"
 #include "akb/tables.h"
 
 namespace unietp {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/limits.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -27,7 +28,7 @@ std::optional<Vec3> size_in(const std::string& text) {
   if (parts.size() != 3) return std::nullopt;
   Vec3 size;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto length = number_in(trim(parts[static_cast<std::size_t>(axis)]), kLargestOverride_m);
+    const auto length = number_in(trim(parts[static_cast<std::size_t>(axis)]), limits::kCategory_m);
     if (!length) return std::nullopt;
     size[axis] = *length;
   }

@@ -11,13 +11,11 @@ namespace unietp {
 
 // The values of facts as override files write them; nothing where a text is not such a value.
 
-inline constexpr double kLargestOverride_m = 100, kHeaviestOverride_kg = 90000;  // as the tables allow
-
 /// > 0 and <= `most`.
 std::optional<double> number_in(std::string_view text, double most);
 /// A whole number >= 1.
 std::optional<int> count_in(std::string_view text);
-/// `0.3 x 0.2 x 0.1`: width, depth, height in metres, each > 0 and <= kLargestOverride_m.
+/// `0.3 x 0.2 x 0.1`: width, depth, height in metres, each > 0 and <= limits::kCategory_m.
 std::optional<Vec3> size_in(const std::string& text);
 /// `true` or `false`.
 std::optional<bool> flag_in(std::string_view text);

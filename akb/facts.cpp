@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "akb/table_words.h"
 #include "akb/tables.h"
 #include "core/text.h"
 

@@ -1,56 +1,50 @@
 #include "akb/fit.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "scene/archetype_dimensions.h"
 
 namespace unietp {
 namespace {
 
-// Numbers of simulation/shape.cpp, which builds the solids; a test of the house compares the two.
-constexpr double kOpen_m = 2;       // free height with nothing above
-constexpr double kEdge_m = 0.01;    // kept free along every edge
-constexpr double kSlack_m = 0.002;  // around doors, drawers and lids
-constexpr double kShelfSetBack_m = 0.03;
-constexpr double kBoard_m = 0.02;
 constexpr double kHighestTop_m = 1.25;  // a higher top is out of reach
 constexpr double kMargin_m = 0.005;
 constexpr double kApart_m = 0.02;  // between things on one surface
 constexpr double kLargerModel = 1.15, kSmallerModel = 0.65, kSmallerHolder = 0.9;
 
-double wall(const Vec3& size, double most) { return std::clamp(0.07 * size.minCoeff(), 0.003, most); }
-
 std::optional<Room3> hollow(const Category& c) {
   const Vec3& s = c.size;
   switch (c.archetype) {
     case Archetype::Cabinet: {
-      const double t = wall(s, 0.02), height = s.z() - 2 * t;
-      const int bays = std::clamp(static_cast<int>(std::floor(height / 0.4)), 1, 5);
-      return Room3{s.x() - 2 * t - 2 * kEdge_m, s.y() - 2 * t - kSlack_m - kShelfSetBack_m - 2 * kEdge_m,
-                   height / bays - t, false, bays};
+      const auto [t, bays, pitch, set_back] = cabinet_dimensions(s);
+      return Room3{s.x() - 2 * t - 2 * kSurfaceEdge_m, s.y() - 2 * t - kDoorGap_m - set_back - 2 * kSurfaceEdge_m,
+                   pitch - t, false, bays};
     }
     case Archetype::Drawers: {
-      const double t = wall(s, 0.02), slot = std::min(s.z() - 2 * t, 0.24);
-      return Room3{s.x() - 4 * t - 2 * kSlack_m - 2 * kEdge_m, s.y() - 3 * t - kSlack_m - 2 * kEdge_m,
-                   slot - t - 2 * kSlack_m, false, 1};
+      const auto [t, slot] = drawers_dimensions(s);
+      return Room3{s.x() - 4 * t - 2 * kDoorGap_m - 2 * kSurfaceEdge_m, s.y() - 3 * t - kDoorGap_m - 2 * kSurfaceEdge_m,
+                   slot - t - 2 * kDoorGap_m, false, 1};
     }
     case Archetype::Basin: {
-      const double side = std::min(s.x(), s.y()), t = std::clamp(0.08 * side, 0.02, 0.06);
-      return Room3{s.x() - 2 * t, s.y() - 2 * t, std::min(0.65 * s.z(), 0.4 * side), true, 1};
+      const auto [t, depth] = basin_dimensions(s);
+      return Room3{s.x() - 2 * t, s.y() - 2 * t, depth, true, 1};
     }
     case Archetype::Vessel: {
-      const double t = wall(s, 0.012);
-      return Room3{s.x() - 2 * t - kSlack_m, s.y() - 2 * t - kSlack_m, s.z() - t, true, 1};
+      const double t = vessel_wall(s);
+      return Room3{s.x() - 2 * t - kDoorGap_m, s.y() - 2 * t - kDoorGap_m, s.z() - t, true, 1};
     }
     case Archetype::Lidded: {
-      const double t = wall(s, 0.012);
-      return Room3{s.x() - 2 * t - kSlack_m, s.y() - 2 * t - kSlack_m, s.z() - 2 * t - kSlack_m, false, 1};
+      const double t = vessel_wall(s);
+      return Room3{s.x() - 2 * t - kDoorGap_m, s.y() - 2 * t - kDoorGap_m, s.z() - 2 * t - kDoorGap_m, false, 1};
     }
     default:
       return std::nullopt;
   }
 }
 
-Room3 plane(double width, double depth) { return {width - 2 * kEdge_m, depth - 2 * kEdge_m, kOpen_m, false, 1}; }
+Room3 plane(double width, double depth) {
+  return {width - 2 * kSurfaceEdge_m, depth - 2 * kSurfaceEdge_m, kOpenAbove_m, false, 1};
+}
 
 std::optional<Room3> top(const Category& c) {
   const Vec3& s = c.size;
@@ -64,14 +58,14 @@ std::optional<Room3> top(const Category& c) {
       if (s.z() > kHighestTop_m) return std::nullopt;
       return plane(s.x(), s.y() - 0.025);  // the door
     case Archetype::Seat:
-      return plane(s.x(), s.y() - std::min(0.15, 0.2 * s.y()) - 0.01);
+      return plane(s.x(), s.y() - seat_dimensions(s).back - 0.01);
     case Archetype::Bed:
-      return plane(s.x(), s.y() - 0.06);
+      return plane(s.x(), s.y() - bed_dimensions(s).headboard);
     case Archetype::Shelf: {
-      if (s.z() < 0.15) return plane(s.x(), s.y());
-      const int bays = std::clamp(static_cast<int>(std::lround(s.z() / 0.42)), 1, 6);
-      const double pitch = (s.z() - kBoard_m) / bays;
-      return Room3{s.x() - 2 * kBoard_m - 2 * kEdge_m, s.y() - kBoard_m - 2 * kEdge_m, pitch - kBoard_m, false, bays};
+      const auto [bays, board, pitch] = shelf_dimensions(s);
+      if (bays == 0) return plane(s.x(), s.y());
+      return Room3{s.x() - 2 * board - 2 * kSurfaceEdge_m, s.y() - board - 2 * kSurfaceEdge_m, pitch - board, false,
+                   bays};
     }
     default:
       return std::nullopt;
@@ -82,12 +76,13 @@ std::optional<Room3> top(const Category& c) {
 std::optional<Room3> below(const Category& c) {
   const Vec3& s = c.size;
   if (c.archetype == Archetype::Bed) {
-    const double side = 2 * std::min({0.06, 0.2 * s.x(), 0.2 * s.y()}) + 2 * kEdge_m;
-    return Room3{s.x() - side, s.y() - side, std::min(0.25, 0.45 * 0.6 * s.z()), false, 1};
+    const auto bed = bed_dimensions(s);
+    const double side = 2 * bed.leg + 2 * kSurfaceEdge_m;
+    return Room3{s.x() - side, s.y() - side, bed.gap, false, 1};
   }
   if (c.archetype != Archetype::Table) return std::nullopt;
-  const double board = std::min(0.04, 0.2 * s.z()), leg = std::min({0.06, 0.2 * s.x(), 0.2 * s.y()});
-  return Room3{s.x() - 2 * leg - 2 * kEdge_m, s.y() - 2 * leg - 2 * kEdge_m, s.z() - board, false, 1};
+  const auto [board, leg] = table_dimensions(s);
+  return Room3{s.x() - 2 * leg - 2 * kSurfaceEdge_m, s.y() - 2 * leg - 2 * kSurfaceEdge_m, s.z() - board, false, 1};
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "akb/knowledge.h"
+#include "akb/rows.h"
 
 namespace unietp {
 

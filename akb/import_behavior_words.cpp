@@ -2,6 +2,7 @@
 
 #include "akb/import_behavior.h"
 #include "akb/row_reader.h"
+#include "akb/table_words.h"
 #include "core/files.h"
 #include "core/text.h"
 

@@ -2,6 +2,7 @@
 
 #include "akb/import_common.h"
 #include "akb/row_reader.h"
+#include "akb/table_words.h"
 #include "core/files.h"
 
 // The last steps of TableBuilder: what is curated by hand lies over what was imported and derived, and only what fits

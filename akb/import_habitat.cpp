@@ -8,6 +8,7 @@
 #include "akb/metadata_json.h"
 #include "akb/upstream_sizes.h"
 #include "core/text.h"
+#include "scene/simulator.h"
 
 namespace unietp {
 namespace {

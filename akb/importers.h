@@ -4,6 +4,7 @@
 
 #include "akb/tables.h"
 #include "core/result.h"
+#include "scene/simulator.h"
 
 namespace unietp {
 

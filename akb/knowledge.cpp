@@ -1,6 +1,7 @@
 #include "akb/knowledge.h"
 
 #include "akb/fit.h"
+#include "akb/table_words.h"
 #include "akb/tables.h"
 
 namespace unietp {

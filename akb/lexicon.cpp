@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "akb/row_reader.h"
+#include "akb/table_words.h"
 #include "akb/tables.h"
 #include "core/files.h"
 #include "core/text.h"

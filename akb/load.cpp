@@ -4,6 +4,8 @@
 #include <stdexcept>
 
 #include "akb/database.h"
+#include "akb/knowledge.h"
+#include "core/limits.h"
 #include "core/sqlite_file.h"
 #include "core/text.h"
 
@@ -54,8 +56,7 @@ std::size_t rows_in(SqliteFile& file, const std::string& table, Simulator simula
   statement.bind(1, static_cast<std::int64_t>(simulator));
   statement.bind(2, table);
   const std::int64_t rows = statement.step() ? statement.integer(0) : 0;
-  constexpr std::int64_t kMost = 1 << 20;  // a spoilt number must not ask for all memory
-  return static_cast<std::size_t>(std::clamp<std::int64_t>(rows, 0, kMost));
+  return static_cast<std::size_t>(std::clamp<std::int64_t>(rows, 0, limits::kReservedRows));
 }
 
 /// Every row of one simulator, in key order.

@@ -7,6 +7,7 @@
 
 #include "akb/facts.h"
 #include "akb/tables.h"
+#include "scene/simulator.h"
 
 namespace unietp {
 

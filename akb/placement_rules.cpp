@@ -1,6 +1,7 @@
 #include "akb/placement_rules.h"
 
 #include "akb/row_reader.h"
+#include "akb/table_words.h"
 #include "akb/tables.h"
 #include "core/files.h"
 

@@ -5,6 +5,7 @@
 #include "akb/csv.h"
 #include "akb/row_reader.h"
 #include "core/files.h"
+#include "scene/simulator.h"
 
 namespace unietp {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "akb/tables.h"
 #include "core/text.h"
 
 namespace unietp {

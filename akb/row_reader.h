@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "akb/csv.h"
-#include "akb/knowledge.h"
 #include "akb/name_table.h"
+#include "akb/rows.h"
 
 namespace unietp {
 

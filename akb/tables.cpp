@@ -4,13 +4,13 @@
 #include <unordered_set>
 
 #include "akb/row_reader.h"
+#include "akb/table_words.h"
 #include "core/files.h"
+#include "core/limits.h"
 #include "core/text.h"
 
 namespace unietp {
 namespace {
-
-constexpr double kLargest_m = 100, kHeaviest_kg = 90000;
 
 std::vector<std::string> archetype_names() {
   std::vector<std::string> names;
@@ -50,9 +50,9 @@ std::vector<Category> read_categories(RowReader& row) {
     c.countable = row.flag("countable");
     c.movable = row.flag("movable");
     c.archetype = archetype_named(row.one_of("archetype", archetypes, "archetype")).value_or(Archetype::Box);
-    c.size = {row.number("width", 0, kLargest_m, false), row.number("depth", 0, kLargest_m, false),
-              row.number("height", 0, kLargest_m, false)};
-    c.mass = row.number("mass", 0, kHeaviest_kg, false);
+    c.size = {row.number("width", 0, limits::kCategory_m, false), row.number("depth", 0, limits::kCategory_m, false),
+              row.number("height", 0, limits::kCategory_m, false)};
+    c.mass = row.number("mass", 0, limits::kCategory_kg, false);
     c.rooms = row.all_of("rooms", room_types(), "room type");
     c.colours = row.list("colours");
     c.materials = row.list("materials");
@@ -141,8 +141,8 @@ std::vector<Asset> read_assets(RowReader& row, const NameTable& names) {
     Asset a;
     a.name = row.required("asset");
     a.category = row.one_of("category", names, "category");
-    a.size = {row.number("width", 0, kLargest_m, false), row.number("depth", 0, kLargest_m, false),
-              row.number("height", 0, kLargest_m, false)};
+    a.size = {row.number("width", 0, limits::kCategory_m, false), row.number("depth", 0, limits::kCategory_m, false),
+              row.number("height", 0, limits::kCategory_m, false)};
     a.source = row.source("source", "confidence");
     keys.check(row, "asset", {a.name});
     if (row.sound()) assets.push_back(std::move(a));
@@ -152,15 +152,29 @@ std::vector<Asset> read_assets(RowReader& row, const NameTable& names) {
 
 }  // namespace
 
-bool well_formed_source(std::string_view source) {
-  if (source == "curated") return true;
-  for (const std::string_view kind : {"metadata:", "derived:", "llm:", "override:"}) {
-    if (source.starts_with(kind)) {
-      const auto name = source.substr(kind.size());
-      return !name.empty() && name.find_first_of(" \t\r\n") == std::string_view::npos;
-    }
-  }
-  return false;
+const std::vector<std::string>& table_names() {
+  static const std::vector<std::string> names{"category", "affordance", "relation", "effect", "alias", "asset"};
+  return names;
+}
+
+const std::vector<std::string>& columns_of(std::string_view table) {
+  static const std::vector<std::string> category{"name",        "display",         "plural",      "synset",
+                                                 "countable",   "movable",         "archetype",   "width",
+                                                 "depth",       "height",          "mass",        "rooms",
+                                                 "colours",     "materials",       "source",      "confidence",
+                                                 "size_source", "size_confidence", "mass_source", "mass_confidence"};
+  static const std::vector<std::string> affordance{"category", "affordance", "source", "confidence"};
+  static const std::vector<std::string> relation{"object",   "relation", "receptacle", "likelihood",
+                                                 "capacity", "source",   "confidence"};
+  static const std::vector<std::string> effect{"tool",   "effect", "target", "gives",
+                                               "amount", "needs",  "source", "confidence"};
+  static const std::vector<std::string> alias{"category", "kind", "text", "source", "confidence"};
+  static const std::vector<std::string> asset{"asset", "category", "width", "depth", "height", "source", "confidence"};
+  if (table == "category") return category;
+  if (table == "affordance") return affordance;
+  if (table == "relation") return relation;
+  if (table == "effect") return effect;
+  return table == "alias" ? alias : asset;
 }
 
 Tables read_tables(const std::filesystem::path& folder, std::vector<Error>& errors) {

@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "akb/knowledge.h"
+#include "akb/rows.h"
+#include "core/result.h"
 
 namespace unietp {
 
@@ -23,14 +24,6 @@ struct Tables {
 const std::vector<std::string>& table_names();
 /// The columns that a table must have, in any order.
 const std::vector<std::string>& columns_of(std::string_view table);
-
-const std::vector<std::string>& relation_names();  // on inside next_to under
-const std::vector<std::string>& effect_names();    // heats cools ... drains
-const std::vector<std::string>& need_names();      // closed power_on held inside on under_tap
-const std::vector<std::string>& alias_kinds();     // synonym function context
-const std::vector<std::string>& room_types();      // kitchen living_room ...
-/// `metadata:<file>`, `derived:<rule>`, `llm:<model>`, `override:<file>` or `curated`.
-bool well_formed_source(std::string_view source);
 
 /// Reads and checks `<folder>/{category,...}.csv`; appends every problem to `errors` (Schema, Parse or Io with file,
 /// line and column). Rows with a problem are left out. Lists are joined by `|` in their cell.

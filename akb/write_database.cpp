@@ -6,6 +6,7 @@
 #include "akb/name_table.h"
 #include "core/sqlite_file.h"
 #include "core/text.h"
+#include "scene/simulator.h"
 
 namespace unietp {
 namespace {

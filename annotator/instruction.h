@@ -5,6 +5,7 @@
 
 #include "akb/knowledge.h"
 #include "annotator/noun_table.h"
+#include "annotator/phrasing_sets.h"
 #include "core/result.h"
 #include "core/rng.h"
 #include "generator/specification.h"
@@ -20,9 +21,6 @@ struct Instruction {
   std::vector<std::string> checks;  // names of the checks that it passed
   std::string why;                  // why the grammar wrote where another writer was asked; "" otherwise
 };
-
-/// Which ways to say a thing: those of training and those of the benchmark share no turn of phrase, whatever the nouns.
-enum class Phrasings { All, Training, Benchmark };
 
 struct WritingOptions {
   Phrasings phrasings = Phrasings::All;

@@ -2,12 +2,12 @@
 
 #include <utility>
 
+#include "core/limits.h"
+
 namespace unietp {
 namespace {
 
 using Op = Formula::Op;
-
-constexpr int kMaxDepth = 200;  // as of brackets in a formula's text
 
 class PropositionReader {
  public:
@@ -17,7 +17,7 @@ class PropositionReader {
   Proposition read(bool later) {
     Proposition said;
     if (words_.failed()) return said;
-    if (++depth_ > kMaxDepth) {
+    if (++depth_ > limits::kFormulaDepth) {
       words_.fail("expected less nesting");
     } else if (!over_time(said, later) && !of_several(said, later) && !bound(said, later)) {
       fact(said);

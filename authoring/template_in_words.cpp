@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "akb/affordance_meanings.h"
+#include "akb/table_words.h"
 #include "annotator/instruction.h"
 #include "core/text.h"
 #include "templates/init_shape.h"

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "akb/affordance_meanings.h"
+#include "akb/table_words.h"
 #include "core/text.h"
 #include "logic/formula_words.h"
 #include "scene/action.h"

@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "generator/domain_constraints.h"
+#include "generator/propose.h"
 #include "generator/weighted_binding.h"
 #include "templates/constraint_kinds.h"
 

@@ -4,7 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "akb/knowledge.h"
 #include "generator/gate.h"
+#include "generator/specification.h"
+#include "templates/template.h"
 
 namespace unietp {
 

@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 #include "akb/csv.h"
+#include "akb/knowledge.h"
+#include "akb/table_words.h"
 #include "akb/tables.h"
 #include "core/files.h"
 #include "core/rng.h"

@@ -12,7 +12,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "generator/gate.h"
+#include "generator/propose.h"
 
 namespace {
 

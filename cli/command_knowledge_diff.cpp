@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "akb/difference.h"
+#include "akb/knowledge.h"
 #include "akb/tables.h"
 #include "cli/command_knowledge.h"
 #include "cli/command_parser.h"

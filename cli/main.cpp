@@ -1,15 +1,16 @@
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <string>
-#include <thread>
 
 #include "cli/command_parser.h"
 #include "cli/commands.h"
+#include "core/share_work.h"
 #include "dataset/manifest.h"
 
 namespace {
@@ -58,7 +59,7 @@ int main(int argc, char** argv) {
   program.interrupted = &interrupted;
   program.llm_key = llm_key();
   program.terminal = ::isatty(STDERR_FILENO) != 0;
-  program.processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  program.processors = unietp::processor_count();
 
   unietp::CommandParser app(kAbout, "unietp");
   app.version_flag("--version", "unietp " + std::string(unietp::program_version()));

@@ -11,6 +11,7 @@
 
 #include "cli/command_parser.h"
 #include "cli/progress_line.h"
+#include "core/limits.h"
 #include "core/text.h"
 #include "dataset/configuration_json.h"
 #include "run/rejection_hints.h"
@@ -126,9 +127,9 @@ void add_run_options(CommandParser& app, RunCommand& command, const CommandLine&
 Exit make_data_set(RunCommand& command, const Resources& resources, const CommandLine& program) {
   spdlog::logger log("unietp", std::make_shared<spdlog::sinks::stderr_sink_mt>());
   log.set_pattern("%l: %v");
-  if (command.configuration.seed > kLargestSeed)
+  if (command.configuration.seed > limits::kSeed)
     return refuse(
-        {Error::Kind::Usage, "--seed", {}, "expected a whole number from 0 to " + std::to_string(kLargestSeed)});
+        {Error::Kind::Usage, "--seed", {}, "expected a whole number from 0 to " + std::to_string(limits::kSeed)});
   if (!command.shard.empty()) {
     const auto shard = shard_of(command.shard);
     if (!shard) return refuse(shard.error());

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/limits.h"
 #include "core/result.h"
 
 namespace unietp {
@@ -20,7 +21,7 @@ std::string gzip(std::string_view bytes);
 
 /// Errors: Parse when the bytes are not gzip, are cut, or unpack to more than `max_bytes`. `where` names the source.
 Result<std::string> gunzip(std::string_view where, std::string_view bytes,
-                           std::size_t max_bytes = std::size_t{1} << 30);
+                           std::size_t max_bytes = limits::kUnpackedBytes);
 
 /// read_file, then gunzip when the name ends in .gz.
 Result<std::string> read_maybe_gzip(const std::filesystem::path& path);

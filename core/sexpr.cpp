@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "core/limits.h"
+
 namespace unietp {
 namespace {
-
-constexpr int kMaxDepth = 200;
 
 class Reader {
  public:
@@ -54,7 +54,8 @@ class Reader {
   }
 
   Result<Sexpr> read(int depth) {
-    if (depth > kMaxDepth) return error_at(pos_, "brackets are nested deeper than " + std::to_string(kMaxDepth));
+    if (depth > limits::kFormulaDepth)
+      return error_at(pos_, "brackets are nested deeper than " + std::to_string(limits::kFormulaDepth));
     if (peek() == ')') return error_at(pos_, "unexpected ')' without '('");
     if (peek() == '(') return read_list(depth);
     if (peek() == '"') return read_string();

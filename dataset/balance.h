@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "expert/expert.h"
+#include "expert/demonstration.h"
 #include "generator/specification.h"
 #include "grounding/episode.h"
 

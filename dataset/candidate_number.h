@@ -2,17 +2,15 @@
 
 #include <cstdint>
 
+#include "core/limits.h"
 #include "core/rng.h"
 
 namespace unietp {
 
-/// The most candidates that are tried for one task.
-inline constexpr int kMaxAttempts = 1024;
-
 /// The number of a candidate among all of a run: what its random streams are forked by. No two candidates share one,
-/// since `attempt` is below kMaxAttempts.
+/// since `attempt` is below limits::kAttempts.
 inline std::uint64_t candidate_number(int slot, int attempt) {
-  return static_cast<std::uint64_t>(slot) * kMaxAttempts + static_cast<std::uint64_t>(attempt);
+  return static_cast<std::uint64_t>(slot) * limits::kAttempts + static_cast<std::uint64_t>(attempt);
 }
 
 /// The random stream of a task's instruction. The run's seed and the candidate name it, so rewriting the instructions

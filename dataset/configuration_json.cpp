@@ -1,5 +1,6 @@
 #include "dataset/configuration_json.h"
 
+#include "core/limits.h"
 #include "dataset/candidate_number.h"
 
 #include <algorithm>
@@ -21,7 +22,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "unietp-run/1";
-constexpr int kMostTasks = 1'000'000'000;
 
 template <class T>
 Json names_json(const std::vector<T>& values) {
@@ -48,8 +48,8 @@ class ConfigurationReader {
     if (const auto at = fields.required("format"); at && reader_.text(*at) != kFormat)
       reader_.fail(*at, "expected \"" + std::string(kFormat) + "\"");
     RunConfiguration configuration;
-    number(fields, "seed", 0, double{kLargestSeed}, configuration.seed);
-    counted_ = number(fields, "count", 1, kMostTasks, configuration.count);
+    number(fields, "seed", 0, double{limits::kSeed}, configuration.seed);
+    counted_ = number(fields, "count", 1, limits::kTasks, configuration.count);
     list(fields, "simulators", std::vector<Simulator>(kSimulators.begin(), kSimulators.end()), configuration.simulators,
          1);
     list(fields, "splits", all_splits(), configuration.splits);
@@ -63,7 +63,7 @@ class ConfigurationReader {
     if (configuration.modes.front() != Mode::M1) configuration.modes.insert(configuration.modes.begin(), Mode::M1);
     if (const auto at = fields.optional("phrasings"))
       configuration.phrasings = one_of(*at, std::vector<Phrasings>(kPhrasings.begin(), kPhrasings.end()));
-    number(fields, "attempts", 1, kMaxAttempts, configuration.attempts);
+    number(fields, "attempts", 1, limits::kAttempts, configuration.attempts);
     number(fields, "block", 1, 1e6, configuration.block);
     if (const auto at = fields.optional("homes"))
       configuration.homes = one_of(*at, std::vector<HomeSource>(kHomeSources.begin(), kHomeSources.end()));
@@ -133,7 +133,7 @@ class ConfigurationReader {
     for (const auto& [name, count] : at->json.items()) {
       const JsonAt item{count, &*at, name};
       const T value = one_of(std::string_view(name), item, known);
-      read.emplace_back(value, static_cast<int>(whole(item, 0, kMostTasks)));
+      read.emplace_back(value, static_cast<int>(whole(item, 0, limits::kTasks)));
     }
     for (const T value : known) {
       for (const auto& one : read) {
@@ -155,7 +155,7 @@ class ConfigurationReader {
                              [](std::int64_t so_far, const auto& one) { return so_far + one.second; });
     };
     const std::int64_t count = sum(quotas.splits);
-    if (count > kMostTasks) reader_.fail(*at, "ask for more than " + std::to_string(kMostTasks) + " tasks");
+    if (count > limits::kTasks) reader_.fail(*at, "ask for more than " + std::to_string(limits::kTasks) + " tasks");
     if (count != sum(quotas.simulators) || count < 1)
       reader_.fail(*at, "splits ask for " + std::to_string(count) + " tasks and simulators for " +
                             std::to_string(sum(quotas.simulators)) + "; both must sum to the same number, above 0");

@@ -11,9 +11,6 @@
 
 namespace unietp {
 
-/// Seeds are written as JSON numbers, which readers take as doubles.
-inline constexpr std::uint64_t kLargestSeed = 9007199254740991;  // 2^53 - 1
-
 /// A run's configuration as the manifest records it and as a file of a person's own says it (docs/files.md): the one
 /// reads back as the other.
 nlohmann::ordered_json to_json(const RunConfiguration& configuration);

@@ -9,21 +9,13 @@
 #include <string>
 
 #include "core/result.h"
-#include "dataset/balance.h"
 #include "dataset/candidate.h"
 #include "dataset/configuration.h"
+#include "dataset/dataset_counts.h"
 #include "dataset/dataset_database.h"
 #include "resources/resources.h"
 
 namespace unietp {
-
-/// How many tasks of each kind, and why candidates were given up. Maps, so that files are in order of name.
-struct DatasetCounts {
-  int tasks = 0;
-  std::map<std::string, int> by_split, by_simulator, by_template;
-  std::map<std::string, std::map<std::string, int>> rejections;  // stage, reason
-  Frequencies traits;                                            // of the tasks
-};
 
 /// Writes a data set's folder (docs/files.md), task by task. Equal input gives equal bytes.
 class DatasetWriter {

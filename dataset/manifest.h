@@ -2,9 +2,13 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "dataset/dataset_writer.h"
+#include "core/result.h"
+#include "dataset/configuration.h"
+#include "dataset/dataset_counts.h"
+#include "resources/resources.h"
 
 namespace unietp {
 

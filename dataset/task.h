@@ -6,7 +6,7 @@
 
 #include "annotator/instruction.h"
 #include "dataset/balance.h"
-#include "expert/expert.h"
+#include "expert/demonstration.h"
 #include "grounding/episode.h"
 
 namespace unietp {

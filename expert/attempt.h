@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "expert/expert.h"
+#include "expert/demonstration.h"
+#include "expert/rehearsal.h"
 #include "expert/subgoal.h"
 #include "scene/trace.h"
 #include "simulation/world.h"

@@ -5,7 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include "expert/expert.h"
+#include "expert/demonstration.h"
+#include "expert/rehearsal.h"
+#include "grounding/episode.h"
 
 namespace unietp {
 

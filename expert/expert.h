@@ -5,36 +5,13 @@
 #include <vector>
 
 #include "akb/knowledge.h"
+#include "expert/demonstration.h"
 #include "expert/rehearsal.h"
 #include "grounding/episode.h"
 #include "logic/formula.h"
-#include "scene/action.h"
-#include "scene/command.h"
-#include "scene/trace.h"
 #include "simulation/profile.h"
-#include "simulation/world.h"
 
 namespace unietp {
-
-/// One executed step as an agent would have lived it: what it saw, what it did, what it was told, what changed.
-struct DemonstrationStep {
-  std::vector<VisibleObject> visible;  // before the action
-  Action action;                       // on ids, whatever the mode
-  Command command;                     // how an agent of the mode says it
-  Outcome outcome;
-  Delta changes;
-};
-
-struct Demonstration {
-  Mode mode = Mode::M1;
-  std::vector<DemonstrationStep> steps;  // the last is `stop`
-};
-
-struct ExpertOptions {
-  int max_steps = 50, max_failures = 10;  // stages.md: M1 and M2
-  int max_plans = 12;                     // alternative orders and witnesses tried
-  Mode mode = Mode::M1;                   // whose actions are used; its other rules are not kept (mode_expert.h)
-};
 
 /// Stage: from the goal formula alone: chooses witnesses, orders subgoals, expands them to actions, executes them in
 /// the backend, replans on failure, stops. Knows no template. Kept only if the goal holds on the executed trace by the

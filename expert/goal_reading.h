@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "expert/estimate.h"
 #include "expert/subgoal.h"
 #include "logic/formula.h"
 

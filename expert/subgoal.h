@@ -62,20 +62,9 @@ std::string changes_text(const Alternative& alternative, const Situation& situat
 /// All that an alternative wants of the end, sorted.
 std::vector<Literal> wanted_at_end(const Alternative& alternative);
 
-/// What failed attempts taught: a surcharge on truths and on things, in actions.
-struct Experience {
-  std::vector<std::pair<Literal, double>> literals;
-  std::vector<std::pair<EntityIndex, double>> things;
-  double surcharge(const Literal& literal) const;
-  double surcharge(EntityIndex thing) const;
-};
-
 bool holds_in(const Literal& literal, const Facts& facts);
 /// Can never hold together: opposite truths, two states of one group, one thing in two places, more held than hands.
 bool clash(const Literal& a, const Literal& b, const Situation& situation);
 /// A truth to bring about that cannot hold together with some of those.
 bool clash(const Literal& change, const Truths& standing, const Situation& situation);
-/// Estimated actions for an alternative; shared trips, doors and cuts are counted once.
-double estimate(const Alternative& alternative, const Situation& situation, const Experience& experience);
-
 }  // namespace unietp

@@ -14,7 +14,7 @@
 #include "record/home_shelf.h"
 #include "record/task_record.h"
 #include "scene/scene.h"
-#include "validator/validate.h"
+#include "validator/validation_options.h"
 
 namespace unietp {
 

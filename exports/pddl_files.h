@@ -5,7 +5,7 @@
 
 #include "core/result.h"
 #include "exports/task_folder.h"
-#include "validator/validate.h"
+#include "validator/validation_options.h"
 
 namespace unietp {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/result.h"
-#include "validator/validate.h"
+#include "validator/validation_options.h"
 
 namespace unietp {
 

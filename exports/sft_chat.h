@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "exports/finished_tasks.h"
-#include "exports/sft.h"
+#include "scene/action.h"
 
 namespace unietp {
 

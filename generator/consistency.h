@@ -4,6 +4,7 @@
 
 #include "akb/knowledge.h"
 #include "generator/gate.h"
+#include "generator/specification.h"
 
 namespace unietp {
 

@@ -1,13 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
-
-#include "akb/knowledge.h"
-#include "generator/specification.h"
-#include "templates/template.h"
 
 namespace unietp {
 
@@ -41,17 +35,5 @@ struct GateRefusal {
   std::string remedy;  // what would have to change: the binding, a fact of the knowledge base or the template
   bool operator==(const GateRefusal&) const = default;
 };
-
-/// Fills a template in and sends it through the gates before StateOfCategory, which cost little. The start has, by
-/// itself, something of every category that the binding names.
-std::variant<Specification, GateRefusal> fill_in(const Template& source, const Knowledge& knowledge,
-                                                 const Binding& binding);
-/// The same through all gates; the first that refuses answers. Deterministic.
-std::variant<Specification, GateRefusal> propose(const Template& source, const Knowledge& knowledge,
-                                                 const Binding& binding);
-
-/// The gates that a specification passes without its template, from StateOfCategory on: for refinements, which change
-/// goal and init. nullopt when all are passed.
-std::optional<GateRefusal> refused_by(const Specification& specification, const Knowledge& knowledge);
 
 }  // namespace unietp

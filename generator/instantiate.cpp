@@ -1,4 +1,4 @@
-#include "generator/gate.h"
+#include "generator/propose.h"
 #include "generator/specification.h"
 
 namespace unietp {

@@ -43,8 +43,8 @@ bool StartDraft::set_attribute(const StartLiteral& literal, Id thing) {
 void StartDraft::make_state(const StartLiteral& literal, Id thing, bool truth) {
   if (set_attribute(literal, thing)) return;
   auto& changed = world()[thing];
-  const auto& symbols = sampler_.rules_.symbols();
-  const auto number = sampler_.rules_.symbol_named(literal.symbol);
+  const auto& symbols = demands_.rules.symbols();
+  const auto number = demands_.rules.symbol_named(literal.symbol);
   if (literal.predicate == Predicate::Covered) {
     if (!truth) {
       number ? changed.coats.erase(*number) : changed.coats.clear();

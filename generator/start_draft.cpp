@@ -16,12 +16,12 @@ constexpr double kStray = 0.1;    // of the changes are blind, to leave dead end
 
 }  // namespace
 
-StartDraft::StartDraft(const StartSampler& sampler, Rng& rng) : sampler_(sampler), rng_(rng) {
-  start_.setting.rules = &sampler.rules_;
-  start_.setting.with_nearest = sampler.with_nearest_;
-  for (const auto& type : sampler.rooms_) start_.setting.cast.rooms.push_back({type + "_1", type});
+StartDraft::StartDraft(const StartDemands& demands, Rng& rng) : demands_(demands), rng_(rng) {
+  start_.setting.rules = &demands.rules;
+  start_.setting.with_nearest = demands.with_nearest;
+  for (const auto& type : demands.rooms) start_.setting.cast.rooms.push_back({type + "_1", type});
   start_.setting.cast.rooms.push_back({"elsewhere_1", "elsewhere"});
-  world().room = Id::room(sampler.rooms_.size());
+  world().room = Id::room(demands.rooms.size());
   add_things();
   read_constraints();
   find_broken();
@@ -29,8 +29,8 @@ StartDraft::StartDraft(const StartSampler& sampler, Rng& rng) : sampler_(sampler
 
 void StartDraft::add_things() {
   auto& cast = start_.setting.cast;
-  const auto& rules = sampler_.rules_;
-  for (const auto& amount : sampler_.amounts_) {
+  const auto& rules = demands_.rules;
+  for (const auto& amount : demands_.amounts) {
     const auto& kind = rules.kind(amount.kind);
     const auto extra = static_cast<int>(rng_.below(static_cast<std::uint64_t>(amount.most - amount.least) + 1));
     for (int i = 0; i < amount.least + extra; ++i) {
@@ -51,7 +51,7 @@ void StartDraft::add_things() {
 }
 
 void StartDraft::dress(Id id) {
-  const auto& rules = sampler_.rules_;
+  const auto& rules = demands_.rules;
   const auto& kind = setting().kind_of(id);
   auto& role = start_.setting.cast.role(id);
   if (!kind.colours.empty()) role.colour = rng_.pick(kind.colours);
@@ -66,13 +66,13 @@ void StartDraft::dress(Id id) {
 }
 
 void StartDraft::read_constraints() {
-  for (const auto& aim : sampler_.aims_) constraints_.emplace_back(*aim.formula, setting(), start_.world);
+  for (const auto& aim : demands_.aims) constraints_.emplace_back(*aim.formula, setting(), start_.world);
 }
 
 void StartDraft::read_attributes() {
   if (!attributes_changed_) return;
   for (std::size_t i = 0; i < constraints_.size(); ++i) {
-    const auto& aim = sampler_.aims_[i];
+    const auto& aim = demands_.aims[i];
     if (aim.of_attributes) constraints_[i] = symbolic::Goal(*aim.formula, setting(), start_.world);
   }
   attributes_changed_ = false;
@@ -160,18 +160,18 @@ bool StartDraft::is_true(const StartLiteral& literal, Id thing) const {
   if (literal.predicate == Predicate::Colour) return is(role.colour);
   if (literal.predicate == Predicate::Material) return is(role.material);
   if (literal.predicate == Predicate::Size) return is(role.size);
-  const auto symbol = sampler_.rules_.symbol_named(literal.symbol);
+  const auto symbol = demands_.rules.symbol_named(literal.symbol);
   return symbolic::holds(setting(), world, literal.predicate, thing, kNobody, symbol);
 }
 
-bool StartDraft::satisfies(const StartSampler::Aim& aim, Id thing) const {
+bool StartDraft::satisfies(const StartDemands::Aim& aim, Id thing) const {
   return std::all_of(aim.literals.begin(), aim.literals.end(),
                      [&](const StartLiteral& literal) { return is_true(literal, thing) == literal.positive; });
 }
 
 bool StartDraft::improve() {
   if (broken_.empty()) return false;
-  const auto& aim = sampler_.aims_[rng_.pick(broken_)];
+  const auto& aim = demands_.aims[rng_.pick(broken_)];
   if (aim.of_agent) {
     world().room = random_room();
   } else if (!aim.shaped) {
@@ -187,7 +187,7 @@ bool StartDraft::improve() {
 }
 
 /// Draws something of one object anew.
-void StartDraft::stir(const StartSampler::Aim& aim) {
+void StartDraft::stir(const StartDemands::Aim& aim) {
   const auto concerned = things_of(aim.formula->domain);
   if (concerned.empty()) return;
   const Id thing = rng_.pick(concerned);
@@ -196,7 +196,7 @@ void StartDraft::stir(const StartSampler::Aim& aim) {
   attributes_changed_ = true;
 }
 
-void StartDraft::change(const StartSampler::Aim& aim) {
+void StartDraft::change(const StartDemands::Aim& aim) {
   std::vector<Id> with, without;
   for (const Id thing : things_of(aim.formula->domain)) (satisfies(aim, thing) ? with : without).push_back(thing);
   const auto& formula = *aim.formula;

@@ -1,6 +1,11 @@
 #pragma once
 
-#include "generator/start_sampler.h"
+#include <cstddef>
+#include <vector>
+
+#include "core/rng.h"
+#include "generator/start_demands.h"
+#include "generator/symbolic_start.h"
 #include "symbolic/goal.h"
 
 namespace unietp {
@@ -10,7 +15,7 @@ inline constexpr double kHomeLength_m = 20;  // along which furniture stands, fo
 /// A start under way: objects are there, and are changed until all of `init` holds.
 class StartDraft {
  public:
-  StartDraft(const StartSampler& sampler, Rng& rng);
+  StartDraft(const StartDemands& demands, Rng& rng);
 
   /// Changes one object for one broken constraint. False when nothing is broken any more, or nothing can be done.
   bool improve();
@@ -34,15 +39,15 @@ class StartDraft {
   std::vector<Id> things_of(const Domain& domain) const;
   std::vector<Id> rooms_of(const Domain& domain) const;
   bool is_true(const StartLiteral& literal, Id thing) const;
-  bool satisfies(const StartSampler::Aim& aim, Id thing) const;
-  void stir(const StartSampler::Aim& aim);
-  void change(const StartSampler::Aim& aim);
+  bool satisfies(const StartDemands::Aim& aim, Id thing) const;
+  void stir(const StartDemands::Aim& aim);
+  void change(const StartDemands::Aim& aim);
   void make(const StartLiteral& literal, Id thing, bool truth);
   void make_state(const StartLiteral& literal, Id thing, bool truth);
   void make_relation(const StartLiteral& literal, Id thing);
   bool set_attribute(const StartLiteral& literal, Id thing);
 
-  const StartSampler& sampler_;
+  const StartDemands& demands_;
   Rng& rng_;
   SymbolicStart start_;
   std::vector<symbolic::Goal> constraints_;  // one for each aim, over the things that are there

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <array>
 
+#include "akb/knowledge.h"
 #include "grounding/make_node.h"
 #include "grounding/place_object.h"
 #include "grounding/scene_editor.h"
 #include "grounding/small_objects.h"
+#include "scene/size_and_nearness.h"
 #include "scene/trace.h"
 #include "simulation/relations.h"
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "akb/row_reader.h"
+#include "akb/table_words.h"
 #include "akb/tables.h"
 #include "core/files.h"
 #include "core/text.h"

@@ -4,6 +4,8 @@
 #include <set>
 
 #include "akb/csv.h"
+#include "akb/knowledge.h"
+#include "akb/table_words.h"
 #include "akb/tables.h"
 #include "core/text.h"
 #include "grounding/layout_fit.h"

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "akb/knowledge.h"
 #include "akb/row_reader.h"
 #include "core/files.h"
 

@@ -8,9 +8,10 @@
 
 #include "core/rng.h"
 #include "grounding/goal_places.h"
-#include "grounding/ground.h"
 #include "grounding/reasons.h"
 #include "grounding/workspace.h"
+#include "logic/vocabulary.h"
+#include "simulation/profile.h"
 
 namespace unietp {
 
@@ -37,7 +38,8 @@ class SceneEditor {
   /// Elsewhere: on or in a receptacle that `accept` likes; away from the goal's places where there is a choice.
   bool relocate(const std::string& id, const std::function<bool(const Node& receptacle)>& accept);
 
-  /// To a place that is clearly nearer to `other` than every thing of its category (clearly_nearer of scene/trace.h).
+  /// To a place that is clearly nearer to `other` than every thing of its category (clearly_nearer of
+  /// scene/size_and_nearness.h).
   bool bring_near(const std::string& id, const std::string& other);
 
   /// Sets a state of an exclusive group, `covered`, colour, material or size; doors and lids move with `open` and

@@ -5,6 +5,7 @@
 
 #include "core/digest.h"
 #include "core/files.h"
+#include "core/limits.h"
 #include "core/text.h"
 #include "homes/wanted_homes.h"
 #include "scene/scene_json.h"
@@ -23,11 +24,10 @@ bool is_scene_file(const fs::path& path) {
   return name.ends_with(".scene.json") || name.ends_with(".scene.json.gz");
 }
 
-constexpr std::size_t kLongestId = 200;
-
 /// A data set keeps its homes in files that are called by their ids.
 bool names_a_file(const std::string& id) {
-  return !id.empty() && id.size() <= kLongestId && id.find_first_of(std::string_view("/\0", 2)) == std::string::npos;
+  return !id.empty() && id.size() <= limits::kSceneIdBytes &&
+         id.find_first_of(std::string_view("/\0", 2)) == std::string::npos;
 }
 
 void check_categories(const fs::path& file, const Scene& scene, const Knowledge& knowledge,
@@ -85,7 +85,7 @@ std::vector<IdentifiedScene> read_files(const std::vector<fs::path>& paths, cons
     if (!names_a_file(scene->id))
       errors.push_back(usage(file, "has the id \"" + scene->id +
                                        "\", which is not usable as a file name; expected at most " +
-                                       std::to_string(kLongestId) + " bytes and no '/'"));
+                                       std::to_string(limits::kSceneIdBytes) + " bytes and no '/'"));
     check_categories(file, *scene, backends[static_cast<std::size_t>(scene->simulator)].knowledge, errors);
     found.push_back({file, std::move(*scene), sha256(*bytes)});
   }

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "core/limits.h"
 #include "interchange/draft.h"
 #include "simulation/relations.h"
 
@@ -12,7 +13,6 @@ std::string more_than(std::size_t count, std::size_t most, const std::string& wh
 
 /// What is wrong with the size of a home, or "": walking it costs its area.
 std::string too_wide(const Scene& scene) {
-  constexpr double kWidest_m = 200;
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Room& room : scene.rooms) {
     for (const Vec2& corner : room.polygon) {
@@ -21,7 +21,7 @@ std::string too_wide(const Scene& scene) {
       high = high.cwiseMax(corner);
     }
   }
-  if (scene.rooms.empty() || (high - low).maxCoeff() <= kWidest_m) return {};
+  if (scene.rooms.empty() || (high - low).maxCoeff() <= limits::kHomeWidth_m) return {};
   return "the rooms extend over more than 200 m";
 }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/limits.h"
 #include "interchange/foreign_json.h"
 
 namespace unietp {
@@ -123,9 +124,9 @@ std::vector<BehaviorObject> read_behavior_objects(JsonReader& reader, const Json
   if (infos == nullptr) reader.fail(*init, "expected an object of objects by name");
   if (places == nullptr) reader.fail(*registry, "expected an object of objects by name");
   if (reader.error()) return objects;
-  if (infos->size() > kMostObjects) {
+  if (infos->size() > limits::kListedObjects) {
     reader.fail(*init, std::to_string(infos->size()) + " objects in one home; expected at most " +
-                           std::to_string(kMostObjects));
+                           std::to_string(limits::kListedObjects));
     return objects;
   }
   Registry by_name;

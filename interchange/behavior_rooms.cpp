@@ -6,12 +6,12 @@
 #include <string>
 #include <utility>
 
+#include "core/limits.h"
 #include "interchange/floor_tiles.h"
 
 namespace unietp {
 namespace {
 
-constexpr std::size_t kMostRooms = 100;
 constexpr double kBeside_m = 0.5, kFarBeside_m = 2;
 constexpr double kSameWall_m = 0.3;  // floors of neighbours end on the two sides of a wall
 
@@ -71,7 +71,7 @@ std::vector<Floor> floors_of(const SourceScene& scene) {
 
 void add_floor_rooms(SourceScene& scene) {
   std::vector<Floor> floors = floors_of(scene);
-  if (floors.empty() || floors.size() > kMostRooms) return;
+  if (floors.empty() || floors.size() > limits::kNamedRooms) return;
   std::vector<Tile*> all;
   for (Floor& floor : floors) {
     for (Tile& tile : floor.tiles) all.push_back(&tile);

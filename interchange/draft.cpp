@@ -7,22 +7,21 @@
 #include <set>
 
 #include "akb/default_states.h"
+#include "core/limits.h"
 #include "core/text.h"
 #include "interchange/category_names.h"
+#include "scene/archetype_dimensions.h"
 #include "scene/fresh_id.h"
 #include "simulation/shape.h"
 
 namespace unietp {
 namespace {
 
-constexpr double kFarthest_m = 1000;   // homes are smaller
-constexpr double kLargest_m = 50;      // and so is what stands in them
 constexpr double kThinnest_m = 0.002;  // physics needs some thickness
 constexpr double kOutside_m = 0.5;     // what lies farther from every room is not in the home
 constexpr double kLeaning_rad = 0.05;  // a tilt that physics would not keep
 constexpr double kSlab_m = 0.02;       // thickness of a laptop or book that was measured while open
 constexpr double kLightest_kg = 0.001;
-constexpr double kLidTravel_rad = 1.9;  // of the archetype `folding`
 
 bool finite(const SourceObject& object) {
   return object.pose.position.allFinite() && object.pose.rotation.coeffs().allFinite() && object.size.allFinite() &&
@@ -117,7 +116,8 @@ class Placer {
     if (!finite(object) || std::abs(object.pose.rotation.norm() - 1) > 1e-3 || object.size.minCoeff() < 0) {
       return issue(object, "not-finite", "its pose or size is not finite");
     }
-    if (object.pose.position.cwiseAbs().maxCoeff() > kFarthest_m || object.size.maxCoeff() > kLargest_m) {
+    if (object.pose.position.cwiseAbs().maxCoeff() > limits::kHomeOffset_m ||
+        object.size.maxCoeff() > limits::kImportedObject_m) {
       return issue(object, "too-far", "its pose or size is larger than a home");
     }
     if (structure) {

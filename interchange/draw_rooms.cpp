@@ -4,6 +4,7 @@
 #include <numeric>
 #include <set>
 
+#include "core/limits.h"
 #include "core/text.h"
 #include "interchange/category_names.h"
 #include "interchange/draft.h"
@@ -14,8 +15,7 @@ namespace {
 constexpr double kMargin_m = 0.1;  // between what stands in a drawn room and the middle of its walls
 constexpr double kDoor_m = 0.9;    // width of an opening that is made
 constexpr double kDoorHeight_m = 2.0;
-constexpr std::size_t kMostRooms = 100;  // more names than that name no rooms
-constexpr double kSameWall_m = 0.35;     // edges of two rooms that are nearer are two sides of one wall
+constexpr double kSameWall_m = 0.35;  // edges of two rooms that are nearer are two sides of one wall
 
 struct Rectangle {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -59,7 +59,7 @@ std::vector<Room> rooms_around(const SourceScene& source) {
     if (!object.room.empty()) named[object.room].add(bounds);
   }
   if (all.low.x() > all.high.x()) return {};
-  if (named.empty() || named.size() > kMostRooms) named = {{"room", all}};
+  if (named.empty() || named.size() > limits::kNamedRooms) named = {{"room", all}};
   for (bool merged = true; merged;) {
     merged = false;
     for (auto a = named.begin(); a != named.end() && !merged; ++a) {

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/limits.h"
 #include "core/text.h"
 #include "scene/json_parse.h"
 
@@ -24,13 +25,13 @@ bool has_mark(const Json& json, const std::vector<std::string_view>& marks) {
 /// Rooms, walls, openings and agent of the size of a home; a room that is larger is an error, the rest is dropped with
 /// a warning.
 void keep_to_a_home(JsonReader& reader, const JsonAt& home, SourceScene& scene) {
-  constexpr double kFarOff_m = 1000, kWidest_m = 200, kLowest_m = 1, kHighest_m = 50, kUsual_m = 2.6;
-  Vec2 low = Vec2::Constant(kFarOff_m), high = -low;
+  constexpr double kLowest_m = 1, kHighest_m = 50, kUsual_m = 2.6;
+  Vec2 low = Vec2::Constant(limits::kHomeOffset_m), high = -low;
   for (const Room& room : scene.rooms) {
     for (const Vec2& corner : room.polygon) {
       low = low.cwiseMin(corner), high = high.cwiseMax(corner);
-      const bool near = corner.allFinite() && corner.cwiseAbs().maxCoeff() <= kFarOff_m;
-      if (near && (high - low).maxCoeff() <= kWidest_m) continue;
+      const bool near = corner.allFinite() && corner.cwiseAbs().maxCoeff() <= limits::kHomeOffset_m;
+      if (near && (high - low).maxCoeff() <= limits::kHomeWidth_m) continue;
       return reader.fail(home, "the room " + in_quotes(room.id) +
                                    " is too far away; expected a home of at most 200 m within 1000 m of the origin");
     }
@@ -46,7 +47,7 @@ void keep_to_a_home(JsonReader& reader, const JsonAt& home, SourceScene& scene) 
   const auto dropped = std::erase_if(scene.openings, is_none);
   if (dropped > 0) scene.warnings.push_back(std::to_string(dropped) + " openings have no width");
   const Vec2& agent = scene.agent.position;
-  if (scene.has_agent && !(agent.allFinite() && agent.cwiseAbs().maxCoeff() <= kFarOff_m)) {
+  if (scene.has_agent && !(agent.allFinite() && agent.cwiseAbs().maxCoeff() <= limits::kHomeOffset_m)) {
     scene.warnings.emplace_back("the agent stands too far away to be in a home");
     scene.has_agent = false;
   }
@@ -117,8 +118,9 @@ std::optional<JsonAt> given(const JsonAt& object, std::string_view name) {
 
 std::size_t objects_in(JsonReader& reader, const JsonAt& list) {
   const std::size_t count = reader.items(list);
-  if (count <= kMostObjects) return count;
-  reader.fail(list, std::to_string(count) + " objects in one home; expected at most " + std::to_string(kMostObjects));
+  if (count <= limits::kListedObjects) return count;
+  reader.fail(
+      list, std::to_string(count) + " objects in one home; expected at most " + std::to_string(limits::kListedObjects));
   return 0;
 }
 
@@ -152,7 +154,7 @@ Result<std::vector<SourceScene>> read_homes(std::string_view where, std::string_
   Homes homes(marks, read);
   const auto add = [&](std::string_view at, std::string_view value, int line,
                        const std::string& id) -> std::optional<Error> {
-    const auto json = parse_json(at, value, kMostFields);
+    const auto json = parse_json(at, value, limits::kJsonHomeFields);
     if (!json) {
       Error error = json.error();
       if (line > 0 && error.pos.line > 0) error.pos.line = line, error.where = where;

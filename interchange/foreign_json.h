@@ -14,13 +14,10 @@ namespace unietp {
 
 // Others' JSON files are read as strictly as ours, but fields that nobody asks for are theirs to have.
 
-inline constexpr std::size_t kMostFields = 4'000'000;  // objects may be tables of a home's things by name
-inline constexpr std::size_t kMostObjects = 20000;     // of one home; a file with more is refused
-
 /// The field, when the object has it and it is not null. Linear in the number of fields.
 std::optional<JsonAt> given(const JsonAt& object, std::string_view name);
 
-/// Length of a list of a home's objects; 0 and an error when it is none or has more than kMostObjects.
+/// Length of a list of a home's objects; 0 and an error when it is none or has more than limits::kListedObjects.
 std::size_t objects_in(JsonReader& reader, const JsonAt& list);
 
 /// Order of a quaternion's four numbers in a file.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "akb/knowledge.h"
+#include "core/limits.h"
 #include "core/result.h"
 #include "interchange/source_scene.h"
 #include "scene/scene.h"
@@ -46,9 +47,9 @@ struct ImportedScene {
 };
 
 struct ImportOptions {
-  bool settle = true;               // false: as the file says, without physics
-  std::size_t most_objects = 5000;  // a file with more is refused
-  std::size_t most_rooms = 200;     // the same
+  bool settle = true;                                   // false: as the file says, without physics
+  std::size_t most_objects = limits::kImportedObjects;  // a file with more is refused
+  std::size_t most_rooms = limits::kImportedRooms;      // the same
 };
 
 /// Stage: a file's own account → a scene of ours with each known object at its place. Names are matched with the

@@ -2,14 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/limits.h"
 #include "scene/json_parse.h"
 
 namespace unietp {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kMostSceneFields = 100000;  // a table of scenes is one object
 
 }  // namespace
 
@@ -69,7 +68,7 @@ Vec3 vector_at(JsonReader& reader, const JsonAt& at) {
 
 Result<std::vector<Json>> read_json_values(std::string_view where, std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
-  auto whole = parse_json(where, text, kMostSceneFields);
+  auto whole = parse_json(where, text, limits::kJsonTableFields);
   std::vector<Json> values;
   if (whole) {
     values.push_back(std::move(*whole));
@@ -83,7 +82,7 @@ Result<std::vector<Json>> read_json_values(std::string_view where, std::string_v
     const std::string_view one = text.substr(at, end - at);
     at = end + 1;
     if (one.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-    auto value = parse_json(where, one, kMostSceneFields);
+    auto value = parse_json(where, one, limits::kJsonTableFields);
     if (!value) {
       if (values.empty()) return whole.error();
       Error error = value.error();

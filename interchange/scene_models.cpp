@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/limits.h"
 #include "core/text.h"
 #include "interchange/foreign_json.h"
 #include "scene/json_parse.h"
@@ -112,7 +113,7 @@ SceneModels scene_models_from_json(JsonReader& reader, const JsonAt& table) {
 }
 
 Result<SceneModels> read_scene_models(const std::string& where, std::string_view text) {
-  const auto json = parse_json(where, text, kMostFields);
+  const auto json = parse_json(where, text, limits::kJsonHomeFields);
   if (!json) return json.error();
   JsonReader reader(where);
   const JsonAt root{*json};

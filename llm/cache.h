@@ -6,7 +6,7 @@
 
 #include "core/result.h"
 #include "core/sqlite_file.h"
-#include "llm/ask.h"
+#include "llm/exchange.h"
 
 namespace unietp {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/limits.h"
 #include "llm/foreign_json.h"
 #include "llm/json_object.h"
 #include "llm/redact.h"
@@ -13,12 +14,10 @@ namespace {
 using Json = nlohmann::json;
 using Pointer = Json::json_pointer;
 
-constexpr std::int64_t kMostTokens = 1'000'000'000;
-
 std::int64_t count_at(const Json& json, const char* pointer) {
   const Pointer at(pointer);
   if (!json.contains(at) || !json.at(at).is_number_integer()) return 0;
-  return std::clamp<std::int64_t>(json.at(at).get<std::int64_t>(), 0, kMostTokens);
+  return std::clamp<std::int64_t>(json.at(at).get<std::int64_t>(), 0, limits::kAnswerTokens);
 }
 
 /// A server may spell the key with escapes, so the strings are looked at after they are read.

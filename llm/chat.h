@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/result.h"
-#include "llm/ask.h"
+#include "llm/exchange.h"
 
 namespace unietp {
 

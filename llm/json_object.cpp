@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/limits.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -10,7 +11,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kDeepest = 64;
 constexpr int kMostStarts = 64;  // brackets of prose that are tried, so that no text takes long
 
 /// Walks JSON bytes and knows whether they stand in a string.
@@ -57,7 +57,7 @@ bool nested_too_deep(std::string_view json) {
     if (strings.inside(c)) continue;
     if (c == '{' || c == '[') ++now;
     if (c == '}' || c == ']') --now;
-    if (now > kDeepest) return true;
+    if (now > limits::kJsonDepth) return true;
   }
   return false;
 }

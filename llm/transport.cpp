@@ -8,12 +8,11 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "core/limits.h"
 #include "core/text.h"
 
 namespace unietp {
 namespace {
-
-constexpr std::size_t kLargestAnswer = std::size_t{4} << 20;  // bytes
 
 struct EasyEnd {
   void operator()(CURL* easy) const { curl_easy_cleanup(easy); }
@@ -34,7 +33,7 @@ struct Transfer {
 
 std::size_t take_body(char* data, std::size_t size, std::size_t count, void* user) {
   auto& transfer = *static_cast<Transfer*>(user);
-  transfer.too_large = transfer.answer.body.size() + size * count > kLargestAnswer;
+  transfer.too_large = transfer.answer.body.size() + size * count > limits::kAnswerBytes;
   if (transfer.too_large) return 0;  // ends the transfer
   transfer.answer.body.append(data, size * count);
   return size * count;
@@ -133,7 +132,7 @@ std::vector<HttpAnswer> Transport::wait(double seconds) {
     auto& transfer = *found->second;
     curl_easy_getinfo(easy, CURLINFO_RESPONSE_CODE, &transfer.answer.status);
     if (transfer.too_large) {
-      transfer.answer.failure = "an answer of more than " + std::to_string(kLargestAnswer >> 20) + " MB";
+      transfer.answer.failure = "an answer of more than " + std::to_string(limits::kAnswerBytes >> 20) + " MB";
     } else if (code != CURLE_OK) {
       transfer.answer.failure = curl_easy_strerror(code);
     }

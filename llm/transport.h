@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "llm/ask.h"
+#include "llm/exchange.h"
 
 namespace unietp {
 

@@ -10,24 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/typed_id.h"
+#include "logic/entity.h"
 
 namespace unietp {
 
 struct Domain;
-
-/// Position in Trace::entities. Meaningless in another trace.
-using EntityIndex = TypedId<struct EntityTag>;
-
-/// Something that a variable can stand for.
-struct Entity {
-  enum class Kind : std::uint8_t { Object, Room, Agent };
-  Kind kind = Kind::Object;
-  std::string id;        // "mug_3"
-  std::string category;  // "Mug"; of a room its type ("Kitchen")
-  std::string slice_of;  // category of the whole that was cut, for `A/slice`; else empty
-  bool operator==(const Entity&) const = default;
-};
 
 /// A list of entities that can grow. The entities up to the last call of `share` are one block in memory for all
 /// copies, indexed by id and category; each copy stores those added since by itself and searches them one by one.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "logic/entity_list.h"
+#include "logic/entity.h"
 #include "logic/formula.h"
 
 namespace unietp {

@@ -4,21 +4,11 @@
 #include <vector>
 
 #include "akb/knowledge.h"
+#include "pddl/domain_parts.h"
 #include "pddl/process_class.h"
 #include "scene/action.h"
 
 namespace unietp::pddl {
-
-/// A predicate: "(fits-on ?x - movable ?y - thing)".
-struct PredicateText {
-  std::string name, arguments;
-};
-
-/// An action: its parts in PDDL, without the keywords around them.
-struct ActionText {
-  std::string name, parameters;
-  std::vector<std::string> needs, effects;
-};
 
 /// "unietp-ai2thor".
 std::string domain_name(Simulator simulator);

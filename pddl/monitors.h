@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "pddl/domain.h"
+#include "logic/vocabulary.h"
+#include "pddl/domain_parts.h"
 
 namespace unietp::pddl {
 

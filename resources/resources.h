@@ -9,27 +9,11 @@
 #include "core/result.h"
 #include "grounding/layout.h"
 #include "grounding/layout_library.h"
+#include "resources/data_folders.h"
 #include "simulation/profile.h"
 #include "templates/template.h"
 
 namespace unietp {
-
-/// Where the facts lie: a checkout, or a copy of its `data/` and `templates/` folders.
-struct DataFolders {
-  std::filesystem::path root;                         // holds data/ and templates/library/
-  std::filesystem::path cache;                        // compiled knowledge is kept here, named by its digest
-  std::vector<std::filesystem::path> overrides = {};  // the user's own facts, over data/akb/override.csv
-  std::vector<std::filesystem::path> templates = {};  // the user's own, files or folders, beside the built-in ones
-  bool extended_library = false;                      // take the extended templates too
-
-  std::filesystem::path tables() const { return root / "data" / "akb"; }
-  std::filesystem::path profiles() const { return root / "data" / "simulators"; }
-  std::filesystem::path runs() const { return root / "data" / "runs"; }
-  std::filesystem::path layouts() const { return root / "data" / "layouts"; }
-  std::filesystem::path licences() const { return root / "data" / "licences.csv"; }
-  std::filesystem::path library() const { return root / "templates" / "library"; }
-  std::filesystem::path extended() const { return root / "templates" / "extended"; }  // need not exist
-};
 
 /// A simulator as the stages see it: what is known of its categories and how it limits its agent.
 struct Backend {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "resources/resources.h"
+#include "resources/data_folders.h"
 #include "templates/template_files.h"
 
 namespace unietp {

@@ -209,7 +209,7 @@ Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& 
   if (!copy) return copy.error();
   if (auto done = write_file(copy->folder() / "tasks.jsonl", text); !done) return done.error();
   if (options.paired) {
-    const auto pairs = paired_wordings(folder, *lines, resources, options);
+    const auto pairs = paired_wordings(folder, *lines, resources, options.llm.phrasings, options.seed);
     if (!pairs) return pairs.error();
     if (auto done = write_file(copy->folder() / kWordings, *pairs); !done) return done.error();
   }

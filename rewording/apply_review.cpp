@@ -144,7 +144,7 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
   }
 
   ApplyReport report;
-  const auto rulings = rule_on(reviews, *tasks, {folder, resources, options, *marks}, report);
+  const auto rulings = rule_on(reviews, *tasks, {folder, resources, options.accept_unchecked, *marks}, report);
   if (!rulings) return rulings.error();
   auto copy = ChangedCopy::begin(folder, out, files_made_anew(folder));
   if (!copy) return copy.error();

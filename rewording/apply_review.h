@@ -1,13 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "core/result.h"
 #include "report/review_file.h"
 #include "resources/resources.h"
+#include "rewording/review_rulings.h"
 
 namespace unietp {
 
@@ -15,11 +14,6 @@ struct ApplyOptions {
   bool accept_unchecked = false;  // take edits whose text does not pass the checks, too
   bool keep_rejected = false;     // mark rejected tasks and leave them in
   std::filesystem::path licences;
-};
-
-struct ApplyReport {
-  int accepted = 0, rejected = 0, edited = 0;
-  std::vector<std::pair<std::string, std::string>> refused;  // task, why its verdict was not taken over
 };
 
 /// Writes the data set in `folder` anew as people judged it, to `out` (which may be `folder`: it is replaced at once).

@@ -24,12 +24,12 @@ constexpr std::array kComplex{"nested-syntax", "condition", "relative-clause", "
 class PairWriter {
  public:
   PairWriter(const TaskLine& task, Scene start, const DemonstrationRecord& demonstration, const Backend& backend,
-             const AnnotateOptions& options)
+             Phrasings phrasings, std::optional<std::uint64_t> seed)
       : task_(task),
         start_(std::move(start)),
         backend_(backend),
-        writing_{options.llm.phrasings, categories_in(start_)},
-        rng_(wording_stream(options.seed.value_or(task.seed), task.slot, task.attempt).fork("pair", 0)) {
+        writing_{phrasings, categories_in(start_)},
+        rng_(wording_stream(seed.value_or(task.seed), task.slot, task.attempt).fork("pair", 0)) {
     std::vector<Delta> changes;
     for (const StepRecord& step : demonstration.steps) changes.push_back(step.changes);
     trace_ = to_logic(start_, changes, reads_comparisons(task.specification.goal));
@@ -74,7 +74,8 @@ class PairWriter {
 }  // namespace
 
 Result<std::string> paired_wordings(const fs::path& folder, const std::vector<TaskLine>& lines,
-                                    const Resources& resources, const AnnotateOptions& options) {
+                                    const Resources& resources, Phrasings phrasings,
+                                    std::optional<std::uint64_t> seed) {
   const auto file = folder / "demonstrations" / "M1.jsonl";
   const auto text = read_file(file);
   if (!text) return text.error();
@@ -89,7 +90,7 @@ Result<std::string> paired_wordings(const fs::path& folder, const std::vector<Ta
     auto start = read_start(homes, lines[i]);
     if (!start) return start.error();
     const Backend& backend = resources.backend(lines[i].specification.simulator);
-    const auto pair = PairWriter(lines[i], std::move(*start), *demonstration, backend, options).pair();
+    const auto pair = PairWriter(lines[i], std::move(*start), *demonstration, backend, phrasings, seed).pair();
     if (!pair) return pair.error();
     all += pair->dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   }

@@ -75,7 +75,7 @@ class Judge {
     if (!scene) return scene.error();
     const auto checked =
         check_person_text(text, task, context_.resources.backend(task.specification.simulator), categories_in(*scene));
-    if (!checked.faults.empty() && !context_.options.accept_unchecked) {
+    if (!checked.faults.empty() && !context_.accept_unchecked) {
       refuse("\"" + text + "\": " + join(checked.faults, "; "));
       return std::optional<Instruction>();
     }

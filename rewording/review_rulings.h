@@ -4,11 +4,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "annotator/instruction.h"
+#include "report/review_file.h"
 #include "resources/resources.h"
-#include "rewording/apply_review.h"
 #include "rewording/task_lines.h"
 
 namespace unietp {
@@ -19,11 +20,17 @@ struct Ruling {
   std::optional<Instruction> rewritten;  // of an edit
 };
 
+/// What became of the verdicts.
+struct ApplyReport {
+  int accepted = 0, rejected = 0, edited = 0;
+  std::vector<std::pair<std::string, std::string>> refused;  // task, why its verdict was not taken over
+};
+
 /// What the verdicts are about, and what they are held against.
 struct RulingContext {
   const std::filesystem::path& folder;
   const Resources& resources;
-  const ApplyOptions& options;
+  bool accept_unchecked = false;                            // take edits whose text does not pass the checks, too
   const std::map<std::string, std::string>& judged_before;  // earlier verdicts, by task
 };
 

@@ -5,7 +5,9 @@
 #include <exception>
 #include <map>
 #include <memory>
-#include <thread>
+#include <mutex>
+
+#include "core/share_work.h"
 
 namespace unietp {
 namespace {
@@ -17,10 +19,7 @@ class Crew {
       : configuration_(configuration), resources_(resources), blocks_(blocks), ledger_(ledger), orders_(orders) {}
 
   Result<bool> work() {
-    std::vector<std::thread> threads;
-    for (int i = 1; i < orders_.threads; ++i) threads.emplace_back([this] { take_part(); });
-    take_part();
-    for (auto& thread : threads) thread.join();
+    run_on_threads(orders_.threads, [this] { take_part(); });
     if (thrown_) std::rethrow_exception(thrown_);
     if (failure_) return *failure_;
     return is_done();

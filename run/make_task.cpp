@@ -7,7 +7,7 @@
 #include "core/text.h"
 #include "dataset/candidate_number.h"
 #include "expert/mode_expert.h"
-#include "generator/gate.h"
+#include "generator/propose.h"
 #include "generator/weighted_binding.h"
 #include "grounding/ground.h"
 #include "run/given_binding.h"

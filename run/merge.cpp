@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 
+#include "run/run.h"
 #include "run/run_folder.h"
 
 namespace unietp {

@@ -11,6 +11,7 @@
 #include "dataset/balance.h"
 #include "dataset/configuration.h"
 #include "resources/resources.h"
+#include "run/shard.h"
 #include "run/stage_costs.h"
 
 namespace unietp {
@@ -20,12 +21,6 @@ struct RunProgress {
   int candidates = 0;        // tried so far
   double seconds = 0;        // since this process began
   int tasks_now = 0;         // accepted by this process, for the rate
-};
-
-/// Part `number` of `of` of a run: the blocks whose place leaves number - 1 when divided by `of`. 1 of 1 is all of it.
-struct Shard {
-  int number = 1, of = 1;
-  bool is_whole() const { return of == 1; }
 };
 
 /// How the work is done; no part of it reaches the data set.

@@ -6,6 +6,7 @@
 #include "dataset/configuration_json.h"
 #include "record/record_fields.h"
 #include "scene/json_parse.h"
+#include "scene/json_pointer.h"
 #include "scene/json_reader.h"
 
 namespace unietp {

@@ -7,7 +7,7 @@
 
 #include "core/result.h"
 #include "run/assemble.h"
-#include "run/run.h"
+#include "run/shard.h"
 
 namespace unietp {
 

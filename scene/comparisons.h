@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "logic/formula.h"
@@ -21,16 +20,6 @@ struct Compared {
   /// Also what a closed formula or one of its domains compares.
   void add(const Formula& formula);
 };
-
-/// x is `nearest` to y, by places in the list of nodes.
-struct NearestPair {
-  std::size_t winner = 0, other = 0;
-};
-/// Among the nodes at these places (which hold all of a category or none); by winner, then by what it is nearest to.
-std::vector<NearestPair> nearest_pairs(const SharedList<Node>& nodes, const std::vector<std::size_t>& places);
-/// Those that have a size among their category, with "large" or "small".
-std::vector<std::pair<std::size_t, std::string>> sizes_of(const SharedList<Node>& nodes,
-                                                          const std::vector<std::size_t>& places);
 
 /// Facts that `reader` read of the scene without comparisons, and what comes of comparing these things: all that
 /// formulas which compare no others can tell from a reading with every comparison.

@@ -9,14 +9,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scene/json_reader.h"
+#include "core/limits.h"
+#include "scene/json_pointer.h"
 
 namespace unietp {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMaxDepth = 64;
 constexpr std::size_t kFewFields = 64;  // are searched one by one
 
 std::string printable(std::string_view text, std::size_t limit) {
@@ -96,7 +96,8 @@ class Builder {
   }
 
   bool open(Json value) {
-    if (stack_.size() == kMaxDepth) return fail("nested deeper than 64 levels");
+    if (stack_.size() == std::size_t{limits::kJsonDepth})
+      return fail("nested deeper than " + std::to_string(limits::kJsonDepth) + " levels");
     stack_.push_back(put(std::move(value)));
     return true;
   }

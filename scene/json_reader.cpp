@@ -8,6 +8,7 @@
 
 #include "core/text.h"
 #include "scene/json_parse.h"
+#include "scene/json_pointer.h"
 
 namespace unietp {
 namespace {
@@ -17,14 +18,6 @@ using Json = nlohmann::ordered_json;
 std::string type_of(const Json& json) { return json.is_null() ? "null" : "a JSON " + std::string(json.type_name()); }
 
 }  // namespace
-
-std::string at_pointer(std::string_view where, std::string_view pointer) {
-  return pointer.empty() ? std::string(where) : std::string(where) + "#" + std::string(pointer);
-}
-
-std::string pointer_token(std::string_view name) {
-  return replace_all(replace_all(std::string(name), "~", "~0"), "/", "~1");
-}
 
 std::string JsonAt::pointer() const {
   if (parent == nullptr) return {};

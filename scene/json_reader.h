@@ -14,11 +14,6 @@
 
 namespace unietp {
 
-/// `pointer` inside the file `where`, as a URI fragment: "a.json#/nodes/3/size".
-std::string at_pointer(std::string_view where, std::string_view pointer);
-/// One token of a JSON pointer (RFC 6901), escaped.
-std::string pointer_token(std::string_view name);
-
 /// A JSON value and the way to it; the way is spelt out only for an error.
 struct JsonAt {
   const nlohmann::ordered_json& json;

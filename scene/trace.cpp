@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "scene/comparisons.h"
+#include "scene/size_and_nearness.h"
 
 namespace unietp {
 namespace {
@@ -48,10 +48,6 @@ bool is_comparison(const Formula& formula) {
 }
 
 }  // namespace
-
-bool clearly_nearer(double distance_m, double other_m) {
-  return other_m - distance_m >= std::max(kClearlyNearer_m, kClearlyNearer * distance_m);
-}
 
 bool reads_comparisons(const Formula& formula) {
   return is_comparison(formula) || std::any_of(formula.children.begin(), formula.children.end(), reads_comparisons) ||

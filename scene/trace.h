@@ -25,14 +25,6 @@ Delta difference(const Scene& before, const Scene& after);
 /// Changed nodes keep their place, new ones are appended in order. Rooms and openings never change.
 Scene apply(Scene before, const Delta& delta);
 
-/// A thing is `large` when its box has at least this many times the volume of every other of its category, `small` when
-/// every other has that many times its volume.
-inline constexpr double kClearlyLarger = 1.3;
-/// x is `nearest` to y when every other of x's category is further from y by this length and by this share of x's own
-/// distance, centre to centre.
-inline constexpr double kClearlyNearer_m = 0.25, kClearlyNearer = 0.2;
-bool clearly_nearer(double distance_m, double other_m);
-
 /// The agent, in all that a FactReader reads.
 inline constexpr EntityIndex kAgentEntity(0);
 

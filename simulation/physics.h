@@ -9,6 +9,7 @@
 #include "scene/room_finder.h"
 #include "simulation/body_id.h"
 #include "simulation/collider.h"
+#include "simulation/settle.h"
 
 namespace unietp {
 
@@ -21,15 +22,6 @@ struct Contact {
 struct RayHit {
   BodyId body;
   double fraction = 1;  // of the way from start to end
-};
-
-struct SettleOptions {
-  double step_s = 1.0 / 240;
-  int max_steps = 720;        // 3 s
-  int calm_steps = 12;        // 0.05 s of calm in a row ends it
-  int edge_calm_steps = 120;  // 0.5 s, when something rests with its middle near the edge of what carries it
-  double calm_m_s = 0.01, calm_rad_s = 0.05;
-  double surroundings_m = 0.3;  // fixed bodies farther than this from the loose ones are left out
 };
 
 struct SettledBody {

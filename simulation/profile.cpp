@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/limits.h"
 #include "core/text.h"
 #include "scene/json_parse.h"
 
@@ -12,7 +13,6 @@ namespace unietp {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double kMost = 100000;  // pixels, hands
 
 /// Reads fields one by one, remembers the first error and which fields it knows.
 class Fields {
@@ -29,7 +29,8 @@ class Fields {
   void positive(const char* name, int& value) {
     if (const Json* field = find(name, &Json::is_number_integer, "a whole number")) {
       const auto whole = field->get<double>();  // no int wraps round
-      if (!(whole > 0 && whole <= kMost)) return fail(name, "must be greater than 0 and at most 100000");
+      if (!(whole > 0 && whole <= limits::kProfileCount))
+        return fail(name, "must be greater than 0 and at most 100000");
       value = static_cast<int>(whole);
     }
   }

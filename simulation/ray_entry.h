@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "simulation/rays.h"
+#include "simulation/solid.h"
 
 namespace unietp {
 

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/archetype_dimensions.h"
+
 namespace unietp {
 namespace {
 
-constexpr double kOpenAbove_m = 2.0;  // clearance of a surface with nothing over it
-constexpr double kEdge_m = 0.01;      // things are not set down nearer than this to an edge
-constexpr double kSlack_m = 0.002;    // between a door and its frame
 constexpr double kDoorTravel_rad = std::numbers::pi / 2;
-constexpr double kLidTravel_rad = 1.9;  // leans back past upright
 
 /// Collects parts given by their low and high corners.
 class Builder {
@@ -24,7 +22,7 @@ class Builder {
   }
   void surface(double x0, double x1, double y0, double y1, double z, double clearance, int cavity = -1,
                int joint = -1) {
-    const Vec2 half((x1 - x0) / 2 - kEdge_m, (y1 - y0) / 2 - kEdge_m);
+    const Vec2 half((x1 - x0) / 2 - kSurfaceEdge_m, (y1 - y0) / 2 - kSurfaceEdge_m);
     if (half.minCoeff() <= 0) return;
     shape.surfaces.push_back({Vec3((x0 + x1) / 2, (y0 + y1) / 2, z), half, clearance, joint, cavity});
   }
@@ -44,8 +42,6 @@ class Builder {
   Vec3 half_;
 };
 
-double wall_of(const Vec3& size, double most) { return std::clamp(0.07 * size.minCoeff(), 0.003, most); }
-
 void solid(Builder& b, bool surface_on_top) {
   const Vec3 h = b.half();
   b.box(-h, h);
@@ -63,8 +59,7 @@ void round_solid(Builder& b, Part::Kind kind) {
 
 void table(Builder& b) {
   const Vec3 h = b.half();
-  const double top = std::min(0.04, 0.2 * h.z());
-  const double leg = std::min({0.06, 0.2 * h.x(), 0.2 * h.y()});
+  const auto [top, leg] = table_dimensions(2 * h);
   b.box({-h.x(), -h.y(), h.z() - top}, h);
   for (const double x : {-h.x(), h.x() - leg}) {
     for (const double y : {-h.y(), h.y() - leg}) b.box({x, y, -h.z()}, {x + leg, y + leg, h.z() - top});
@@ -74,7 +69,7 @@ void table(Builder& b) {
 
 void seat(Builder& b) {
   const Vec3 h = b.half();
-  const double back = std::min(0.15, 0.4 * h.y());
+  const double back = seat_dimensions(2 * h).back;
   const double level = 0;  // half as high as the back
   b.box(-h, {h.x(), h.y() - back, level});
   b.box({-h.x(), h.y() - back, -h.z()}, h);
@@ -84,9 +79,7 @@ void seat(Builder& b) {
 /// A mattress on legs against a headboard: things lie on it, and flat ones under it.
 void bed(Builder& b) {
   const Vec3 h = b.half();
-  const double back = std::min(0.06, 0.4 * h.y()), height = 2 * h.z() * 0.6;
-  const double gap = std::min(0.25, 0.45 * height);
-  const double leg = std::min({0.06, 0.2 * h.x(), 0.2 * h.y()});
+  const auto [back, height, gap, leg] = bed_dimensions(2 * h);
   b.box({-h.x(), -h.y(), -h.z() + gap}, {h.x(), h.y() - back, -h.z() + height});
   b.box({-h.x(), h.y() - back, -h.z()}, h);
   for (const double x : {-h.x(), h.x() - leg}) b.box({x, -h.y(), -h.z()}, {x + leg, -h.y() + leg, -h.z() + gap});
@@ -95,18 +88,16 @@ void bed(Builder& b) {
 
 void shelf(Builder& b) {
   const Vec3 h = b.half();
-  constexpr double kBoard_m = 0.02;
-  if (2 * h.z() < 0.15) return solid(b, true);  // a single board on a wall
-  const int bays = std::clamp(static_cast<int>(std::lround(2 * h.z() / 0.42)), 1, 6);
-  const double pitch = (2 * h.z() - kBoard_m) / bays;
-  b.box(-h, {-h.x() + kBoard_m, h.y(), h.z()});
-  b.box({h.x() - kBoard_m, -h.y(), -h.z()}, h);
-  b.box({-h.x() + kBoard_m, h.y() - kBoard_m, -h.z()}, {h.x() - kBoard_m, h.y(), h.z()});
+  const auto [bays, board, pitch] = shelf_dimensions(2 * h);
+  if (bays == 0) return solid(b, true);
+  b.box(-h, {-h.x() + board, h.y(), h.z()});
+  b.box({h.x() - board, -h.y(), -h.z()}, h);
+  b.box({-h.x() + board, h.y() - board, -h.z()}, {h.x() - board, h.y(), h.z()});
   for (int k = 0; k <= bays; ++k) {
     const double z = -h.z() + k * pitch;
-    b.box({-h.x() + kBoard_m, -h.y(), z}, {h.x() - kBoard_m, h.y() - kBoard_m, z + kBoard_m});
-    b.surface(-h.x() + kBoard_m, h.x() - kBoard_m, -h.y(), h.y() - kBoard_m, z + kBoard_m,
-              k == bays ? kOpenAbove_m : pitch - kBoard_m);
+    b.box({-h.x() + board, -h.y(), z}, {h.x() - board, h.y() - board, z + board});
+    b.surface(-h.x() + board, h.x() - board, -h.y(), h.y() - board, z + board,
+              k == bays ? kOpenAbove_m : pitch - board);
   }
 }
 
@@ -115,16 +106,16 @@ void doors(Builder& b, double thickness) {
   const bool two = 2 * h.x() > 0.8;
   const double split = two ? 0.0 : h.x();
   const int left = b.joint(Joint::Kind::Hinge, {-h.x(), -h.y(), 0}, -Vec3::UnitZ(), kDoorTravel_rad);
-  b.box(-h, {split - (two ? kSlack_m : 0), -h.y() + thickness, h.z()}, left);
+  b.box(-h, {split - (two ? kDoorGap_m : 0), -h.y() + thickness, h.z()}, left);
   if (!two) return;
   const int right = b.joint(Joint::Kind::Hinge, {h.x(), -h.y(), 0}, Vec3::UnitZ(), kDoorTravel_rad);
-  b.box({kSlack_m, -h.y(), -h.z()}, {h.x(), -h.y() + thickness, h.z()}, right);
+  b.box({kDoorGap_m, -h.y(), -h.z()}, {h.x(), -h.y() + thickness, h.z()}, right);
 }
 
 void cabinet(Builder& b, bool openable) {
   const Vec3 h = b.half();
-  const double wall = wall_of(2 * h, 0.02);
-  const double front = openable ? -h.y() + wall + kSlack_m : -h.y();
+  const auto [wall, bays, pitch, set_back] = cabinet_dimensions(2 * h);
+  const double front = openable ? -h.y() + wall + kDoorGap_m : -h.y();
   const Vec3 low(-h.x() + wall, front, -h.z() + wall), high(h.x() - wall, h.y() - wall, h.z() - wall);
   b.box({-h.x(), front, -h.z()}, {low.x(), h.y(), h.z()});
   b.box({high.x(), front, -h.z()}, h);
@@ -132,9 +123,6 @@ void cabinet(Builder& b, bool openable) {
   b.box({low.x(), front, -h.z()}, {high.x(), high.y(), low.z()});
   b.box({low.x(), front, high.z()}, {high.x(), high.y(), h.z()});
   const int hollow = b.cavity(low, high, openable, false);
-  const int bays = std::clamp(static_cast<int>(std::floor((high.z() - low.z()) / 0.4)), 1, 5);
-  const double pitch = (high.z() - low.z()) / bays;
-  const double set_back = 0.03;  // shelves end behind the door
   for (int k = 0; k < bays; ++k) {
     const double z = low.z() + k * pitch;
     if (k > 0) b.box({low.x(), front + set_back, z - wall}, {high.x(), high.y(), z});
@@ -147,8 +135,7 @@ void cabinet(Builder& b, bool openable) {
 /// A chest: its top drawer slides, what is below is solid.
 void drawers(Builder& b, bool openable) {
   const Vec3 h = b.half();
-  const double wall = wall_of(2 * h, 0.02);
-  const double slot = std::min(2 * h.z() - 2 * wall, 0.24);  // height of the drawer's slot
+  const auto [wall, slot] = drawers_dimensions(2 * h);
   const double slot_low = h.z() - wall - slot;
   b.box(-h, {h.x(), h.y(), slot_low});
   b.box({-h.x(), -h.y(), h.z() - wall}, h);
@@ -159,9 +146,9 @@ void drawers(Builder& b, bool openable) {
   if (!openable) return;
   const double travel = 0.8 * (2 * h.y() - wall);
   const int slide = b.joint(Joint::Kind::Slide, Vec3::Zero(), -Vec3::UnitY(), travel);
-  const double x0 = -h.x() + wall + kSlack_m, x1 = h.x() - wall - kSlack_m;
-  const double y0 = -h.y(), y1 = h.y() - wall - kSlack_m;
-  const double z0 = slot_low + kSlack_m, z1 = h.z() - wall - kSlack_m;
+  const double x0 = -h.x() + wall + kDoorGap_m, x1 = h.x() - wall - kDoorGap_m;
+  const double y0 = -h.y(), y1 = h.y() - wall - kDoorGap_m;
+  const double z0 = slot_low + kDoorGap_m, z1 = h.z() - wall - kDoorGap_m;
   const double rim = z0 + 0.7 * (z1 - z0);
   b.box({x0, y0, z0}, {x1, y1, z0 + wall}, slide);
   b.box({x0, y0, z0 + wall}, {x1, y0 + wall, z1}, slide);
@@ -190,30 +177,29 @@ void hollow_block(Builder& b, double wall, double floor_z, double top_z, bool cl
 
 void basin(Builder& b) {
   const Vec3 h = b.half();
-  const double depth = std::min(0.65 * 2 * h.z(), 0.4 * 2 * std::min(h.x(), h.y()));  // sinks are shallow, tubs deeper
-  const double wall = std::clamp(0.08 * std::min(h.x(), h.y()) * 2, 0.02, 0.06);
+  const auto [wall, depth] = basin_dimensions(2 * h);
   hollow_block(b, wall, h.z() - depth, h.z(), false);
 }
 
 void vessel(Builder& b) {
   const Vec3 h = b.half();
-  const double wall = wall_of(2 * h, 0.012);
+  const double wall = vessel_wall(2 * h);
   hollow_block(b, wall, -h.z() + wall, h.z(), false);
 }
 
 void lidded(Builder& b) {
   const Vec3 h = b.half();
-  const double wall = wall_of(2 * h, 0.012);
-  hollow_block(b, wall, -h.z() + wall, h.z() - wall - kSlack_m / 2, true);
+  const double wall = vessel_wall(2 * h);
+  hollow_block(b, wall, -h.z() + wall, h.z() - wall - kDoorGap_m / 2, true);
   const int hinge = b.joint(Joint::Kind::Hinge, {0, h.y(), h.z() - wall}, -Vec3::UnitX(), kLidTravel_rad);
   b.box({-h.x(), -h.y(), h.z() - wall}, h, hinge);
 }
 
 void folding(Builder& b) {
   const Vec3 h = b.half();
-  b.box(-h, {h.x(), h.y(), -kSlack_m / 4});
+  b.box(-h, {h.x(), h.y(), -kDoorGap_m / 4});
   const int hinge = b.joint(Joint::Kind::Hinge, {0, h.y(), 0}, -Vec3::UnitX(), kLidTravel_rad);
-  b.box({-h.x(), -h.y(), kSlack_m / 4}, h, hinge);
+  b.box({-h.x(), -h.y(), kDoorGap_m / 4}, h, hinge);
 }
 
 }  // namespace
@@ -281,7 +267,7 @@ double clearance_over(const Board& board, const std::vector<Board>& boards) {
   for (const Board& other : boards) {
     const double bottom = other.centre.z() - other.size.z() / 2;
     const Vec2 apart = (other.centre - top).head<2>().cwiseAbs() - (other.size.head<2>() + board.size.head<2>()) / 2;
-    if (bottom > top.z() - kSlack_m && apart.maxCoeff() < -kSlack_m) {
+    if (bottom > top.z() - kDoorGap_m && apart.maxCoeff() < -kDoorGap_m) {
       clearance = std::min(clearance, std::max(0.0, bottom - top.z()));
     }
   }
@@ -292,7 +278,7 @@ int cavity_at(const Shape& shape, const Vec3& point, int joint) {
   for (std::size_t i = 0; i < shape.cavities.size(); ++i) {
     const Cavity& cavity = shape.cavities[i];
     if (cavity.joint != joint) continue;
-    if (((point - cavity.centre).cwiseAbs() - cavity.half).maxCoeff() < kEdge_m) return static_cast<int>(i);
+    if (((point - cavity.centre).cwiseAbs() - cavity.half).maxCoeff() < kSurfaceEdge_m) return static_cast<int>(i);
   }
   return -1;
 }
@@ -308,7 +294,7 @@ Shape shape_of(const Node& node) {
   for (const Board& board : node.boards) {
     const int joint = board.joint < static_cast<int>(shape.joints.size()) ? board.joint : -1;
     shape.parts.push_back({Part::Kind::Box, {board.centre, Quat::Identity()}, board.size, joint});
-    const Vec2 half = board.size.head<2>() / 2 - Vec2::Constant(kEdge_m);
+    const Vec2 half = board.size.head<2>() / 2 - Vec2::Constant(kSurfaceEdge_m);
     const double clearance = half.minCoeff() > 0 ? clearance_over(board, node.boards) : 0;
     if (clearance < kLowest_m) continue;
     const Vec3 top = board.centre + Vec3(0, 0, board.size.z() / 2);

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/visible_object.h"
 #include "simulation/camera.h"
 #include "simulation/profile.h"
 #include "simulation/rays.h"
-#include "simulation/world.h"
 
 namespace unietp {
 

@@ -14,18 +14,12 @@
 #include "scene/trace.h"
 #include "scene/visible_object.h"
 #include "simulation/moment_id.h"
+#include "simulation/outcome.h"
 #include "simulation/profile.h"
 
 namespace unietp {
 
 struct KnownStart;
-
-/// What the agent is told after an action.
-struct Outcome {
-  bool success = false;
-  Failure failure = Failure::None;
-  std::string feedback;  // a sentence for the agent; "" on success
-};
 
 class MomentTree;
 

@@ -20,12 +20,12 @@
 #include "simulation/floods.h"
 #include "simulation/known_start.h"
 #include "simulation/link_table.h"
+#include "simulation/outcome.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
 #include "simulation/relations.h"
 #include "simulation/standing.h"
 #include "simulation/view.h"
-#include "simulation/world.h"
 
 namespace unietp {
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "akb/knowledge.h"
+#include "akb/table_words.h"
 #include "core/text.h"
 #include "logic/formula_reading.h"
 #include "templates/bracket_hint.h"

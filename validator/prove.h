@@ -8,9 +8,10 @@
 #include "record/home_shelf.h"
 #include "record/wordings_record.h"
 #include "validator/folder_reading.h"
+#include "validator/proof_counts.h"
 #include "validator/rest.h"
 #include "validator/task_facts.h"
-#include "validator/validate.h"
+#include "validator/validation_options.h"
 
 namespace unietp {
 

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "akb/knowledge.h"
 #include "record/task_record.h"
 #include "simulation/link_table.h"
 #include "simulation/physics.h"
 #include "simulation/relations.h"
 #include "validator/problem.h"
 #include "validator/rest.h"
-#include "validator/validate.h"
 
 namespace unietp {
 

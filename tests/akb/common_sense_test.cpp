@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "akb/csv.h"
+#include "akb/table_words.h"
 #include "core/files.h"
 #include "tests/akb/small_tables.h"
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "akb/table_words.h"
 #include "akb/tables.h"
 #include "tests/akb/small_tables.h"
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "akb/knowledge.h"
 #include "akb/tables.h"
 
 namespace unietp::test {

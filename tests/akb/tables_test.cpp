@@ -10,6 +10,7 @@
 
 #include "akb/fit.h"
 #include "core/files.h"
+#include "scene/simulator.h"
 #include "tests/akb/small_tables.h"
 
 namespace unietp {

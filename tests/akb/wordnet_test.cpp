@@ -7,6 +7,7 @@
 
 #include "akb/tables.h"
 #include "core/text.h"
+#include "scene/simulator.h"
 
 namespace unietp {
 namespace {

@@ -1,3 +1,4 @@
+#include "akb/knowledge.h"
 #include "akb/tables.h"
 #include "bodies.h"
 #include "fuzz_bodies.h"

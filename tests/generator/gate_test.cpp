@@ -1,4 +1,4 @@
-#include "generator/gate.h"
+#include "generator/propose.h"
 
 #include <gtest/gtest.h>
 

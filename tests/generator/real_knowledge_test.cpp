@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "generator/gate.h"
+#include "generator/propose.h"
 #include "generator/specification.h"
 #include "real_tables.h"
 #include "small_home.h"

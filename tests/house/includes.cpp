@@ -8,13 +8,22 @@
 namespace unietp {
 namespace {
 
-/// The room that an include names, "" for one in angle brackets.
-std::string room_of_include(std::string_view line) {
+/// What an include in quotes names, "" for other lines.
+std::string quoted_include(std::string_view line) {
   const auto trimmed = trim(line);
   if (!trimmed.starts_with("#include")) return "";
   const auto open = trimmed.find('"');
-  const auto slash = open == std::string_view::npos ? open : trimmed.find('/', open);
-  return slash == std::string_view::npos ? "" : std::string(trimmed.substr(open + 1, slash - open - 1));
+  const auto close = open == std::string_view::npos ? open : trimmed.find('"', open + 1);
+  return close == std::string_view::npos ? "" : std::string(trimmed.substr(open + 1, close - open - 1));
+}
+
+std::string stem_of(const std::string& path) { return path.substr(0, path.rfind('.')); }
+
+/// The room that an include names, "" for one in angle brackets.
+std::string room_of_include(std::string_view line) {
+  const auto name = quoted_include(line);
+  const auto slash = name.find('/');
+  return slash == std::string::npos ? "" : name.substr(0, slash);
 }
 
 /// `<vector>`, `<unistd.h>`: no folder. Ours and the third parties' headers stand in one.
@@ -107,6 +116,36 @@ std::vector<std::string> unused_arrows(const RoomGraph& graph, const std::string
     if (used.count(below) == 0) problems.push_back(room + " declares " + below + ", but none of its files includes it");
   }
   return problems;
+}
+
+std::vector<std::vector<std::string>> file_circles(const std::map<std::string, std::string>& texts) {
+  std::map<std::string, std::set<std::string>> includes;  // by stem
+  for (const auto& [path, text] : texts) includes[stem_of(path)];
+  for (const auto& [path, text] : texts) {
+    for (const auto& line : split(text, '\n')) {
+      const auto other = stem_of(quoted_include(line));
+      if (other != stem_of(path) && includes.contains(other)) includes[stem_of(path)].insert(other);
+    }
+  }
+  std::map<std::string, std::set<std::string>> reached;  // from each stem, by one include or more
+  for (const auto& [stem, direct] : includes) {
+    std::vector<std::string> open(direct.begin(), direct.end());
+    while (!open.empty()) {
+      const auto next = open.back();
+      open.pop_back();
+      if (!reached[stem].insert(next).second) continue;
+      open.insert(open.end(), includes[next].begin(), includes[next].end());
+    }
+  }
+  std::set<std::vector<std::string>> circles;
+  for (const auto& [stem, others] : reached) {
+    std::vector<std::string> circle;
+    for (const auto& other : others) {
+      if (reached[other].contains(stem)) circle.push_back(other);
+    }
+    if (!circle.empty()) circles.insert(circle);
+  }
+  return {circles.begin(), circles.end()};
 }
 
 std::vector<std::string> types_defined(std::string_view text) {

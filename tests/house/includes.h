@@ -25,6 +25,11 @@ std::vector<std::string> include_problems(const RoomGraph& graph, const std::str
 std::vector<std::string> unused_arrows(const RoomGraph& graph, const std::string& room,
                                        const std::vector<std::string>& texts);
 
+/// The circles between the files of one room: sets of stems that include one another, directly or through others. A
+/// stem is a header with the source file of its name; `texts` is by path ("akb/fit.h"). Each circle is sorted, and so
+/// are they.
+std::vector<std::vector<std::string>> file_circles(const std::map<std::string, std::string>& texts);
+
 /// Types that a file defines in the project's own namespace. Two of one name in different rooms would be merged by the
 /// linker without a word, and the program would crash in one of them.
 std::vector<std::string> types_defined(std::string_view text);

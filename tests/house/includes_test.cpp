@@ -75,6 +75,34 @@ TEST(House, NoTwoRoomsDefineATypeOfOneName) {
   EXPECT_GT(room_of_type.size(), 100U);  // it did read the house
 }
 
+TEST(House, NoFilesOfARoomIncludeOneAnotherInACircle) {
+  for (const auto& room : declared().rooms) {
+    std::map<std::string, std::string> texts;
+    for (const auto& path : sources_of(room)) {
+      const auto text = read_file(kSource / path);
+      ASSERT_TRUE(text) << path;
+      texts.emplace(path, *text);
+    }
+    EXPECT_THAT(file_circles(texts), IsEmpty()) << "in " << room;
+  }
+}
+
+/// A library or mechanism that only the files named here may use, so that all others go through them.
+TEST(House, OneFileOwnsSqliteAndOneOwnsThreads) {
+  const std::map<std::string, std::string> owners{{"#include <sqlite3.h>", "core/sqlite_file.cpp"},
+                                                  {"#include <thread>", "core/share_work.cpp"},
+                                                  {"#include <future>", ""}};
+  for (const auto& room : declared().rooms) {
+    for (const auto& path : sources_of(room)) {
+      const auto text = read_file(kSource / path);
+      ASSERT_TRUE(text) << path;
+      for (const auto& [use, owner] : owners) {
+        EXPECT_EQ(text->find(use) != std::string::npos, path == owner) << use << " in " << path;
+      }
+    }
+  }
+}
+
 /// A newcomer's map is the README's table: it must say what the build says.
 TEST(House, TheReadmeTableNamesTheDeclaredArrows) {
   const auto readme = read_file(kSource / "README.md");
@@ -130,6 +158,31 @@ TEST(IncludeProblems, AThirdPartysHeaderInAHeaderIsRefused) {
   EXPECT_THAT(include_problems(kSmall, "akb/a.h", "#include <Eigen/Core>\n"), ElementsAre(HasSubstr("third party")));
   EXPECT_THAT(include_problems(kSmall, "scene/a.h", "#include <nlohmann/json.hpp>\n"),
               ElementsAre(HasSubstr("third party")));
+}
+
+TEST(FileCircles, AreFoundThroughOthersAndThroughSourceFiles) {
+  EXPECT_THAT(file_circles({{"akb/a.h", "#include \"akb/b.h\"\n"},
+                            {"akb/b.cpp", "#include \"akb/b.h\"\n#include \"akb/c.h\"\n"},
+                            {"akb/b.h", "#include <vector>\n"},
+                            {"akb/c.h", "#include \"akb/a.h\"\n"},
+                            {"akb/d.cpp", "#include \"akb/a.h\"\n"}}),
+              ElementsAre(ElementsAre("akb/a", "akb/b", "akb/c")));
+}
+
+TEST(FileCircles, TwoThatDoNotMeetAreTwo) {
+  EXPECT_THAT(file_circles({{"akb/a.h", "#include \"akb/b.h\"\n"},
+                            {"akb/b.h", "#include \"akb/a.h\"\n#include \"akb/c.h\"\n"},
+                            {"akb/c.h", "#include \"akb/d.h\"\n"},
+                            {"akb/d.h", "#include \"akb/c.h\"\n"}}),
+              ElementsAre(ElementsAre("akb/a", "akb/b"), ElementsAre("akb/c", "akb/d")));
+}
+
+TEST(FileCircles, AHeaderWithItsSourcesIsNone) {
+  EXPECT_THAT(file_circles({{"akb/a.h", "#include \"akb/b.h\"\n"},
+                            {"akb/a.cpp", "#include \"akb/a.h\"\n#include \"core/text.h\"\n"},
+                            {"akb/a_more.cpp", "#include \"akb/a.h\"\n"},
+                            {"akb/b.h", ""}}),
+              IsEmpty());
 }
 
 TEST(TypesDefined, AreThoseOfTheProjectsNamespaceOnly) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "akb/knowledge.h"
+#include "akb/table_words.h"
 #include "core/files.h"
 #include "templates/constraint_kinds.h"
 #include "templates/phrasing.h"

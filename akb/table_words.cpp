@@ -1,14 +1,8 @@
-#include <array>
-#include <span>
-#include <string>
-#include <vector>
+#include "akb/table_words.h"
 
-#include "akb/affordance_meanings.h"
-#include "akb/knowledge.h"
-#include "akb/tables.h"
+#include <array>
 
 namespace unietp {
-
 namespace {
 
 constexpr std::array<AffordanceMeaning, 23> kAffordances = {{
@@ -48,31 +42,6 @@ const std::vector<std::string>& affordance_names() {
     return all;
   }();
   return names;
-}
-
-const std::vector<std::string>& table_names() {
-  static const std::vector<std::string> names{"category", "affordance", "relation", "effect", "alias", "asset"};
-  return names;
-}
-
-const std::vector<std::string>& columns_of(std::string_view table) {
-  static const std::vector<std::string> category{"name",        "display",         "plural",      "synset",
-                                                 "countable",   "movable",         "archetype",   "width",
-                                                 "depth",       "height",          "mass",        "rooms",
-                                                 "colours",     "materials",       "source",      "confidence",
-                                                 "size_source", "size_confidence", "mass_source", "mass_confidence"};
-  static const std::vector<std::string> affordance{"category", "affordance", "source", "confidence"};
-  static const std::vector<std::string> relation{"object",   "relation", "receptacle", "likelihood",
-                                                 "capacity", "source",   "confidence"};
-  static const std::vector<std::string> effect{"tool",   "effect", "target", "gives",
-                                               "amount", "needs",  "source", "confidence"};
-  static const std::vector<std::string> alias{"category", "kind", "text", "source", "confidence"};
-  static const std::vector<std::string> asset{"asset", "category", "width", "depth", "height", "source", "confidence"};
-  if (table == "category") return category;
-  if (table == "affordance") return affordance;
-  if (table == "relation") return relation;
-  if (table == "effect") return effect;
-  return table == "alias" ? alias : asset;
 }
 
 const std::vector<std::string>& relation_names() {

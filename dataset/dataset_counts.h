@@ -1,0 +1,18 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "dataset/balance.h"
+
+namespace unietp {
+
+/// How many tasks of each kind, and why candidates were given up. Maps, so that files are in order of name.
+struct DatasetCounts {
+  int tasks = 0;
+  std::map<std::string, int> by_split, by_simulator, by_template;
+  std::map<std::string, std::map<std::string, int>> rejections;  // stage, reason
+  Frequencies traits;                                            // of the tasks
+};
+
+}  // namespace unietp

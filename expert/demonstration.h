@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/action.h"
+#include "scene/command.h"
+#include "scene/trace.h"
+#include "scene/visible_object.h"
+#include "simulation/outcome.h"
+
+namespace unietp {
+
+/// One executed step as an agent would have lived it: what it saw, what it did, what it was told, what changed.
+struct DemonstrationStep {
+  std::vector<VisibleObject> visible;  // before the action
+  Action action;                       // on ids, whatever the mode
+  Command command;                     // how an agent of the mode says it
+  Outcome outcome;
+  Delta changes;
+};
+
+struct Demonstration {
+  Mode mode = Mode::M1;
+  std::vector<DemonstrationStep> steps;  // the last is `stop`
+};
+
+struct ExpertOptions {
+  int max_steps = 50, max_failures = 10;  // stages.md: M1 and M2
+  int max_plans = 12;                     // alternative orders and witnesses tried
+  Mode mode = Mode::M1;                   // whose actions are used; its other rules are not kept (mode_expert.h)
+};
+
+}  // namespace unietp

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "expert/subgoal.h"
+
+namespace unietp {
+
+/// What failed attempts taught: a surcharge on truths and on things, in actions.
+struct Experience {
+  std::vector<std::pair<Literal, double>> literals;
+  std::vector<std::pair<EntityIndex, double>> things;
+  double surcharge(const Literal& literal) const;
+  double surcharge(EntityIndex thing) const;
+};
+
+/// Estimated actions for an alternative; shared trips, doors and cuts are counted once.
+double estimate(const Alternative& alternative, const Situation& situation, const Experience& experience);
+
+}  // namespace unietp

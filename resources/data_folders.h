@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace unietp {
+
+/// Where the facts lie: a checkout, or a copy of its `data/` and `templates/` folders.
+struct DataFolders {
+  std::filesystem::path root;                         // holds data/ and templates/library/
+  std::filesystem::path cache;                        // compiled knowledge is kept here, named by its digest
+  std::vector<std::filesystem::path> overrides = {};  // the user's own facts, over data/akb/override.csv
+  std::vector<std::filesystem::path> templates = {};  // the user's own, files or folders, beside the built-in ones
+  bool extended_library = false;                      // take the extended templates too
+
+  std::filesystem::path tables() const { return root / "data" / "akb"; }
+  std::filesystem::path profiles() const { return root / "data" / "simulators"; }
+  std::filesystem::path runs() const { return root / "data" / "runs"; }
+  std::filesystem::path layouts() const { return root / "data" / "layouts"; }
+  std::filesystem::path licences() const { return root / "data" / "licences.csv"; }
+  std::filesystem::path library() const { return root / "templates" / "library"; }
+  std::filesystem::path extended() const { return root / "templates" / "extended"; }  // need not exist
+};
+
+}  // namespace unietp
