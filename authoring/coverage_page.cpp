@@ -3,6 +3,7 @@
 
 #include "authoring/coverage.h"
 #include "authoring/expert_success.h"
+#include "authoring/trial_reasons.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -34,8 +35,7 @@ std::string reasons_of(const std::vector<CoverageRow>& rows) {
   for (const auto& [row, simulator] : empty_cells(rows)) {
     text += "- `" + rows[row].name + "` on " + std::string(name_of(kSimulators[simulator])) + ":";
     for (const auto& why : rows[row].cells[simulator].reasons)
-      text +=
-          " " + why.stage + " " + why.reason + " (" + std::to_string(why.count) + "), such as: " + why.example + ";";
+      text += " " + stage_and_name(why.reason) + " (" + std::to_string(why.count) + "), such as: " + why.example + ";";
     text.back() = '.';
     text += "\n";
   }
@@ -54,17 +54,19 @@ std::string predicates_of(const std::vector<CoverageRow>& rows) {
 
 /// What passed no gate, by reason: gates on symbols (generator) and on geometry (grounding).
 std::string gates_of(const std::vector<CoverageRow>& rows) {
-  std::map<std::pair<std::string, std::string>, std::array<int, kSimulators.size()>> refused;
+  std::map<std::pair<std::string_view, std::string_view>, std::array<int, kSimulators.size()>> refused;
   for (const auto& row : rows) {
     for (std::size_t i = 0; i < kSimulators.size(); ++i) {
       for (const auto& why : row.cells[i].reasons) {
-        if (why.stage == "generator" || why.stage == "grounding") refused[{why.stage, why.reason}][i] += why.count;
+        const auto stage = stage_of(why.reason);
+        if (stage == RejectionStage::Generator || stage == RejectionStage::Grounding)
+          refused[{name_of(stage), name_of(why.reason)}][i] += why.count;
       }
     }
   }
   std::string text = head_of({"stage", "gate"}, {});
   for (const auto& [gate, counts] : refused) {
-    std::vector<std::string> fields{gate.first, "`" + gate.second + "`"};
+    std::vector<std::string> fields{std::string(gate.first), "`" + std::string(gate.second) + "`"};
     for (const int count : counts) fields.push_back(count == 0 ? "" : std::to_string(count));
     text += row_of(fields);
   }

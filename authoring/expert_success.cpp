@@ -47,10 +47,12 @@ ExpertSuccess expert_success(const CoverageCell& cell) {
   ExpertSuccess success;
   success.grounded = cell.candidates;
   for (const auto& why : cell.reasons) {
-    if (why.stage == "generator" || why.stage == "grounding") success.grounded -= why.count;
-    if (why.stage != "expert") continue;
-    for (const auto& detail : why.details) ++success.reasons[why.reason + feedback_in(detail)];
-    if (why.details.empty()) success.reasons[why.reason] += why.count;
+    const auto stage = stage_of(why.reason);
+    if (stage == RejectionStage::Generator || stage == RejectionStage::Grounding) success.grounded -= why.count;
+    if (stage != RejectionStage::Expert) continue;
+    const std::string reason(name_of(why.reason));
+    for (const auto& detail : why.details) ++success.reasons[reason + feedback_in(detail)];
+    if (why.details.empty()) success.reasons[reason] += why.count;
   }
   success.shown = success.grounded;
   for (const auto& [reason, count] : success.reasons) success.shown -= count;

@@ -15,7 +15,7 @@ std::array<ModeSuccess, kSimulators.size()> mode_success(const std::vector<Cover
       all[i].in_m1 += cell.accepted;
       for (std::size_t mode = 0; mode < kModes.size(); ++mode) all[i].mean_steps[mode] += cell.steps[mode];
       for (const auto& why : cell.reasons) {
-        if (why.reason != "not-in-m2" && why.reason != "not-in-m3") continue;
+        if (why.reason != RejectionReason::NotInM2 && why.reason != RejectionReason::NotInM3) continue;
         all[i].in_m1 += why.count;
         all[i].reasons.push_back(why);
         all[i].reasons.back().example = row.name + ": " + why.example;
@@ -45,7 +45,7 @@ std::string to_text(const std::array<ModeSuccess, kSimulators.size()>& success, 
         std::string(name_of(kSimulators[i])).c_str(), one.in_all, one.in_m1, 100.0 * one.in_all / one.in_m1);
     text += std::string(head.data()) + "; mean steps: " + join(steps, ", ") + "\n";
     for (const auto& why : one.reasons)
-      text += "  " + std::to_string(why.count) + " " + why.reason + " " + why.example + "\n";
+      text += "  " + std::to_string(why.count) + " " + std::string(name_of(why.reason)) + " " + why.example + "\n";
   }
   return text;
 }

@@ -1,7 +1,7 @@
 #include "authoring/trial.h"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 #include "generator/weighted_binding.h"
 
@@ -9,15 +9,13 @@ namespace unietp {
 namespace {
 
 void count(std::vector<TemplateTrial::Reason>& reasons, Rejection&& why) {
-  const auto same = [&](const TemplateTrial::Reason& one) {
-    return one.stage == why.stage && one.reason == why.reason;
-  };
+  const auto same = [&](const TemplateTrial::Reason& one) { return one.reason == why.reason; };
   const auto found = std::find_if(reasons.begin(), reasons.end(), same);
   if (found != reasons.end()) {
     ++found->count;
     found->details.push_back(std::move(why.detail));
   } else {
-    reasons.push_back({std::move(why.stage), std::move(why.reason), 1, why.detail, {why.detail}});
+    reasons.push_back({why.reason, 1, why.detail, {why.detail}});
   }
 }
 
@@ -55,10 +53,11 @@ TemplateTrial try_template(const RunConfiguration& configuration, const Resource
       if (static_cast<int>(trial.tasks.size()) == options.enough) break;
     }
   }
-  std::sort(trial.reasons.begin(), trial.reasons.end(),
-            [](const TemplateTrial::Reason& a, const TemplateTrial::Reason& b) {
-              return std::tie(b.count, a.stage, a.reason) < std::tie(a.count, b.stage, b.reason);
-            });
+  std::sort(
+      trial.reasons.begin(), trial.reasons.end(), [](const TemplateTrial::Reason& a, const TemplateTrial::Reason& b) {
+        const auto names = [](RejectionReason reason) { return std::pair(name_of(stage_of(reason)), name_of(reason)); };
+        return a.count != b.count ? a.count > b.count : names(a.reason) < names(b.reason);
+      });
   return trial;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/rejection.h"
 #include "run/make_task.h"
 
 namespace unietp {
@@ -19,7 +20,7 @@ struct TemplateTrial {
   int candidates = 0;
   std::vector<Task> tasks;  // the proven ones, in order of attempt
   struct Reason {
-    std::string stage, reason;
+    RejectionReason reason = RejectionReason::NoPlan;
     int count = 0;
     std::string example;                    // the detail of the first of them
     std::vector<std::string> details = {};  // of all of them, in order of attempt

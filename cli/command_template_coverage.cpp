@@ -6,6 +6,7 @@
 #include "authoring/coverage.h"
 #include "authoring/expert_success.h"
 #include "authoring/mode_success.h"
+#include "authoring/trial_reasons.h"
 #include "cli/command_parser.h"
 #include "cli/command_template.h"
 #include "cli/each_home.h"
@@ -44,7 +45,10 @@ using Json = nlohmann::ordered_json;
 Json json_of(const CoverageCell& cell) {
   auto reasons = Json::array();
   for (const auto& why : cell.reasons)
-    reasons.push_back({{"stage", why.stage}, {"reason", why.reason}, {"count", why.count}, {"details", why.details}});
+    reasons.push_back({{"stage", name_of(stage_of(why.reason))},
+                       {"reason", name_of(why.reason)},
+                       {"count", why.count},
+                       {"details", why.details}});
   const auto success = expert_success(cell);
   return {{"candidates", cell.candidates}, {"accepted", cell.accepted}, {"grounded", success.grounded},
           {"shown", success.shown},        {"example", cell.example},   {"reasons", std::move(reasons)}};
@@ -86,7 +90,7 @@ void print(const std::vector<CoverageRow>& rows, const Options& options, const s
     std::printf("\n%s on %s gave no task:\n", rows[row].name.c_str(),
                 std::string(name_of(kSimulators[simulator])).c_str());
     for (const auto& why : rows[row].cells[simulator].reasons)
-      std::printf("  %3d %s %s: %s\n", why.count, why.stage.c_str(), why.reason.c_str(), why.example.c_str());
+      std::printf("  %3d %s: %s\n", why.count, stage_and_name(why.reason).c_str(), why.example.c_str());
   }
   std::printf("\nof the candidates with a start, those that the expert showed:\n%s",
               expert_success_tables(rows).c_str());

@@ -14,7 +14,7 @@
 #include "core/limits.h"
 #include "core/text.h"
 #include "dataset/configuration_json.h"
-#include "run/rejection_hints.h"
+#include "generator/rejection.h"
 
 namespace unietp {
 namespace {
@@ -61,7 +61,8 @@ std::string reason_text(const std::string& line) {
   const auto json = nlohmann::ordered_json::parse(line, nullptr, false);
   if (!json.is_object()) return line;
   const auto reason = json.value("reason", "");
-  const std::string hint(hint_for(reason));
+  const auto known = rejection_reason_named(reason);
+  const std::string hint(known ? hint_for(*known) : "");
   return json.value("stage", "") + " " + reason + ": " + json.value("detail", "") + (hint.empty() ? "" : "; " + hint);
 }
 

@@ -167,8 +167,8 @@ std::string rejection_text(int slot, int attempt, std::string_view template_name
                   {"template", template_name},
                   {"simulator", simulator},
                   {"split", split},
-                  {"stage", rejection.stage},
-                  {"reason", rejection.reason},
+                  {"stage", name_of(stage_of(rejection.reason))},
+                  {"reason", name_of(rejection.reason)},
                   {"detail", rejection.detail}});
 }
 
@@ -206,7 +206,7 @@ std::string repetition_line(const CandidateRecord& record, bool same_start) {
   const auto task = Json::parse(record.task);
   return rejection_text(record.slot, record.attempt, record.template_name, task.at("simulator").get<std::string>(),
                         task.at("split").get<std::string>(),
-                        {"pipeline", same_start ? "duplicate-start" : "duplicate-text",
+                        {same_start ? RejectionReason::DuplicateStart : RejectionReason::DuplicateText,
                          same_start ? "an earlier task has this template, binding and start"
                                     : "an earlier task in this home has this instruction"});
 }

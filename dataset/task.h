@@ -7,6 +7,7 @@
 #include "annotator/instruction.h"
 #include "dataset/balance.h"
 #include "expert/demonstration.h"
+#include "generator/rejection.h"
 #include "grounding/episode.h"
 
 namespace unietp {

@@ -57,8 +57,8 @@ bool Attempt::is_held(std::string_view id) const {
   return std::find(held.begin(), held.end(), id) != held.end();
 }
 
-void Attempt::give_up(Action action, std::string reason, std::string text) {
-  trouble_ = Trouble{std::move(reason), std::move(action), Failure::None, std::move(text)};
+void Attempt::give_up(Action action, RejectionReason reason, std::string text) {
+  trouble_ = Trouble{reason, std::move(action), Failure::None, std::move(text)};
   exhausted_ = true;
 }
 
@@ -68,7 +68,8 @@ bool Attempt::act(Action action) {
   if (exhausted_) return false;
   const auto last_before_stop = static_cast<std::size_t>(std::max(0, options_.max_steps - 1));
   if (actions_.size() >= last_before_stop) {
-    give_up(std::move(action), "too-many-steps", "needs more than " + std::to_string(options_.max_steps) + " steps");
+    give_up(std::move(action), RejectionReason::TooManySteps,
+            "needs more than " + std::to_string(options_.max_steps) + " steps");
     return false;
   }
   const World back = world_;
@@ -83,12 +84,14 @@ bool Attempt::act(Action action) {
     }
     trace_.states.pop_back();
     world_ = back;
-    trouble_ = Trouble{"action-failed", action, Failure::None, to_text(action) + " would break what has to be kept"};
+    trouble_ = Trouble{RejectionReason::ActionFailed, action, Failure::None,
+                       to_text(action) + " would break what has to be kept"};
   } else {
-    trouble_ = Trouble{"action-failed", action, outcome.failure, to_text(action) + ": " + outcome.feedback};
+    trouble_ =
+        Trouble{RejectionReason::ActionFailed, action, outcome.failure, to_text(action) + ": " + outcome.feedback};
   }
   if (++failures_ > options_.max_failures) {
-    give_up(std::move(action), "too-many-failures", "the last of them " + trouble_->text);
+    give_up(std::move(action), RejectionReason::TooManyFailures, "the last of them " + trouble_->text);
   }
   return false;
 }

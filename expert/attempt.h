@@ -8,6 +8,7 @@
 #include "expert/demonstration.h"
 #include "expert/rehearsal.h"
 #include "expert/subgoal.h"
+#include "generator/rejection.h"
 #include "scene/trace.h"
 #include "simulation/world.h"
 
@@ -40,7 +41,7 @@ class Attempt {
   bool is_held(std::string_view id) const;
 
   struct Trouble {
-    std::string reason = "action-failed";  // as in Rejection
+    RejectionReason reason = RejectionReason::ActionFailed;
     Action action;
     Failure failure = Failure::None;
     std::string text;
@@ -50,7 +51,7 @@ class Attempt {
   bool exhausted() const { return exhausted_; }
 
  private:
-  void give_up(Action action, std::string reason, std::string text);
+  void give_up(Action action, RejectionReason reason, std::string text);
   bool keeps_hold() const;
   void mark_moments();
   std::optional<EntityIndex> current(EntityIndex entity) const;

@@ -7,7 +7,7 @@
 
 #include "expert/demonstration.h"
 #include "expert/rehearsal.h"
-#include "grounding/episode.h"
+#include "generator/rejection.h"
 
 namespace unietp {
 

@@ -115,7 +115,7 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
   Experience experience;
   for (const std::string& id : beginning.shunned) shun(experience, situation, id);
   std::set<std::string> tried;
-  Rejection last{"expert", "no-plan", "no way to meet the goal with what the scene has: " + to_text(goal)};
+  Rejection last{RejectionReason::NoPlan, "no way to meet the goal with what the scene has: " + to_text(goal)};
   int out_of_steps = 0, actions_done = 0;
   for (int plan = 0; plan < options.max_plans; ++plan) {
     if (out_of_steps >= kMostOutOfSteps || actions_done >= kMostActions * options.max_steps) break;
@@ -126,9 +126,8 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
     const std::size_t least = attempt.actions().size() + least_steps(attempt) + 1;
     if (least > static_cast<std::size_t>(options.max_steps)) {
       ++out_of_steps;
-      last = {"expert", "too-many-steps",
-              "needs " + std::to_string(least) + " steps or more, and " + std::to_string(options.max_steps) +
-                  " are allowed"};
+      last = {RejectionReason::TooManySteps, "needs " + std::to_string(least) + " steps or more, and " +
+                                                 std::to_string(options.max_steps) + " are allowed"};
       continue;
     }
     Methods methods(attempt, categories_of(goal), beginning.shunned, clears);
@@ -139,10 +138,11 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
       learn(experience, situation, attempt, *failed);
       const std::string aim = to_text(*failed, situation);
       if (attempt.trouble()) {
-        if (attempt.trouble()->reason == "too-many-steps") out_of_steps += was_far(attempt) ? kMostOutOfSteps : 1;
-        last = {"expert", attempt.trouble()->reason, "for " + aim + ": " + attempt.trouble()->text};
+        if (attempt.trouble()->reason == RejectionReason::TooManySteps)
+          out_of_steps += was_far(attempt) ? kMostOutOfSteps : 1;
+        last = {attempt.trouble()->reason, "for " + aim + ": " + attempt.trouble()->text};
       } else {
-        last = {"expert", "action-failed", "no way to " + aim};
+        last = {RejectionReason::ActionFailed, "no way to " + aim};
       }
       continue;
     }
@@ -153,7 +153,7 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
     // Only an attempt that had to change its mind leaves detours longer than a step.
     auto needed = without_needless(rehearsal, Mode::M1, actions, attempt.failures() == 0 ? 1 : 6);
     if (needed) return std::move(*needed);
-    last = {"expert", "goal-not-met", missing_after(rehearsal, actions)};
+    last = {RejectionReason::GoalNotMet, missing_after(rehearsal, actions)};
     for (const Literal& literal : choice->alternative.end) experience.literals.emplace_back(literal, 1.0);
   }
   return last;
@@ -185,7 +185,7 @@ std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const E
 std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                                                    const Profile& profile, const ExpertOptions& options) {
   auto rehearsal = Rehearsal::of(goal, start, knowledge, profile);
-  if (!rehearsal) return Rejection{"expert", "no-plan", format(rehearsal.error())};
+  if (!rehearsal) return Rejection{RejectionReason::NoPlan, format(rehearsal.error())};
   return demonstrate(*rehearsal, options);
 }
 

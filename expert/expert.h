@@ -7,7 +7,7 @@
 #include "akb/knowledge.h"
 #include "expert/demonstration.h"
 #include "expert/rehearsal.h"
-#include "grounding/episode.h"
+#include "generator/rejection.h"
 #include "logic/formula.h"
 #include "simulation/profile.h"
 

@@ -140,7 +140,7 @@ std::vector<Action> actions_of(const Demonstration& shown) {
 std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, Rehearsal& rehearsal, const Demonstration& shown) {
   constexpr std::size_t kLongestRun = 3;
   const auto rejected = [mode](const std::string& why) {
-    return Rejection{"expert", mode == Mode::M2 ? "not-in-m2" : "not-in-m3", why};
+    return Rejection{mode == Mode::M2 ? RejectionReason::NotInM2 : RejectionReason::NotInM3, why};
   };
   const StepLimits limits = limits_of(mode);
   auto plan = actions_of(shown);
@@ -148,7 +148,8 @@ std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, Rehearsal& rehe
   const ExpertOptions options{.max_steps = limits.steps, .max_failures = limits.failures, .mode = mode};
   if (!std::all_of(plan.begin(), plan.end(), is_offered)) {
     auto atomic = find_plan(rehearsal, options);
-    if (const auto* why = std::get_if<Rejection>(&atomic)) return rejected(why->reason + ": " + why->detail);
+    if (const auto* why = std::get_if<Rejection>(&atomic))
+      return rejected(std::string(name_of(why->reason)) + ": " + why->detail);
     plan = std::move(std::get<std::vector<Action>>(atomic));
   }
 
@@ -167,7 +168,8 @@ std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, const Formula& 
                                                       const Knowledge& knowledge, const Profile& profile,
                                                       const Demonstration& shown) {
   auto rehearsal = Rehearsal::of(goal, start, knowledge, profile);
-  if (!rehearsal) return Rejection{"expert", mode == Mode::M2 ? "not-in-m2" : "not-in-m3", format(rehearsal.error())};
+  if (!rehearsal)
+    return Rejection{mode == Mode::M2 ? RejectionReason::NotInM2 : RejectionReason::NotInM3, format(rehearsal.error())};
   return demonstrate_in(mode, *rehearsal, shown);
 }
 

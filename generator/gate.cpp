@@ -1,6 +1,5 @@
 #include "generator/gate.h"
 
-#include <algorithm>
 #include <array>
 
 namespace unietp {
@@ -8,21 +7,29 @@ namespace {
 
 struct GateInfo {
   Gate gate;
+  RejectionReason reason;
   std::string_view name, meaning;
 };
 constexpr std::array<GateInfo, 12> kGates{{
-    {Gate::Simulator, "simulator", "the template supports the simulator"},
-    {Gate::Placeholder, "placeholder", "every placeholder is bound to something in the knowledge base"},
-    {Gate::Affordance, "affordance", "each category has the affordances of its placeholder"},
-    {Gate::Constraint, "constraint", "the template's constraints on categories hold"},
-    {Gate::StateOfCategory, "state_of_category", "the goal uses only states that its categories have"},
-    {Gate::ExclusiveStates, "exclusive_states", "the goal never requires two exclusive states"},
-    {Gate::OnePlace, "one_place", "the goal never requires one object in two places"},
-    {Gate::Capacity, "capacity", "the objects fit where the goal requires them"},
-    {Gate::Counts, "counts", "the goal never requires two different numbers of the same objects"},
-    {Gate::Start, "start", "some start satisfies the start constraints"},
-    {Gate::FalseAtStart, "false_at_start", "each part of the goal is false in every start"},
-    {Gate::Reachable, "reachable", "the simulator's actions can make each part of the goal true"},
+    {Gate::Simulator, RejectionReason::GateSimulator, "simulator", "the template supports the simulator"},
+    {Gate::Placeholder, RejectionReason::GatePlaceholder, "placeholder",
+     "every placeholder is bound to something in the knowledge base"},
+    {Gate::Affordance, RejectionReason::GateAffordance, "affordance",
+     "each category has the affordances of its placeholder"},
+    {Gate::Constraint, RejectionReason::GateConstraint, "constraint", "the template's constraints on categories hold"},
+    {Gate::StateOfCategory, RejectionReason::GateStateOfCategory, "state_of_category",
+     "the goal uses only states that its categories have"},
+    {Gate::ExclusiveStates, RejectionReason::GateExclusiveStates, "exclusive_states",
+     "the goal never requires two exclusive states"},
+    {Gate::OnePlace, RejectionReason::GateOnePlace, "one_place", "the goal never requires one object in two places"},
+    {Gate::Capacity, RejectionReason::GateCapacity, "capacity", "the objects fit where the goal requires them"},
+    {Gate::Counts, RejectionReason::GateCounts, "counts",
+     "the goal never requires two different numbers of the same objects"},
+    {Gate::Start, RejectionReason::GateStart, "start", "some start satisfies the start constraints"},
+    {Gate::FalseAtStart, RejectionReason::GateFalseAtStart, "false_at_start",
+     "each part of the goal is false in every start"},
+    {Gate::Reachable, RejectionReason::GateReachable, "reachable",
+     "the simulator's actions can make each part of the goal true"},
 }};
 
 const GateInfo& info(Gate gate) { return kGates[static_cast<std::size_t>(gate)]; }
@@ -30,11 +37,7 @@ const GateInfo& info(Gate gate) { return kGates[static_cast<std::size_t>(gate)];
 }  // namespace
 
 std::string_view name_of(Gate gate) { return info(gate).name; }
-std::string rejection_of(Gate gate) {
-  auto reason = "gate-" + std::string(name_of(gate));
-  std::replace(reason.begin(), reason.end(), '_', '-');
-  return reason;
-}
+RejectionReason rejection_of(Gate gate) { return info(gate).reason; }
 std::string_view meaning_of(Gate gate) { return info(gate).meaning; }
 
 }  // namespace unietp

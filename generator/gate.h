@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "generator/rejection.h"
+
 namespace unietp {
 
 /// What a candidate, a template with a binding on a simulator, has to pass before any scene is built; in this order.
@@ -22,8 +24,8 @@ enum class Gate {
 };
 /// "exclusive_states"
 std::string_view name_of(Gate gate);
-/// "gate-exclusive-states": the reason of a candidate's rejection.
-std::string rejection_of(Gate gate);
+/// The reason of a candidate's rejection.
+RejectionReason rejection_of(Gate gate);
 /// What the gate asks for, in one line for people.
 std::string_view meaning_of(Gate gate);
 

@@ -27,13 +27,13 @@ std::string choose(const std::vector<std::string>& values, const std::string& sy
 
 bool SceneEditor::set_state(const std::string& id, Predicate predicate, const std::string& symbol, bool truth) {
   const auto index = index_of(id);
-  if (!index) return fail(GroundingReason::CannotEnforce, id + " is not an object");
+  if (!index) return fail(RejectionReason::CannotEnforce, id + " is not an object");
   Node node = workspace_.scene().nodes[*index];
   const Knowledge& knowledge = workspace_.knowledge();
   const Category* category = knowledge.find(node.category);
   const std::string said =
       std::string(truth ? "" : "not ") + std::string(info(predicate).name) + (symbol.empty() ? "" : " " + symbol);
-  const auto impossible = [&] { return fail(GroundingReason::StateNotPossible, node.category + " cannot be " + said); };
+  const auto impossible = [&] { return fail(RejectionReason::StateNotPossible, node.category + " cannot be " + said); };
   if (predicate == Predicate::Size) return resize(id, symbol, truth);
   if (predicate == Predicate::Colour || predicate == Predicate::Material) {
     std::string& field = predicate == Predicate::Colour ? node.colour : node.material;
@@ -51,7 +51,7 @@ bool SceneEditor::set_state(const std::string& id, Predicate predicate, const st
   } else {
     const StateGroup* group = group_with(predicate);
     if (group == nullptr) {
-      return fail(GroundingReason::CannotEnforce, "no edit of a scene makes a thing " + said);
+      return fail(RejectionReason::CannotEnforce, "no edit of a scene makes a thing " + said);
     }
     if (!knowledge.has(node.category, group->affordance)) return impossible();
     Predicate value = predicate;
@@ -121,9 +121,9 @@ bool SceneEditor::open_or_close(const std::string& id, double opening) {
     } else if (movable) {
       made_room = relocate(obstacle, [&](const Node& host) { return host.id != id; });
     }
-    if (!made_room) return fail(GroundingReason::NoFreePlace, "the door of " + before.category + " hits " + obstacle);
+    if (!made_room) return fail(RejectionReason::NoFreePlace, "the door of " + before.category + " hits " + obstacle);
   }
-  return fail(GroundingReason::NoFreePlace, "the door of " + before.category + " has no room");
+  return fail(RejectionReason::NoFreePlace, "the door of " + before.category + " has no room");
 }
 
 }  // namespace unietp

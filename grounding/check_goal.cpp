@@ -308,10 +308,10 @@ std::optional<GroundingFailure> check_goal(const Specification& specification, c
   Possible possible(start, places, trace, knowledge, profile, reach, pictured);
   if (possible.read(specification.goal)) return std::nullopt;
   if (!possible.unseen().empty())
-    return GroundingFailure{GroundingReason::NotSeen, possible.unseen() + " shows clearly from nowhere", {}};
+    return GroundingFailure{RejectionReason::NotSeen, possible.unseen() + " shows clearly from nowhere", {}};
   if (possible.missing().empty() && !possible.crowded().empty())
-    return GroundingFailure{GroundingReason::NotTogether, possible.crowded(), {}};
-  return GroundingFailure{GroundingReason::NoSpot, possible.missing(), {}};
+    return GroundingFailure{RejectionReason::NotTogether, possible.crowded(), {}};
+  return GroundingFailure{RejectionReason::NoSpot, possible.missing(), {}};
 }
 
 }  // namespace unietp

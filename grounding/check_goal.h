@@ -4,8 +4,8 @@
 
 #include "akb/knowledge.h"
 #include "generator/specification.h"
+#include "grounding/failure.h"
 #include "grounding/reach.h"
-#include "grounding/reasons.h"
 #include "logic/trace.h"
 #include "scene/node_index.h"
 

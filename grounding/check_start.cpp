@@ -19,25 +19,25 @@ using Op = Formula::Op;
 
 constexpr double kCalm_m = 0.005;
 
-GroundingFailure failure(GroundingReason reason, std::string detail) { return {reason, std::move(detail), {}}; }
+GroundingFailure failure(RejectionReason reason, std::string detail) { return {reason, std::move(detail), {}}; }
 
 std::optional<GroundingFailure> check_formulas(const Specification& specification, const Trace& trace) {
   for (const Formula& constraint : specification.init) {
     if (!holds_in(constraint, trace, 0)) {
-      return failure(GroundingReason::StartNotMet, "the start constraint " + to_text(constraint) + " does not hold");
+      return failure(RejectionReason::StartNotMet, "the start constraint " + to_text(constraint) + " does not hold");
     }
   }
   if (holds(specification.goal, trace)) {
-    return failure(GroundingReason::GoalHolds, to_text(specification.goal) + " holds at the start");
+    return failure(RejectionReason::GoalHolds, to_text(specification.goal) + " holds at the start");
   }
   for (const Formula& part : goal_parts(specification.goal)) {
     if (holds(part, trace)) {
-      return failure(GroundingReason::PartHolds, "the part " + to_text(part) + " holds at the start");
+      return failure(RejectionReason::PartHolds, "the part " + to_text(part) + " holds at the start");
     }
   }
   for (const std::string& domain : empty_domains(specification.goal, trace)) {
     if (domain.find("/slice") == std::string::npos) {  // slices are there once something is cut
-      return failure(GroundingReason::EmptyDomain, "the domain " + domain + " is empty");
+      return failure(RejectionReason::EmptyDomain, "the domain " + domain + " is empty");
     }
   }
   return std::nullopt;
@@ -62,10 +62,10 @@ std::optional<GroundingFailure> check_referring(const Specification& specificati
     const auto referents = members_of(one.domain, one.variable, trace).size();
     const auto candidates = members_of(all, one.variable, trace).size();
     if (referents == 0) {
-      return failure(GroundingReason::NoReferent, "nothing satisfies " + to_text(one.domain));
+      return failure(RejectionReason::NoReferent, "nothing satisfies " + to_text(one.domain));
     }
     if (tells_apart(specification) && candidates == referents) {
-      return failure(GroundingReason::NoDistractor, to_text(one.domain) + " excludes nothing");
+      return failure(RejectionReason::NoDistractor, to_text(one.domain) + " excludes nothing");
     }
   }
   return std::nullopt;
@@ -109,7 +109,7 @@ std::optional<GroundingFailure> check_reach(const Specification& specification, 
       look_at(entity);
     }
     if (reached >= wanted) return std::nullopt;
-    auto problem = failure(GroundingReason::NotReachable, "of " + to_text(one.domain) + " " + std::to_string(reached) +
+    auto problem = failure(RejectionReason::NotReachable, "of " + to_text(one.domain) + " " + std::to_string(reached) +
                                                               " can be reached, " + std::to_string(wanted) +
                                                               " are needed; " + missed + " cannot");
     problem.subject = missed;
@@ -156,7 +156,7 @@ std::optional<GroundingFailure> check_calm(const Scene& start, const NodeIndex& 
     const Settled settled = world.settle(loose);
     const double moved = (settled.bodies.front().pose.position - node.pose.position).norm();
     if (!settled.calm || moved > kCalm_m) {
-      return failure(GroundingReason::NotCalm,
+      return failure(RejectionReason::NotCalm,
                      node.id + " moves " + std::to_string(static_cast<int>(moved * 1000)) + " mm when let go");
     }
   }
@@ -169,7 +169,7 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
                                             const GrownScene& grown, const std::set<std::string>& touched,
                                             const Knowledge& knowledge, const Profile& profile, bool pictured) {
   if (grown.edges.applied_to(home.scene.edges) != start.edges)
-    return failure(GroundingReason::StartNotMet, "the relations of the start are not those that physics shows");
+    return failure(RejectionReason::StartNotMet, "the relations of the start are not those that physics shows");
   Compared compared;
   compared.add(specification.goal);
   for (const Formula& constraint : specification.init) compared.add(constraint);
@@ -183,7 +183,7 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
   if (auto problem = check_goal(specification, start, grown.places, trace, knowledge, profile, reach, pictured))
     return problem;
   if (const auto room = reach.unreached())
-    return GroundingFailure{GroundingReason::NotReachable, *room + " cannot be walked to any more", *room};
+    return GroundingFailure{RejectionReason::NotReachable, *room + " cannot be walked to any more", *room};
   return check_calm(start, grown.places, touched, grown.physics);  // the dearest, and seldom what is wrong
 }
 

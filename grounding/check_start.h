@@ -6,8 +6,8 @@
 
 #include "akb/knowledge.h"
 #include "generator/specification.h"
+#include "grounding/failure.h"
 #include "grounding/grown_scene.h"
-#include "grounding/reasons.h"
 #include "scene/scene.h"
 #include "simulation/profile.h"
 

@@ -42,7 +42,7 @@ bool SceneEditor::give_box(const std::string& id, const Vec3& size, const std::s
   const Node before = workspace_.scene().nodes[*index_of(id)];
   const Category* category = workspace_.knowledge().find(before.category);
   if (category == nullptr || !before.movable || !before.boards.empty()) {
-    return fail(GroundingReason::CannotEnforce, id + " cannot be had larger or smaller");
+    return fail(RejectionReason::CannotEnforce, id + " cannot be had larger or smaller");
   }
   if (!clear_off(id)) return false;
   refresh();
@@ -62,13 +62,13 @@ bool SceneEditor::give_box(const std::string& id, const Vec3& size, const std::s
     stale_ = true;
     return true;
   }
-  return fail(GroundingReason::NoFreePlace, before.category + " of another size finds no place where it was");
+  return fail(RejectionReason::NoFreePlace, before.category + " of another size finds no place where it was");
 }
 
 bool SceneEditor::resize(const std::string& id, const std::string& size, bool truth) {
   const std::string name = workspace_.scene().nodes[*index_of(id)].category;
   const Category* category = workspace_.knowledge().find(name);
-  if (category == nullptr) return fail(GroundingReason::UnknownCategory, "the knowledge base has no category " + name);
+  if (category == nullptr) return fail(RejectionReason::UnknownCategory, "the knowledge base has no category " + name);
   const auto volume_of = [&](const std::string& other) {
     return workspace_.scene().nodes[*index_of(other)].size.prod();
   };
@@ -90,13 +90,13 @@ bool SceneEditor::resize(const std::string& id, const std::string& size, bool tr
   const SizeChoice& own = truth ? boxes.front() : boxes.back();
   const SizeChoice& other_way = truth ? boxes.back() : boxes.front();
   if (rivals.empty() || !give_box(id, own.size, own.asset)) {
-    return fail(GroundingReason::StateNotPossible, name + " cannot be" + says + " there");
+    return fail(RejectionReason::StateNotPossible, name + " cannot be" + says + " there");
   }
   edits_.push_back("made " + id + says);
   for (const std::string& rival : rivals) {
     if (!truth || clear(own.size.prod(), volume_of(rival))) continue;
     if (!clear(own.size.prod(), other_way.size.prod()) || !give_box(rival, other_way.size, other_way.asset)) {
-      return fail(GroundingReason::StateNotPossible, name + " cannot be" + says + " beside " + rival);
+      return fail(RejectionReason::StateNotPossible, name + " cannot be" + says + " beside " + rival);
     }
     edits_.push_back("made " + rival + " not " + size);
   }
@@ -106,7 +106,7 @@ bool SceneEditor::resize(const std::string& id, const std::string& size, bool tr
 bool SceneEditor::bring_near(const std::string& id, const std::string& other) {
   const auto index = index_of(id), target = index_of(other);
   if (!index || !target || id == other || !workspace_.scene().nodes[*index].movable) {
-    return fail(GroundingReason::CannotEnforce, id + " cannot be brought near to " + other);
+    return fail(RejectionReason::CannotEnforce, id + " cannot be brought near to " + other);
   }
   if (!clear_off(id)) return false;
   const Vec3 aim = workspace_.scene().nodes[*index_of(other)].pose.position;
@@ -138,7 +138,7 @@ bool SceneEditor::bring_near(const std::string& id, const std::string& other) {
       return move_to(id, *place.pose);
     }
   }
-  return fail(GroundingReason::NoFreePlace, node.category + " finds no place that is clearly the nearest to " + other);
+  return fail(RejectionReason::NoFreePlace, node.category + " finds no place that is clearly the nearest to " + other);
 }
 
 bool SceneEditor::place_near(const std::string& id, const std::string& other) {
@@ -169,7 +169,7 @@ bool SceneEditor::place_near(const std::string& id, const std::string& other) {
       return move_to(id, *place.pose);
     }
   }
-  return fail(GroundingReason::NoFreePlace, object.category + " finds no place next to " + other);
+  return fail(RejectionReason::NoFreePlace, object.category + " finds no place next to " + other);
 }
 
 }  // namespace unietp

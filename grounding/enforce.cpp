@@ -100,7 +100,7 @@ bool Enforcer::make_false(const Formula& formula) { return make(formula, {}, fal
 
 bool Enforcer::make(const Formula& formula, const Names& names, bool truth, int depth) {
   if (holds(formula, names) == truth) return true;
-  if (depth > kDeepest) return editor_.fail(GroundingReason::CannotEnforce, to_text(formula) + " is nested too deep");
+  if (depth > kDeepest) return editor_.fail(RejectionReason::CannotEnforce, to_text(formula) + " is nested too deep");
   bool made = false;
   switch (formula.op) {
     case Op::Atom:
@@ -136,12 +136,12 @@ bool Enforcer::make(const Formula& formula, const Names& names, bool truth, int 
       made = make(formula.children.front(), names, truth, depth + 1);
       break;
     default:
-      return editor_.fail(GroundingReason::CannotEnforce,
+      return editor_.fail(RejectionReason::CannotEnforce,
                           "no edit of a scene makes " + to_text(formula) + (truth ? " true" : " false"));
   }
   if (!made) return false;
   if (holds(formula, names) == truth) return true;
-  return editor_.fail(GroundingReason::StartNotMet, to_text(formula) + " is still " + (truth ? "false" : "true"));
+  return editor_.fail(RejectionReason::StartNotMet, to_text(formula) + " is still " + (truth ? "false" : "true"));
 }
 
 bool Enforcer::make_all(const std::vector<Formula>& parts, const Names& names, bool truth, int depth) {
@@ -210,7 +210,7 @@ bool Enforcer::make_number(const Formula& formula, const Names& names, int at_le
   const int most_tries = 2 * at_least + 8;
   for (int tries = 0; static_cast<int>(satisfying(formula, names, true).size()) < at_least; ++tries) {
     if (tries == most_tries)
-      return editor_.fail(GroundingReason::NoFreePlace, to_text(formula) + " has no room for so many");
+      return editor_.fail(RejectionReason::NoFreePlace, to_text(formula) + " has no room for so many");
     if (!make_for_some(formula, names, true, depth)) return false;
   }
   for (std::size_t before = 0;;) {
@@ -235,7 +235,7 @@ bool Enforcer::add_member(const Formula& formula, const Names& names, bool truth
     if (!member.slice) categories.push_back(member.category);
   }
   if (formula.domain.kind != Domain::Kind::Categories || categories.empty()) {
-    return editor_.fail(GroundingReason::CannotEnforce,
+    return editor_.fail(RejectionReason::CannotEnforce,
                         "nothing can be added to the domain " + to_text(formula.domain));
   }
   const std::string& category = rng_.pick(categories);
@@ -248,11 +248,11 @@ bool Enforcer::add_member(const Formula& formula, const Names& names, bool truth
   if (known == nullptr) {
     const bool room =
         std::all_of(category.begin(), category.end(), [](char c) { return c == '_' || (c >= 'a' && c <= 'z'); });
-    return editor_.fail(room ? GroundingReason::LacksRoom : GroundingReason::UnknownCategory,
+    return editor_.fail(room ? RejectionReason::LacksRoom : RejectionReason::UnknownCategory,
                         "the home has no " + category);
   }
   if (++added_ > kMostAdded) {
-    return editor_.fail(GroundingReason::StartNotMet,
+    return editor_.fail(RejectionReason::StartNotMet,
                         "more than " + std::to_string(kMostAdded) + " objects would be added");
   }
   if (known->movable) {
@@ -270,7 +270,7 @@ bool Enforcer::add_member(const Formula& formula, const Names& names, bool truth
     if (accept(*id) && editor_.leaves_rooms_open()) return true;
     editor_.remove(*id);
   }
-  return editor_.fail(GroundingReason::LacksFurniture, "the home lacks a " + category + " and has no place for one");
+  return editor_.fail(RejectionReason::LacksFurniture, "the home lacks a " + category + " and has no place for one");
 }
 
 std::string Enforcer::id_of(const Term& term, const Names& names) const {
@@ -331,7 +331,7 @@ bool Enforcer::make_atom(const Formula& formula, const Names& names, bool truth)
   } else if (predicate == OnFloor || predicate == NextTo || predicate == Under) {
     return editor_.relocate(subject, [&](const Node& there) { return there.id != other; });
   }
-  return editor_.fail(GroundingReason::CannotEnforce,
+  return editor_.fail(RejectionReason::CannotEnforce,
                       "no edit of a scene makes " + to_text(formula) + (truth ? " true" : " false"));
 }
 

@@ -17,11 +17,4 @@ struct Episode {
   std::vector<std::string> edits;  // what was changed to meet the start, for people: "added Mug mug_4 on CounterTop_1"
 };
 
-/// Why a candidate was given up: a counted outcome, not an error. `stage` and `reason` come from closed lists.
-struct Rejection {
-  std::string stage;   // generator, grounding, expert, annotator, validator
-  std::string reason;  // kebab-case: "no-free-place", "start-not-met", "goal-holds-at-start", "not-reachable", …
-  std::string detail;  // a sentence with template, categories and, for a placement, what it hit
-};
-
 }  // namespace unietp

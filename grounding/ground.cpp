@@ -23,7 +23,7 @@ std::string said_of(const Specification& specification) {
 }
 
 Rejection rejected(const Specification& specification, const Scene& scene, const GroundingFailure& failure) {
-  return {"grounding", name_of(failure.reason), said_of(specification) + " in " + scene.id + ": " + failure.detail};
+  return {failure.reason, said_of(specification) + " in " + scene.id + ": " + failure.detail};
 }
 
 /// Constraints that the goal's referring domains add to the start: something to pick out, something to tell it from.
@@ -54,7 +54,7 @@ bool within_rounds(Enforcer& enforcer, SceneEditor& editor, const std::vector<Fo
     for (const Formula& constraint : constraints) {
       if (enforcer.holds(constraint)) continue;
       all = false;
-      if (!first) first = {GroundingReason::StartNotMet, to_text(constraint) + " does not hold", {}};
+      if (!first) first = {RejectionReason::StartNotMet, to_text(constraint) + " does not hold", {}};
     }
     // A part of the goal may hold by chance in this scene. Undo it; the next round repairs what that breaks.
     for (const Formula& part : parts) {
@@ -62,7 +62,7 @@ bool within_rounds(Enforcer& enforcer, SceneEditor& editor, const std::vector<Fo
       all = false;
       if (enforcer.make_false(part)) continue;
       first = {
-          GroundingReason::PartHolds, to_text(part) + " holds and cannot be undone: " + editor.failure().detail, {}};
+          RejectionReason::PartHolds, to_text(part) + " holds and cannot be undone: " + editor.failure().detail, {}};
     }
     if (first) editor.fail(first->reason, first->detail);
     if (all) return true;
@@ -115,7 +115,7 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
     if (!problem) break;
     // What stands out of reach or unsteadily gets another place, then all is checked again.
     const bool misplaced =
-        problem->reason == GroundingReason::NotReachable || problem->reason == GroundingReason::NotCalm;
+        problem->reason == RejectionReason::NotReachable || problem->reason == RejectionReason::NotCalm;
     editor.reserved().clear();
     if (!misplaced || !editor.relocate(problem->subject, [](const Node&) { return true; })) break;
   }

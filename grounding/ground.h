@@ -4,6 +4,7 @@
 
 #include "akb/knowledge.h"
 #include "core/rng.h"
+#include "generator/rejection.h"
 #include "grounding/episode.h"
 #include "grounding/home.h"
 #include "simulation/known_start.h"

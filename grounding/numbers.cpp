@@ -43,10 +43,10 @@ std::optional<GroundingFailure> refused_by_number(const Formula& count, const Ho
   const bool rooms = category == nullptr && std::any_of(home.scene.rooms.begin(), home.scene.rooms.end(),
                                                         [&](const Room& room) { return room.type == name; });
   if (rooms && any && (number < low || number > high))
-    return GroundingFailure{GroundingReason::LacksRoom, said + ", not " + std::to_string(count.number), {}};
+    return GroundingFailure{RejectionReason::LacksRoom, said + ", not " + std::to_string(count.number), {}};
   if (!rooms && high != kAny && number - high > kMostTakenOut)
     return GroundingFailure{
-        GroundingReason::CannotEnforce, said + ", " + std::to_string(number - high) + " too many to take out", {}};
+        RejectionReason::CannotEnforce, said + ", " + std::to_string(number - high) + " too many to take out", {}};
   return std::nullopt;
 }
 

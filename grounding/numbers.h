@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "grounding/failure.h"
 #include "grounding/home.h"
-#include "grounding/reasons.h"
 #include "logic/formula.h"
 
 namespace unietp {

@@ -43,7 +43,7 @@ void SceneEditor::refresh() {
   stale_ = false;
 }
 
-bool SceneEditor::fail(GroundingReason reason, std::string detail) {
+bool SceneEditor::fail(RejectionReason reason, std::string detail) {
   failure_ = {reason, std::move(detail), {}};
   return false;
 }
@@ -64,7 +64,7 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
   std::vector<Host> hosts = hosts_for(workspace_, node);
   std::erase_if(hosts, [&](const Host& host) { return !accept(scene.nodes[host.node]); });
   if (hosts.empty()) {
-    return fail(GroundingReason::NoFreePlace, "the home has no receptacle that the knowledge allows for " +
+    return fail(RejectionReason::NoFreePlace, "the home has no receptacle that the knowledge allows for " +
                                                   node.category + " other than where it must not be");
   }
   Rng rng = next_rng();
@@ -106,13 +106,13 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
       return true;
     }
   }
-  return fail(GroundingReason::NoFreePlace, obstacle);
+  return fail(RejectionReason::NoFreePlace, obstacle);
 }
 
 std::optional<std::string> SceneEditor::add_object(const std::string& category) {
   const Category* known = workspace_.knowledge().find(category);
   if (known == nullptr) {
-    fail(GroundingReason::UnknownCategory, "the knowledge base has no category " + category);
+    fail(RejectionReason::UnknownCategory, "the knowledge base has no category " + category);
     return std::nullopt;
   }
   Rng rng = next_rng();
@@ -130,7 +130,7 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
                                                       const std::string& beside) {
   const Category* known = workspace_.knowledge().find(category);
   if (known == nullptr) {
-    fail(GroundingReason::UnknownCategory, "the knowledge base has no category " + category);
+    fail(RejectionReason::UnknownCategory, "the knowledge base has no category " + category);
     return std::nullopt;
   }
   Rng rng = next_rng();
@@ -163,7 +163,7 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
     edits_.push_back("added " + category + " " + id + " in " + room_id);
     return id;
   }
-  fail(GroundingReason::LacksFurniture, "the home lacks " + category + " and " + room_id + " has no place for it");
+  fail(RejectionReason::LacksFurniture, "the home lacks " + category + " and " + room_id + " has no place for it");
   return std::nullopt;
 }
 
@@ -171,7 +171,7 @@ bool SceneEditor::leaves_rooms_open() {
   const auto walk = workspace_.walk();
   const auto room =
       walk == workspace_.home()->walk ? workspace_.home()->unreached : unreached_room(workspace_.scene(), *walk);
-  return !room || fail(GroundingReason::NotReachable, *room + " cannot be walked to any more");
+  return !room || fail(RejectionReason::NotReachable, *room + " cannot be walked to any more");
 }
 
 bool SceneEditor::clear_off(const std::string& id) {
@@ -192,10 +192,10 @@ bool SceneEditor::clear_off(const std::string& id) {
 }
 
 bool SceneEditor::remove(const std::string& id) {
-  if (reserved_.contains(id)) return fail(GroundingReason::CannotEnforce, id + " is needed and cannot be removed");
+  if (reserved_.contains(id)) return fail(RejectionReason::CannotEnforce, id + " is needed and cannot be removed");
   if (!clear_off(id)) return false;
   const auto index = index_of(id);
-  if (!index) return fail(GroundingReason::CannotEnforce, id + " is not in the scene");
+  if (!index) return fail(RejectionReason::CannotEnforce, id + " is not in the scene");
   workspace_.remove(*index);
   touched_.erase(id);
   edits_.push_back("removed " + id);
@@ -206,7 +206,7 @@ bool SceneEditor::remove(const std::string& id) {
 bool SceneEditor::relocate(const std::string& id, const std::function<bool(const Node&)>& accept) {
   const auto index = index_of(id);
   if (!index || !workspace_.scene().nodes[*index].movable) {
-    return fail(GroundingReason::CannotEnforce, id + " cannot be moved");
+    return fail(RejectionReason::CannotEnforce, id + " cannot be moved");
   }
   if (!clear_off(id)) return false;
   std::string where;
@@ -228,10 +228,10 @@ bool SceneEditor::move_to(const std::string& id, const Pose& pose) {
 bool SceneEditor::put(const std::string& id, Predicate relation, const std::string& receptacle) {
   const auto index = index_of(id);
   if (!index || !workspace_.scene().nodes[*index].movable) {
-    return fail(GroundingReason::CannotEnforce, id + " cannot be moved");
+    return fail(RejectionReason::CannotEnforce, id + " cannot be moved");
   }
   if (!index_of(receptacle) || receptacle == id) {
-    return fail(GroundingReason::CannotEnforce, "nothing can be put " + std::string(info(relation).name) + " itself");
+    return fail(RejectionReason::CannotEnforce, "nothing can be put " + std::string(info(relation).name) + " itself");
   }
   if (!clear_off(id)) return false;
   if (relation == Predicate::NextTo) return place_near(id, receptacle);
@@ -258,7 +258,7 @@ bool SceneEditor::put(const std::string& id, Predicate relation, const std::stri
     if (!made_room) break;
   }
   const std::string category = workspace_.scene().nodes[*index_of(id)].category;
-  return fail(GroundingReason::NoFreePlace,
+  return fail(RejectionReason::NoFreePlace,
               category + " finds no place " + std::string(info(relation).name) + " " + receptacle + ": it " + obstacle);
 }
 
@@ -268,7 +268,7 @@ bool SceneEditor::place_under(const std::string& id, const std::string& other) {
   const auto place = find_place_on_floor(workspace_, object, *index_of(id), bounds_of(above.pose, above.size),
                                          {.draws = 2 * draws_}, next_rng());
   if (!place.pose)
-    return fail(GroundingReason::NoFreePlace, object.category + " under " + other + " " + place.obstacle);
+    return fail(RejectionReason::NoFreePlace, object.category + " under " + other + " " + place.obstacle);
   edits_.push_back("put " + id + " under " + other);
   return move_to(id, *place.pose);
 }
@@ -277,7 +277,7 @@ bool SceneEditor::put_on_floor(const std::string& id, const std::string& room) {
   const Room* where = find_room(workspace_.scene(), room);
   const auto index = index_of(id);
   if (where == nullptr || !index || !workspace_.scene().nodes[*index].movable) {
-    return fail(GroundingReason::CannotEnforce, id + " cannot be put on the floor of " + room);
+    return fail(RejectionReason::CannotEnforce, id + " cannot be put on the floor of " + room);
   }
   if (!clear_off(id)) return false;
   Bounds area = room_bounds(*where, workspace_.scene().wall_height);
@@ -286,7 +286,7 @@ bool SceneEditor::put_on_floor(const std::string& id, const std::string& room) {
   const Node object = workspace_.scene().nodes[*index_of(id)];
   const auto place = find_place_on_floor(workspace_, object, *index_of(id), area, {.draws = 2 * draws_}, next_rng());
   if (!place.pose) {
-    return fail(GroundingReason::NoFreePlace, object.category + " on the floor of " + room + " " + place.obstacle);
+    return fail(RejectionReason::NoFreePlace, object.category + " on the floor of " + room + " " + place.obstacle);
   }
   edits_.push_back("put " + id + " on the floor of " + room);
   return move_to(id, *place.pose);
@@ -306,7 +306,7 @@ bool SceneEditor::move_agent(const std::string& room, bool into) {
     stale_ = true;
     return true;
   }
-  return fail(GroundingReason::CannotEnforce,
+  return fail(RejectionReason::CannotEnforce,
               "the agent cannot start " + std::string(into ? "in " : "outside ") + room);
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/rng.h"
+#include "grounding/failure.h"
 #include "grounding/goal_places.h"
-#include "grounding/reasons.h"
 #include "grounding/workspace.h"
 #include "logic/vocabulary.h"
 #include "simulation/profile.h"
@@ -57,7 +57,7 @@ class SceneEditor {
   void refresh();
 
   /// Notes why something failed and gives false.
-  bool fail(GroundingReason reason, std::string detail);
+  bool fail(RejectionReason reason, std::string detail);
 
  private:
   std::optional<std::size_t> index_of(const std::string& id) const;

@@ -27,25 +27,24 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
                                                     const Knowledge& knowledge, const std::optional<Binding>& binding,
                                                     Split split, bool as_it_is, const Rng& rng) {
   if (!binding)
-    return Rejection{
-        "generator", "no-binding",
-        "no categories that " + layout.home.scene.id + " can offer meet the constraints of " + source.name};
+    return Rejection{RejectionReason::NoBinding, "no categories that " + layout.home.scene.id +
+                                                     " can offer meet the constraints of " + source.name};
   const auto refused = [&](const GateRefusal& refusal) {
-    return Rejection{"generator", rejection_of(refusal.gate), to_text(*binding) + ": " + refusal.reason};
+    return Rejection{rejection_of(refusal.gate), to_text(*binding) + ": " + refusal.reason};
   };
   auto filled = fill_in(source, knowledge, *binding);
   if (const auto* refusal = std::get_if<GateRefusal>(&filled)) return refused(*refusal);
   const auto* plain = std::get_if<Specification>(&filled);
   if (as_it_is && plain->split == Split::InstanceGrounding && !can_refer(*plain, knowledge, layout.offer))
-    return Rejection{"generator", "no-referring-constraint", to_text(*binding)};
+    return Rejection{RejectionReason::NoReferringConstraint, to_text(*binding)};
   // What cannot be refined need not pass the gates, which cost more.
   auto specified = std::optional(*plain);  // also one that its template has refined
   if (plain->split != split && split == Split::InstanceGrounding) {
     specified = refine_referring(*plain, knowledge, layout.offer, source.refinement, rng.fork("referring", 0));
-    if (!specified) return Rejection{"generator", "no-referring-constraint", to_text(*binding)};
+    if (!specified) return Rejection{RejectionReason::NoReferringConstraint, to_text(*binding)};
   } else if (plain->split != split && split == Split::Linguistic) {
     specified = refine_linguistic(*plain, knowledge, source.refinement, rng.fork("linguistic", 0));
-    if (!specified) return Rejection{"generator", "no-wording", to_text(*binding)};
+    if (!specified) return Rejection{RejectionReason::NoWording, to_text(*binding)};
   }
   if (const auto refusal = refused_by(*plain, knowledge)) return refused(*refusal);
   return std::move(*specified);
@@ -60,14 +59,16 @@ std::variant<Specification, Rejection> specify(const Template& source, const Lay
   auto specified = specify_once(source, layout, knowledge, planned, split, true, rng);
   for (std::uint64_t i = 1; i < kBindings; ++i) {
     const auto* why = std::get_if<Rejection>(&specified);
-    if (why == nullptr || (why->reason != "no-referring-constraint" && why->reason != "no-wording")) break;
+    if (why == nullptr ||
+        (why->reason != RejectionReason::NoReferringConstraint && why->reason != RejectionReason::NoWording))
+      break;
     const auto again = rng.fork("again", i);
     const auto binding =
         sample_binding(source, knowledge, layout.offer.categories, fixed, weight, again.fork("binding", 0));
     specified = specify_once(source, layout, knowledge, binding, split, true, again);
   }
   const auto* why = std::get_if<Rejection>(&specified);
-  if (why != nullptr && why->reason == "no-referring-constraint" && split_of_tasks(source) == split)
+  if (why != nullptr && why->reason == RejectionReason::NoReferringConstraint && split_of_tasks(source) == split)
     specified = specify_once(source, layout, knowledge, planned, split, false, rng);
   return specified;
 }
@@ -75,9 +76,9 @@ std::variant<Specification, Rejection> specify(const Template& source, const Lay
 std::variant<Instruction, Rejection> instruct(const Specification& specification, const Backend& backend,
                                               const WritingOptions& options, const Rng& rng) {
   auto instruction = write_instruction(specification, backend.knowledge, backend.nouns, options, rng);
-  if (!instruction) return Rejection{"annotator", "no-words", instruction.error().message};
+  if (!instruction) return Rejection{RejectionReason::NoWords, instruction.error().message};
   if (instruction->style != specification.style)
-    return Rejection{"annotator", "no-words", "no words in the style " + specification.style};
+    return Rejection{RejectionReason::NoWords, "no words in the style " + specification.style};
   return std::move(*instruction);
 }
 
@@ -97,7 +98,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
 
   StageTimer timer(costs, Stage::Homes);
   const auto& layout = layouts.layout(slot.simulator, plan.home);
-  if (!layout) return rejected({"grounding", "no-layout", layout.error().message});
+  if (!layout) return rejected({RejectionReason::NoLayout, layout.error().message});
 
   timer.enter(Stage::Generator);
   const auto simulator = std::string(name_of(slot.simulator)) + "/";
@@ -133,14 +134,14 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
 
   timer.enter(Stage::Expert);
   auto rehearsal = Rehearsal::of(specification.goal, start, backend.knowledge, backend.profile, std::move(known));
-  if (!rehearsal) return rejected({"expert", "no-plan", format(rehearsal.error())});
+  if (!rehearsal) return rejected({RejectionReason::NoPlan, format(rehearsal.error())});
   auto shown = demonstrate(*rehearsal, {});
   if (auto* why = std::get_if<Rejection>(&shown)) return rejected(std::move(*why));
   task.demonstration = std::move(std::get<Demonstration>(shown));
 
   timer.enter(Stage::Mutations);
   const auto needless = needless_steps(*rehearsal, task.demonstration);
-  if (!needless.empty()) return rejected({"expert", "mutation-succeeds", join(needless, "; ")});
+  if (!needless.empty()) return rejected({RejectionReason::MutationSucceeds, join(needless, "; ")});
 
   timer.enter(Stage::OtherModes);
   for (const Mode mode : configuration.modes) {
@@ -149,7 +150,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
     if (auto* why = std::get_if<Rejection>(&other)) return rejected(std::move(*why));
     const auto missable = needless_steps(*rehearsal, std::get<Demonstration>(other));
     if (!missable.empty())
-      return rejected({"expert", "mutation-succeeds", std::string(name_of(mode)) + ": " + join(missable, "; ")});
+      return rejected({RejectionReason::MutationSucceeds, std::string(name_of(mode)) + ": " + join(missable, "; ")});
     task.in_other_modes.push_back(std::move(std::get<Demonstration>(other)));
   }
   task.traits = traits_of(source, task.episode, task.demonstration);

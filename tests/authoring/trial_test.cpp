@@ -67,7 +67,7 @@ TEST(Coverage, CountsWhatIsClaimedAndWhatIsEmpty) {
   rows[0].name = "a";
   rows[0].predicates = {"inside", "on"};
   rows[0].cells[0] = {true, 10, 7, "", {}};
-  rows[0].cells[2] = {true, 10, 0, "", {{"expert", "no-plan", 10, "no way"}}};
+  rows[0].cells[2] = {true, 10, 0, "", {{RejectionReason::NoPlan, 10, "no way"}}};
   rows[1].name = "b";
   rows[1].predicates = {"on"};
   rows[1].cells[0] = {true, 0, 0, "", {}};
@@ -95,13 +95,12 @@ TEST(Coverage, SaysHowManyOfTheCandidatesWithAStartTheExpertShowed) {
                       10,
                       4,
                       "",
-                      {{"grounding", "no-spot", 2, ""},
-                       {"expert",
-                        "action-failed",
+                      {{RejectionReason::NoSpot, 2, ""},
+                       {RejectionReason::ActionFailed,
                         3,
                         "",
                         {"for a: b(c_1): No room on c_1.", "no way", "for d: b(c_2): No room on c_2."}},
-                       {"annotator", "no-words", 1, ""}}};
+                       {RejectionReason::NoWords, 1, ""}}};
   rows[0].cells[1] = {true, 10, 10, "", {}};
   const auto success = expert_success(rows[0].cells[0]);
   EXPECT_EQ(success.grounded, 8);

@@ -15,7 +15,7 @@ TEST(NormalisedText, ForgetsCasePunctuationAndBlanksButNoWord) {
 
 TEST(RecordOf, ARejectedCandidateKeepsStageReasonAndWhatItWasGoingToBe) {
   const RejectedCandidate rejected{
-      {"grounding", "no-free-place", "Mug hits \"Table_1\""}, "place-one-on", Simulator::Habitat, Split::Logical, 4, 2};
+      {RejectionReason::NoFreePlace, "Mug hits \"Table_1\""}, "place-one-on", Simulator::Habitat, Split::Logical, 4, 2};
   const auto record = record_of(rejected);
   EXPECT_FALSE(record.accepted);
   EXPECT_EQ(record.slot, 4);

@@ -63,7 +63,7 @@ TEST_P(EveryExtensionAction, IsUsedWhereTheGoalNeedsIt) {
   const Formula formula = goal(GetParam().goal);
   const auto result = demonstrate(formula, start, knowledge, profile, {});
   ASSERT_TRUE(std::holds_alternative<Demonstration>(result))
-      << std::get<Rejection>(result).reason << ": " << std::get<Rejection>(result).detail;
+      << name_of(std::get<Rejection>(result).reason) << ": " << std::get<Rejection>(result).detail;
   const Demonstration& demonstration = std::get<Demonstration>(result);
   SCOPED_TRACE(plan_of(demonstration));
   EXPECT_EQ(replay(formula, start, demonstration, knowledge, profile), "");

@@ -231,7 +231,7 @@ TEST_P(EveryGoalShape, IsDemonstratedWithoutAFailedOrNeedlessStep) {
   const Formula formula = goal(GetParam().goal);
   const auto result = demonstrate(formula, start, knowledge, profile, {});
   ASSERT_TRUE(std::holds_alternative<Demonstration>(result))
-      << std::get<Rejection>(result).reason << ": " << std::get<Rejection>(result).detail;
+      << name_of(std::get<Rejection>(result).reason) << ": " << std::get<Rejection>(result).detail;
   const Demonstration& demonstration = std::get<Demonstration>(result);
   SCOPED_TRACE(plan_of(demonstration));
   RecordProperty("plan", plan_of(demonstration));
@@ -244,8 +244,8 @@ TEST_P(EveryGoalShape, IsDemonstratedWithoutAFailedOrNeedlessStep) {
 TEST(AnyStart, GivesASoundDemonstrationOrAKnownReason) {
   const Knowledge knowledge = house_knowledge();
   const Profile profile = house_profile();
-  const std::set<std::string> reasons{"no-plan", "action-failed", "too-many-steps", "too-many-failures",
-                                      "goal-not-met"};
+  using enum RejectionReason;
+  const std::set<RejectionReason> reasons{NoPlan, ActionFailed, TooManySteps, TooManyFailures, GoalNotMet};
   int asked = 0, shown = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     Rng rng(seed);
@@ -257,7 +257,7 @@ TEST(AnyStart, GivesASoundDemonstrationOrAKnownReason) {
       const auto result = demonstrate(formula, start, knowledge, profile, {});
       ++asked;
       if (const auto* rejection = std::get_if<Rejection>(&result)) {
-        EXPECT_TRUE(reasons.contains(rejection->reason)) << rejection->reason;
+        EXPECT_TRUE(reasons.contains(rejection->reason)) << name_of(rejection->reason);
         EXPECT_FALSE(rejection->detail.empty());
         continue;
       }

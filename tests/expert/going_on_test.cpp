@@ -23,7 +23,7 @@ struct GoingOn : ::testing::Test {
     EXPECT_TRUE(rehearsal);
     auto result = find_plan_from(*rehearsal, beginning, {});
     if (const auto* rejection = std::get_if<Rejection>(&result)) {
-      ADD_FAILURE() << rejection->reason << ": " << rejection->detail;
+      ADD_FAILURE() << name_of(rejection->reason) << ": " << rejection->detail;
       return {};
     }
     auto actions = beginning.done;

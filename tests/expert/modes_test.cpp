@@ -132,8 +132,7 @@ TEST(ModeExpert, SaysWhatStandsInTheWayWhenAModeHasNoDemonstration) {
   blind.image_width = blind.image_height = 1;
   const auto shown = demonstrate_in(Mode::M3, held, start, knowledge, blind, first);
   ASSERT_TRUE(std::holds_alternative<Rejection>(shown));
-  EXPECT_EQ(std::get<Rejection>(shown).stage, "expert");
-  EXPECT_EQ(std::get<Rejection>(shown).reason, "not-in-m3");
+  EXPECT_EQ(std::get<Rejection>(shown).reason, RejectionReason::NotInM3);
   EXPECT_NE(std::get<Rejection>(shown).detail.find("cannot be found"), std::string::npos)
       << std::get<Rejection>(shown).detail;
 }

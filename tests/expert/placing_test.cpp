@@ -17,7 +17,8 @@ struct Placing : ::testing::Test {
   std::string plan(const std::string& text, const Scene& start) const {
     const Formula formula = goal(text);
     auto result = demonstrate(formula, start, knowledge, profile, {});
-    if (const auto* rejection = std::get_if<Rejection>(&result)) return rejection->reason + ": " + rejection->detail;
+    if (const auto* rejection = std::get_if<Rejection>(&result))
+      return std::string(name_of(rejection->reason)) + ": " + rejection->detail;
     EXPECT_EQ(replay(formula, start, std::get<Demonstration>(result), knowledge, profile), "");
     return plan_of(std::get<Demonstration>(result));
   }

@@ -18,7 +18,7 @@ struct Replanning : ::testing::Test {
     const Formula formula = goal(text);
     auto result = demonstrate(formula, start, knowledge, profile, {});
     if (const auto* rejection = std::get_if<Rejection>(&result)) {
-      ADD_FAILURE() << rejection->reason << ": " << rejection->detail;
+      ADD_FAILURE() << name_of(rejection->reason) << ": " << rejection->detail;
       return {};
     }
     EXPECT_EQ(replay(formula, start, std::get<Demonstration>(result), knowledge, profile), "");
@@ -91,21 +91,22 @@ TEST_F(Replanning, TakesAnotherToolWhenTheFirstFails) {
 
 TEST_F(Replanning, SaysWhyThereIsNoPlan) {
   const Scene scene = house();
-  EXPECT_EQ(refusal("(exists (?x - Fridge) (at-end (held ?x)))", scene).reason, "no-plan");
-  EXPECT_EQ(refusal("(exists (?x - Mug) (and (always (dirty ?x)) (at-end (clean ?x))))", scene).stage, "expert");
+  EXPECT_EQ(refusal("(exists (?x - Fridge) (at-end (held ?x)))", scene).reason, RejectionReason::NoPlan);
+  EXPECT_EQ(refusal("(exists (?x - Mug) (and (always (dirty ?x)) (at-end (clean ?x))))", scene).reason,
+            RejectionReason::NoPlan);
   EXPECT_EQ(
       refusal("(exists (?x - Mug) (exists (?y - Fridge) (at-end (inside ?x ?y))))", scene, {.max_steps = 3}).reason,
-      "too-many-steps");
+      RejectionReason::TooManySteps);
   EXPECT_EQ(
       refusal("(exists (?x - Apple) (exists (?f - Fridge) (and (always (closed ?f)) (at-end (inside ?x ?f)))))", scene)
           .reason,
-      "action-failed");
+      RejectionReason::ActionFailed);
 }
 
 TEST_F(Replanning, TriesNothingThatNeedsMoreStepsThanThereAre) {
   const std::string goal = "(forall (?x - Mug) (exists (?y - SideTable) (at-end (on ?x ?y))))";
   const Rejection refused = refusal(goal, house(), {.max_steps = 6});
-  EXPECT_EQ(refused.reason, "too-many-steps");
+  EXPECT_EQ(refused.reason, RejectionReason::TooManySteps);
   EXPECT_THAT(refused.detail, HasSubstr("needs 7 steps or more, and 6 are allowed"));
   EXPECT_THAT(refusal(goal, house(), {.max_steps = 7}).detail, HasSubstr("needs more than 7 steps"));
 }
@@ -114,7 +115,7 @@ TEST_F(Replanning, GivesUpAfterTooManyFailures) {
   EXPECT_EQ(refusal("(exists (?x - Apple) (exists (?f - Fridge) (and (always (closed ?f)) (at-end (inside ?x ?f)))))",
                     house(), {.max_failures = 0})
                 .reason,
-            "too-many-failures");
+            RejectionReason::TooManyFailures);
 }
 
 TEST_F(Replanning, EqualArgumentsGiveEqualDemonstrations) {

@@ -85,8 +85,8 @@ TEST(Gate, CountsWhatCanBeReached) {
 }
 
 TEST(Gate, ARefusalCountsUnderTheGatesName) {
-  EXPECT_EQ(rejection_of(Gate::ExclusiveStates), "gate-exclusive-states");
-  EXPECT_EQ(rejection_of(Gate::Start), "gate-start");
+  EXPECT_EQ(name_of(rejection_of(Gate::ExclusiveStates)), "gate-exclusive-states");
+  EXPECT_EQ(name_of(rejection_of(Gate::Start)), "gate-start");
 }
 
 TEST(Gate, EveryGateHasANameOfItsOwnAndAMeaning) {

@@ -53,7 +53,7 @@ class CheckGoal : public ::testing::Test {
     const auto problem = check_goal(specification, home.scene, home.places, to_logic(home.scene, {}, true),
                                     style_->knowledge, style_->profile, reach, pictured_);
     if (problem) {
-      EXPECT_EQ(problem->reason, pictured_ ? GroundingReason::NotSeen : reason_);
+      EXPECT_EQ(problem->reason, pictured_ ? RejectionReason::NotSeen : reason_);
     }
     return problem ? problem->detail : "";
   }
@@ -61,7 +61,7 @@ class CheckGoal : public ::testing::Test {
   std::optional<Surroundings> style_;
   Scene scene_;
   bool pictured_ = false;
-  GroundingReason reason_ = GroundingReason::NoSpot;
+  RejectionReason reason_ = RejectionReason::NoSpot;
 };
 
 const std::string kMugOnCounter = "(exists (?a - Mug) (exists (?b - CounterTop) (at-end (on ?a ?b))))";
@@ -138,7 +138,7 @@ TEST_F(CheckGoal, OneOfSeveralIsEnoughWhereOneIsAskedForAndNotWhereAllAre) {
 }
 
 TEST_F(CheckGoal, WhatSharesAPlaceHasToFindRoomThereTogether) {
-  reason_ = GroundingReason::NotTogether;
+  reason_ = RejectionReason::NotTogether;
   scene_.nodes.edit(1).pose.position = Vec3(1, 2.5, 0.061);
   scene_.nodes.edit(1).size = {0.3, 0.3, 0.12};
   add("mug_2", "Mug", Archetype::Vessel, {0.3, 0.3, 0.12}, {1, 2, 0.061});

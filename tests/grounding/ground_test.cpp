@@ -55,7 +55,7 @@ class Ground : public ::testing::Test {
   Episode sound(const Specification& spec, std::uint64_t seed = 0) const {
     const auto result = grounded(spec, seed);
     if (const auto* rejection = std::get_if<Rejection>(&result)) {
-      ADD_FAILURE() << rejection->reason << ": " << rejection->detail;
+      ADD_FAILURE() << name_of(rejection->reason) << ": " << rejection->detail;
       return {};
     }
     Episode episode = std::get<Grounded>(result).episode;
@@ -70,9 +70,9 @@ class Ground : public ::testing::Test {
     const auto result = grounded(spec);
     const auto* rejection = std::get_if<Rejection>(&result);
     if (rejection == nullptr) return "accepted";
-    EXPECT_EQ(rejection->stage, "grounding");
+    EXPECT_EQ(stage_of(rejection->reason), RejectionStage::Grounding);
     EXPECT_NE(rejection->detail.find("by-hand"), std::string::npos);
-    return rejection->reason;
+    return std::string(name_of(rejection->reason));
   }
   int count(const Scene& scene, const std::string& category) const {
     return static_cast<int>(std::count_if(scene.nodes.begin(), scene.nodes.end(),
@@ -197,7 +197,7 @@ std::string verdict(const Specification& spec, const Home& home, Scene start, co
                     const Surroundings& style) {
   start.edges = read_relations(start);
   const auto problem = check_start(spec, home, start, read_grown(home, start), touched, style.knowledge, style.profile);
-  return problem ? name_of(problem->reason) : "sound";
+  return problem ? std::string(name_of(problem->reason)) : "sound";
 }
 
 TEST_F(Ground, CheckFindsEachFaultPlantedInASoundStart) {
@@ -366,7 +366,7 @@ TEST(GroundTheLibrary, FindsStartsForMostTemplatesOnEverySimulator) {
       ++tried;
       const auto result = ground(*spec, home, style->knowledge, style->profile, {}, rng);
       if (const auto* rejection = std::get_if<Rejection>(&result)) {
-        rejections += "\n" + rejection->reason + ": " + rejection->detail;
+        rejections += "\n" + std::string(name_of(rejection->reason)) + ": " + rejection->detail;
         continue;
       }
       ++found;

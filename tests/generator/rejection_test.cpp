@@ -1,0 +1,44 @@
+#include "generator/rejection.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "generator/gate.h"
+
+namespace unietp {
+namespace {
+
+TEST(RejectionReason, EachHasANameOfItsOwnThatReadsBack) {
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < kRejectionReasonCount; ++i) {
+    const auto reason = static_cast<RejectionReason>(i);
+    EXPECT_TRUE(names.insert(name_of(reason)).second) << name_of(reason);
+    EXPECT_EQ(rejection_reason_named(name_of(reason)), reason);
+  }
+  EXPECT_EQ(rejection_reason_named("no-such-reason"), std::nullopt);
+}
+
+TEST(RejectionReason, BelongsToTheStageThatGivesIt) {
+  EXPECT_EQ(stage_of(RejectionReason::NoWording), RejectionStage::Generator);
+  EXPECT_EQ(stage_of(RejectionReason::NoLayout), RejectionStage::Grounding);
+  EXPECT_EQ(stage_of(RejectionReason::NotSeen), RejectionStage::Grounding);
+  EXPECT_EQ(stage_of(RejectionReason::NoWords), RejectionStage::Annotator);
+  EXPECT_EQ(stage_of(RejectionReason::NotInM3), RejectionStage::Expert);
+  EXPECT_EQ(stage_of(RejectionReason::DuplicateText), RejectionStage::Pipeline);
+  EXPECT_EQ(name_of(stage_of(RejectionReason::Rejected)), "review");
+}
+
+TEST(RejectionReason, OfAGateIsNamedAfterIt) {
+  for (int i = 0; i <= static_cast<int>(Gate::Reachable); ++i) {
+    const auto gate = static_cast<Gate>(i);
+    std::string name = "gate-" + std::string(name_of(gate));
+    for (char& c : name) c = c == '_' ? '-' : c;
+    EXPECT_EQ(name_of(rejection_of(gate)), name);
+    EXPECT_EQ(stage_of(rejection_of(gate)), RejectionStage::Generator);
+    EXPECT_NE(hint_for(rejection_of(gate)), "");
+  }
+}
+
+}  // namespace
+}  // namespace unietp
