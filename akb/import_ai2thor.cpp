@@ -107,11 +107,6 @@ void add_affordances(TableBuilder& builder, const Json& types, const Json& alfre
   for (const auto& type : words(alfred.at("VAL_ACTION_OBJECTS").at("Heatable"))) {
     builder.afford(type, "heatable", kAlfred, 1);
   }
-  for (const char* type : {"Bowl", "Kettle", "Pan", "Pot", "EggCracked"})
-    builder.afford(type, "heatable", "curated", 0.8);
-  for (const char* type : {"Sink", "SinkBasin", "Bathtub", "BathtubBasin"}) {
-    builder.afford(type, "drain", "curated", 0.9);
-  }
   builder.afford_by_archetype();
 }
 
@@ -123,7 +118,9 @@ std::string relation_at(const TableBuilder& builder, const std::string& receptac
   return builder.has(receptacle, "container") || drawers ? "inside" : "on";
 }
 
-void add_placements(TableBuilder& builder, const Json& types, const Json& receptacles, const SceneFacts& facts) {
+/// `built_in`: furniture that stands in other furniture.
+void add_placements(TableBuilder& builder, const Json& types, const Json& receptacles, const SceneFacts& facts,
+                    const NameTexts& built_in) {
   for (const auto& [type, row] : types.items()) {
     for (const auto& receptacle : words(row.at("compatible_receptacles"))) {
       if (builder.find(receptacle)) builder.seen(type, relation_at(builder, receptacle), receptacle, 0.5, kTypes);
@@ -135,8 +132,9 @@ void add_placements(TableBuilder& builder, const Json& types, const Json& recept
     const auto& [object, receptacle] = pair;
     if (!builder.find(object) || !builder.find(receptacle) || receptacle == "Floor") continue;
     const auto relation = relation_at(builder, receptacle);
-    const bool built_in = object == "Sink" || object == "Faucet" || object == "StoveBurner";
-    if (!builder.find(object)->movable && !built_in && !sensible.contains({object, relation, receptacle})) continue;
+    if (!builder.find(object)->movable && !built_in.contains(object) &&
+        !sensible.contains({object, relation, receptacle}))
+      continue;
     builder.seen(object, relation, receptacle, 0.2 * count, kScenes);
   }
   for (const auto& [receptacle, objects] : receptacles.items()) {
@@ -150,57 +148,25 @@ void add_placements(TableBuilder& builder, const Json& types, const Json& recept
   builder.place_by_kind(0.05);
 }
 
+/// What follows from lists of the metadata; single effects stand in curated/ai2thor/effect.csv.
 void add_effects(TableBuilder& builder, const Json& types, const Json& alfred) {
   const auto& actions = alfred.at("VAL_ACTION_OBJECTS");
   const auto add = [&](const std::string& tool, const std::string& effect, const std::string& target,
-                       const std::string& gives, int amount, std::vector<std::string> needs, const Source& source) {
-    builder.effect({tool, effect, target, gives, amount, std::move(needs), source});
+                       const std::string& gives, std::vector<std::string> needs, const Source& source) {
+    builder.effect({tool, effect, target, gives, 0, std::move(needs), source});
   };
   for (const auto& type : words(actions.at("Heatable"))) {
-    add("Microwave", "heats", type, "", 0, {"closed", "power_on", "inside"}, {kAlfred, 1});
+    add("Microwave", "heats", type, "", {"closed", "power_on", "inside"}, {kAlfred, 1});
   }
   for (const auto& type : words(actions.at("Coolable"))) {
-    add("Fridge", "cools", type, "", 0, {"closed", "inside"}, {kAlfred, 1});
-  }
-  // Burners heat what stands on them, and the documentation names what they and microwaves cook.
-  for (const char* type : {"Kettle", "Pan", "Pot"}) {
-    add("StoveBurner", "heats", type, "", 0, {"power_on", "on"}, {kTypes, 0.9});
-  }
-  for (const char* type : {"BreadSliced", "EggCracked", "Potato", "PotatoSliced"}) {
-    add("StoveBurner", "heats", type, "", 0, {"power_on", "on"}, {kTypes, 0.9});
-    add("StoveBurner", "cooks", type, "", 0, {"power_on", "on"}, {kTypes, 0.9});
-  }
-  for (const char* type : {"EggCracked", "Potato", "PotatoSliced"}) {
-    add("Microwave", "cooks", type, "", 0, {"closed", "power_on", "inside"}, {kTypes, 0.9});
-  }
-  for (const char* type : {"Bowl", "EggCracked"}) {
-    add("Microwave", "heats", type, "", 0, {"closed", "power_on", "inside"}, {kTypes, 0.8});
-  }
-  for (const char* type : {"Bottle", "EggCracked"})
-    add("Fridge", "cools", type, "", 0, {"closed", "inside"}, {kTypes, 0.8});
-  add("CoffeeMachine", "heats", "Mug", "", 0, {"power_on", "on"}, {kTypes, 0.9});
-  add("CoffeeMachine", "fills", "Mug", "coffee", 0, {"power_on", "on"}, {kTypes, 0.9});
-  add("Toaster", "cooks", "BreadSliced", "", 0, {"power_on", "inside"}, {kTypes, 1});
-  add("Toaster", "heats", "BreadSliced", "", 0, {"power_on", "inside"}, {kTypes, 0.9});
-  for (const char* type : {"Cup", "Mug"}) add("WineBottle", "fills", type, "wine", 0, {"held"}, {"curated", 0.9});
-  add("WateringCan", "fills", "HousePlant", "water", 0, {"held"}, {"curated", 0.9});
-  // What can be sliced and what comes of it is metadata; how many pieces is ours. An egg is cracked, not sliced.
-  const std::map<std::string, std::pair<std::string, int>> slices{{"Apple", {"AppleSliced", 5}},
-                                                                  {"Bread", {"BreadSliced", 6}},
-                                                                  {"Lettuce", {"LettuceSliced", 5}},
-                                                                  {"Potato", {"PotatoSliced", 6}},
-                                                                  {"Tomato", {"TomatoSliced", 6}}};
-  for (const auto& [type, pieces] : slices) {
-    for (const char* knife : {"Knife", "ButterKnife"}) {
-      add(knife, "slices", type, pieces.first, pieces.second, {"held"}, {"curated", 0.9});
-    }
+    add("Fridge", "cools", type, "", {"closed", "inside"}, {kAlfred, 1});
   }
   for (const auto& [type, row] : types.items()) {
     if (!builder.has(type, "pickupable")) continue;
-    if (builder.has(type, "dirtyable")) add("Sink", "washes", type, "", 0, {"under_tap"}, {kAlfred, 0.9});
+    if (builder.has(type, "dirtyable")) add("Sink", "washes", type, "", {"under_tap"}, {kAlfred, 0.9});
     if (!builder.has(type, "fillable")) continue;
-    add("Sink", "fills", type, "water", 0, {"under_tap"}, {"curated", 0.9});
-    for (const char* drain : {"Sink", "Bathtub"}) add(drain, "drains", type, "", 0, {}, {"curated", 0.9});
+    add("Sink", "fills", type, "water", {"under_tap"}, {"curated", 0.9});
+    for (const char* drain : {"Sink", "Bathtub"}) add(drain, "drains", type, "", {}, {"curated", 0.9});
   }
 }
 
@@ -219,11 +185,14 @@ Result<Tables> import_ai2thor(const std::filesystem::path& upstream, const std::
   const auto alfred = read_metadata_json(folder / "alfred_constants.json");
   if (!alfred) return alfred.error();
 
+  const auto built_in = read_name_texts(curated / "ai2thor" / "built_in.csv");
+  if (!built_in) return built_in.error();
+
   TableBuilder builder(Simulator::Ai2thor, curated);
   const auto facts = facts_of(*scenes);
   add_categories(builder, *types, *assets, facts);
   add_affordances(builder, *types, *alfred);
-  add_placements(builder, *types, *receptacles, facts);
+  add_placements(builder, *types, *receptacles, facts, *built_in);
   add_effects(builder, *types, *alfred);
   return builder.finish();
 }

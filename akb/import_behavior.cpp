@@ -78,8 +78,10 @@ Result<Tables> import_behavior(const std::filesystem::path& upstream, const std:
   if (!annotations) return annotations.error();
   const auto transitions = read_metadata_json(folder / "transition_maps.json.gz");
   if (!transitions) return transitions.error();
-  const auto metadata = behavior::read_behavior(folder, *annotations);
+  const auto metadata = behavior::read_behavior(folder, curated / "behavior", *annotations);
   if (!metadata) return metadata.error();
+  const auto squeezed = read_name_texts(curated / "behavior" / "squeezed.csv");
+  if (!squeezed) return squeezed.error();
   const auto wordnet = WordNetWords::read(WordNetWords::kFolder);
   if (!wordnet) return wordnet.error();
 
@@ -105,7 +107,7 @@ Result<Tables> import_behavior(const std::filesystem::path& upstream, const std:
   builder.kept_like(words.like());
   behavior::add_affordances(builder, *metadata, *transitions);
   builder.place_by_kind(1);
-  behavior::add_effects(builder, *metadata, *annotations, *transitions);
+  behavior::add_effects(builder, *metadata, *annotations, *transitions, *squeezed);
   add_models(builder, *metadata);
   add_aliases(builder, *metadata, words, *wordnet, phrases);
   return builder.finish();

@@ -12,6 +12,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "akb/import_common.h"
+#include "akb/metadata_json.h"
 #include "core/result.h"
 
 // The parts of import_behavior: what the files say, the words made of it, and what things do.
@@ -38,9 +39,10 @@ struct Metadata {
   std::map<std::string, std::string> hypernym;  // synset -> the first one above it
 };
 
-/// Reads the files of upstream/behavior; `annotations` as propagated_annots_params.json.gz holds them. Errors: Io,
-/// Parse.
-Result<Metadata> read_behavior(const std::filesystem::path& folder, const nlohmann::json& annotations);
+/// Reads the files of upstream/behavior, and our lists in curated/behavior; `annotations` as
+/// propagated_annots_params.json.gz holds them. Errors: Io, Parse, Schema.
+Result<Metadata> read_behavior(const std::filesystem::path& folder, const std::filesystem::path& curated,
+                               const nlohmann::json& annotations);
 
 /// Makes a word for each category out of hypernyms, name and models by the tables in curated/behavior: see
 /// docs/knowledge.md. Errors are appended.
@@ -90,11 +92,8 @@ std::map<std::string, Pieces> pieces_of(const TableBuilder& builder, const Metad
                                         const nlohmann::json& transitions);
 
 void add_affordances(TableBuilder& builder, const Metadata& metadata, const nlohmann::json& transitions);
+/// `squeezed`: bottles that apply what is in them, though no model says so.
 void add_effects(TableBuilder& builder, const Metadata& metadata, const nlohmann::json& annotations,
-                 const nlohmann::json& transitions);
-
-/// Kinds of things that are eaten, and of those that get dirty.
-const std::set<std::string>& food_kinds();
-const std::set<std::string>& dirty_kinds();
+                 const nlohmann::json& transitions, const NameTexts& squeezed);
 
 }  // namespace unietp::behavior

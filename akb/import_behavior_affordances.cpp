@@ -16,11 +16,6 @@ void add_of(TableBuilder& builder, const std::string& name, const Facts& f, bool
   static const std::map<std::string, std::string> kProperties{
       {"cookable", "cookable"},      {"breakable", "breakable"}, {"heatSource", "heat_source"},
       {"coldSource", "cold_source"}, {"particleSink", "drain"},  {"drapeable", "foldable"}};
-  static const std::set<std::string> kHeld{"cup",    "bowl",      "plate", "pot",  "drink", "kettle",
-                                           "teapot", "lunch_box", "pan",   "tray", "saucer"};
-  static const std::set<std::string> kFill{"cup",       "bowl",         "pot",         "kettle", "teapot",
-                                           "pitcher",   "bucket",       "bottle",      "vase",   "ice_bucket",
-                                           "lab_glass", "bucket_small", "watering_can"};
   const auto& c = *builder.find(name);
   if (c.movable) builder.afford(name, "pickupable", "derived:not-scene-object", 0.9);
   if (has_door(c.archetype) && f.links.contains("joint")) {
@@ -39,39 +34,25 @@ void add_of(TableBuilder& builder, const std::string& name, const Facts& f, bool
     builder.afford(name, "sliceable", kAnnotations, 1);
   }
   if (f.properties.contains("cookable")) builder.afford(name, "burnable", kAnnotations, 0.9);
-  const auto kind_only = [&](const std::set<std::string>& kinds, const char* property, const char* affordance) {
+  const auto kind_only = [&](KindGroup kinds, const char* property, const char* affordance) {
     if (builder.is_kind(name, kinds) && f.properties.contains(property)) {
       builder.afford(name, affordance, kAnnotations, 0.9);
     }
   };
-  kind_only(food_kinds(), "heatable", "heatable");
-  kind_only(kHeld, "heatable", "heatable");
-  kind_only(food_kinds(), "freezable", "freezable");
-  kind_only(dirty_kinds(), "stainable", "dirtyable");
-  kind_only(dirty_kinds(), "stainable", "coverable");
-  kind_only(kFill, "fillable", "fillable");
-  if (c.movable && f.links.contains("fluidsource") && builder.is_kind(name, kFill)) {  // what pours was filled
+  kind_only(KindGroup::Food, "heatable", "heatable");
+  kind_only(KindGroup::HeatedVessel, "heatable", "heatable");
+  kind_only(KindGroup::Food, "freezable", "freezable");
+  kind_only(KindGroup::Dirtied, "stainable", "dirtyable");
+  kind_only(KindGroup::Dirtied, "stainable", "coverable");
+  kind_only(KindGroup::Filled, "fillable", "fillable");
+  if (c.movable && f.links.contains("fluidsource") &&
+      builder.is_kind(name, KindGroup::Filled)) {  // what pours was filled
     builder.afford(name, "fillable", kInventory, 0.9);
   }
-  kind_only({"cloth", "cleaning"}, "particleRemover", "soakable");
+  kind_only(KindGroup::Soaked, "particleRemover", "soakable");
 }
 
 }  // namespace
-
-const std::set<std::string>& food_kinds() {
-  static const std::set<std::string> kKinds{"fruit", "big_fruit", "bakery", "meal",  "meat",  "slice",
-                                            "dough", "herb",      "snack",  "dairy", "frozen"};
-  return kKinds;
-}
-
-const std::set<std::string>& dirty_kinds() {
-  static const std::set<std::string> kKinds{
-      "plate",      "bowl",    "cup",     "cutlery",     "pan",     "pot",          "tray",         "utensil",
-      "cloth",      "clothes", "kettle",  "teapot",      "counter", "dining_table", "coffee_table", "desk",
-      "side_table", "sink",    "bathtub", "lunch_box",   "shoes",   "pitcher",      "stove",        "microwave",
-      "lab_glass",  "blanket", "saucer",  "table_linen", "board",   "wooden_board", "ice_bucket"};
-  return kKinds;
-}
 
 std::map<std::string, Pieces> pieces_of(const TableBuilder& builder, const Metadata& metadata,
                                         const Json& transitions) {

@@ -22,8 +22,8 @@ std::vector<std::string> needs_of(const Json& source) {
 }
 
 void add_heat(TableBuilder& builder, const std::string& tool, const Json& source) {
-  if (!builder.is_kind(tool, {"oven", "stove", "microwave"}) || !builder.has(tool, "switchable")) return;
-  const bool flame = builder.is_kind(tool, {"stove"});
+  if (!builder.is_kind(tool, KindGroup::Heater) || !builder.has(tool, "switchable")) return;
+  const bool flame = builder.is_kind(tool, "stove");
   for (const auto& target : builder.names()) {
     if (!builder.has(target, "pickupable")) continue;
     const auto add = [&](const char* effect) {
@@ -38,7 +38,7 @@ void add_heat(TableBuilder& builder, const std::string& tool, const Json& source
 }
 
 void add_cold(TableBuilder& builder, const std::string& tool, const Json& source) {
-  if (!builder.is_kind(tool, {"fridge", "freezer", "cooler"})) return;
+  if (!builder.is_kind(tool, KindGroup::Cooler)) return;
   for (const auto& target : builder.names()) {
     if (!builder.has(target, "pickupable")) continue;
     const auto add = [&](const char* effect) {
@@ -61,20 +61,20 @@ void add_temperature(TableBuilder& builder, const Metadata& metadata, const Json
 
 void add_washing(TableBuilder& builder) {
   for (const auto& tool : builder.names()) {
-    if (!builder.is_kind(tool, {"sink", "dishwasher", "washer"}) || !in_homes(builder, tool)) continue;
+    if (!builder.is_kind(tool, KindGroup::Washer) || !in_homes(builder, tool)) continue;
     for (const auto& target : builder.names()) {
       if (!builder.has(target, "pickupable")) continue;
       const auto add = [&](const char* effect, const char* gives, std::vector<std::string> needs) {
         builder.effect({tool, effect, target, gives, 0, std::move(needs), {"curated", 0.9}});
       };
-      const bool cloth = builder.is_kind(target, {"cloth", "clothes", "blanket", "table_linen"});
+      const bool cloth = builder.is_kind(target, KindGroup::Laundry);
       const bool dirty = builder.has(target, "dirtyable");
-      if (builder.is_kind(tool, {"sink"})) {
+      if (builder.is_kind(tool, "sink")) {
         if (dirty) add("washes", "", {"under_tap"});
         if (builder.has(target, "fillable")) add("fills", "water", {"under_tap"});
         if (builder.has(target, "fillable")) add("drains", "", {});
         if (builder.has(target, "soakable")) add("soaks", "water", {"under_tap"});
-      } else if (dirty && cloth == builder.is_kind(tool, {"washer"})) {
+      } else if (dirty && cloth == builder.is_kind(tool, "washer")) {
         add("washes", "", {"closed", "power_on", "inside"});
       }
     }
@@ -85,7 +85,7 @@ void add_wiping(TableBuilder& builder, const std::set<std::string>& usual) {
   for (const auto& tool : builder.names()) {
     if (!builder.has(tool, "soakable") || !usual.contains(tool)) continue;
     for (const auto& target : builder.names()) {
-      const bool cloth = builder.is_kind(target, {"cloth", "clothes", "blanket", "table_linen", "shoes"});
+      const bool cloth = builder.is_kind(target, KindGroup::WornOrSpread);
       if (tool == target || cloth || !builder.has(target, "coverable")) continue;
       if (!builder.has(target, "pickupable") && !in_homes(builder, target)) continue;
       builder.effect({tool, "wipes", target, "", 0, {"held"}, {"curated", 0.9}});
@@ -96,22 +96,20 @@ void add_wiping(TableBuilder& builder, const std::set<std::string>& usual) {
 /// Food is cut with the kitchen's knives, the rest with the other blades.
 void add_slicing(TableBuilder& builder, const Metadata& metadata, const Json& transitions) {
   for (const auto& [whole, pieces] : pieces_of(builder, metadata, transitions)) {
-    const bool food = builder.is_kind(whole, food_kinds());
+    const bool food = builder.is_kind(whole, KindGroup::Food);
     for (const auto& tool : builder.names()) {
       if (!metadata.categories.at(tool).properties.contains("slicer") || !builder.has(tool, "pickupable")) continue;
-      if (builder.is_kind(tool, {"cutlery"}) != food) continue;
+      if (builder.is_kind(tool, "cutlery") != food) continue;
       builder.effect({tool, "slices", whole, pieces.category, pieces.amount, {"held"}, {kSlicing, 1}});
     }
   }
 }
 
 /// What a tool applies or pours: by its annotation, or for a bottle of something with a model that pours, by its name.
-std::string substance_of(const std::string& tool, const Facts& facts) {
+std::string substance_of(const std::string& tool, const Facts& facts, const NameTexts& squeezed) {
   std::string substance = facts.substances.empty() ? "" : *facts.substances.begin();
   const bool pours = facts.links.contains("fluidsource") || facts.links.contains("particleapplier");
-  static const std::set<std::string> kSqueezed{"bottle_of_catsup", "bottle_of_mustard", "bottle_of_soy_sauce",
-                                               "bottle_of_chocolate_sauce"};
-  if (substance.empty() && (pours || kSqueezed.contains(tool)) && tool.starts_with("bottle_of_")) {
+  if (substance.empty() && (pours || squeezed.contains(tool)) && tool.starts_with("bottle_of_")) {
     substance = replace_all(tool.substr(std::string_view("bottle_of_").size()), "_", " ");
   }
   return substance == "catsup" ? "ketchup" : substance;
@@ -119,17 +117,14 @@ std::string substance_of(const std::string& tool, const Facts& facts) {
 
 /// Sauces and seasonings are spread over dishes and food of the usual kinds, soaps over what is washed up, other
 /// cleaners over what is wiped.
-void add_spreading(TableBuilder& builder, const Metadata& metadata, const std::set<std::string>& usual) {
-  static const std::set<std::string> kSeasoned{"plate", "meat", "bowl", "pan", "counter", "dining_table"};
-  static const std::set<std::string> kWashedUp{"plate", "bowl", "cup", "pan", "pot", "sink"};
-  static const std::set<std::string> kCleaned{"counter", "dining_table", "coffee_table", "sink", "bathtub", "stove"};
+void add_spreading(TableBuilder& builder, const Metadata& metadata, const std::set<std::string>& usual,
+                   const NameTexts& squeezed) {
   for (const auto& tool : builder.names()) {
-    const auto substance = substance_of(tool, metadata.categories.at(tool));
-    const bool seasons = builder.is_kind(tool, {"condiment", "shaker"}),
-               cleans = builder.is_kind(tool, {"cleaning_bottle"});
+    const auto substance = substance_of(tool, metadata.categories.at(tool), squeezed);
+    const bool seasons = builder.is_kind(tool, KindGroup::Seasoning), cleans = builder.is_kind(tool, "cleaning_bottle");
     if (substance.empty() || !builder.has(tool, "pickupable") || (!seasons && !cleans)) continue;
     const bool soap = substance.ends_with("soap") || substance == "detergent";
-    const auto& kinds = seasons ? kSeasoned : soap ? kWashedUp : kCleaned;
+    const auto kinds = seasons ? KindGroup::Seasoned : soap ? KindGroup::WashedUp : KindGroup::Cleaned;
     for (const auto& target : builder.names()) {
       if (!usual.contains(target) || target == tool || !builder.is_kind(target, kinds)) continue;
       if (builder.kind(target) == "meat") builder.afford(target, "coverable", "curated", 0.8);
@@ -144,9 +139,9 @@ void add_spreading(TableBuilder& builder, const Metadata& metadata, const std::s
 /// Coffee machines fill the cup that stands under them, here on them.
 void add_coffee(TableBuilder& builder) {
   for (const auto& tool : builder.names()) {
-    if (!builder.is_kind(tool, {"coffee_machine"}) || !builder.has(tool, "switchable")) continue;
+    if (!builder.is_kind(tool, "coffee_machine") || !builder.has(tool, "switchable")) continue;
     for (const auto& target : builder.names()) {
-      if (!builder.is_kind(target, {"cup"}) || !builder.has(target, "fillable")) continue;
+      if (!builder.is_kind(target, "cup") || !builder.has(target, "fillable")) continue;
       builder.effect({tool, "fills", target, "coffee", 0, {"power_on", "on"}, {"curated", 0.9}});
     }
   }
@@ -154,7 +149,8 @@ void add_coffee(TableBuilder& builder) {
 
 }  // namespace
 
-void add_effects(TableBuilder& builder, const Metadata& metadata, const Json& annotations, const Json& transitions) {
+void add_effects(TableBuilder& builder, const Metadata& metadata, const Json& annotations, const Json& transitions,
+                 const NameTexts& squeezed) {
   const auto listed = builder.curated_names();
   const std::set<std::string> usual(listed.begin(), listed.end());
   add_temperature(builder, metadata, annotations);
@@ -162,7 +158,7 @@ void add_effects(TableBuilder& builder, const Metadata& metadata, const Json& an
   add_coffee(builder);
   add_wiping(builder, usual);
   add_slicing(builder, metadata, transitions);
-  add_spreading(builder, metadata, usual);
+  add_spreading(builder, metadata, usual, squeezed);
 }
 
 }  // namespace unietp::behavior

@@ -11,13 +11,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Objects of the inventory that the mapping lacks (its release is older): synset, by the inventory's category.
-const std::map<std::string, std::string>& only_in_inventory() {
-  static const std::map<std::string, std::string> kNames{
-      {"clove", "clove.n.04"}, {"coconut", "coconut.n.01"}, {"kidney_bean", "kidney_bean.n.02"}};
-  return kNames;
-}
-
 std::map<std::string, std::size_t> columns_in(const CsvFile& file) {
   std::map<std::string, std::size_t> column;
   for (std::size_t i = 0; i < file.header.size(); ++i) column.try_emplace(file.header[i].text, i);
@@ -60,31 +53,30 @@ void add_hypernyms(Metadata& metadata, const Json& node, const std::string& abov
   for (const auto& child : node.at("children")) add_hypernyms(metadata, child, name);
 }
 
-/// Our room type for BEHAVIOR's, "" for what homes need not have.
-std::string room_type_of(const std::string& instance) {
-  static const std::map<std::string, std::string> kTypes{
-      {"kitchen", "kitchen"},      {"living_room", "living_room"}, {"bedroom", "bedroom"},
-      {"bathroom", "bathroom"},    {"dining_room", "dining_room"}, {"corridor", "corridor"},
-      {"entryway", "corridor"},    {"childs_room", "bedroom"},     {"private_office", "office"},
-      {"pantry_room", "kitchen"},  {"playroom", "living_room"},    {"television_room", "living_room"},
-      {"storage_room", "corridor"}};
-  const auto found = kTypes.find(instance.substr(0, instance.rfind('_')));
-  return found == kTypes.end() ? "" : found->second;
+/// Our own lists about BEHAVIOR's scenes.
+struct SceneLists {
+  NameTexts rooms;     // our type of room, by BEHAVIOR's
+  NameTexts no_homes;  // scenes, by their whole names or first words
+};
+
+/// Our room type for an instance of BEHAVIOR's, "" for what homes need not have.
+std::string room_type_of(const std::string& instance, const SceneLists& lists) {
+  const auto found = lists.rooms.find(instance.substr(0, instance.rfind('_')));
+  return found == lists.rooms.end() ? "" : found->second;
 }
 
-bool is_home(const std::string& scene) {
-  static const std::set<std::string> kOthers{"grocery", "hall", "office", "restaurant", "school"};
-  return !kOthers.contains(scene.substr(0, scene.find('_'))) && scene != "hotel_gym_spa";
+bool is_home(const std::string& scene, const SceneLists& lists) {
+  return !lists.no_homes.contains(scene.substr(0, scene.find('_'))) && !lists.no_homes.contains(scene);
 }
 
 /// Rooms with at least a fifth of what a home's rooms hold of the category, given there are five of it.
-void add_rooms(Metadata& metadata, const Json& scenes) {
+void add_rooms(Metadata& metadata, const Json& scenes, const SceneLists& lists) {
   constexpr int kSeen = 5, kShare = 5;
   std::map<std::string, std::map<std::string, int>> seen;
   for (const auto& [scene, rooms] : scenes.at("scenes").items()) {
-    if (!is_home(scene)) continue;
+    if (!is_home(scene, lists)) continue;
     for (const auto& [instance, objects] : rooms.items()) {
-      const auto type = room_type_of(instance);
+      const auto type = room_type_of(instance, lists);
       if (type.empty()) continue;
       for (const auto& [model, count] : objects.items())
         seen[model.substr(0, model.rfind('-'))][type] += count.get<int>();
@@ -106,7 +98,8 @@ void add_rooms(Metadata& metadata, const Json& scenes) {
 
 }  // namespace
 
-Result<Metadata> read_behavior(const std::filesystem::path& folder, const Json& annotations) {
+Result<Metadata> read_behavior(const std::filesystem::path& folder, const std::filesystem::path& curated,
+                               const Json& annotations) {
   const auto mapping = read_metadata_csv(folder / "category_mapping.csv.gz");
   if (!mapping) return mapping.error();
   const auto hierarchy = read_metadata_json(folder / "output_hierarchy.json.gz");
@@ -116,6 +109,13 @@ Result<Metadata> read_behavior(const std::filesystem::path& folder, const Json& 
   const auto scenes = read_metadata_json(folder / "combined_room_object_list.json.gz");
   if (!scenes) return scenes.error();
 
+  const auto inventory_only = read_name_texts(curated / "inventory.csv");
+  if (!inventory_only) return inventory_only.error();
+  const auto rooms = read_name_texts(curated / "rooms.csv");
+  if (!rooms) return rooms.error();
+  const auto no_homes = read_name_texts(curated / "no_homes.csv");
+  if (!no_homes) return no_homes.error();
+
   Metadata metadata;
   const auto column = columns_in(*mapping);
   for (const auto& row : mapping->rows) {
@@ -124,11 +124,12 @@ Result<Metadata> read_behavior(const std::filesystem::path& folder, const Json& 
     facts.synset = row[column.at("synset")].text;
     facts.mass = number_of(row[column.at("mass (auto)")].text);
   }
-  for (const auto& [name, synset] : only_in_inventory()) metadata.categories[name].synset = synset;
+  // The mapping is of an older release than the inventory.
+  for (const auto& [name, synset] : *inventory_only) metadata.categories[name].synset = synset;
   add_hypernyms(metadata, *hierarchy, "");
   for (auto& [name, facts] : metadata.categories) add_properties(facts, annotations);
   add_models(metadata, *inventory);
-  add_rooms(metadata, *scenes);
+  add_rooms(metadata, *scenes, {*rooms, *no_homes});
   return metadata;
 }
 

@@ -85,7 +85,10 @@ Vec3 middle_box(const std::vector<Vec3>& boxes) {
 }
 
 TableBuilder::TableBuilder(Simulator simulator, std::filesystem::path curated)
-    : simulator_(simulator), curated_(std::move(curated)), lexicon_(read_lexicon(curated_, errors_)) {
+    : simulator_(simulator),
+      curated_(std::move(curated)),
+      lexicon_(read_lexicon(curated_, errors_)),
+      groups_(read_kind_groups(curated_ / "kind_groups.csv", errors_)) {
   const auto path = folder() / "category.csv";
   const auto text = read_file(path);
   if (!text) {
@@ -171,16 +174,14 @@ bool TableBuilder::has(const std::string& category, std::string_view affordance)
 }
 
 void TableBuilder::afford_by_archetype() {
+  if (!errors_.empty()) return;  // a group may be missing
   overlay_affordances();
-  static const std::set<std::string> kNone{"part",         "wall_thing", "floor_thing",  "appliance",
-                                           "plant",        "kettle",     "drink",        "rug",
-                                           "light_switch", "vase",       "bucket_small", "pitcher"};
   for (const auto& [name, c] : categories_) {
-    if (kNone.contains(kinds_[name])) continue;
+    if (is_kind(name, KindGroup::HoldsNothing)) continue;
     if (room_of(c, "inside") && c.archetype != Archetype::Drawers) {
       afford(name, "container", "derived:archetype", 0.9);
     }
-    const bool flat_food = c.archetype == Archetype::Plate && is_kind(name, {"slice", "meal", "bakery", "gadget"});
+    const bool flat_food = c.archetype == Archetype::Plate && is_kind(name, KindGroup::FlatFood);
     const bool furniture = !c.movable || c.archetype == Archetype::Plate;
     if (furniture && !flat_food && room_of(c, "on")) afford(name, "receptacle", "derived:archetype", 0.9);
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "akb/kind_groups.h"
 #include "akb/lexicon.h"
 #include "akb/placement_rules.h"
 #include "akb/tables.h"
@@ -80,7 +81,8 @@ class TableBuilder {
 
   const Category* find(const std::string& name) const;
   std::string kind(const std::string& name) const;
-  bool is_kind(const std::string& name, const std::set<std::string>& kinds) const { return kinds.contains(kind(name)); }
+  bool is_kind(const std::string& name, std::string_view wanted) const { return kind(name) == wanted; }
+  bool is_kind(const std::string& name, KindGroup group) const { return groups_.at(group).contains(kind(name)); }
   std::vector<std::string> names() const;
 
  private:
@@ -104,6 +106,7 @@ class TableBuilder {
   std::filesystem::path curated_;
   std::vector<Error> errors_;
   Lexicon lexicon_;
+  KindGroups groups_;
   std::vector<std::string> curated_names_;
   std::map<std::string, std::map<std::string, std::string>> cells_;  // curated category cells, by name and column
   std::map<std::string, Category> categories_;

@@ -12,27 +12,6 @@ namespace {
 
 constexpr int kMostBeside = 4;
 
-/// The kind that a rule names and those that also have one: a cabinet's top for "dresser", a stove's oven for "oven".
-std::vector<std::string> kinds_meant(const PlacementRule& rule) {
-  static const std::set<std::pair<std::string, std::string>> kInside{{"oven", "stove"},
-                                                                     {"kitchen_cabinet", "top_cabinet"}};
-  static const std::set<std::pair<std::string, std::string>> kOn{{"dresser", "cabinet"},
-                                                                 {"dresser", "drawer"},
-                                                                 {"counter", "kitchen_cabinet"},
-                                                                 {"counter", "dishwasher"},
-                                                                 {"bathroom_counter", "bathroom_cabinet"},
-                                                                 {"washer", "dryer"}};
-  std::vector<std::string> kinds{rule.receptacle};
-  const auto add = [&](const auto& pairs) {
-    for (const auto& [named, kind] : pairs) {
-      if (named == rule.receptacle && kind != named) kinds.push_back(kind);
-    }
-  };
-  if (rule.relation == "inside") add(kInside);
-  if (rule.relation == "on") add(kOn);
-  return kinds;
-}
-
 /// Places on and in things share a sum; being beside or under something says nothing against them.
 std::string share_of(const Placement& p) {
   return p.object + (p.relation == "next_to" || p.relation == "under" ? "\x1f" + p.relation : "");
@@ -49,7 +28,7 @@ void TableBuilder::seen(const std::string& object, std::string_view relation, co
 
 void TableBuilder::place_by_kind(double scale) {
   std::map<std::string, std::vector<PlacementRule>> rules;  // by kind of the object, in the file's order
-  for (auto& rule : read_placement_rules(curated_ / "placement_rules.csv", errors_)) {
+  for (auto& rule : read_placement_rules(curated_, errors_)) {
     rules[rule.kind].push_back(std::move(rule));
   }
   std::map<std::string, std::vector<std::string>> of_kind;  // categories
@@ -58,7 +37,7 @@ void TableBuilder::place_by_kind(double scale) {
     const auto like = like_.find(kinds_[object]);
     for (const auto& own : {kinds_[object], like == like_.end() ? std::string() : like->second}) {
       for (const auto& rule : rules[own]) {
-        for (const auto& kind : kinds_meant(rule)) {
+        for (const auto& kind : rule.receptacles) {
           for (const auto& receptacle : of_kind[kind]) place_by_rule(rule, c, categories_.at(receptacle), scale);
         }
       }

@@ -55,36 +55,34 @@ void add_category(TableBuilder& builder, RawCategory raw, const std::map<std::st
   }
 }
 
-/// "kitchen_counter" -> "kitchencounter"; empty when no class has that name.
-std::string class_named(const TableBuilder& builder, const std::string& script_name) {
-  static const std::map<std::string, std::string> kOther{{"couch", "sofa"},
-                                                         {"dish_soap", "dishwashingliquid"},
-                                                         {"glass", "waterglass"},
-                                                         {"cup", "mug"},
-                                                         {"television", "tv"},
-                                                         {"freezer", "fridge"},
-                                                         {"filing_cabinet", "cabinet"},
-                                                         {"bathroom_counter", "bathroomcounter"},
-                                                         {"oven", "stove"},
-                                                         {"trashcan", "garbagecan"},
-                                                         {"dresser", "closet"},
-                                                         {"bookshelf", "bookshelf"}};
-  const auto plain = replace_all(script_name, "_", "");
-  if (builder.find(plain)) return plain;
-  const auto other = kOther.find(script_name);
-  return other != kOther.end() && builder.find(other->second) ? other->second : std::string();
-}
+/// Classes by the names that the script world gives them.
+class ScriptNames {
+ public:
+  ScriptNames(const TableBuilder& builder, NameTexts others) : builder_(builder), others_(std::move(others)) {}
+
+  /// "kitchen_counter" -> "kitchencounter"; empty when no class has that name.
+  std::string class_named(const std::string& script_name) const {
+    const auto plain = replace_all(script_name, "_", "");
+    if (builder_.find(plain)) return plain;
+    const auto other = others_.find(script_name);
+    return other != others_.end() && builder_.find(other->second) ? other->second : std::string();
+  }
+
+ private:
+  const TableBuilder& builder_;
+  NameTexts others_;
+};
 
 using Placements = std::set<std::tuple<std::string, std::string, std::string>>;
 
 /// What the script world adds: where one can lie down, and what has a plug.
-void add_script_affordances(TableBuilder& builder, const Json& properties) {
+void add_script_affordances(TableBuilder& builder, const ScriptNames& names, const Json& properties) {
   static const std::map<std::string, std::string> kNames{
       {"SITTABLE", "sittable"}, {"LIEABLE", "lieable"}, {"HAS_PLUG", "pluggable"}};
   for (const auto& [name, list] : properties.items()) {
     for (const auto& property : list) {
       const auto affordance = kNames.find(property.get<std::string>());
-      if (affordance != kNames.end()) builder.afford(class_named(builder, name), affordance->second, kScript, 0.9);
+      if (affordance != kNames.end()) builder.afford(names.class_named(name), affordance->second, kScript, 0.9);
     }
   }
 }
@@ -141,6 +139,11 @@ Result<Tables> import_virtualhome(const std::filesystem::path& upstream, const s
     scenes.push_back(std::move(*scene));
   }
 
+  const auto script_names = read_name_texts(curated / "virtualhome" / "script_names.csv");
+  if (!script_names) return script_names.error();
+  const auto further = read_name_texts(curated / "virtualhome" / "further_classes.csv");
+  if (!further) return further.error();
+
   TableBuilder builder(Simulator::Virtualhome, curated);
   const auto prefabs = prefabs_of(*classes);
   const auto add = [&](const std::string& name, bool grabbable, const std::string& source) {
@@ -155,18 +158,16 @@ Result<Tables> import_virtualhome(const std::filesystem::path& upstream, const s
     add(name, std::find(list.begin(), list.end(), "GRABBABLE") != list.end(), kProperties);
   }
   // The only classes of PrefabClass.json outside the table above that stand in the apartments and are no structure.
-  for (const char* name : {"coatrack", "oventray", "window"}) add(name, std::string_view(name) == "oventray", kClasses);
-  add_script_affordances(builder, *script);
+  for (const auto& [name, movable] : *further) add(name, movable == "true", kClasses);
+  const ScriptNames names(builder, *script_names);
+  add_script_affordances(builder, names, *script);
   add_affordances(builder, *properties);
-  // VirtualHome's only bottles without GRABBABLE are the water bottles: an oversight upstream.
-  builder.afford("bottlewater", "pickupable", "curated", 0.9);
-  builder.afford("oventray", "pickupable", "curated", 0.9);
 
   const auto sensible = builder.sensible_placements();
   for (const auto& [object, list] : placing->items()) {
     for (const auto& place : list) {
-      const auto thing = class_named(builder, object);
-      const auto receptacle = class_named(builder, place.at("destination").get<std::string>());
+      const auto thing = names.class_named(object);
+      const auto receptacle = names.class_named(place.at("destination").get<std::string>());
       if (!thing.empty() && !receptacle.empty()) confirm(builder, sensible, thing, receptacle, 1, kPlacing);
     }
   }

@@ -28,4 +28,16 @@ Result<CsvFile> read_metadata_csv(const std::filesystem::path& path) {
   return file;
 }
 
+Result<NameTexts> read_name_texts(const std::filesystem::path& path) {
+  const auto file = read_metadata_csv(path);
+  if (!file) return file.error();
+  NameTexts texts;
+  for (const auto& row : file->rows) {
+    const bool complete = row.size() >= 2 && !row.front().text.empty();
+    if (!complete || !texts.emplace(row[0].text, row[1].text).second)
+      return Error{Error::Kind::Schema, path.string(), row.front().pos, "expected a name of its own and what it means"};
+  }
+  return texts;
+}
+
 }  // namespace unietp

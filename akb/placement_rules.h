@@ -8,13 +8,16 @@
 
 namespace unietp {
 
-/// Common sense for a group of words: things of `kind` are found `relation` things of kind `receptacle`.
+/// Common sense for a group of words: things of `kind` are found `relation` things of one of the kinds `receptacles`:
+/// the one that the rule names, then those that also have one (a stove's oven for "oven", a cabinet's top for
+/// "dresser").
 struct PlacementRule {
-  std::string kind, relation, receptacle;
+  std::string kind, relation;
+  std::vector<std::string> receptacles;
   double weight = 1;
 };
 
-/// Errors are appended, with line and column.
-std::vector<PlacementRule> read_placement_rules(const std::filesystem::path& path, std::vector<Error>& errors);
+/// Reads placement_rules.csv and placement_kinds.csv of `curated`. Errors are appended, with line and column.
+std::vector<PlacementRule> read_placement_rules(const std::filesystem::path& curated, std::vector<Error>& errors);
 
 }  // namespace unietp

@@ -13,6 +13,20 @@ namespace {
 
 std::filesystem::path curated() { return test::committed_tables() / "curated"; }
 
+/// Our words and rules, and AI2-THOR's categories, without the facts that need all of them.
+class WordsAlone {
+ public:
+  WordsAlone() {
+    std::filesystem::copy(curated(), path());
+    std::filesystem::create_directories(path() / "ai2thor");
+    std::filesystem::copy(curated() / "ai2thor" / "category.csv", path() / "ai2thor");
+  }
+  std::filesystem::path path() const { return folder_.path() / "c"; }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
 RawCategory raw(const std::string& name, bool movable) {
   RawCategory category;
   category.name = name;
@@ -57,7 +71,8 @@ TEST(Lexicon, AFolderWithoutOneIsAnError) {
 }
 
 TEST(TableBuilder, KeepsEveryModelAndKnowsWhichGoWhereTheCategoryGoes) {
-  TableBuilder builder(Simulator::Ai2thor, curated());
+  const WordsAlone words;
+  TableBuilder builder(Simulator::Ai2thor, words.path());
   builder.add(raw("Apple", true));
   builder.add(raw("DiningTable", false));
   const Vec3 apple = builder.find("Apple")->size, table = builder.find("DiningTable")->size;
@@ -87,7 +102,8 @@ TEST(TableBuilder, KeepsEveryModelAndKnowsWhichGoWhereTheCategoryGoes) {
 }
 
 TEST(TableBuilder, PutsThingsBesideWhatSharesASupportAndUnderTables) {
-  TableBuilder builder(Simulator::Ai2thor, curated());
+  const WordsAlone words;
+  TableBuilder builder(Simulator::Ai2thor, words.path());
   for (const char* name : {"Fork", "Plate", "Boots"}) builder.add(raw(name, true));
   for (const char* name : {"DiningTable", "Fridge", "Sink"}) builder.add(raw(name, false));
   builder.afford_by_archetype();

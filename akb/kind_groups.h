@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+
+namespace unietp {
+
+/// A group of kinds of things (Word::kind) that a rule of the importers treats alike.
+enum class KindGroup : std::uint8_t {
+  Food,          // is eaten
+  HeatedVessel,  // may be hot with what is in it
+  Filled,        // holds a liquid, or pours one
+  Dirtied,       // gets dirty, and substances are spread on it
+  Soaked,        // takes up water
+  Heater,        // heats what is in or on it
+  Cooler,        // cools what is in it
+  Washer,        // washes what is in it
+  Laundry,       // is washed by a washing machine, not with dishes
+  WornOrSpread,  // is not wiped
+  Seasoning,     // is applied to dishes and food
+  Seasoned,      // a seasoning is applied to it
+  WashedUp,      // soap is applied to it
+  Cleaned,       // a cleaner other than soap is applied to it
+  HoldsNothing,  // nothing is put on or in it, whatever its shape
+  FlatFood,      // nothing is put on it, though it is flat
+};
+inline constexpr std::size_t kKindGroupCount = static_cast<std::size_t>(KindGroup::FlatFood) + 1;
+std::string_view name_of(KindGroup group);  // "heated_vessel"
+
+using KindGroups = std::map<KindGroup, std::set<std::string>>;
+/// Reads curated/kind_groups.csv (group,kind,source). Errors are appended, with line and column: a group that is not
+/// one of the above, or has no row.
+KindGroups read_kind_groups(const std::filesystem::path& path, std::vector<Error>& errors);
+
+}  // namespace unietp
