@@ -12,6 +12,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
+#include "grounding/home_census.h"
 #include "grounding/scene_statistics.h"
 #include "homes/home_files.h"
 
@@ -97,7 +98,10 @@ Result<std::optional<Measured>> measure(const std::filesystem::path& path, const
     if (made[i]) scenes.push_back(std::move(**made[i]));
   }
   if (!whole) return std::optional<Measured>();
-  return std::optional(Measured{statistics_of(scenes, path.filename().string()), simulator_of(homes->front())});
+  const auto structure = read_structure_names(program.folders.layouts() / "curated" / "structure.csv");
+  if (!structure) return structure.error();
+  return std::optional(
+      Measured{statistics_of(scenes, *structure, path.filename().string()), simulator_of(homes->front())});
 }
 
 void print_distance(const SceneStatistics& a, const SceneStatistics& b, bool as_json) {

@@ -1,21 +1,16 @@
 #include "grounding/home_census.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
+
+#include "akb/metadata_json.h"
 
 namespace unietp {
 namespace {
 
 constexpr double kCell_m = 0.1;
 constexpr double kLow_m = 0.5, kFlat_m = 0.05;
-
-constexpr std::array<std::string_view, 32> kStructure{
-    "BathtubBasin", "Ceiling",     "Doorframe",    "Doorway",   "Floor",    "SinkBasin", "StoveKnob", "Wall",
-    "baseboard",    "carpet",      "ceiling",      "ceilings",  "door",     "doorjamb",  "driveway",  "floor",
-    "floors",       "garage_door", "gate",         "lawn",      "maindoor", "pillar",    "railing",   "roof",
-    "room_light",   "rug",         "sliding_door", "staircase", "stairs",   "wall",      "wall_nail", "walls"};
 
 struct Extent {
   Vec2 low, high;
@@ -38,11 +33,15 @@ bool covers(const CensusObject& object, const Vec2& at) {
 
 }  // namespace
 
-bool is_structure(std::string_view category) {
-  return std::find(kStructure.begin(), kStructure.end(), category) != kStructure.end();
+Result<StructureNames> read_structure_names(const std::filesystem::path& path) {
+  const auto file = read_metadata_csv(path);
+  if (!file) return file.error();
+  StructureNames names;
+  for (const auto& row : file->rows) names.insert(row.front().text);
+  return names;
 }
 
-HomeCensus census_of(const Scene& scene) {
+HomeCensus census_of(const Scene& scene, const StructureNames& structure) {
   HomeCensus home;
   for (const Room& room : scene.rooms) home.rooms.push_back({room.type, room.polygon, {}});
   std::map<std::string_view, const Node*> by_id;
@@ -55,7 +54,7 @@ HomeCensus census_of(const Scene& scene) {
     }
   }
   for (const Node& node : scene.nodes) {
-    if (is_structure(node.category)) continue;
+    if (structure.contains(node.category)) continue;
     const Room* room = room_at(scene, node.pose.position.head<2>());
     if (room == nullptr) continue;
     home.rooms[static_cast<std::size_t>(room - scene.rooms.data())].objects.push_back(

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/result.h"
 #include "scene/scene.h"
 
 namespace unietp {
@@ -30,10 +33,12 @@ struct HomeCensus {
 
 /// Names that a simulator counts as objects and a scene of ours has as its floor, walls and openings or as a part of
 /// another object: they are left out of every census. "Floor" and "SinkBasin" are, "Sink" is not.
-bool is_structure(std::string_view category);
+using StructureNames = std::set<std::string, std::less<>>;
+/// Reads data/layouts/curated/structure.csv (name,source). Errors: Io; Parse.
+Result<StructureNames> read_structure_names(const std::filesystem::path& path);
 
-/// Objects that lie in no room are left out.
-HomeCensus census_of(const Scene& scene);
+/// Structure and objects that lie in no room are left out.
+HomeCensus census_of(const Scene& scene, const StructureNames& structure);
 
 /// The share of a room's floor over which no thing stands low: a grid of 10 cm cells, minus those whose middle lies
 /// under the box of a thing that begins below 0.5 m and is higher than 5 cm. nullopt without an outline.

@@ -10,8 +10,9 @@
 namespace unietp {
 namespace {
 
-Result<FitInput> input_of(const std::filesystem::path& upstream, const Knowledge& knowledge) {
-  auto homes = upstream_homes(upstream, knowledge);
+Result<FitInput> input_of(const std::filesystem::path& upstream, const std::filesystem::path& curated,
+                          const Knowledge& knowledge) {
+  auto homes = upstream_homes(upstream, curated, knowledge);
   if (!homes) return homes.error();
   FitInput input{&knowledge, std::move(*homes), {}};
   input.statistics = statistics_of(input.homes.homes, input.homes.source);
@@ -36,7 +37,7 @@ Result<std::vector<FittedFile>> fit_layouts(const std::filesystem::path& upstrea
                                             std::span<const Knowledge> knowledge) {
   std::vector<FitInput> inputs;
   for (const Knowledge& one : knowledge) {
-    auto input = input_of(upstream, one);
+    auto input = input_of(upstream, curated, one);
     if (!input) return input.error();
     inputs.push_back(std::move(*input));
   }

@@ -185,9 +185,9 @@ SceneStatistics statistics_of(std::span<const HomeCensus> homes, std::string sou
   return s;
 }
 
-SceneStatistics statistics_of(std::span<const Scene> scenes, std::string source) {
+SceneStatistics statistics_of(std::span<const Scene> scenes, const StructureNames& structure, std::string source) {
   std::vector<HomeCensus> homes;
-  for (const Scene& scene : scenes) homes.push_back(census_of(scene));
+  for (const Scene& scene : scenes) homes.push_back(census_of(scene, structure));
   return statistics_of(homes, std::move(source));
 }
 

@@ -33,7 +33,7 @@ struct SceneStatistics {
 };
 
 SceneStatistics statistics_of(std::span<const HomeCensus> homes, std::string source);
-SceneStatistics statistics_of(std::span<const Scene> scenes, std::string source);
+SceneStatistics statistics_of(std::span<const Scene> scenes, const StructureNames& structure, std::string source);
 
 /// How far two sets of homes are apart, each part from 0 (the same) to 1 (nothing in common); nullopt where one of the
 /// sets cannot say. Frequencies are compared by Jensen-Shannon divergence in bits: it is symmetric, bounded by 1, and

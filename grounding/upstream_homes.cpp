@@ -15,25 +15,25 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Our room type for a simulator's own, "" when it is none of ours.
-std::string room_type(const std::string& name) {
-  static const std::map<std::string, std::string> kTypes{
-      {"Kitchen", "kitchen"},         {"LivingRoom", "living_room"},      {"Bedroom", "bedroom"},
-      {"Bathroom", "bathroom"},       {"livingroom", "living_room"},      {"kitchen", "kitchen"},
-      {"living_room", "living_room"}, {"television_room", "living_room"}, {"bedroom", "bedroom"},
-      {"childs_room", "bedroom"},     {"bathroom", "bathroom"},           {"dining_room", "dining_room"},
-      {"private_office", "office"},   {"corridor", "corridor"},           {"entryway", "corridor"}};
-  const auto found = kTypes.find(name);
-  return found == kTypes.end() ? std::string() : found->second;
-}
+/// What is known of names in a simulator's files.
+struct Names {
+  const Knowledge& knowledge;
+  NameTexts rooms;  // our type of room, by a simulator's own
+  StructureNames structure;
 
-/// The category that a simulator's name means ("kitchencabinets" is in the plural); nullptr when unknown or structure.
-const Category* category_of(const Knowledge& knowledge, const std::string& name) {
-  if (is_structure(name)) return nullptr;
-  const Category* category = knowledge.find(name);
-  if (category == nullptr && name.ends_with('s')) category = knowledge.find(name.substr(0, name.size() - 1));
-  return category;
-}
+  /// "" when it is none of ours.
+  std::string room_type(const std::string& name) const {
+    const auto found = rooms.find(name);
+    return found == rooms.end() ? std::string() : found->second;
+  }
+  /// The category that a name means ("kitchencabinets" is in the plural); nullptr when unknown or structure.
+  const Category* category_of(const std::string& name) const {
+    if (structure.contains(name)) return nullptr;
+    const Category* category = knowledge.find(name);
+    if (category == nullptr && name.ends_with('s')) category = knowledge.find(name.substr(0, name.size() - 1));
+    return category;
+  }
+};
 
 /// Unity's axes (y up) in ours (z up); mirrored, which no statistic sees.
 Bounds box_of(const Json& centre, const Json& size) {
@@ -49,23 +49,23 @@ std::vector<Vec2> outline_of(const Bounds& box) {
           {box.low.x(), box.high.y()}};
 }
 
-HomeCensus ithor_home(const Json& scene, const Knowledge& knowledge) {
+HomeCensus ithor_home(const Json& scene, const Names& names) {
   CensusRoom room;
-  room.type = room_type(scene.at("room"));
+  room.type = names.room_type(scene.at("room"));
   std::map<std::string, std::string> type_of;
   for (const auto& object : scene.at("objects")) type_of[object.at("objectId")] = object.at("objectType");
   for (const auto& object : scene.at("objects")) {
     const std::string type = object.at("objectType");
     const bool boxed = object.contains("aabbCenter") && object.contains("aabbSize");
     if (type == "Floor" && boxed) room.outline = outline_of(box_of(object.at("aabbCenter"), object.at("aabbSize")));
-    const Category* category = category_of(knowledge, type);
+    const Category* category = names.category_of(type);
     if (category == nullptr) continue;
     CensusObject one{category->name, category->movable, std::nullopt, {}};
     if (boxed) one.box = box_of(object.at("aabbCenter"), object.at("aabbSize"));
     if (object.contains("parentReceptacles")) {
       for (const auto& parent : object.at("parentReceptacles")) {
         const auto holder = type_of.find(parent.get<std::string>());
-        if (holder != type_of.end() && !is_structure(holder->second)) one.held_by.push_back(holder->second);
+        if (holder != type_of.end() && !names.structure.contains(holder->second)) one.held_by.push_back(holder->second);
       }
     }
     room.objects.push_back(std::move(one));
@@ -74,7 +74,7 @@ HomeCensus ithor_home(const Json& scene, const Knowledge& knowledge) {
 }
 
 /// Whole houses by their room types; objects are not read.
-Result<std::vector<HomeCensus>> procthor_houses(const std::filesystem::path& path) {
+Result<std::vector<HomeCensus>> procthor_houses(const std::filesystem::path& path, const Names& names) {
   const auto text = read_maybe_gzip(path);
   if (!text) return text.error();
   std::vector<HomeCensus> houses;
@@ -84,36 +84,37 @@ Result<std::vector<HomeCensus>> procthor_houses(const std::filesystem::path& pat
     HomeCensus house;
     const Json json = Json::parse(line);
     for (const auto& room : json.at("rooms")) {
-      house.rooms.push_back({room_type(room.at("roomType")), {}, {}});
+      house.rooms.push_back({names.room_type(room.at("roomType")), {}, {}});
     }
     houses.push_back(std::move(house));
   }
   return houses;
 }
 
-Result<UpstreamHomes> ai2thor_homes(const std::filesystem::path& folder, const Knowledge& knowledge) {
+Result<UpstreamHomes> ai2thor_homes(const std::filesystem::path& folder, const Names& names) {
   UpstreamHomes all;
   const auto json = read_metadata_json(folder / "ithor_scenes.json.gz");
   if (!json) return json.error();
   all.source = "metadata:ithor_scenes.json.gz";
-  for (const auto& [name, scene] : json->at("scenes").items()) all.homes.push_back(ithor_home(scene, knowledge));
-  auto houses = procthor_houses(folder / "procthor_houses_other.jsonl.gz");
+  for (const auto& [name, scene] : json->at("scenes").items()) all.homes.push_back(ithor_home(scene, names));
+  auto houses = procthor_houses(folder / "procthor_houses_other.jsonl.gz", names);
   if (!houses) return houses.error();
   all.room_source = "metadata:procthor_houses_other.jsonl.gz";
   all.whole = std::move(*houses);
   return all;
 }
 
-HomeCensus virtualhome_home(const Json& graph, const Knowledge& knowledge) {
+HomeCensus virtualhome_home(const Json& graph, const Names& names) {
   HomeCensus home;
   std::map<int, std::size_t> room_of;  // node id → position in home.rooms
-  std::map<int, std::string> names;
+  std::map<int, std::string> class_of;
   for (const auto& node : graph.at("nodes")) {
     const int id = node.at("id");
-    names[id] = node.at("class_name");
-    if (node.at("category") != "Rooms" || room_type(names[id]).empty()) continue;
+    class_of[id] = node.at("class_name");
+    if (node.at("category") != "Rooms" || names.room_type(class_of[id]).empty()) continue;
     room_of[id] = home.rooms.size();
-    home.rooms.push_back({room_type(names[id]), outline_of(box_of(node.at("bbox_center"), node.at("bbox_size"))), {}});
+    home.rooms.push_back(
+        {names.room_type(class_of[id]), outline_of(box_of(node.at("bbox_center"), node.at("bbox_size"))), {}});
   }
   std::map<int, std::size_t> stands_in;
   std::map<int, std::vector<std::string>> held_by;
@@ -123,14 +124,14 @@ HomeCensus virtualhome_home(const Json& graph, const Knowledge& knowledge) {
     if (relation != "INSIDE" && relation != "ON") continue;
     if (const auto room = room_of.find(to); room != room_of.end()) {
       if (relation == "INSIDE") stands_in.emplace(from, room->second);
-    } else if (const Category* holder = category_of(knowledge, names[to])) {
+    } else if (const Category* holder = names.category_of(class_of[to])) {
       held_by[from].push_back(holder->name);
     }
   }
   for (const auto& node : graph.at("nodes")) {
     const int id = node.at("id");
     const auto room = stands_in.find(id);
-    const Category* category = category_of(knowledge, names[id]);
+    const Category* category = names.category_of(class_of[id]);
     if (room == stands_in.end() || category == nullptr) continue;
     home.rooms[room->second].objects.push_back(
         {category->name, category->movable, box_of(node.at("bbox_center"), node.at("bbox_size")), held_by[id]});
@@ -138,19 +139,19 @@ HomeCensus virtualhome_home(const Json& graph, const Knowledge& knowledge) {
   return home;
 }
 
-Result<UpstreamHomes> virtualhome_homes(const std::filesystem::path& folder, const Knowledge& knowledge) {
+Result<UpstreamHomes> virtualhome_homes(const std::filesystem::path& folder, const Names& names) {
   UpstreamHomes all;
   for (int i = 1; i <= 6; ++i) {
     const auto graph = read_metadata_json(folder / "scenes" / ("TestScene" + std::to_string(i) + ".json.gz"));
     if (!graph) return graph.error();
-    all.homes.push_back(virtualhome_home(*graph, knowledge));
+    all.homes.push_back(virtualhome_home(*graph, names));
   }
   all.source = all.room_source = "metadata:scenes/TestScene1-6.json.gz";
   all.whole = all.homes;
   return all;
 }
 
-Result<UpstreamHomes> behavior_homes(const std::filesystem::path& folder, const Knowledge& knowledge) {
+Result<UpstreamHomes> behavior_homes(const std::filesystem::path& folder, const Names& names) {
   UpstreamHomes all;
   const auto json = read_metadata_json(folder / "combined_room_object_list.json.gz");
   if (!json) return json.error();
@@ -158,10 +159,10 @@ Result<UpstreamHomes> behavior_homes(const std::filesystem::path& folder, const 
     if (!name.ends_with("_int") && !name.starts_with("house_")) continue;
     HomeCensus home;
     for (const auto& [instance, models] : rooms.items()) {
-      CensusRoom room{room_type(instance.substr(0, instance.rfind('_'))), {}, {}};
+      CensusRoom room{names.room_type(instance.substr(0, instance.rfind('_'))), {}, {}};
       if (room.type.empty()) continue;
       for (const auto& [model, count] : models.items()) {
-        const Category* category = category_of(knowledge, model.substr(0, model.rfind('-')));
+        const Category* category = names.category_of(model.substr(0, model.rfind('-')));
         if (category == nullptr) continue;
         const CensusObject one{category->name, category->movable, std::nullopt, {}};
         room.objects.insert(room.objects.end(), static_cast<std::size_t>(std::max(0, count.get<int>())), one);
@@ -177,16 +178,22 @@ Result<UpstreamHomes> behavior_homes(const std::filesystem::path& folder, const 
 
 }  // namespace
 
-Result<UpstreamHomes> upstream_homes(const std::filesystem::path& upstream, const Knowledge& knowledge) {
+Result<UpstreamHomes> upstream_homes(const std::filesystem::path& upstream, const std::filesystem::path& curated,
+                                     const Knowledge& knowledge) {
+  auto rooms = read_name_texts(curated / "room_names.csv");
+  if (!rooms) return rooms.error();
+  auto structure = read_structure_names(curated / "structure.csv");
+  if (!structure) return structure.error();
+  const Names names{knowledge, std::move(*rooms), std::move(*structure)};
   const auto folder = upstream / std::string(name_of(knowledge.simulator()));
   try {
     switch (knowledge.simulator()) {
       case Simulator::Ai2thor:
-        return ai2thor_homes(folder, knowledge);
+        return ai2thor_homes(folder, names);
       case Simulator::Virtualhome:
-        return virtualhome_homes(folder, knowledge);
+        return virtualhome_homes(folder, names);
       case Simulator::Behavior:
-        return behavior_homes(folder, knowledge);
+        return behavior_homes(folder, names);
       case Simulator::Habitat:
         return UpstreamHomes{};
     }

@@ -21,7 +21,9 @@ struct UpstreamHomes {
 /// AI2-THOR: iTHOR's 120 rooms (each a home of one room) and the freely licensed ProcTHOR houses for room types;
 /// VirtualHome: six apartments; BEHAVIOR: the inventories of the 18 homes, gardens' twins left out; Habitat: none.
 /// Room types of other names are mapped (a child's room is a bedroom, a private office an office) or left out (a
-/// garden, a closet). Errors: Io; Parse; Schema when a file has another form than expected.
-Result<UpstreamHomes> upstream_homes(const std::filesystem::path& upstream, const Knowledge& knowledge);
+/// garden, a closet) by room_names.csv of `curated` (data/layouts/curated). Errors: Io; Parse; Schema when a file has
+/// another form than expected.
+Result<UpstreamHomes> upstream_homes(const std::filesystem::path& upstream, const std::filesystem::path& curated,
+                                     const Knowledge& knowledge);
 
 }  // namespace unietp
