@@ -32,7 +32,7 @@ bool holds_member(const Domain& domain, const Domain::Member& member) {
 
 std::optional<NounTable> narrowed_for(const Specification& specification, const Knowledge& knowledge,
                                       const NounTable& usual) {
-  if (specification.style != "function") return std::nullopt;
+  if (specification.style != Style::Function) return std::nullopt;
   NounTable nouns = usual;
   std::vector<Domain> domains;
   collect_domains(specification.goal, domains);

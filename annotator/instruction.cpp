@@ -26,7 +26,7 @@ constexpr int kFreeDraws = 90;   // of these not operator by operator
 /// What the text asks for, with the conditions that the start meets left out where the style says one.
 Formula meant(const Formula& read, const Specification& specification) {
   Formula all = expanded(read);
-  return specification.style == "condition" ? without_conditions(all, specification.init) : all;
+  return specification.style == Style::Condition ? without_conditions(all, specification.init) : all;
 }
 
 /// `goal`: that of the specification, expanded.
@@ -77,20 +77,20 @@ std::string bystander(const Specification& specification, const Knowledge& knowl
 }
 
 /// Puts around a text what its style puts there. False when there is nothing to put.
-bool dress(std::string& text, const std::string& style, const Specification& specification, const Knowledge& knowledge,
+bool dress(std::string& text, Style style, const Specification& specification, const Knowledge& knowledge,
            const std::vector<std::string>& around, Rng& rng) {
-  if (style == "context") {
+  if (style == Style::Context) {
     const std::string sentence = context_of(specification, knowledge, rng);
     text.insert(0, sentence + " ");
     return !sentence.empty();
   }
-  if (style == "background") {
+  if (style == Style::Background) {
     std::vector<std::string_view> sentences(backgrounds().begin(), backgrounds().end());
     rng.shuffle(sentences);
     const std::size_t count = 2 + rng.below(2);
     for (std::size_t i = 0; i < count; ++i) text.insert(0, std::string(sentences[i]) + " ");
   }
-  if (style == "bystander") {
+  if (style == Style::Bystander) {
     const std::string sentence = bystander(specification, knowledge, around, rng);
     text += " " + sentence;
     return !sentence.empty();
@@ -99,8 +99,8 @@ bool dress(std::string& text, const std::string& style, const Specification& spe
 }
 
 /// Words of the plan that are among the phrasings asked for; about half are.
-std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, const std::string& style,
-                                  Phrasings phrasings, const Rng& rng) {
+std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings phrasings,
+                                  const Rng& rng) {
   constexpr std::uint64_t kWordings = 4;
   for (std::uint64_t i = 0; i < kWordings; ++i) {
     auto text = realise(plan, lexicon, style, rng.fork("words", i));
@@ -109,8 +109,8 @@ std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, co
   return std::nullopt;
 }
 
-bool has_material(const Specification& specification, const std::string& style, const NounTable& lexicon) {
-  if (style != "alias") return true;
+bool has_material(const Specification& specification, Style style, const NounTable& lexicon) {
+  if (style != Style::Alias) return true;
   const auto categories = categories_of(specification.goal);
   return std::any_of(categories.begin(), categories.end(),
                      [&](const std::string& c) { return !lexicon.synonyms(c).empty(); });
@@ -128,17 +128,17 @@ Result<Instruction> write_instruction(const Specification& specification, const 
   const NounTable& lexicon = narrowed ? *narrowed : nouns;
   const Formula goal = expanded(specification.goal);
   std::string last;
-  std::vector<std::string> styles{specification.style};
-  if (specification.style != "direct") styles.emplace_back("direct");
-  for (const std::string& style : styles) {
+  std::vector<Style> styles{specification.style};
+  if (specification.style != Style::Direct) styles.push_back(Style::Direct);
+  for (const Style style : styles) {
     if (!has_material(specification, style, lexicon)) continue;
     bool exactly = false;
     for (int draw = 0; draw < kDraws; ++draw) {
-      Rng own = rng.fork(style, static_cast<std::uint64_t>(draw));
-      exactly = exactly || (draw >= kFreeDraws && style == "direct");
+      Rng own = rng.fork(name_of(style), static_cast<std::uint64_t>(draw));
+      exactly = exactly || (draw >= kFreeDraws && style == Style::Direct);
       auto plan = plan_message(exactly ? specification.goal : goal, specification.init,
-                               {draw >= kPlainDraws, style == "condition", exactly}, own.fork("plan", 0));
-      if (!plan && (exactly || style != "direct")) break;
+                               {draw >= kPlainDraws, style == Style::Condition, exactly}, own.fork("plan", 0));
+      if (!plan && (exactly || style != Style::Direct)) break;
       if (!plan) {
         exactly = true;
         continue;

@@ -17,7 +17,7 @@ namespace unietp {
 struct Instruction {
   std::string text;
   std::string writer;               // "grammar", or "llm:<model>"
-  std::string style;                // as asked, or "direct" after a fallback
+  Style style = Style::Direct;      // as asked, or direct after a fallback
   std::vector<std::string> checks;  // names of the checks that it passed
   std::string why;                  // why the grammar wrote where another writer was asked; "" otherwise
 };

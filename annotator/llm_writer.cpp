@@ -162,7 +162,7 @@ class Rounds {
       }
       const Specification& specification = draft.task.specification;
       const Formula meant =
-          specification.style == "condition" ? without_conditions(expanded(*read), specification.init) : *read;
+          specification.style == Style::Condition ? without_conditions(expanded(*read), specification.init) : *read;
       if (!equivalent(meant, specification.goal)) {
         refuse(draft, "\"" + draft.text + "\" was understood as " + to_text(*read));
         continue;

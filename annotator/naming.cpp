@@ -28,7 +28,7 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
     const NounTable::Name* display = lexicon_.display(member.category);
     if (display == nullptr) return std::nullopt;
     NounTable::Name name = *display;
-    if (style_ == "alias")
+    if (style_ == Style::Alias)
       if (const auto others = lexicon_.synonyms(member.category); !others.empty()) name = rng_.pick(others);
     if (name.singular.empty()) return std::nullopt;
     found = chosen_.emplace(member.category, name).first;
@@ -50,7 +50,7 @@ bool Naming::is_countable(const Domain& noun) const {
 }
 
 std::vector<std::string> Naming::uses(const Domain& noun) const {
-  const bool wanted = style_ == "function" || (noun.members.size() > 1 && style_ != "alias");
+  const bool wanted = style_ == Style::Function || (noun.members.size() > 1 && style_ != Style::Alias);
   return wanted && noun.kind == Domain::Kind::Categories ? lexicon_.functions(noun) : std::vector<std::string>();
 }
 
@@ -240,7 +240,7 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, c
       text = pick({"exactly", "exactly", "precisely"}) + " " + number;
       break;
     case Determiner::AtLeast:
-      if (style_ == "vague-quantity" && noun.countable && (said.number == 2 || said.number == 3))
+      if (style_ == Style::VagueQuantity && noun.countable && (said.number == 2 || said.number == 3))
         return Words{(said.number == 2 ? "a couple of " : "a few ") + many + description.tail(true), true};
       text = pick({"at least ", "no fewer than "}) + number;
       break;

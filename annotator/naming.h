@@ -8,6 +8,7 @@
 #include "annotator/noun_table.h"
 #include "annotator/plan.h"
 #include "core/rng.h"
+#include "generator/style.h"
 
 namespace unietp {
 
@@ -34,8 +35,8 @@ struct Place {
 /// `nullopt` from any member: this text cannot go on; try other words.
 class Naming {
  public:
-  Naming(const Plan& plan, const NounTable& lexicon, std::string style, Rng& rng)
-      : plan_(plan), lexicon_(lexicon), style_(std::move(style)), rng_(rng) {}
+  Naming(const Plan& plan, const NounTable& lexicon, Style style, Rng& rng)
+      : plan_(plan), lexicon_(lexicon), style_(style), rng_(rng) {}
 
   std::optional<Words> phrase(const NounPhrase& phrase, Place place);
   /// The bare noun, as "more mugs" has it; `exact`: what it binds can be named from here on.
@@ -85,7 +86,7 @@ class Naming {
 
   const Plan& plan_;
   const NounTable& lexicon_;
-  std::string style_;
+  Style style_;
   Rng& rng_;
   std::vector<Named> named_;
   std::map<std::string, NounTable::Name> chosen_;  // one name a category, the text through

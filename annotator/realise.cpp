@@ -39,13 +39,13 @@ constexpr std::array<std::string_view, 12> kLaterFrames{
 
 class Realiser {
  public:
-  Realiser(const Plan& plan, const NounTable& lexicon, const std::string& style, Rng rng)
+  Realiser(const Plan& plan, const NounTable& lexicon, Style style, Rng rng)
       : plan_(plan),
         rng_(rng),
         naming_(plan, lexicon, style, rng_),
         clauses_(naming_, rng_),
         statement_share_(rng_.chance(0.3) ? 0.8 : 0.1),
-        nested_(style == "nested-syntax") {}
+        nested_(style == Style::NestedSyntax) {}
 
   Text text() {
     std::vector<std::string> sentences;
@@ -237,7 +237,7 @@ class Realiser {
 
 }  // namespace
 
-std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const std::string& style, Rng rng) {
+std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, Style style, Rng rng) {
   auto text = Realiser(plan, lexicon, style, rng).text();
   if (text && text->find(" that that ") != std::string::npos) return std::nullopt;  // right, and hard to read
   return text;

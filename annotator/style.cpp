@@ -81,24 +81,25 @@ bool tie(Plan& plan) {
 }
 
 struct Mark {
-  std::string_view style, words;
+  Style style;
+  std::string_view words;
 };
 /// What a text of the style says; one of several suffices.
 constexpr std::array kMarks = {
-    Mark{"distractor", "the whole time"},
-    Mark{"distractor", "at all times"},
-    Mark{"negation", "no"},
-    Mark{"negation", "not"},
-    Mark{"relative-clause", "that you put"},
-    Mark{"inverted-order", "before you"},
-    Mark{"coreference", "where"},
-    Mark{"coreference", "on which"},
-    Mark{"implicit-need", "someone wants"},
-    Mark{"implicit-need", "someone would like"},
-    Mark{"implicit-need", "somebody needs"},
-    Mark{"vague-quantity", "a couple of"},
-    Mark{"vague-quantity", "a few"},
-    Mark{"condition", "if"},
+    Mark{Style::Distractor, "the whole time"},
+    Mark{Style::Distractor, "at all times"},
+    Mark{Style::Negation, "no"},
+    Mark{Style::Negation, "not"},
+    Mark{Style::RelativeClause, "that you put"},
+    Mark{Style::InvertedOrder, "before you"},
+    Mark{Style::Coreference, "where"},
+    Mark{Style::Coreference, "on which"},
+    Mark{Style::ImplicitNeed, "someone wants"},
+    Mark{Style::ImplicitNeed, "someone would like"},
+    Mark{Style::ImplicitNeed, "somebody needs"},
+    Mark{Style::VagueQuantity, "a couple of"},
+    Mark{Style::VagueQuantity, "a few"},
+    Mark{Style::Condition, "if"},
 };
 
 std::vector<std::string> sentences_of(const std::string& text) {
@@ -155,24 +156,24 @@ std::string nesting_fault(const std::string& text) {
 
 }  // namespace
 
-bool turn_to_style(Plan& plan, std::string_view style) {
-  if (style == "inverted-order") return invert(plan.message);
-  if (style == "relative-clause") return relate(plan.message);
-  if (style == "implicit-need") return want(plan.message);
-  if (style == "condition") return tie(plan);
+bool turn_to_style(Plan& plan, Style style) {
+  if (style == Style::InvertedOrder) return invert(plan.message);
+  if (style == Style::RelativeClause) return relate(plan.message);
+  if (style == Style::ImplicitNeed) return want(plan.message);
+  if (style == Style::Condition) return tie(plan);
   return true;
 }
 
-std::string style_fault(const std::string& text, std::string_view style, const Formula& goal,
+std::string style_fault(const std::string& text, Style style, const Formula& goal,
                         const std::vector<std::string>& around, const NounTable& lexicon) {
-  if (style == "direct") return "";
+  if (style == Style::Direct) return "";
   const std::vector<Token> tokens = tokens_of(text);
-  if (style == "function") {
+  if (style == Style::Function) {
     for (const auto& [phrase, served] : lexicon.function_phrases())
       if (says(tokens, phrase)) return "";
     return "the function style names no object by what it is for";
   }
-  if (style == "alias") {
+  if (style == Style::Alias) {
     for (const std::string& category : categories_of(goal)) {
       const auto* name = lexicon.display(category);
       if (name == nullptr || lexicon.synonyms(category).empty()) continue;
@@ -181,19 +182,19 @@ std::string style_fault(const std::string& text, std::string_view style, const F
     }
     return "";
   }
-  if (style == "background" && idle_sentences(text, lexicon) < 2)
+  if (style == Style::Background && idle_sentences(text, lexicon) < 2)
     return "the background style begins with at least two sentences that name no thing";
   const bool known_context = lexicon.behind_context(text).size() < text.size();
-  if (style == "context" && !known_context && idle_sentences(text, lexicon) < 1)
+  if (style == Style::Context && !known_context && idle_sentences(text, lexicon) < 1)
     return "the context style begins with a sentence that gives the occasion and names no thing";
-  if (style == "bystander") return bystander_fault(tokens, goal, around, lexicon);
-  if (style == "nested-syntax") return nesting_fault(text);
+  if (style == Style::Bystander) return bystander_fault(tokens, goal, around, lexicon);
+  if (style == Style::NestedSyntax) return nesting_fault(text);
   const auto of_style = [&](const Mark& mark) { return mark.style == style; };
   const bool marked = std::any_of(kMarks.begin(), kMarks.end(),
                                   [&](const Mark& mark) { return of_style(mark) && says(tokens, mark.words); });
   if (marked || std::none_of(kMarks.begin(), kMarks.end(), of_style)) return "";
   const auto first = std::find_if(kMarks.begin(), kMarks.end(), of_style);
-  return "a text of the style " + std::string(style) + " says '" + std::string(first->words) + "' or the like";
+  return "a text of the style " + std::string(name_of(style)) + " says '" + std::string(first->words) + "' or the like";
 }
 
 }  // namespace unietp

@@ -127,8 +127,8 @@ class Check {
 
   /// What these styles name beside the goal: something that is around, and what a condition is about.
   bool beside(const NounTable::Reading& noun) const {
-    if (specification_.style == "bystander") return true;
-    if (specification_.style != "condition") return false;
+    if (specification_.style == Style::Bystander) return true;
+    if (specification_.style != Style::Condition) return false;
     std::set<std::string> started;
     for (const Formula& start : specification_.init)
       for (const std::string& category : categories_of(start)) started.insert(category);
@@ -170,7 +170,7 @@ class Check {
       const auto list = words_for(predicate);
       if (!list.empty() && !any_word(words_, list)) lacks("'" + std::string(info(predicate).name) + "'");
     }
-    if (specification_.style == "condition") return;  // says states of the start, too
+    if (specification_.style == Style::Condition) return;  // says states of the start, too
     for (const PredicateInfo& other : all_predicates()) {
       if (goal_.predicates.contains(other.predicate)) continue;
       const auto list = words_only_for(other.predicate);

@@ -19,24 +19,25 @@ constexpr const char* kRules =
     "formulas or markup. Answer with JSON: {\"instruction\": \"...\"}.";
 
 struct StyleWords {
-  std::string_view style, says;
+  Style style;
+  std::string_view says;
 };
 constexpr std::array kStyles = {
-    StyleWords{"direct", "plain and direct"},
-    StyleWords{"alias", "call things by their other names, never by their usual ones"},
-    StyleWords{"function", "name one thing by what it is for, with the very phrase of the wordings below"},
-    StyleWords{"context", "begin with a sentence that gives the occasion and demands nothing"},
-    StyleWords{"background", "begin with some sentences of background that demand nothing"},
-    StyleWords{"bystander", "name something that is around and ask for nothing with it ('never mind the bowl')"},
-    StyleWords{"distractor", "mention what has to stay as it is the whole time"},
-    StyleWords{"negation", "say a part by what must not be"},
-    StyleWords{"relative-clause", "name a thing by what is done to it ('that you put a mug into')"},
-    StyleWords{"inverted-order", "say what comes later first ('before you …')"},
-    StyleWords{"coreference", "name a place by what is kept there ('where a plate is kept')"},
-    StyleWords{"implicit-need", "say what someone wants ('someone wants a hot potato on a table')"},
-    StyleWords{"vague-quantity", "say 'a couple of' for at least two, 'a few' for at least three"},
-    StyleWords{"nested-syntax", "put all into one long sentence with clauses inside clauses"},
-    StyleWords{"condition", "tie the task to a condition ('if …, …') that the facts below fulfil"},
+    StyleWords{Style::Direct, "plain and direct"},
+    StyleWords{Style::Alias, "call things by their other names, never by their usual ones"},
+    StyleWords{Style::Function, "name one thing by what it is for, with the very phrase of the wordings below"},
+    StyleWords{Style::Context, "begin with a sentence that gives the occasion and demands nothing"},
+    StyleWords{Style::Background, "begin with some sentences of background that demand nothing"},
+    StyleWords{Style::Bystander, "name something that is around and ask for nothing with it ('never mind the bowl')"},
+    StyleWords{Style::Distractor, "mention what has to stay as it is the whole time"},
+    StyleWords{Style::Negation, "say a part by what must not be"},
+    StyleWords{Style::RelativeClause, "name a thing by what is done to it ('that you put a mug into')"},
+    StyleWords{Style::InvertedOrder, "say what comes later first ('before you …')"},
+    StyleWords{Style::Coreference, "name a place by what is kept there ('where a plate is kept')"},
+    StyleWords{Style::ImplicitNeed, "say what someone wants ('someone wants a hot potato on a table')"},
+    StyleWords{Style::VagueQuantity, "say 'a couple of' for at least two, 'a few' for at least three"},
+    StyleWords{Style::NestedSyntax, "put all into one long sentence with clauses inside clauses"},
+    StyleWords{Style::Condition, "tie the task to a condition ('if …, …') that the facts below fulfil"},
 };
 
 }  // namespace
@@ -44,7 +45,7 @@ constexpr std::array kStyles = {
 LlmRequest wording_request(const WordingTask& task, const std::vector<std::string>& samples,
                            const std::string& complaint) {
   const Specification& specification = task.specification;
-  std::string_view style = specification.style;
+  std::string_view style = name_of(specification.style);
   for (const StyleWords& known : kStyles)
     if (known.style == specification.style) style = known.says;
   std::string text = "Kind of task: " + replace_all(specification.template_name, "-", " ") +

@@ -9,7 +9,7 @@ namespace unietp {
 nlohmann::ordered_json instruction_to_json(const Instruction& instruction) {
   nlohmann::ordered_json json{{"text", instruction.text},
                               {"writer", instruction.writer},
-                              {"style", instruction.style},
+                              {"style", name_of(instruction.style)},
                               {"checks", instruction.checks}};
   if (!instruction.why.empty()) json["why"] = instruction.why;
   return json;

@@ -110,7 +110,11 @@ std::variant<Specification, GateRefusal> fill_in(const Template& source, const K
   for (const auto& start : source.init) specification.init.push_back(substitute_names(start, names));
   if (const auto* kind = refinement_kind(source.refinement); kind != nullptr && kind->written) {
     specification.split = kind->split;
-    (kind->split == Split::Linguistic ? specification.style : specification.refinement) = source.refinement;
+    if (const auto style = style_named(source.refinement)) {
+      specification.style = *style;
+    } else {
+      specification.refinement = source.refinement;
+    }
   }
   demand_existence(specification, source);
   return specification;

@@ -10,7 +10,7 @@ namespace {
 constexpr int kStarts = 6;
 
 /// Categories with an alias of this kind, among the movable ones that the goal speaks of.
-std::vector<std::string> with_alias(const Specification& plain, const Knowledge& knowledge, const std::string& kind) {
+std::vector<std::string> with_alias(const Specification& plain, const Knowledge& knowledge, std::string_view kind) {
   std::vector<std::string> found;
   for (const auto& name : categories_of(plain.goal)) {
     const auto* category = knowledge.find(name);
@@ -38,7 +38,7 @@ bool starts_with_something(const Specification& plain) {
   });
 }
 
-Specification reworded(const Specification& plain, const std::string& style) {
+Specification reworded(const Specification& plain, Style style) {
   auto changed = plain;
   changed.split = Split::Linguistic;
   changed.style = style;
@@ -81,7 +81,7 @@ std::optional<Specification> by_function(const Specification& plain, const Knowl
     if (clash || serving.empty()) continue;  // one word for two parts of the goal would be ambiguous
     std::sort(serving.begin(), serving.end());
     serving.erase(std::unique(serving.begin(), serving.end()), serving.end());
-    auto widened = reworded(substituted(plain, category, serving), "function");
+    auto widened = reworded(substituted(plain, category, serving), Style::Function);
     if (contradiction(widened, knowledge) || bad_start(widened, knowledge, kStarts)) continue;
     return widened;
   }
@@ -92,18 +92,23 @@ std::optional<Specification> by_function(const Specification& plain, const Knowl
 
 std::optional<Specification> refine_linguistic(const Specification& plain, const Knowledge& knowledge,
                                                std::string_view style_asked, Rng rng) {
-  if (plain.style != "direct" || plain.split == Split::InstanceGrounding) return std::nullopt;
-  std::vector<std::string> styles = {"alias",     "function",      "context",  "background",
-                                     "bystander", "nested-syntax", "condition"};
-  if (!style_asked.empty()) styles = {std::string(style_asked)};
+  if (plain.style != Style::Direct || plain.split == Split::InstanceGrounding) return std::nullopt;
+  std::vector<Style> styles = {Style::Alias,     Style::Function,     Style::Context,  Style::Background,
+                               Style::Bystander, Style::NestedSyntax, Style::Condition};
+  if (!style_asked.empty()) {
+    const auto asked = style_named(style_asked);
+    if (!asked) return std::nullopt;
+    styles = {*asked};
+  }
   rng.shuffle(styles);
-  for (const auto& style : styles) {
-    if (style == "function") {
+  for (const Style style : styles) {
+    if (style == Style::Function) {
       if (auto widened = by_function(plain, knowledge, rng)) return widened;
-    } else if (style == "background" || style == "bystander" || (style == "nested-syntax" && asks_for_an_end(plain)) ||
-               (style == "condition" && asks_for_an_end(plain) && starts_with_something(plain))) {
+    } else if (style == Style::Background || style == Style::Bystander ||
+               (style == Style::NestedSyntax && asks_for_an_end(plain)) ||
+               (style == Style::Condition && asks_for_an_end(plain) && starts_with_something(plain))) {
       return reworded(plain, style);
-    } else if (!with_alias(plain, knowledge, style == "alias" ? "synonym" : style).empty()) {
+    } else if (!with_alias(plain, knowledge, style == Style::Alias ? "synonym" : name_of(style)).empty()) {
       return reworded(plain, style);
     }
   }

@@ -7,6 +7,7 @@
 #include "akb/knowledge.h"
 #include "core/rng.h"
 #include "generator/scene_offer.h"
+#include "generator/style.h"
 #include "logic/formula.h"
 #include "templates/template.h"
 
@@ -14,9 +15,6 @@ namespace unietp {
 
 /// Categories for the placeholders, in the order of the template's parameters.
 using Binding = std::vector<std::pair<std::string, std::string>>;
-
-/// How an instruction is to be worded: `direct`, or one of the linguistic styles (`alias`, `function`, …).
-using Style = std::string;
 
 /// A template on a simulator with categories filled in: what grounding has to find a start for.
 struct Specification {
@@ -26,7 +24,7 @@ struct Specification {
   Binding binding;
   Formula goal;
   std::vector<Formula> init;  // state formulas over categories, all to hold in the start
-  Style style = "direct";
+  Style style = Style::Direct;
   std::string refinement;  // "", or the name of the referring constraint ("referring", "by-state", …)
 };
 

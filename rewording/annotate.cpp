@@ -53,7 +53,7 @@ Result<std::vector<WordingTask>> wording_tasks(HomeShelf& homes, const std::vect
 
 /// The categories of a task's start scene, for the one style that asks what is around.
 Result<std::vector<std::string>> around(HomeShelf& homes, const TaskLine& task) {
-  if (task.specification.style != "bystander") return std::vector<std::string>();
+  if (task.specification.style != Style::Bystander) return std::vector<std::string>();
   const auto scene = read_start(homes, task);
   if (!scene) return scene.error();
   return categories_in(*scene);
@@ -102,7 +102,7 @@ Result<std::vector<Instruction>> written(const fs::path& folder, const std::vect
                    lines[i].id,
                    {},
                    in_style() ? "no words that no other task of its home has"
-                              : "no words in the style " + lines[i].specification.style};
+                              : "no words in the style " + std::string(name_of(lines[i].specification.style))};
     seen.insert(lines[i].layout + "\n" + normalised_text(draft->text));
     instructions.push_back(std::move(*draft));
   }
@@ -122,7 +122,7 @@ Result<Done> change_database(const fs::path& from, const fs::path& to, const std
     auto update = file.prepare("UPDATE task SET instruction=?, style=?, writer=? WHERE id=?");
     for (std::size_t i = 0; i < lines.size(); ++i) {
       update.bind(1, std::string_view(instructions[i].text));
-      update.bind(2, std::string_view(instructions[i].style));
+      update.bind(2, name_of(instructions[i].style));
       update.bind(3, std::string_view(instructions[i].writer));
       update.bind(4, std::string_view(lines[i].id));
       update.step();

@@ -13,8 +13,8 @@ namespace unietp {
 namespace {
 
 /// The text without the sentence that a bystander's style puts behind it.
-std::string_view without_aside(std::string_view text, std::string_view style) {
-  if (style != "bystander" || text.empty()) return text;
+std::string_view without_aside(std::string_view text, Style style) {
+  if (style != Style::Bystander || text.empty()) return text;
   const auto end = text.find_last_of(".!?", text.size() - 2);
   return end == std::string_view::npos ? text : text.substr(0, end + 1);
 }
@@ -26,12 +26,14 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
   const auto found = [&problems](ProblemKind kind, const std::vector<std::string>& faults) {
     for (const auto& fault : faults) problems.push_back(problem_in(kind, "", fault));
   };
+  const auto style = style_named(stated.style);
+  if (!style) return {problem_in(ProblemKind::TextStyle, "", "no style is called \"" + stated.style + "\"")};
   Specification specification;
   specification.template_name = stated.template_name;
   specification.simulator = stated.simulator;
   specification.goal = stated.goal;
   specification.init = stated.constraints;
-  specification.style = stated.style;
+  specification.style = *style;
   const auto narrowed = narrowed_for(specification, backend.knowledge, backend.nouns);
   const NounTable& nouns = narrowed ? *narrowed : backend.nouns;
 
@@ -46,10 +48,10 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
   std::erase_if(meaning,
                 [&](const std::string& fault) { return std::find(form.begin(), form.end(), fault) != form.end(); });
   found(ProblemKind::TextMeaning, meaning);
-  if (const auto fault = style_fault(stated.text, stated.style, stated.goal, stated.around, nouns); !fault.empty())
+  if (const auto fault = style_fault(stated.text, *style, stated.goal, stated.around, nouns); !fault.empty())
     found(ProblemKind::TextStyle, {fault});
   if (by_grammar && stated.phrasings != "all") {
-    const auto own = name_of(phrasings_of(without_aside(demand, stated.style), nouns));
+    const auto own = name_of(phrasings_of(without_aside(demand, *style), nouns));
     if (own != stated.phrasings)
       found(ProblemKind::TextPhrasing, {"its sentence pattern belongs to " + std::string(own) + ", not to " +
                                         stated.phrasings + " as the manifest says"});

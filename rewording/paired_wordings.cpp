@@ -19,7 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr std::array kComplex{"nested-syntax", "condition", "relative-clause", "inverted-order", "background"};
+constexpr std::array kComplex{Style::NestedSyntax, Style::Condition, Style::RelativeClause, Style::InvertedOrder,
+                              Style::Background};
 
 class PairWriter {
  public:
@@ -37,16 +38,16 @@ class PairWriter {
 
   Result<Json> pair() const {
     Json json{{"format", "unietp-wordings/1"}, {"task", task_.id}, {"pair", task_.id}};
-    const auto direct = worded(task_.specification.goal, "direct");
+    const auto direct = worded(task_.specification.goal, Style::Direct);
     if (!direct) return direct.error();
     json["direct"] = instruction_to_json(*direct);
     if (const auto goal = referring_goal(task_.specification.goal, start_, trace_, rng_.fork("referring", 0))) {
-      if (const auto referring = worded(*goal, "direct")) {
+      if (const auto referring = worded(*goal, Style::Direct)) {
         json["referring"] = instruction_to_json(*referring);
         json["referring"]["goal"] = to_text(*goal);
       }
     }
-    for (const char* style : kComplex) {
+    for (const Style style : kComplex) {
       const auto complex = worded(task_.specification.goal, style);
       if (!complex || complex->style != style) continue;
       json["complex"] = instruction_to_json(*complex);
@@ -56,11 +57,11 @@ class PairWriter {
   }
 
  private:
-  Result<Instruction> worded(const Formula& goal, const std::string& style) const {
+  Result<Instruction> worded(const Formula& goal, Style style) const {
     Specification specification = task_.specification;
     specification.goal = goal;
     specification.style = style;
-    return write_instruction(specification, backend_.knowledge, backend_.nouns, writing_, rng_.fork(style, 0));
+    return write_instruction(specification, backend_.knowledge, backend_.nouns, writing_, rng_.fork(name_of(style), 0));
   }
 
   const TaskLine& task_;

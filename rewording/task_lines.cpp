@@ -16,8 +16,9 @@ Result<TaskLine> task_line(const std::string& where, int number, const std::stri
   };
   const auto split = split_named(record->split);
   const auto simulator = simulator_named(record->simulator);
-  if (!split || !simulator)
-    return Error{Error::Kind::Schema, where, {number, 1}, "names an unknown split or simulator"};
+  const auto style = style_named(record->style);
+  if (!split || !simulator || !style)
+    return Error{Error::Kind::Schema, where, {number, 1}, "names an unknown split, simulator or style"};
   auto goal = parse_formula(where, record->goal_text, FormulaUse::Goal);
   if (!goal) return at_line(goal.error());
   TaskLine task;
@@ -31,7 +32,7 @@ Result<TaskLine> task_line(const std::string& where, int number, const std::stri
   task.attempt = record->attempt;
   Specification& specification = task.specification;
   specification.template_name = std::move(record->template_name);
-  specification.style = std::move(record->style);
+  specification.style = *style;
   specification.refinement = std::move(record->refinement);
   specification.split = *split;
   specification.simulator = *simulator;

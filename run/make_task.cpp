@@ -78,7 +78,7 @@ std::variant<Instruction, Rejection> instruct(const Specification& specification
   auto instruction = write_instruction(specification, backend.knowledge, backend.nouns, options, rng);
   if (!instruction) return Rejection{RejectionReason::NoWords, instruction.error().message};
   if (instruction->style != specification.style)
-    return Rejection{RejectionReason::NoWords, "no words in the style " + specification.style};
+    return Rejection{RejectionReason::NoWords, "no words in the style " + std::string(name_of(specification.style))};
   return std::move(*instruction);
 }
 

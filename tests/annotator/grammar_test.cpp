@@ -163,11 +163,13 @@ TEST(WriteInstruction, TheHarderStylesAreHardInTheWayTheyClaim) {
       specification.init = {*start};
       const auto written = write_instruction(specification, knowledge, nouns, options, Rng(seed));
       ASSERT_TRUE(written) << format(written.error());
-      EXPECT_EQ(written->style, style) << written->text;
-      EXPECT_EQ(style_fault(written->text, style, specification.goal, options.around, nouns), "") << written->text;
+      EXPECT_EQ(name_of(written->style), style) << written->text;
+      EXPECT_EQ(style_fault(written->text, style_named(style).value(), specification.goal, options.around, nouns), "")
+          << written->text;
       EXPECT_TRUE(check_instruction(written->text, specification, knowledge, nouns).empty()) << written->text;
       const auto plain = write_instruction(asking(kMugOnTable), knowledge, nouns, options, Rng(seed));
-      EXPECT_NE(style_fault(plain->text, style, specification.goal, options.around, nouns), "") << plain->text;
+      EXPECT_NE(style_fault(plain->text, style_named(style).value(), specification.goal, options.around, nouns), "")
+          << plain->text;
     }
 }
 
@@ -177,7 +179,7 @@ TEST(CheckInstruction, TakesAConditionOnlyFromTheStart) {
   EXPECT_FALSE(check_instruction(text, specification, small_knowledge()).empty());
   specification.init = {*parse_formula("test", "(exists (?x - Lamp) (power_off ?x))", FormulaUse::State)};
   EXPECT_TRUE(check_instruction(text, specification, small_knowledge()).empty());
-  specification.style = "direct";
+  specification.style = Style::Direct;
   EXPECT_FALSE(check_instruction(text, specification, small_knowledge()).empty());
 }
 

@@ -30,7 +30,7 @@ std::vector<std::string> texts_of(const std::string& goal, const std::string& st
     const auto written = write_instruction(specification, knowledge, nouns, {}, Rng(seed));
     EXPECT_TRUE(written) << format(written.error());
     if (!written) break;
-    EXPECT_EQ(written->style, style) << written->text;
+    EXPECT_EQ(name_of(written->style), style) << written->text;
     texts.push_back(written->text);
   }
   return texts;

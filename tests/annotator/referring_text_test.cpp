@@ -32,7 +32,7 @@ void expect_says(const Saying& saying) {
     const auto written = write_instruction(specification, small_knowledge(), Rng(seed));
     ASSERT_TRUE(written) << format(written.error());
     if (!saying.style.empty()) {
-      EXPECT_EQ(written->style, saying.style) << written->text;
+      EXPECT_EQ(name_of(written->style), saying.style) << written->text;
     }
     EXPECT_TRUE(check_instruction(written->text, specification, small_knowledge()).empty()) << written->text;
     texts += written->text + "\n";
@@ -130,7 +130,7 @@ TEST(Styles, AreNotClaimedWhereAGoalHasNothingToSayThatWay) {
     const auto written =
         write_instruction(asking("(exists (?a - Lamp) (at-end (open ?a)))", style), small_knowledge(), Rng(1));
     ASSERT_TRUE(written);
-    EXPECT_EQ(written->style, "direct") << written->text;
+    EXPECT_EQ(written->style, Style::Direct) << written->text;
   }
 }
 

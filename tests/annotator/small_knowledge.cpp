@@ -33,7 +33,7 @@ Specification asking(const std::string& goal, const std::string& style) {
   Specification specification;
   auto formula = parse_formula("test", goal, FormulaUse::Goal);
   if (formula) specification.goal = *formula;
-  specification.style = style;
+  specification.style = style_named(style).value();
   return specification;
 }
 

@@ -40,7 +40,7 @@ TEST(Spelling, KnowsEveryWordThatTheGrammarWrites) {
       auto made = binding ? instantiate(source, knowledge, *binding)
                           : Result<Specification>(Error{Error::Kind::Unsatisfiable, "", {}, "none"});
       if (!made) continue;
-      for (const char* style : {"direct", "alias", "function", "context", "background"}) {
+      for (const Style style : {Style::Direct, Style::Alias, Style::Function, Style::Context, Style::Background}) {
         made->style = style;
         const auto text = write_instruction(*made, knowledge, nouns, {}, Rng(i));
         if (!text) continue;

@@ -67,7 +67,7 @@ class WrongTexts : public ::testing::Test {
   Result<Instruction> text_of(const Specification& asked, std::uint64_t seed,
                               const std::string& style = "direct") const {
     Specification styled = asked;
-    styled.style = style;
+    styled.style = style_named(style).value();
     return write_instruction(styled, *knowledge_, *nouns_, {Phrasings::All, around_}, Rng(seed));
   }
 
@@ -141,9 +141,9 @@ TEST_F(WrongTexts, RightOnesOfEveryStyleAreNotRefusedByTheirWords) {
   std::map<std::string, Tally> tallies;
   const auto look_at = [&](const Specification& task, const char* style, std::uint64_t seed) {
     const auto text = text_of(task, seed, style);
-    if (!text || text->style != style) return;
+    if (!text || name_of(text->style) != style) return;
     Specification styled = task;
-    styled.style = style;
+    styled.style = style_named(style).value();
     const auto narrowed = narrowed_for(styled, *knowledge_, *nouns_);
     const NounTable& nouns = narrowed ? *narrowed : *nouns_;
     const auto faults = saying_faults(std::string(nouns.behind_context(text->text)), styled, nouns);

@@ -16,7 +16,7 @@ TEST(Instantiate, PutsCategoriesForPlaceholders) {
   EXPECT_EQ(made->template_name, "wash-and-place-on");
   EXPECT_EQ(made->split, Split::Compositional);
   EXPECT_EQ(made->simulator, Simulator::Behavior);
-  EXPECT_EQ(made->style, "direct");
+  EXPECT_EQ(made->style, Style::Direct);
   EXPECT_EQ(to_text(made->goal), "(exists (?a - Mug) (exists (?b - Table) (at-end (and (clean ?a) (on ?a ?b)))))");
 }
 

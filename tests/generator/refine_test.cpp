@@ -255,8 +255,8 @@ TEST(RefineLinguistic, FunctionAcceptsEveryCategoryThatServes) {
     const auto refined = refine_linguistic(plain, knowledge, "", Rng(seed));
     ASSERT_TRUE(refined);
     EXPECT_EQ(refined->split, Split::Linguistic);
-    if (refined->style != "function") {
-      EXPECT_NE(refined->style, "context");  // no sentence is told of mugs
+    if (refined->style != Style::Function) {
+      EXPECT_NE(refined->style, Style::Context);  // no sentence is told of mugs
       EXPECT_EQ(refined->goal, plain.goal);
       EXPECT_EQ(refined->init, plain.init);
       continue;
@@ -276,7 +276,7 @@ TEST(RefineLinguistic, AnotherStyleKeepsTheGoal) {
   for (const char* style : {"context", "background", "bystander", "nested-syntax"}) {
     const auto refined = refine_linguistic(plain, knowledge, style, Rng(1));
     ASSERT_TRUE(refined) << style;
-    EXPECT_EQ(refined->style, style);
+    EXPECT_EQ(name_of(refined->style), style);
     EXPECT_EQ(refined->goal, plain.goal);
   }
 }

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "generator/gate.h"
+#include "generator/style.h"
+#include "templates/refinement_kinds.h"
 
 namespace unietp {
 namespace {
@@ -38,6 +40,17 @@ TEST(RejectionReason, OfAGateIsNamedAfterIt) {
     EXPECT_EQ(stage_of(rejection_of(gate)), RejectionStage::Generator);
     EXPECT_NE(hint_for(rejection_of(gate)), "");
   }
+}
+
+TEST(Style, EachButTheDirectOneIsALinguisticRefinement) {
+  for (std::size_t i = 0; i < kStyleCount; ++i) {
+    const auto style = static_cast<Style>(i);
+    EXPECT_EQ(style_named(name_of(style)), style);
+    const auto* kind = refinement_kind(name_of(style));
+    EXPECT_EQ(kind != nullptr && kind->split == Split::Linguistic, style != Style::Direct) << name_of(style);
+  }
+  for (const auto& kind : refinement_kinds())
+    EXPECT_EQ(kind.split == Split::Linguistic, style_named(kind.name).has_value());
 }
 
 }  // namespace
