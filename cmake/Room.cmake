@@ -31,13 +31,22 @@ function(add_room name)
   set_property(GLOBAL APPEND PROPERTY UNIETP_ROOMS_BUILT ${name})
 endfunction()
 
-# One test program a folder: add_room_tests(logic SOURCES a_test.cpp b_test.cpp LIBS extra).
+set(UNIETP_UPSTREAM "${PROJECT_SOURCE_DIR}/../shared/upstream" CACHE PATH
+    "The simulators' own files, listed in docs/knowledge.md; tests on them are skipped where this folder is missing")
+
+# One test program a folder: add_room_tests(logic SOURCES a_test.cpp b_test.cpp LIBS extra). `SLOW` gives its tests the
+# label `slow` in place of `fast`: all fast tests together take less than two minutes (ctest -L fast).
 # Tests find committed data through UNIETP_SOURCE_DIR and the optional real metadata through UNIETP_UPSTREAM_DIR.
 function(add_room_tests name)
-  cmake_parse_arguments(T "" "" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(T "SLOW" "" "SOURCES;LIBS" ${ARGN})
   add_executable(${name}_tests ${T_SOURCES})
-  target_link_libraries(${name}_tests PRIVATE ${T_LIBS} GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name}_tests PRIVATE ${T_LIBS} test_support GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name}_tests PRIVATE UNIETP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-                             UNIETP_UPSTREAM_DIR="${PROJECT_SOURCE_DIR}/../shared/upstream")
-  gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+                             UNIETP_UPSTREAM_DIR="${UNIETP_UPSTREAM}")
+  set(label fast)
+  if(T_SLOW)
+    set(label slow)
+  endif()
+  gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS ${label} TIMEOUT 600)
 endfunction()

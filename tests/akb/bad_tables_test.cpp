@@ -20,7 +20,7 @@ class BadTables : public ::testing::TestWithParam<BadTable> {};
 
 TEST_P(BadTables, GiveExactlyTheirMessage) {
   const BadTable& bad = GetParam();
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   auto texts = test::small_tables();
   const auto at = texts[bad.table].find(bad.from);
   ASSERT_NE(at, std::string::npos);
@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(Each, BadTables, ::testing::ValuesIn(kBad),
                          [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST(BadTables, AColumnOfAnotherNameIsBothUnknownAndMissing) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   auto texts = test::small_tables();
   texts["affordance"] = replace_all(texts["affordance"], "source,confidence", "source,confidenc");
   test::write_small_tables(folder.path(), texts);
@@ -113,7 +113,7 @@ TEST(BadTables, AColumnOfAnotherNameIsBothUnknownAndMissing) {
 }
 
 TEST(BadTables, EveryFaultOfEverySimulatorIsReportedAtOnce) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   auto texts = test::small_tables();
   texts["effect"] = replace_all(texts["effect"], "fridge,cools", "fridg,cool");
   texts["alias"] = replace_all(texts["alias"], ",1\n", ",2\n");
@@ -122,7 +122,7 @@ TEST(BadTables, EveryFaultOfEverySimulatorIsReportedAtOnce) {
 }
 
 TEST(BadTables, AMissingFileIsNamed) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   test::write_small_tables(folder.path(), test::small_tables());
   std::filesystem::remove(folder.path() / "behavior" / "effect.csv");
   const auto errors = compile_knowledge(folder.path(), folder.path() / "k.sqlite");

@@ -6,6 +6,7 @@
 #include "akb/wordnet_words.h"
 #include "core/files.h"
 #include "tests/akb/small_tables.h"
+#include "tests/support/needs.h"
 
 namespace unietp {
 namespace {
@@ -50,7 +51,7 @@ TEST(BehaviorBodies, ClothIsFolded) {
 }
 
 TEST(GroupPhrases, TheNearestGroupSpeaks) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   ASSERT_TRUE(write_file(folder.path() / "phrases.csv",
                          "group,kind,text\ncutlery,function,something to eat with\n"
                          "knife.n.01,function,something to cut with\ncutlery,context,The table has to be set.\n"));
@@ -64,7 +65,7 @@ TEST(GroupPhrases, TheNearestGroupSpeaks) {
 }
 
 TEST(GroupPhrases, AnUnknownKindOfPhraseIsAnErrorAtItsPlace) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   ASSERT_TRUE(write_file(folder.path() / "phrases.csv", "group,kind,text\ncutlery,use,something to eat with\n"));
   std::vector<Error> errors;
   read_group_phrases(folder.path() / "phrases.csv", errors);
@@ -74,7 +75,7 @@ TEST(GroupPhrases, AnUnknownKindOfPhraseIsAnErrorAtItsPlace) {
 
 TEST(WordNetWords, AreThoseOfWhichTheSynsetIsTheFirstSense) {
   const auto words = WordNetWords::read(WordNetWords::kFolder);
-  if (!words) GTEST_SKIP() << "no WordNet here: install wordnet-base";
+  if (!words) GTEST_SKIP() << needs::kWordNet;
   EXPECT_EQ(words->usual_words("sofa.n.01"), (std::vector<std::string>{"sofa", "couch", "lounge"}));
   EXPECT_TRUE(words->usual_words("mug.n.04").empty()) << "a mug is first of all something else";
   EXPECT_TRUE(words->has("mug.n.04"));
@@ -84,7 +85,7 @@ TEST(WordNetWords, AreThoseOfWhichTheSynsetIsTheFirstSense) {
 }
 
 TEST(WordNetWords, AMissingFileIsAnError) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto words = WordNetWords::read(folder.path());
   ASSERT_FALSE(words);
   EXPECT_EQ(words.error().kind, Error::Kind::Io);

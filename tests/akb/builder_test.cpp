@@ -39,7 +39,7 @@ const char* const kLexiconHeader =
     "display,plural,synset,kind,archetype,width,depth,height,mass,rooms,colours,materials\n";
 
 TEST(Lexicon, IsSeveralFilesReadTogether) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   std::filesystem::copy(curated(), folder.path() / "c");
   ASSERT_TRUE(write_file(folder.path() / "c" / "lexicon_more.csv",
                          std::string(kLexiconHeader) + "gizmo,,,gadget,box,0.1,0.1,0.1,0.3,,,\n"));
@@ -51,7 +51,7 @@ TEST(Lexicon, IsSeveralFilesReadTogether) {
 }
 
 TEST(Lexicon, AWordInTwoFilesIsAnErrorThatNamesTheSecond) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   std::filesystem::copy(curated(), folder.path() / "c");
   ASSERT_TRUE(write_file(folder.path() / "c" / "lexicon_more.csv",
                          std::string(kLexiconHeader) + "apple,,,fruit,sphere,0.1,0.1,0.1,0.3,,,\n"));
@@ -63,7 +63,7 @@ TEST(Lexicon, AWordInTwoFilesIsAnErrorThatNamesTheSecond) {
 }
 
 TEST(Lexicon, AFolderWithoutOneIsAnError) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   std::vector<Error> errors;
   EXPECT_TRUE(parts_of(folder.path(), "lexicon", errors).empty());
   ASSERT_EQ(errors.size(), 1U);

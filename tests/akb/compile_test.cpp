@@ -26,7 +26,7 @@ std::string all_text(const Knowledge& k) {
 }
 
 TEST(CompileKnowledge, LoadGivesExactlyWhatTheCommittedTablesSay) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto database = folder.path() / "knowledge.sqlite";
   const auto errors = compile_knowledge(test::committed_tables(), database);
   ASSERT_TRUE(errors.empty()) << format(errors.front());
@@ -63,7 +63,7 @@ std::string view_text(SqliteFile& file, const std::string& table, Simulator simu
 }
 
 TEST(CompileKnowledge, TheViewsSayWhatTheTablesSay) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   test::write_small_tables(folder.path() / "t", test::small_tables());
   ASSERT_TRUE(compile_knowledge(folder.path() / "t", folder.path() / "k.sqlite").empty());
   SqliteFile file(folder.path() / "k.sqlite", SqliteFile::Mode::Read);
@@ -74,7 +74,7 @@ TEST(CompileKnowledge, TheViewsSayWhatTheTablesSay) {
 }
 
 TEST(CompileKnowledge, EqualTablesGiveEqualBytes) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   test::write_small_tables(folder.path() / "t", test::small_tables());
   ASSERT_TRUE(compile_knowledge(folder.path() / "t", folder.path() / "a.sqlite").empty());
   ASSERT_TRUE(compile_knowledge(folder.path() / "t", folder.path() / "b.sqlite").empty());
@@ -82,7 +82,7 @@ TEST(CompileKnowledge, EqualTablesGiveEqualBytes) {
 }
 
 TEST(CompileKnowledge, LeavesTheOldDatabaseAloneWhenATableIsBad) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto tables = folder.path() / "t", database = folder.path() / "k.sqlite";
   auto texts = test::small_tables();
   test::write_small_tables(tables, texts);
@@ -96,7 +96,7 @@ TEST(CompileKnowledge, LeavesTheOldDatabaseAloneWhenATableIsBad) {
 }
 
 TEST(CompileKnowledge, ReportsADatabaseThatCannotBeWritten) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   test::write_small_tables(folder.path() / "t", test::small_tables());
   ASSERT_TRUE(write_file(folder.path() / "file", "x"));
   const auto errors = compile_knowledge(folder.path() / "t", folder.path() / "file" / "k.sqlite");
@@ -105,7 +105,7 @@ TEST(CompileKnowledge, ReportsADatabaseThatCannotBeWritten) {
 }
 
 TEST(CompileKnowledge, ReplacesWhatAKilledRunLeftBehind) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   test::write_small_tables(folder.path() / "t", test::small_tables());
   ASSERT_TRUE(write_file(folder.path() / "k.sqlite.tmp", "half a database"));
   EXPECT_TRUE(compile_knowledge(folder.path() / "t", folder.path() / "k.sqlite").empty());
@@ -113,7 +113,7 @@ TEST(CompileKnowledge, ReplacesWhatAKilledRunLeftBehind) {
 }
 
 TEST(KnowledgeDigest, IsStoredAndChangesWithAnyByteOfAnyTable) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto tables = folder.path() / "t", database = folder.path() / "k.sqlite";
   test::write_small_tables(tables, test::small_tables());
   ASSERT_TRUE(compile_knowledge(tables, database).empty());
@@ -134,7 +134,7 @@ TEST(KnowledgeDigest, IsStoredAndChangesWithAnyByteOfAnyTable) {
 }
 
 TEST(LoadKnowledge, RefusesAFileThatIsNoKnowledgeBase) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   EXPECT_EQ(load_knowledge(folder.path() / "none.sqlite", Simulator::Ai2thor).error().kind, Error::Kind::Io);
   ASSERT_TRUE(write_file(folder.path() / "text.sqlite", std::string(5000, 'x')));
   const auto loaded = load_knowledge(folder.path() / "text.sqlite", Simulator::Ai2thor);

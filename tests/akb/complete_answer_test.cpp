@@ -4,6 +4,7 @@
 #include "akb/complete_answer.h"
 #include "core/files.h"
 #include "tests/akb/small_tables.h"
+#include "tests/support/needs.h"
 
 namespace unietp {
 namespace {
@@ -14,7 +15,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 Tables small() {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   test::write_small_tables(folder.path(), test::small_tables());
   std::vector<Error> errors;
   auto tables = read_tables(folder.path() / "behavior", errors);
@@ -157,7 +158,7 @@ TEST(CompletionAnswer, OfAnotherFormIsRejectedAsAWhole) {
 }
 
 TEST(CompletionAnswer, ASynsetMustBeWordNets) {
-  if (!WordNet::read("/usr/share/wordnet")) GTEST_SKIP() << "WordNet's index.noun is not here: install wordnet-base";
+  if (!WordNet::read("/usr/share/wordnet")) GTEST_SKIP() << needs::kWordNet;
   for (const char* synset : {"knife.n.99", "knifle.n.01"}) {
     const auto answer =
         checked(R"({"categories":[{"category":"knife","synset":")" + std::string(synset) + "\"}]}", {FactKind::Synset});

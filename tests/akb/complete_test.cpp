@@ -72,7 +72,7 @@ class Home {
   }
 
  private:
-  test::TemporaryFolder folder_;
+  ScratchFolder folder_;
   std::map<std::string, std::string> texts_ = test::small_tables();
 };
 

@@ -8,6 +8,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "tests/akb/small_tables.h"
+#include "tests/support/needs.h"
 
 namespace unietp {
 namespace {
@@ -21,10 +22,10 @@ class Importers : public ::testing::TestWithParam<Simulator> {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists(upstream() / "ai2thor")) {
-      GTEST_SKIP() << "no simulator metadata at " << upstream() << ": the committed tables stand alone";
+      GTEST_SKIP() << needs::kSimulatorFiles;
     }
     if (GetParam() == Simulator::Behavior && !has_wordnet()) {
-      GTEST_SKIP() << "no data.noun in " << WordNetWords::kFolder << ": install wordnet-base";
+      GTEST_SKIP() << needs::kWordNet;
     }
   }
 };
@@ -42,14 +43,14 @@ TEST_P(Importers, GiveTheCommittedTablesByteForByte) {
 }
 
 TEST_P(Importers, NameTheFileThatIsMissing) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto tables = import_simulator(GetParam(), folder.path(), test::committed_tables() / "curated");
   ASSERT_FALSE(tables);
   EXPECT_EQ(tables.error().kind, Error::Kind::Io);
 }
 
 TEST_P(Importers, ReportMetadataOfAnotherForm) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   std::filesystem::copy(upstream(), folder.path() / "u", std::filesystem::copy_options::recursive);
   const char* files[] = {"ai2thor/object_types.json", "virtualhome/PrefabClass.json", "habitat/ovmm_categories.json",
                          "behavior/object_inventory.json.gz"};
@@ -69,8 +70,8 @@ void curate(const std::filesystem::path& folder, const std::string& file, const 
 }
 
 TEST(Curated, ARowOverridesWhatWasImported) {
-  if (!std::filesystem::exists(upstream() / "habitat")) GTEST_SKIP() << "no simulator metadata at " << upstream();
-  const test::TemporaryFolder folder;
+  if (!std::filesystem::exists(upstream() / "habitat")) GTEST_SKIP() << needs::kSimulatorFiles;
+  const ScratchFolder folder;
   curate(folder.path() / "c", "habitat/relation.csv",
          "object,relation,receptacle,likelihood,capacity,source,confidence\n"
          "hammer,inside,fridge,900,1,curated,0.5\n");
@@ -84,8 +85,8 @@ TEST(Curated, ARowOverridesWhatWasImported) {
 }
 
 TEST(Curated, ARemovedFactIsGoneAndAnUnknownOneIsAnError) {
-  if (!std::filesystem::exists(upstream() / "habitat")) GTEST_SKIP() << "no simulator metadata at " << upstream();
-  const test::TemporaryFolder folder;
+  if (!std::filesystem::exists(upstream() / "habitat")) GTEST_SKIP() << needs::kSimulatorFiles;
+  const ScratchFolder folder;
   curate(folder.path() / "c", "habitat/removed.csv", "table,subject,verb,object\nrelation,apple,inside,fridge\n");
   const auto tables = import_habitat(upstream(), folder.path() / "c");
   ASSERT_TRUE(tables) << format(tables.error());
@@ -101,8 +102,8 @@ TEST(Curated, ARemovedFactIsGoneAndAnUnknownOneIsAnError) {
 }
 
 TEST(Curated, AClassToLeaveOutMustBeOneOfTheLexicon) {
-  if (!std::filesystem::exists(upstream() / "habitat")) GTEST_SKIP() << "no simulator metadata at " << upstream();
-  const test::TemporaryFolder folder;
+  if (!std::filesystem::exists(upstream() / "habitat")) GTEST_SKIP() << needs::kSimulatorFiles;
+  const ScratchFolder folder;
   curate(folder.path() / "c", "habitat/left_out.csv", "name,why\nwall,structure\nunicorn,abstract\n");
   const auto bad = import_habitat(upstream(), folder.path() / "c");
   ASSERT_FALSE(bad);
@@ -112,7 +113,7 @@ TEST(Curated, AClassToLeaveOutMustBeOneOfTheLexicon) {
 }
 
 TEST(ImportAll, WritesNothingWhenOneImportFails) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   EXPECT_FALSE(import_all(folder.path() / "none", folder.path() / "tables"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "tables"));
 }

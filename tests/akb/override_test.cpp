@@ -22,7 +22,7 @@ struct Laid {
   std::vector<Error> errors;
 };
 Laid lay(const std::string& rows) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   test::write_small_tables(folder.path() / "t", test::small_tables());
   EXPECT_TRUE(write_file(folder.path() / "mine.csv", kHeader + rows));
   Laid laid;
@@ -181,7 +181,7 @@ class Compiled : public ::testing::Test {
     const auto knowledge = load_knowledge(folder_.path() / "k.sqlite", Simulator::Habitat);
     return knowledge ? knowledge->find("mug")->mass : 0;
   }
-  test::TemporaryFolder folder_;
+  ScratchFolder folder_;
 };
 
 TEST_F(Compiled, TheLastFileWinsOverTheOneOfTheTablesAndThatOverTheTables) {

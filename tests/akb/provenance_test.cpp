@@ -55,7 +55,7 @@ TEST(Provenance, TheLongestPrefixDecidesALicence) {
 }
 
 TEST(Provenance, RowsWrittenByHandAreFoundByWhatTheySay) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto write = [&](const std::string& name, const std::string& text) {
     EXPECT_TRUE(write_file(folder.path() / name, text));
   };

@@ -1,7 +1,5 @@
 #include "tests/akb/small_tables.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -10,16 +8,6 @@
 #include "core/files.h"
 
 namespace unietp::test {
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "unietp-akb-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-  path_ = name;
-}
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
 
 std::map<std::string, std::string> small_tables() {
   const std::string end = ",curated,1,curated,1,curated,1\n";
@@ -77,7 +65,7 @@ Knowledge knowledge_of(Simulator simulator, Tables t) {
 }
 
 Knowledge small_knowledge() {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   write_small_tables(folder.path(), small_tables());
   std::vector<Error> errors;
   auto tables = read_tables(folder.path() / "ai2thor", errors);

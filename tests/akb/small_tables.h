@@ -6,21 +6,9 @@
 
 #include "akb/knowledge.h"
 #include "akb/tables.h"
+#include "tests/support/scratch_folder.h"
 
 namespace unietp::test {
-
-/// A folder of its own that is removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The texts of five small sound tables (a mug, a plate, a fridge, an apple, half of one, a knife), by table name.
 std::map<std::string, std::string> small_tables();

@@ -2,29 +2,15 @@
 
 #include <filesystem>
 
-#include <unistd.h>
-
 #include "annotator/instruction.h"
 #include "annotator/meaning.h"
 #include "templates/template.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
 
 using Op = Formula::Op;
-
-/// Of the committed tables; gone with the process.
-const std::filesystem::path& database() {
-  struct Database {
-    const std::filesystem::path path =
-        std::filesystem::path(::testing::TempDir()) / ("annotator_" + std::to_string(::getpid()) + ".sqlite");
-    const bool built = compile_knowledge(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/akb", path).empty();
-    ~Database() { std::filesystem::remove(path); }
-  };
-  static const Database kDatabase;
-  EXPECT_TRUE(kDatabase.built);
-  return kDatabase.path;
-}
 
 /// Goals one small step away from the given one.
 std::vector<Formula> mutations(const Formula& goal) {
@@ -56,8 +42,7 @@ TEST(WriteInstruction, EveryTemplateOfTheLibraryReadsBackAndItsNeighboursDoNot) 
   ASSERT_TRUE(library.errors.empty());
   std::size_t written = 0, refused = 0;
   for (const Simulator simulator : kSimulators) {
-    const auto knowledge = load_knowledge(database(), simulator);
-    ASSERT_TRUE(knowledge) << format(knowledge.error());
+    const Knowledge* knowledge = &committed_knowledge(simulator);
     const NounTable nouns(*knowledge);
     for (const Template& source : library.templates) {
       SCOPED_TRACE(source.name);
@@ -90,8 +75,7 @@ TEST(WriteInstruction, RefinedGoalsReadBack) {
   const auto library = load_templates(std::filesystem::path(UNIETP_SOURCE_DIR) / "templates/library");
   std::size_t written = 0;
   for (const Simulator simulator : kSimulators) {
-    const auto knowledge = load_knowledge(database(), simulator);
-    ASSERT_TRUE(knowledge);
+    const Knowledge* knowledge = &committed_knowledge(simulator);
     for (const Template& source : library.templates) {
       const auto binding = sample_binding(source, *knowledge, {}, Rng(5));
       if (!binding) continue;

@@ -5,7 +5,7 @@
 #include "annotator/meaning.h"
 #include "annotator/noun_table.h"
 #include "small_knowledge.h"
-#include "tests/generator/real_tables.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
@@ -123,7 +123,7 @@ TEST(ReadInstruction, TakesMayOnlyForWhatIsForbidden) {
 TEST(FunctionStyle, IsNotClaimedForAPhraseThatFitsAnotherThing) {
   // Mugs are something to drink coffee from, too: of cups alone it would ask for less than the goal.
   const std::string phrase = "something to drink coffee from";
-  const auto& tables = real_tables(Simulator::Behavior);
+  const auto& tables = committed_knowledge(Simulator::Behavior);
   const NounTable nouns(tables);
   const auto said = [&](const std::string& things) {
     const auto task = asking("(exists (?a - " + things + ") (at-end (filled ?a coffee)))", "function");

@@ -5,7 +5,7 @@
 
 #include "annotator/instruction.h"
 #include "templates/template.h"
-#include "tests/generator/real_tables.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 TEST(Spelling, FindsSlipsAndNotTheNamesOfThings) {
   const auto spelling = Spelling::open();
   ASSERT_TRUE(spelling) << format(spelling.error());
-  const NounTable nouns(real_tables(Simulator::Ai2thor));
+  const NounTable nouns(committed_knowledge(Simulator::Ai2thor));
   EXPECT_THAT(spelling->faults("Plaese put the mug in the micorwave, and keep the mug there.", nouns),
               ElementsAre("the word 'plaese' is in no dictionary (please?)",
                           "the word 'micorwave' is in no dictionary (microwave?)"));
@@ -32,7 +32,7 @@ TEST(Spelling, KnowsEveryWordThatTheGrammarWrites) {
   ASSERT_TRUE(library.errors.empty());
   std::size_t texts = 0;
   for (const auto simulator : kSimulators) {
-    const auto& knowledge = real_tables(simulator);
+    const auto& knowledge = committed_knowledge(simulator);
     const NounTable nouns(knowledge);
     for (std::size_t i = 0; i < library.templates.size(); ++i) {
       const auto& source = library.templates[i];

@@ -11,7 +11,7 @@
 #include "annotator/word_check.h"
 #include "goal_mutations.h"
 #include "templates/template.h"
-#include "tests/generator/real_tables.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
@@ -33,7 +33,7 @@ class WrongTexts : public ::testing::Test {
     use(Simulator::Ai2thor);
   }
   void use(Simulator simulator) {
-    knowledge_ = &real_tables(simulator);
+    knowledge_ = &committed_knowledge(simulator);
     nouns_ = std::make_unique<NounTable>(*knowledge_);
   }
 

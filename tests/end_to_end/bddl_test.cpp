@@ -14,6 +14,7 @@
 #include "scene/scene_json.h"
 #include "scene/trace.h"
 #include "schema_checker.h"
+#include "tests/support/needs.h"
 
 namespace unietp::testing {
 namespace {
@@ -219,8 +220,8 @@ TEST(ExportBddl, EachGoalHasTheTruthOfOursAfterEveryStep) {
 
 /// The table comes from BEHAVIOR's own; what stands there now is held against it.
 TEST(ExportBddl, SynsetsAreThoseOfBehavior) {
-  const fs::path upstream = fs::path(UNIETP_SOURCE_DIR) / "../shared/upstream/behavior/category_mapping.csv.gz";
-  if (!fs::exists(upstream)) GTEST_SKIP() << "BEHAVIOR's category_mapping.csv.gz is not here";
+  const fs::path upstream = fs::path(UNIETP_UPSTREAM_DIR) / "behavior/category_mapping.csv.gz";
+  if (!fs::exists(upstream)) GTEST_SKIP() << needs::kSimulatorFiles;
   const auto theirs_text = read_maybe_gzip(upstream);
   ASSERT_TRUE(theirs_text);
   std::map<std::string, std::string> theirs;

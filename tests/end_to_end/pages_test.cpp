@@ -11,6 +11,7 @@
 #include "data_set.h"
 #include "program.h"
 #include "schema_checker.h"
+#include "tests/support/needs.h"
 
 namespace unietp {
 namespace {
@@ -116,7 +117,7 @@ TEST_F(Pages, StatsOfTwoSetsStandSideBySide) {
 }
 
 TEST_F(Pages, AReportDrawsItsChartsAndShowsTextsAsTheyAre) {
-  if (!Browser::installed()) GTEST_SKIP() << "Chromium is not installed: pages cannot be tried in a browser";
+  if (!Browser::installed()) GTEST_SKIP() << needs::kChromium;
   for (std::size_t i = 0; i < kCount; ++i) say(i, kHostile);
   const auto page = folder_.at("report.html");
   const auto ended = run_program({"report", data().string(), "--out", page, "--examples", "4"});
@@ -154,7 +155,7 @@ TEST_F(Pages, AReportDrawsItsChartsAndShowsTextsAsTheyAre) {
 }
 
 TEST_F(Pages, WhatIsJudgedInTheBrowserIsApplied) {
-  if (!Browser::installed()) GTEST_SKIP() << "Chromium is not installed: pages cannot be tried in a browser";
+  if (!Browser::installed()) GTEST_SKIP() << needs::kChromium;
   const auto page = folder_.at("review.html");
   ASSERT_EQ(run_program({"review", data().string(), "--out", page}).code, 0);
   const auto all = tasks(made());

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/scratch_folder.h"
+
 namespace unietp {
 
 /// How a run of the real program ended.
@@ -40,20 +42,6 @@ class RunningProgram {
 Ended run_program(const std::vector<std::string>& arguments);
 /// A shell script that ends at its first failing command, run in a folder; `unietp` in it is the real program.
 Ended run_script(const std::string& script, const std::filesystem::path& folder);
-
-/// A folder that is removed with this value.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder();
-  const std::filesystem::path& path() const { return path_; }
-  std::string at(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Every file below a folder with its bytes.
 std::map<std::string, std::string> bytes_below(const std::filesystem::path& folder);

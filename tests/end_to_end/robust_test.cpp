@@ -87,7 +87,7 @@ bool can_mount() {
 std::string joined(const std::vector<std::string>& words) { return "unietp " + join(words, " "); }
 
 TEST(Robust, AFullDiskIsToldAndAResumeAfterMakingRoomGivesTheSameBytes) {
-  if (!can_mount()) GTEST_SKIP() << "no small disk can be mounted here, not even in a name space of its own";
+  if (!can_mount()) GTEST_SKIP() << "needs to mount a small disk: run as root, or allow user namespaces";
   ScratchFolder folder;
   fs::create_directory(folder.at("disk"));
   // The disk grows until there is room: at first for not even the ledger, then for it but not for the data set beside
@@ -198,7 +198,7 @@ TEST(Robust, OnATerminalRateYieldAndTimeLeftAreShown) {
   const auto ended = run_script(
       "command -v script > found || exit 99; script -qec '" + joined(tiny_options("out")) + "' shown > /dev/null",
       folder.path());
-  if (ended.code == 99) GTEST_SKIP() << "no `script` here to make a terminal";
+  if (ended.code == 99) GTEST_SKIP() << "needs `script` to make a terminal: install bsdutils";
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto shown = read_file(folder.at("shown"));
   ASSERT_TRUE(shown);

@@ -9,6 +9,7 @@
 #include "data_set.h"
 #include "program.h"
 #include "schema_checker.h"
+#include "tests/support/needs.h"
 
 namespace unietp {
 namespace {
@@ -167,7 +168,7 @@ class RealHomes : public ::testing::TestWithParam<Sample> {};
 
 TEST_P(RealHomes, ArriveAndTasksAreMadeInThem) {
   const auto& sample = GetParam();
-  if (!fs::exists(kUpstream / sample.file)) GTEST_SKIP() << "the simulators' own files are not there: " << kUpstream;
+  if (!fs::exists(kUpstream / sample.file)) GTEST_SKIP() << needs::kSimulatorFiles;
   ScratchFolder folder;
   const auto json = import_into(folder.at("homes"), kUpstream / sample.file, sample.more);
   ASSERT_TRUE(json.is_object());

@@ -7,8 +7,8 @@
 
 #include "generator/propose.h"
 #include "generator/specification.h"
-#include "real_tables.h"
 #include "small_home.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
@@ -25,7 +25,7 @@ TEST(RealKnowledge, EveryTemplateHasBindingsOnEverySimulatorThatItClaimsAndAScan
   for (const auto& source : library()) {
     for (const auto simulator : source.simulators) {
       SCOPED_TRACE(case_of(source, simulator));
-      const auto& knowledge = real_tables(simulator);
+      const auto& knowledge = committed_knowledge(simulator);
       for (std::uint64_t seed = 0; seed < 6; ++seed) {
         const auto binding = sample_binding(source, knowledge, {}, Rng(seed));
         ASSERT_TRUE(binding);
@@ -42,9 +42,9 @@ TEST(RealKnowledge, TheFirstBindingsOfEveryTemplateCanBeInstantiated) {
   for (const auto& source : library()) {
     for (const auto simulator : source.simulators) {
       SCOPED_TRACE(case_of(source, simulator));
-      for (const auto& binding : enumerate_bindings(source, real_tables(simulator), 6)) {
-        EXPECT_TRUE(fits_by_scan(source, binding, real_tables(simulator)));
-        const auto made = instantiate(source, real_tables(simulator), binding);
+      for (const auto& binding : enumerate_bindings(source, committed_knowledge(simulator), 6)) {
+        EXPECT_TRUE(fits_by_scan(source, binding, committed_knowledge(simulator)));
+        const auto made = instantiate(source, committed_knowledge(simulator), binding);
         EXPECT_TRUE(made) << format(made.error());
       }
     }
@@ -76,8 +76,8 @@ TEST(RealKnowledge, ATemplateLeavesASimulatorOutOnlyWhereItCannotBeDone) {
       if (claims(source, simulator) || speaks_of(source.goal, beyond_reach().at(simulator))) continue;
       auto wider = source;
       wider.simulators.push_back(simulator);
-      for (const auto& binding : enumerate_bindings(wider, real_tables(simulator), 20)) {
-        ASSERT_FALSE(instantiate(wider, real_tables(simulator), binding))
+      for (const auto& binding : enumerate_bindings(wider, committed_knowledge(simulator), 20)) {
+        ASSERT_FALSE(instantiate(wider, committed_knowledge(simulator), binding))
             << case_of(source, simulator) << " could be done, for instance with " << binding.front().second;
       }
     }
@@ -93,7 +93,7 @@ TEST(RealKnowledge, NoStateIsAskedForWhereThePlaceEndsIt) {
                                  [](const Template& source) { return source.name == "heat-and-place-inside"; });
   ASSERT_NE(heat, templates.end());
   const auto refusal_of = [&](Simulator simulator, const Binding& binding) {
-    const auto proposed = propose(*heat, real_tables(simulator), binding);
+    const auto proposed = propose(*heat, committed_knowledge(simulator), binding);
     const auto* refusal = std::get_if<GateRefusal>(&proposed);
     return refusal == nullptr ? "" : std::string(name_of(refusal->gate)) + ": " + refusal->reason;
   };
@@ -104,7 +104,7 @@ TEST(RealKnowledge, NoStateIsAskedForWhereThePlaceEndsIt) {
 
 TEST(RealKnowledge, OffersReferringConstraintsForMostTemplates) {
   for (const auto simulator : kSimulators) {
-    const auto& knowledge = real_tables(simulator);
+    const auto& knowledge = committed_knowledge(simulator);
     int refined = 0;
     for (const auto& source : library()) {
       for (std::uint64_t seed = 0; seed < 4; ++seed) {

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "akb/knowledge.h"
 #include "grounding/layout.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 
@@ -20,31 +18,20 @@ struct Surroundings {
   Profile profile;
 };
 
-/// Compiled once a process from the committed tables into a file of the test's own.
-inline std::filesystem::path compiled_knowledge() {
-  static const std::filesystem::path path = [] {
-    const std::filesystem::path root = UNIETP_SOURCE_DIR;
-    auto file = std::filesystem::temp_directory_path() / ("unietp_grounding_" + std::to_string(::getpid()) + ".sqlite");
-    for (const Error& error : compile_knowledge(root / "data/akb", file)) ADD_FAILURE() << format(error);
-    return file;
-  }();
-  return path;
-}
-
 inline std::optional<Surroundings> style_of(Simulator simulator) {
   const std::filesystem::path root = UNIETP_SOURCE_DIR;
-  auto knowledge = load_knowledge(compiled_knowledge(), simulator);
+  Knowledge knowledge = committed_knowledge(simulator);
   auto profile = load_profile(root / "data/simulators", simulator);
-  if (!knowledge || !profile) {
-    ADD_FAILURE() << format(knowledge ? profile.error() : knowledge.error());
+  if (!profile) {
+    ADD_FAILURE() << format(profile.error());
     return std::nullopt;
   }
-  auto recipe = load_recipe(root / "data/layouts", *knowledge);
+  auto recipe = load_recipe(root / "data/layouts", knowledge);
   if (!recipe) {
     ADD_FAILURE() << format(recipe.error());
     return std::nullopt;
   }
-  return Surroundings{std::move(*knowledge), std::move(*recipe), *profile};
+  return Surroundings{std::move(knowledge), std::move(*recipe), *profile};
 }
 
 /// A home as those of the benchmark are.

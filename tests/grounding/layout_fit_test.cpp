@@ -6,6 +6,7 @@
 #include "akb/metadata_json.h"
 #include "core/files.h"
 #include "homes.h"
+#include "tests/support/needs.h"
 
 namespace unietp {
 namespace {
@@ -20,13 +21,9 @@ const StructureNames& structure() {
 
 TEST(FitLayouts, GivesTheCommittedTablesByteForByte) {
   const std::filesystem::path upstream = UNIETP_UPSTREAM_DIR;
-  if (!std::filesystem::exists(upstream)) GTEST_SKIP() << "no real scenes at " << upstream;
+  if (!std::filesystem::exists(upstream)) GTEST_SKIP() << needs::kSimulatorFiles;
   std::vector<Knowledge> knowledge;
-  for (const Simulator simulator : kSimulators) {
-    auto one = load_knowledge(compiled_knowledge(), simulator);
-    ASSERT_TRUE(one) << format(one.error());
-    knowledge.push_back(std::move(*one));
-  }
+  for (const Simulator simulator : kSimulators) knowledge.push_back(committed_knowledge(simulator));
   const auto files = fit_layouts(upstream, kLayouts / "curated", knowledge);
   ASSERT_TRUE(files) << format(files.error());
   EXPECT_EQ(files->size(), 4u * 4 + 3);
@@ -38,10 +35,7 @@ TEST(FitLayouts, GivesTheCommittedTablesByteForByte) {
 }
 
 TEST(FitLayouts, SaysWhichFileIsMissing) {
-  std::vector<Knowledge> knowledge;
-  auto one = load_knowledge(compiled_knowledge(), Simulator::Ai2thor);
-  ASSERT_TRUE(one);
-  knowledge.push_back(std::move(*one));
+  const std::vector<Knowledge> knowledge{committed_knowledge(Simulator::Ai2thor)};
   const auto files = fit_layouts("/nowhere", kLayouts / "curated", knowledge);
   ASSERT_FALSE(files);
   EXPECT_NE(files.error().where.find("ithor_scenes.json.gz"), std::string::npos) << files.error().where;
@@ -109,7 +103,7 @@ HomeCensus without_rooms(const HomeCensus& home) {
 TEST(HabitatStyle, IsNearARealHomeThatItMayNotBeFittedTo) {
   const std::filesystem::path path =
       std::filesystem::path(UNIETP_UPSTREAM_DIR) / "habitat/hssd_scene_102344193_boxes.json";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no real scene at " << path;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << needs::kSimulatorFiles;
   const auto style = style_of(Simulator::Habitat);
   ASSERT_TRUE(style);
   const auto json = read_metadata_json(path);

@@ -44,7 +44,7 @@ SourceScene kitchen() {
 }
 
 Result<ImportedScene> imported(const SourceScene& scene, const ImportOptions& options = {}) {
-  return assemble(scene, knowledge_of(Simulator::Ai2thor), profile_of(Simulator::Ai2thor), options);
+  return assemble(scene, committed_knowledge(Simulator::Ai2thor), profile_of(Simulator::Ai2thor), options);
 }
 
 std::vector<std::string> reasons_of(const ImportReport& report) {

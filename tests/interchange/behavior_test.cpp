@@ -10,6 +10,7 @@
 #include "import_rates.h"
 #include "interchange/formats.h"
 #include "interchange/scene_models.h"
+#include "tests/support/needs.h"
 
 namespace unietp::testing {
 namespace {
@@ -51,7 +52,7 @@ std::string omnigibson(bool nested) {
 }
 
 SourceScene read(const std::string& text) {
-  const auto scenes = read_behavior("scene.json", text, knowledge_of(Simulator::Behavior), models());
+  const auto scenes = read_behavior("scene.json", text, committed_knowledge(Simulator::Behavior), models());
   EXPECT_TRUE(scenes) << format(scenes.error());
   return scenes->front();
 }
@@ -59,12 +60,12 @@ SourceScene read(const std::string& text) {
 TEST(Behavior, TheRealSceneArrives) {
   const auto text = read_maybe_gzip(upstream() / "behavior/scene_restaurant_brunch.json.gz");
   const auto inventory = read_maybe_gzip(upstream() / "behavior/object_inventory.json.gz");
-  if (!text || !inventory) GTEST_SKIP() << "the simulators' own files are not there";
+  if (!text || !inventory) GTEST_SKIP() << needs::kSimulatorFiles;
   const auto table = read_behavior_inventory("object_inventory.json.gz", *inventory);
   ASSERT_TRUE(table) << format(table.error());
   for (const SceneModels& known : {SceneModels(), *table}) {
     const auto scenes =
-        read_behavior("scene_restaurant_brunch.json.gz", *text, knowledge_of(Simulator::Behavior), known);
+        read_behavior("scene_restaurant_brunch.json.gz", *text, committed_knowledge(Simulator::Behavior), known);
     ASSERT_TRUE(scenes) << format(scenes.error());
     const auto all = import_all(*scenes, 1);
     EXPECT_EQ(all.front().report.objects, 167);
@@ -129,7 +130,7 @@ TEST(Behavior, ReadsOmniGibsonsOwnFormOfTwoReleases) {
 TEST(Behavior, BadScenesGetAnErrorWithItsPlace) {
   const auto with = [](const std::string& text, const std::string& from, const std::string& to) {
     const auto scenes =
-        read_behavior("scene.json", replace_all(text, from, to), knowledge_of(Simulator::Behavior), models());
+        read_behavior("scene.json", replace_all(text, from, to), committed_knowledge(Simulator::Behavior), models());
     return scenes ? std::string("accepted") : format(scenes.error());
   };
   EXPECT_EQ(with(kFlat, "[1, 1, 0.55]", "[1, 1]"),

@@ -12,6 +12,7 @@
 #include "interchange/formats.h"
 #include "interchange/scene_models.h"
 #include "small_home.h"
+#include "tests/support/needs.h"
 
 namespace unietp::testing {
 namespace {
@@ -34,7 +35,8 @@ const std::string kInstance = R"({
      "initial_joint_pose": [0.3, 0]}]})";
 
 SourceScene instance(const SceneModels& models = {}) {
-  const auto scenes = read_habitat("home.scene_instance.json", kInstance, knowledge_of(Simulator::Habitat), models);
+  const auto scenes =
+      read_habitat("home.scene_instance.json", kInstance, committed_knowledge(Simulator::Habitat), models);
   EXPECT_TRUE(scenes) << format(scenes.error());
   EXPECT_EQ(scenes->size(), 1U);
   return scenes->front();
@@ -48,8 +50,8 @@ TEST(Habitat, RealScenesArrive) {
   for (const auto& [name, row, stride] :
        {File{"replicacad_scenes.json.gz", "replicacad", 9}, File{"hssd_scene_102344193_boxes.json", "hssd boxes", 1}}) {
     const auto text = read_maybe_gzip(upstream() / "habitat" / name);
-    if (!text) GTEST_SKIP() << "the simulators' own files are not there";
-    const auto scenes = read_habitat(name, *text, knowledge_of(Simulator::Habitat));
+    if (!text) GTEST_SKIP() << needs::kSimulatorFiles;
+    const auto scenes = read_habitat(name, *text, committed_knowledge(Simulator::Habitat));
     ASSERT_TRUE(scenes) << format(scenes.error());
     EXPECT_EQ(scenes->size(), std::string_view(row) == "replicacad" ? 90U : 1U);
     const auto all = import_all(*scenes, std::getenv("UNIETP_WHOLE_IMPORT") ? 1 : stride);
@@ -66,8 +68,8 @@ TEST(Habitat, RealScenesArrive) {
 TEST(Habitat, ASceneOfHashesIsKnownOnlyThroughATableOfModels) {
   const char* name = "hssd_scene_102343992.scene_instance.json.gz";
   const auto text = read_maybe_gzip(upstream() / "habitat" / name);
-  if (!text) GTEST_SKIP() << "the simulators' own files are not there";
-  const auto bare = read_habitat(name, *text, knowledge_of(Simulator::Habitat));
+  if (!text) GTEST_SKIP() << needs::kSimulatorFiles;
+  const auto bare = read_habitat(name, *text, committed_knowledge(Simulator::Habitat));
   ASSERT_TRUE(bare) << format(bare.error());
   ASSERT_EQ(bare->front().objects.size(), 357U);
   SceneModels models;
@@ -75,7 +77,7 @@ TEST(Habitat, ASceneOfHashesIsKnownOnlyThroughATableOfModels) {
     EXPECT_EQ(object.category, "");
     models[object.id.substr(0, object.id.rfind('_'))] = {"chair", Vec3(0.5, 0.5, 0.9), 4};
   }
-  const auto known = read_habitat(name, *text, knowledge_of(Simulator::Habitat), models);
+  const auto known = read_habitat(name, *text, committed_knowledge(Simulator::Habitat), models);
   ASSERT_TRUE(known) << format(known.error());
   for (const SourceObject& object : known->front().objects) {
     EXPECT_EQ(object.category, "chair");
@@ -100,7 +102,7 @@ TEST(Habitat, FurnitureOnTheFloorIsTwiceAsTallAsItsMiddleIsHigh) {
   const SourceScene scene = instance();
   EXPECT_EQ(scene.objects[1].category, "couch");
   EXPECT_NEAR(scene.objects[1].size.z(), 0.8, 1e-9);
-  EXPECT_EQ(scene.objects[1].size.x(), knowledge_of(Simulator::Habitat).find("couch")->size.x());
+  EXPECT_EQ(scene.objects[1].size.x(), committed_knowledge(Simulator::Habitat).find("couch")->size.x());
   EXPECT_THAT(scene.warnings, Contains(HasSubstr("typical size")));
 }
 
@@ -134,33 +136,33 @@ TEST(Habitat, TemplatesSpeakOfCategories) {
                                                         {"chestOfDrawers_01", "chest_of_drawers"},
                                                         {"frl_apartment_setupbox", "setupbox"},
                                                         {"door2", "door"}}) {
-    EXPECT_EQ(habitat_category(name, knowledge_of(Simulator::Habitat)), category) << name;
+    EXPECT_EQ(habitat_category(name, committed_knowledge(Simulator::Habitat)), category) << name;
   }
 }
 
 TEST(Habitat, WhatGoesOutComesInTheSameForAnySeed) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
-    const Scene home = small_home(knowledge_of(Simulator::Habitat), seed);
-    const auto exported = write_habitat(home, knowledge_of(Simulator::Habitat));
+    const Scene home = small_home(committed_knowledge(Simulator::Habitat), seed);
+    const auto exported = write_habitat(home, committed_knowledge(Simulator::Habitat));
     ASSERT_TRUE(exported) << format(exported.error());
     const auto scenes =
-        read_habitat("small_home.scene_instance.json", exported->text, knowledge_of(Simulator::Habitat));
+        read_habitat("small_home.scene_instance.json", exported->text, committed_knowledge(Simulator::Habitat));
     ASSERT_TRUE(scenes) << format(scenes.error());
     EXPECT_EQ(scenes->front().id, home.id);
-    const auto again =
-        assemble(scenes->front(), knowledge_of(Simulator::Habitat), profile_of(Simulator::Habitat), {.settle = false});
+    const auto again = assemble(scenes->front(), committed_knowledge(Simulator::Habitat),
+                                profile_of(Simulator::Habitat), {.settle = false});
     ASSERT_TRUE(again) << format(again.error());
     EXPECT_THAT(differences(home, again->scene, 1e-6), IsEmpty());
   }
 }
 
 TEST(Habitat, ExportsInstancesAsHabitatReadsThem) {
-  Scene home = small_home(knowledge_of(Simulator::Habitat), 3);
+  Scene home = small_home(committed_knowledge(Simulator::Habitat), 3);
   home.nodes = {home.nodes.front()};
   home.nodes.edit(0).pose = upright(Vec3(1, 2, 0.5), std::numbers::pi);
   home.nodes.edit(0).openable = false;
-  const auto exported = write_habitat(home, knowledge_of(Simulator::Habitat));
+  const auto exported = write_habitat(home, committed_knowledge(Simulator::Habitat));
   ASSERT_TRUE(exported) << format(exported.error());
   const Json json = Json::parse(exported->text);
   EXPECT_TRUE(json.contains("stage_instance"));
@@ -174,7 +176,8 @@ TEST(Habitat, ExportsInstancesAsHabitatReadsThem) {
 
 TEST(Habitat, BadScenesGetAnErrorWithItsPlace) {
   const auto with = [](const std::string& from, const std::string& to) {
-    const auto scenes = read_habitat("home.json", replace_all(kInstance, from, to), knowledge_of(Simulator::Habitat));
+    const auto scenes =
+        read_habitat("home.json", replace_all(kInstance, from, to), committed_knowledge(Simulator::Habitat));
     return scenes ? std::string("accepted") : format(scenes.error());
   };
   EXPECT_EQ(with("[3, 0.4, -2]", "[3, 0.4]"),

@@ -6,8 +6,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include <unistd.h>
-
 #include "simulation/relations.h"
 
 namespace unietp::testing {
@@ -18,20 +16,6 @@ double share(int part, int whole) { return whole == 0 ? 1.0 : static_cast<double
 }  // namespace
 
 std::filesystem::path upstream() { return UNIETP_UPSTREAM_DIR; }
-
-const Knowledge& knowledge_of(Simulator simulator) {
-  static std::map<Simulator, Knowledge> loaded;
-  const auto found = loaded.find(simulator);
-  if (found != loaded.end()) return found->second;
-  const auto database =
-      std::filesystem::temp_directory_path() / ("unietp-interchange-" + std::to_string(getpid()) + ".sqlite");
-  const auto problems = compile_knowledge(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/akb", database);
-  if (!problems.empty()) throw std::runtime_error(format(problems.front()));
-  auto knowledge = load_knowledge(database, simulator);
-  std::filesystem::remove(database);
-  if (!knowledge) throw std::runtime_error(format(knowledge.error()));
-  return loaded.emplace(simulator, std::move(*knowledge)).first->second;
-}
 
 const Profile& profile_of(Simulator simulator) {
   static std::map<Simulator, Profile> loaded;
@@ -46,7 +30,7 @@ std::vector<Imported> import_all(const std::vector<SourceScene>& scenes, std::si
   std::vector<Imported> all;
   for (std::size_t i = 0; i < scenes.size(); i += stride) {
     const SourceScene& source = scenes[i];
-    const auto imported = assemble(source, knowledge_of(source.simulator), profile_of(source.simulator));
+    const auto imported = assemble(source, committed_knowledge(source.simulator), profile_of(source.simulator));
     if (!imported) throw std::runtime_error(format(imported.error()));
     all.push_back({source.id, imported->report, restless(imported->scene).size()});
   }

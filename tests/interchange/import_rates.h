@@ -6,17 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "akb/knowledge.h"
 #include "interchange/import_scene.h"
 #include "interchange/source_scene.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp::testing {
 
 /// Folder of the simulators' own files; tests on them are skipped where it is missing.
 std::filesystem::path upstream();
 
-/// The committed knowledge of one simulator and its profile; loaded once a process.
-const Knowledge& knowledge_of(Simulator simulator);
+/// The committed profile of one simulator; loaded once a process.
 const Profile& profile_of(Simulator simulator);
 
 /// What became of one scene of a file.

@@ -10,6 +10,7 @@
 #include "core/files.h"
 #include "import_rates.h"
 #include "interchange/formats.h"
+#include "tests/support/needs.h"
 
 namespace unietp::testing {
 namespace {
@@ -24,7 +25,7 @@ std::vector<SourceScene> real_scenes() {
 
 TEST(Ithor, RealScenesArriveAndHold) {
   const auto scenes = real_scenes();
-  if (scenes.empty()) GTEST_SKIP() << "the simulators' own files are not there";
+  if (scenes.empty()) GTEST_SKIP() << needs::kSimulatorFiles;
   const char* whole = std::getenv("UNIETP_WHOLE_IMPORT");
   const auto all = import_all(scenes, whole ? 1 : 10);
   for (const auto& [scene, report, not_at_rest] : all) {
@@ -78,7 +79,7 @@ TEST(Ithor, TheSimulatorsOwnMetadataReadsAsADumpDoes) {
                                                             State{Predicate::Filled, "coffee"}));
     ASSERT_TRUE(scene.has_agent);
     EXPECT_NEAR(scene.agent.yaw, 0, 1e-9) << "Unity's 90 degrees look along x";
-    const auto home = assemble(scene, knowledge_of(Simulator::Ai2thor), profile_of(Simulator::Ai2thor));
+    const auto home = assemble(scene, committed_knowledge(Simulator::Ai2thor), profile_of(Simulator::Ai2thor));
     ASSERT_TRUE(home) << format(home.error());
     EXPECT_EQ(home->report.arrived, 3);
     EXPECT_EQ(home->report.relations_held, 2);

@@ -8,6 +8,7 @@
 #include "core/files.h"
 #include "import_rates.h"
 #include "interchange/formats.h"
+#include "tests/support/needs.h"
 
 namespace unietp::testing {
 namespace {
@@ -17,7 +18,7 @@ std::vector<SourceScene> real_houses() {
   for (const char* set : {"train", "val", "2to3_rooms", "other"}) {
     const auto text = read_maybe_gzip(upstream() / ("ai2thor/procthor_houses_" + std::string(set) + ".jsonl.gz"));
     if (!text) continue;
-    auto houses = read_procthor(set, *text, knowledge_of(Simulator::Ai2thor));
+    auto houses = read_procthor(set, *text, committed_knowledge(Simulator::Ai2thor));
     EXPECT_TRUE(houses) << format(houses.error());
     if (!houses) continue;
     for (auto& house : *houses) {
@@ -30,7 +31,7 @@ std::vector<SourceScene> real_houses() {
 
 TEST(Procthor, RealHousesArriveAndHold) {
   const auto houses = real_houses();
-  if (houses.empty()) GTEST_SKIP() << "the simulators' own files are not there";
+  if (houses.empty()) GTEST_SKIP() << needs::kSimulatorFiles;
   const char* whole = std::getenv("UNIETP_WHOLE_IMPORT");
   const auto all = import_all(houses, whole ? 1 : 31);
   for (const auto& [scene, report, not_at_rest] : all) {
@@ -94,8 +95,8 @@ void expect_same_plan(const Scene& a, const Scene& b) {
 
 TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {
   const auto houses = real_houses();
-  if (houses.empty()) GTEST_SKIP() << "the simulators' own files are not there";
-  const Knowledge& knowledge = knowledge_of(Simulator::Ai2thor);
+  if (houses.empty()) GTEST_SKIP() << needs::kSimulatorFiles;
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
   for (std::size_t i = 0; i < houses.size(); i += 41) {
     SCOPED_TRACE(houses[i].id);
     const auto first = assemble(houses[i], knowledge, profile_of(Simulator::Ai2thor));

@@ -12,6 +12,7 @@
 #include "import_rates.h"
 #include "interchange/formats.h"
 #include "small_home.h"
+#include "tests/support/needs.h"
 
 namespace unietp::testing {
 namespace {
@@ -23,7 +24,7 @@ using ::testing::IsEmpty;
 using Json = nlohmann::json;
 
 Result<std::vector<SourceScene>> read(const std::string& text) {
-  return read_virtualhome("home.json", text, knowledge_of(Simulator::Virtualhome));
+  return read_virtualhome("home.json", text, committed_knowledge(Simulator::Virtualhome));
 }
 
 /// A kitchen of two tiles with a bedroom beside it, the frame of a door between them, a fridge at the kitchen's wall
@@ -81,8 +82,8 @@ TEST(Virtualhome, RealHomesArriveAndHold) {
   for (int i = 1; i <= (whole != nullptr ? 6 : 1); ++i) {
     const std::string name = "TestScene" + std::to_string(i) + ".json.gz";
     const auto text = read_maybe_gzip(upstream() / "virtualhome/scenes" / name);
-    if (!text) GTEST_SKIP() << "the simulators' own files are not there";
-    const auto scenes = read_virtualhome(name, *text, knowledge_of(Simulator::Virtualhome));
+    if (!text) GTEST_SKIP() << needs::kSimulatorFiles;
+    const auto scenes = read_virtualhome(name, *text, committed_knowledge(Simulator::Virtualhome));
     ASSERT_TRUE(scenes) << format(scenes.error());
     EXPECT_EQ(scenes->front().id, "TestScene" + std::to_string(i));
     EXPECT_GE(scenes->front().rooms.size(), 4U);
@@ -99,7 +100,7 @@ TEST(Virtualhome, RealHomesArriveAndHold) {
 
 TEST(Virtualhome, ATrimmedGraphHasNoBoxesAndTheErrorSaysSo) {
   const auto text = read_maybe_gzip(upstream() / "virtualhome/scenes/TrimmedTestScene1.json.gz");
-  if (!text) GTEST_SKIP() << "the simulators' own files are not there";
+  if (!text) GTEST_SKIP() << needs::kSimulatorFiles;
   const auto scenes = read(*text);
   ASSERT_FALSE(scenes);
   EXPECT_THAT(format(scenes.error()), HasSubstr("no node has a bounding box"));
@@ -172,12 +173,12 @@ TEST(Virtualhome, ARotationInTheFileWinsOverTheWallAndSolvesTheBox) {
 TEST(Virtualhome, WhatGoesOutComesInTheSameForAnySeed) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
-    const Scene home = small_home(knowledge_of(Simulator::Virtualhome), seed);
-    const auto exported = write_virtualhome(home, knowledge_of(Simulator::Virtualhome));
+    const Scene home = small_home(committed_knowledge(Simulator::Virtualhome), seed);
+    const auto exported = write_virtualhome(home, committed_knowledge(Simulator::Virtualhome));
     ASSERT_TRUE(exported) << format(exported.error());
     const auto scenes = read(exported->text);
     ASSERT_TRUE(scenes) << format(scenes.error());
-    const auto again = assemble(scenes->front(), knowledge_of(Simulator::Virtualhome),
+    const auto again = assemble(scenes->front(), committed_knowledge(Simulator::Virtualhome),
                                 profile_of(Simulator::Virtualhome), {.settle = false});
     ASSERT_TRUE(again) << format(again.error());
     EXPECT_THAT(differences(home, again->scene, 1e-6), IsEmpty());
@@ -185,11 +186,12 @@ TEST(Virtualhome, WhatGoesOutComesInTheSameForAnySeed) {
 }
 
 TEST(Virtualhome, ExportsUpstreamsWordsForPropertiesStatesAndRelations) {
-  Scene home = small_home(knowledge_of(Simulator::Virtualhome), 1);
+  Scene home = small_home(committed_knowledge(Simulator::Virtualhome), 1);
   home.nodes.clear();
   const auto add = [&](const std::string& id, const std::string& category, Vec3 position) {
     Node node;
-    node.id = id, node.category = category, node.size = knowledge_of(Simulator::Virtualhome).find(category)->size;
+    node.id = id, node.category = category,
+    node.size = committed_knowledge(Simulator::Virtualhome).find(category)->size;
     node.pose = upright(position, 0);
     home.nodes.push_back(node);
   };
@@ -201,7 +203,7 @@ TEST(Virtualhome, ExportsUpstreamsWordsForPropertiesStatesAndRelations) {
   home.edges = {{Predicate::Inside, "plate_1", "fridge_1"},
                 {Predicate::OnFloor, "fridge_1", "kitchen_1"},
                 {Predicate::InRoom, "fridge_1", "kitchen_1"}};
-  const auto exported = write_virtualhome(home, knowledge_of(Simulator::Virtualhome));
+  const auto exported = write_virtualhome(home, committed_knowledge(Simulator::Virtualhome));
   ASSERT_TRUE(exported) << format(exported.error());
   const Json json = Json::parse(exported->text);
   std::map<int, std::string> names;
@@ -255,7 +257,7 @@ TEST(Virtualhome, ThingsInsideEachOtherAreListedAndThoseInNoRoomToo) {
   const auto scenes = read(json.dump());
   ASSERT_TRUE(scenes) << format(scenes.error());
   const auto imported =
-      assemble(scenes->front(), knowledge_of(Simulator::Virtualhome), profile_of(Simulator::Virtualhome));
+      assemble(scenes->front(), committed_knowledge(Simulator::Virtualhome), profile_of(Simulator::Virtualhome));
   ASSERT_TRUE(imported) << format(imported.error());
   std::vector<std::string> reasons;
   for (const ImportIssue& issue : imported->report.issues) reasons.push_back(issue.reason + " " + issue.object);

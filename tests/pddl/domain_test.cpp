@@ -4,7 +4,7 @@
 
 #include "pddl/names.h"
 #include "reader.h"
-#include "tests/generator/real_tables.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 TEST(PddlDomain, OfEachSimulatorReadsStrictly) {
   for (const auto simulator : kSimulators) {
     SCOPED_TRACE(name_of(simulator));
-    const auto text = pddl::domain_text(real_tables(simulator));
+    const auto text = pddl::domain_text(committed_knowledge(simulator));
     ASSERT_NO_THROW(testing::read_pddl_domain(text));
     const auto domain = testing::read_pddl_domain(text);
     EXPECT_EQ(domain.name, pddl::domain_name(simulator));
@@ -25,7 +25,7 @@ TEST(PddlDomain, OfEachSimulatorReadsStrictly) {
     }
     for (const auto& [name, parent] : domain.types) EXPECT_EQ(domain.predicates.count(name), 0U) << name;
   }
-  const auto habitat = testing::read_pddl_domain(pddl::domain_text(real_tables(Simulator::Habitat)));
+  const auto habitat = testing::read_pddl_domain(pddl::domain_text(committed_knowledge(Simulator::Habitat)));
   EXPECT_EQ(habitat.actions.count("turn_on"), 0U) << "an action that the simulator does not offer";
 }
 

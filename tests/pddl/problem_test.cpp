@@ -13,7 +13,7 @@
 #include "reader.h"
 #include "symbolic/witness.h"
 #include "templates/template.h"
-#include "tests/generator/real_tables.h"
+#include "tests/support/committed_knowledge.h"
 #include "tests/symbolic/naive_scene.h"
 
 namespace unietp {
@@ -31,7 +31,7 @@ const testing::PddlDomain& domain_of(Simulator simulator) {
   static std::map<Simulator, testing::PddlDomain> read;
   auto found = read.find(simulator);
   if (found == read.end())
-    found = read.emplace(simulator, testing::read_pddl_domain(pddl::domain_text(real_tables(simulator)))).first;
+    found = read.emplace(simulator, testing::read_pddl_domain(pddl::domain_text(committed_knowledge(simulator)))).first;
   return found->second;
 }
 
@@ -77,7 +77,7 @@ struct Drawn {
 };
 
 std::unique_ptr<Drawn> draw(const Template& source, Simulator simulator, std::uint64_t seed) {
-  const auto& knowledge = real_tables(simulator);
+  const auto& knowledge = committed_knowledge(simulator);
   const Rng rng = Rng(seed).fork(source.name, static_cast<std::uint64_t>(simulator));
   const auto binding = sample_binding(source, knowledge, {}, rng);
   if (!binding) return nullptr;

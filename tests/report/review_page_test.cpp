@@ -11,6 +11,7 @@
 #include "browser.h"
 #include "core/files.h"
 #include "report/review_file.h"
+#include "tests/support/needs.h"
 
 namespace unietp {
 namespace {
@@ -65,7 +66,7 @@ std::vector<std::vector<PlanCard>> plans_for(std::size_t count) {
 class ReviewPage : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!Browser::installed()) GTEST_SKIP() << "Chromium is not installed: pages cannot be tried in a browser";
+    if (!Browser::installed()) GTEST_SKIP() << needs::kChromium;
     folder_ = fs::temp_directory_path() / ("review_page_" + std::to_string(::getpid()));
     fs::remove_all(folder_);
     fs::create_directories(folder_);

@@ -12,6 +12,7 @@
 
 #include "simulation/world.h"
 #include "tests/simulation/kitchen.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
@@ -81,17 +82,12 @@ class KnowledgeInPhysics : public ::testing::TestWithParam<Simulator> {};
 
 TEST_P(KnowledgeInPhysics, WhatTheTablesPlaceABodyCanPlace) {
   const std::filesystem::path source = UNIETP_SOURCE_DIR;
-  const auto database =
-      std::filesystem::path(::testing::TempDir()) / ("placement_" + std::string(name_of(GetParam())) + ".sqlite");
-  const auto errors = compile_knowledge(source / "data/akb", database);
-  ASSERT_TRUE(errors.empty()) << format(errors.front());
-  const auto knowledge = load_knowledge(database, GetParam());
+  const Knowledge& knowledge = committed_knowledge(GetParam());
   const auto profile = load_profile(source / "data/simulators", GetParam());
-  ASSERT_TRUE(knowledge) << format(knowledge.error());
   ASSERT_TRUE(profile) << format(profile.error());
-  const auto rows = sampled(*knowledge);
+  const auto rows = sampled(knowledge);
   for (const Placement& row : rows) {
-    auto world = World::create(bare_room(*knowledge, row, 1.0), *knowledge, *profile);
+    auto world = World::create(bare_room(knowledge, row, 1.0), knowledge, *profile);
     ASSERT_TRUE(world) << format(world.error());
     Outcome outcome = world->step({ActionType::GoTo, {"receptacle"}});
     if (outcome.success) {

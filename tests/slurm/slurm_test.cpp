@@ -26,7 +26,8 @@ std::string in_order(const fs::path& logs) {
 
 TEST(Slurm, AnArrayOfShardsAndItsMergeGiveTheBytesOfOneProcess) {
   const SlurmCluster cluster;
-  if (!cluster.why_not().empty()) GTEST_SKIP() << "Slurm does not start here: " << cluster.why_not();
+  if (!cluster.why_not().empty())
+    GTEST_SKIP() << "needs Slurm: install slurm-wlm and munge, run as root; it does not start: " << cluster.why_not();
   const ScratchFolder scratch;
   ASSERT_TRUE(write_file(scratch.path() / "run.json", kSettings));
   const auto alone = run_program({"training", "--config", scratch.at("run.json"), "--out", scratch.at("alone")});

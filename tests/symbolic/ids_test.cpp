@@ -10,7 +10,7 @@
 #include "logic/evaluate.h"
 #include "logic/monitor.h"
 #include "symbolic/goal.h"
-#include "tests/generator/real_tables.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp::symbolic {
 namespace {
@@ -64,7 +64,7 @@ struct Mugs {
   World world;
 
   explicit Mugs(std::size_t count, Simulator simulator = Simulator::Ai2thor, const std::string& category = "Mug")
-      : rules(real_tables(simulator), offer_of(simulator), {category}) {
+      : rules(committed_knowledge(simulator), offer_of(simulator), {category}) {
     setting.rules = &rules;
     setting.cast.rooms = {{"kitchen_1", "Kitchen"}, {"hall_1", "Hall"}};
     for (std::size_t i = 0; i < count; ++i) {
@@ -112,7 +112,7 @@ TEST(ManyThings, TheLastOfFiveThousandIsAThingAndNoRoom) {
 
 TEST(ManyThings, EachSubstanceOfBehaviorIsToldFromEachOther) {
   std::set<std::string> substances;
-  for (const auto& row : real_tables(Simulator::Behavior).effects()) {
+  for (const auto& row : committed_knowledge(Simulator::Behavior).effects()) {
     if ((row.effect == "fills" || row.effect == "dispenses") && !row.gives.empty()) substances.insert(row.gives);
   }
   ASSERT_GE(substances.size(), 45U);

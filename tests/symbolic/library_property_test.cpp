@@ -12,7 +12,7 @@
 #include "naive_scene.h"
 #include "symbolic/witness.h"
 #include "templates/template.h"
-#include "tests/generator/real_tables.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
@@ -221,7 +221,7 @@ TEST(Library, IsFalseAtTheStartReachableAndNotMetByMistakes) {
     for (std::size_t s = 0; s < source.simulators.size(); ++s) {
       SCOPED_TRACE(name_of(source.simulators[s]));
       const std::size_t share = (scenes_wanted() + source.simulators.size() - 1) / source.simulators.size();
-      Trial(source, real_tables(source.simulators[s]), tally).run(share, Rng(4).fork(source.name, s));
+      Trial(source, committed_knowledge(source.simulators[s]), tally).run(share, Rng(4).fork(source.name, s));
     }
     EXPECT_GE(tally.scenes, scenes_wanted());
     ++templates;

@@ -6,7 +6,7 @@
 #include "logic/evaluate.h"
 #include "naive_scene.h"
 #include "symbolic/reach.h"
-#include "tests/generator/real_tables.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
@@ -60,7 +60,7 @@ TEST(Witness, IsFoundForEachOperatorOfGoals) {
   for (const auto& one : cases) {
     SCOPED_TRACE(one.goal);
     const auto made = about(one.simulator, one.goal, one.init, one.tools);
-    const auto& knowledge = real_tables(one.simulator);
+    const auto& knowledge = committed_knowledge(one.simulator);
     const NaiveScenes scenes(made, knowledge, Rng(1));
     const auto scene = scenes.draw(Rng(2));
     ASSERT_TRUE(scene);
@@ -73,7 +73,7 @@ TEST(Witness, IsFoundForEachOperatorOfGoals) {
 TEST(Witness, IsNoneWhereTheGoalHoldsAlready) {
   const auto made =
       about(Simulator::Ai2thor, "(exists (?a - Fridge) (at-end (open ?a)))", {"(forall (?a - Fridge) (open ?a))"});
-  const NaiveScenes scenes(made, real_tables(Simulator::Ai2thor), Rng(1));
+  const NaiveScenes scenes(made, committed_knowledge(Simulator::Ai2thor), Rng(1));
   const auto scene = scenes.draw(Rng(2));
   ASSERT_TRUE(scene);
   EXPECT_FALSE(find_witness(made.goal, scene->setting, scene->start));
@@ -94,10 +94,10 @@ TEST(Reach, CoversWhateverRandomActionsBringAbout) {
     Specification made;
     made.simulator = simulator;
     for (const auto& category : categories) {
-      ASSERT_NE(real_tables(simulator).find(category), nullptr) << category;
+      ASSERT_NE(committed_knowledge(simulator).find(category), nullptr) << category;
       made.binding.emplace_back(category, category);
     }
-    const NaiveScenes scenes(made, real_tables(simulator), Rng(3));
+    const NaiveScenes scenes(made, committed_knowledge(simulator), Rng(3));
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
       Rng rng(seed);
       const auto scene = scenes.draw(rng.fork("scene", 0));
