@@ -12,11 +12,10 @@
 namespace unietp {
 namespace {
 
-using behavior::Facts;
 using behavior::Metadata;
 
 /// A category of curated/behavior/category.csv is a word of the lexicon with the metadata's size and mass.
-RawCategory listed(const std::string& name, const Facts& facts) {
+RawCategory listed(const std::string& name, const behavior::Facts& facts) {
   RawCategory raw;
   std::vector<Vec3> boxes;
   for (const auto& [model, size] : facts.models) boxes.push_back(size);
@@ -33,7 +32,7 @@ RawCategory listed(const std::string& name, const Facts& facts) {
 }
 
 /// Any other is a word made of its hypernyms, name and models.
-RawCategory derived(const std::string& name, const Facts& facts, const behavior::Words& words,
+RawCategory derived(const std::string& name, const behavior::Facts& facts, const behavior::Words& words,
                     const WordNetWords& wordnet) {
   RawCategory raw;
   raw.name = name;

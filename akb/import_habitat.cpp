@@ -15,7 +15,7 @@ namespace {
 
 const std::string kOvmm = "metadata:ovmm_categories.json", kOneEach = "metadata:ovmm_one_object_per_category.csv",
                   kLexicon = "metadata:hssd_semantic_lexicon.json",
-                  kAssets = "metadata:procthor_asset_database.json.gz";
+                  kProcthorAssets = "metadata:procthor_asset_database.json.gz";
 
 /// The lists that decide what kinds of things there are.
 struct Lists {
@@ -120,7 +120,7 @@ Result<Tables> import_habitat(const std::filesystem::path& upstream, const std::
     }
     if (const auto asset = own.find(name); asset != own.end()) {
       raw.extents = asset->second.size;
-      raw.extents_source = kAssets;
+      raw.extents_source = kProcthorAssets;
     }
     builder.add(raw);
     // What a hamper holds goes by its size: a lent one would be as small as the models that happen to be there.

@@ -19,7 +19,7 @@ std::vector<std::string> archetype_names() {
 }
 
 /// Keys of the rows seen so far; a row whose key was seen is a fault of `column`.
-class Keys {
+class UniqueKeys {
  public:
   void check(RowReader& row, std::string_view column, std::initializer_list<std::string_view> key) {
     if (!row.sound()) return;
@@ -39,7 +39,7 @@ class Keys {
 std::vector<Category> read_categories(RowReader& row) {
   const auto archetypes = archetype_names();
   std::vector<Category> categories;
-  Keys keys;
+  UniqueKeys keys;
   for (const auto& cells : row.rows()) {
     row.at(cells);
     Category c;
@@ -67,7 +67,7 @@ std::vector<Category> read_categories(RowReader& row) {
 
 std::vector<AffordanceFact> read_affordances(RowReader& row, const NameTable& names) {
   std::vector<AffordanceFact> facts;
-  Keys keys;
+  UniqueKeys keys;
   for (const auto& cells : row.rows()) {
     row.at(cells);
     AffordanceFact fact;
@@ -82,7 +82,7 @@ std::vector<AffordanceFact> read_affordances(RowReader& row, const NameTable& na
 
 std::vector<Placement> read_placements(RowReader& row, const NameTable& names) {
   std::vector<Placement> placements;
-  Keys keys;
+  UniqueKeys keys;
   for (const auto& cells : row.rows()) {
     row.at(cells);
     Placement p;
@@ -100,7 +100,7 @@ std::vector<Placement> read_placements(RowReader& row, const NameTable& names) {
 
 std::vector<Effect> read_effects(RowReader& row, const NameTable& names) {
   std::vector<Effect> effects;
-  Keys keys;
+  UniqueKeys keys;
   for (const auto& cells : row.rows()) {
     row.at(cells);
     Effect e;
@@ -119,7 +119,7 @@ std::vector<Effect> read_effects(RowReader& row, const NameTable& names) {
 
 std::vector<Alias> read_aliases(RowReader& row, const NameTable& names) {
   std::vector<Alias> aliases;
-  Keys keys;
+  UniqueKeys keys;
   for (const auto& cells : row.rows()) {
     row.at(cells);
     Alias a;
@@ -135,7 +135,7 @@ std::vector<Alias> read_aliases(RowReader& row, const NameTable& names) {
 
 std::vector<Asset> read_assets(RowReader& row, const NameTable& names) {
   std::vector<Asset> assets;
-  Keys keys;
+  UniqueKeys keys;
   for (const auto& cells : row.rows()) {
     row.at(cells);
     Asset a;

@@ -10,8 +10,9 @@
 namespace unietp {
 namespace {
 
-const std::string kAssets = "metadata:procthor_asset_database.json.gz", kScenes = "metadata:ithor_scenes.json.gz",
-                  kInventory = "metadata:object_inventory.json.gz", kMapping = "metadata:category_mapping.csv.gz";
+const std::string kAssetDatabase = "metadata:procthor_asset_database.json.gz",
+                  kScenes = "metadata:ithor_scenes.json.gz", kInventory = "metadata:object_inventory.json.gz",
+                  kMapping = "metadata:category_mapping.csv.gz";
 
 using Sizes = std::map<std::string, UpstreamSize>;
 using Boxes = std::map<std::string, std::vector<Vec3>>;
@@ -39,7 +40,7 @@ Result<Done> add_ai2thor(const std::filesystem::path& upstream, Sizes& sizes) {
   if (!scenes) return scenes.error();
   Boxes boxes;
   for (const auto& asset : *assets) boxes[words_of(asset.category)].push_back(asset.size);
-  add_medians(boxes, kAssets, sizes);
+  add_medians(boxes, kAssetDatabase, sizes);
   std::map<std::string, std::vector<double>> masses;
   for (const auto& [id, scene] : scenes->at("scenes").items()) {
     for (const auto& object : scene.at("objects")) {
@@ -88,7 +89,7 @@ Result<std::vector<Asset>> read_procthor_assets(const std::filesystem::path& ups
     for (const auto& row : list) {
       const auto& box = row.at("boundingBox");
       const Vec3 size(box.at("x").get<double>(), box.at("z").get<double>(), box.at("y").get<double>());
-      assets.push_back({row.at("assetId").get<std::string>(), type, size, {kAssets, 1}});
+      assets.push_back({row.at("assetId").get<std::string>(), type, size, {kAssetDatabase, 1}});
     }
   }
   return assets;

@@ -8,7 +8,7 @@ namespace {
 using Op = Formula::Op;
 
 std::string numbered(int number) { return std::string("n").append(std::to_string(number)); }
-Term variable(const std::string& name) { return {Term::Kind::Variable, name}; }
+Term reference_variable(const std::string& name) { return {Term::Kind::Variable, name}; }
 
 }  // namespace
 
@@ -40,7 +40,7 @@ bool References::hidden(const Domain& noun) const {
 Domain References::restricted(const NounPhrase& phrase, const std::string& name) {
   Domain domain = phrase.noun;
   std::vector<Formula> where;
-  for (const Complement& modifier : phrase.modifiers) where.push_back(restriction(modifier, variable(name)));
+  for (const Complement& modifier : phrase.modifiers) where.push_back(restriction(modifier, reference_variable(name)));
   if (!where.empty()) domain.where.push_back(conjunction(std::move(where)));
   return domain;
 }
@@ -65,7 +65,7 @@ Formula References::restriction(const Complement& modifier, const Term& subject)
     case Determiner::Any: {
       const std::string name = fresh();
       hidden_.push_back(phrase.noun);
-      slot = {variable(name), true, restricted(phrase, name), &phrase};
+      slot = {reference_variable(name), true, restricted(phrase, name), &phrase};
       break;
     }
     default:
@@ -76,17 +76,17 @@ Formula References::restriction(const Complement& modifier, const Term& subject)
 
 Term References::known(const NounPhrase& phrase) {
   if (phrase.determiner == Determiner::It) {
-    if (referents_.size() == 1) return variable(referents_[0].variable);
+    if (referents_.size() == 1) return reference_variable(referents_[0].variable);
     fail(phrase.column, "'it' is clear only after exactly one object was named");
     return {};
   }
   const std::vector<const Referent*> found = named(phrase.noun);
   if (phrase.determiner == Determiner::Ordinal) {
-    if (phrase.number <= static_cast<int>(found.size())) return variable(found[phrase.number - 1]->variable);
+    if (phrase.number <= static_cast<int>(found.size())) return reference_variable(found[phrase.number - 1]->variable);
     fail(phrase.column, "fewer objects of this kind were named before");
     return {};
   }
-  if (found.size() == 1) return variable(found[0]->variable);
+  if (found.size() == 1) return reference_variable(found[0]->variable);
   fail(phrase.column, found.empty() ? "no such object was named before" : "several such objects were named before");
   return {};
 }
@@ -120,7 +120,7 @@ Resolved References::resolve(const NounPhrase& phrase, Box& box) {
       for (const Referent* other : others) {
         Formula same;
         same.op = Op::Equal;
-        same.terms = {variable(next), variable(other->variable)};
+        same.terms = {reference_variable(next), reference_variable(other->variable)};
         box.distinct.push_back(negation(same));
       }
       return introduced(phrase, box);
@@ -130,13 +130,13 @@ Resolved References::resolve(const NounPhrase& phrase, Box& box) {
   }
   const std::string name = fresh();
   hidden_.push_back(phrase.noun);
-  slot = {variable(name), true, restricted(phrase, name), &phrase};
+  slot = {reference_variable(name), true, restricted(phrase, name), &phrase};
   return slot;
 }
 
 Resolved References::introduced(const NounPhrase& phrase, Box& box) {
   const std::string name = fresh();
-  Resolved slot{variable(name), false, restricted(phrase, name), &phrase};
+  Resolved slot{reference_variable(name), false, restricted(phrase, name), &phrase};
   box.variables.emplace_back(name, slot.domain);
   referents_.push_back({name, phrase.noun, phrase.by_function || phrase.noun.kind == Domain::Kind::Object});
   return slot;
@@ -181,7 +181,7 @@ Formula said_of(const Complement& complement, const Term& subject, const Resolve
 
 Resolved References::bound(const NounPhrase& phrase) {
   const std::string name = fresh();
-  Resolved slot{variable(name), true, restricted(phrase, name), &phrase};
+  Resolved slot{reference_variable(name), true, restricted(phrase, name), &phrase};
   referents_.push_back({name, phrase.noun, phrase.noun.kind == Domain::Kind::Object});
   return slot;
 }

@@ -13,7 +13,7 @@ namespace unietp {
 namespace {
 
 using P = Predicate;
-using Words = std::vector<Token>;
+using Tokens = std::vector<Token>;
 
 bool is_number(std::string_view word) {
   return !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
@@ -26,20 +26,20 @@ struct NameInText : NounTable::Reading {
 
 /// The words of a text that are no part of a name of the lexicon, and the names.
 struct Sorted {
-  Words plain;
+  Tokens plain;
   std::vector<NameInText> nouns;
   std::set<std::string> of_names;  // words that stand in a name
 };
 
 /// "can you", "would like": words that are also the name of something.
-bool is_helper(const Words& words, std::size_t i) {
+bool is_helper(const Tokens& words, std::size_t i) {
   const std::string next = i + 1 < words.size() ? words[i + 1].text : "";
   const std::string last = i > 0 ? words[i - 1].text : "";
   if (words[i].text == "can") return next == "you" || next == "i" || last == "you" || last == "i";
   return false;
 }
 
-Sorted sorted(const Words& words, const NounTable& nouns) {
+Sorted sorted(const Tokens& words, const NounTable& nouns) {
   Sorted found;
   for (std::size_t i = 0; i < words.size();) {
     const auto function = nouns.function_at(words, i), again = nouns.function_again_at(words, i);
@@ -57,7 +57,7 @@ Sorted sorted(const Words& words, const NounTable& nouns) {
   return found;
 }
 
-bool any_word(const Words& words, std::string_view list) {
+bool any_word(const Tokens& words, std::string_view list) {
   return std::any_of(words.begin(), words.end(), [&](const Token& word) { return is_among(word.text, list); });
 }
 
@@ -273,7 +273,7 @@ class Check {
   const NounTable& nouns_;
   const Specification& specification_;
   GoalWords goal_;
-  Words words_;
+  Tokens words_;
   Sorted text_;
   std::vector<std::string> faults_;
 };

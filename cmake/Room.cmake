@@ -11,7 +11,14 @@ target_compile_options(unietp_flags INTERFACE -Wall -Wextra -Wpedantic -Wconvers
                        $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wshadow=local;-Wno-subobject-linkage>
                        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # g++ 12 warns falsely of "literal" + std::string
 target_include_directories(unietp_flags INTERFACE ${PROJECT_SOURCE_DIR})
+# g++ collects its own garbage less often: 8 % less time to compile.
+target_compile_options(unietp_flags INTERFACE
+                       "$<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:SHELL:--param ggc-min-heapsize=500000>")
 file(WRITE ${PROJECT_BINARY_DIR}/room_graph.txt "")
+
+# Half of a run's time is spent in simulation/. A release with these rooms at -O3 and the others at -O1 makes and
+# verifies tasks as fast as one with all rooms at -O3, and compiles in two thirds of the time.
+set(UNIETP_HOT_ROOMS logic scene simulation)
 
 function(add_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
@@ -24,9 +31,10 @@ function(add_room name)
   add_library(unietp::${name} ALIAS unietp_${name})
   list(TRANSFORM ROOM_DEPENDS PREPEND unietp:: OUTPUT_VARIABLE rooms)
   target_link_libraries(unietp_${name} PUBLIC unietp_flags ${rooms} ${ROOM_PUBLIC_LIBS} PRIVATE ${ROOM_PRIVATE_LIBS})
-  # A run takes 4 % less time than at -O2, at which tests are built. g++ 12 then warns falsely of std::variant.
-  target_compile_options(unietp_${name} PRIVATE
-                         $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-O3;-Wno-maybe-uninitialized>)
+  if(name IN_LIST UNIETP_HOT_ROOMS)  # at -O3 g++ 12 warns falsely of std::variant
+    target_compile_options(unietp_${name} PRIVATE
+                           $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-O3;-Wno-maybe-uninitialized>)
+  endif()
   file(APPEND ${PROJECT_BINARY_DIR}/room_graph.txt "${name}: ${ROOM_DEPENDS}\n")
   set_property(GLOBAL APPEND PROPERTY UNIETP_ROOMS_BUILT ${name})
 endfunction()
@@ -40,6 +48,7 @@ set(UNIETP_UPSTREAM "${PROJECT_SOURCE_DIR}/../shared/upstream" CACHE PATH
 function(add_room_tests name)
   cmake_parse_arguments(T "SLOW" "" "SOURCES;LIBS" ${ARGN})
   add_executable(${name}_tests ${T_SOURCES})
+  set_target_properties(${name}_tests PROPERTIES UNITY_BUILD_BATCH_SIZE 8)  # names of helpers recur between test files
   target_link_libraries(${name}_tests PRIVATE ${T_LIBS} test_support GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name}_tests PRIVATE UNIETP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                              UNIETP_UPSTREAM_DIR="${UNIETP_UPSTREAM}")

@@ -7,7 +7,7 @@
 namespace unietp {
 namespace {
 
-constexpr int kStarts = 6;
+constexpr int kStartsTried = 6;
 
 /// Categories with an alias of this kind, among the movable ones that the goal speaks of.
 std::vector<std::string> with_alias(const Specification& plain, const Knowledge& knowledge, std::string_view kind) {
@@ -82,7 +82,7 @@ std::optional<Specification> by_function(const Specification& plain, const Knowl
     std::sort(serving.begin(), serving.end());
     serving.erase(std::unique(serving.begin(), serving.end()), serving.end());
     auto widened = reworded(substituted(plain, category, serving), Style::Function);
-    if (contradiction(widened, knowledge) || bad_start(widened, knowledge, kStarts)) continue;
+    if (contradiction(widened, knowledge) || bad_start(widened, knowledge, kStartsTried)) continue;
     return widened;
   }
   return std::nullopt;

@@ -15,13 +15,14 @@
 namespace unietp {
 namespace {
 
-constexpr double kRare = 0.04;       // pieces that fewer rooms have are left out
-constexpr double kAlways = 0.9;      // a share of rooms above which a piece is obligatory
-constexpr double kMostArea_m2 = 36;  // larger rooms would put most of a home out of the agent's sight
+constexpr double kRare = 0.04;                // pieces that fewer rooms have are left out
+constexpr double kAlways = 0.9;               // a share of rooms above which a piece is obligatory
+constexpr double kLargestFittedArea_m2 = 36;  // larger rooms would put most of a home out of the agent's sight
 constexpr double kSmallestArea_m2 = 9;
 
-const std::vector<std::string> kFurnitureColumns{"room", "category", "where", "share", "mean", "at_least", "at_most"};
-const std::vector<std::string> kRoomColumns{"room", "weight", "at_least", "at_most", "area_low", "area_high"};
+const std::vector<std::string> kFittedFurnitureColumns{"room", "category", "where",  "share",
+                                                       "mean", "at_least", "at_most"};
+const std::vector<std::string> kFittedRoomColumns{"room", "weight", "at_least", "at_most", "area_low", "area_high"};
 
 struct Curated {
   std::string room, category, where;
@@ -63,7 +64,7 @@ Result<std::vector<Curated>> read_curated(const FitInput& own, const std::filesy
   const auto text = read_file(folder / name);
   if (!text) return text.error();
   std::vector<Error> errors;
-  RowReader reader("curated/" + name, *text, kFurnitureColumns, errors);
+  RowReader reader("curated/" + name, *text, kFittedFurnitureColumns, errors);
   auto rooms = room_types();
   rooms.emplace_back("any");
   std::vector<std::string> furniture;
@@ -140,7 +141,7 @@ Result<std::string> fit_rooms(const FitInput& own, const std::filesystem::path& 
   const auto text = read_file(curated / name);
   if (!text) return text.error();
   std::vector<Error> errors;
-  RowReader reader("curated/" + name, *text, kRoomColumns, errors);
+  RowReader reader("curated/" + name, *text, kFittedRoomColumns, errors);
   std::string out = "room,weight,at_least,at_most,area_low,area_high,source\n";
   for (const CsvRow& row : reader.rows()) {
     reader.at(row);
@@ -154,12 +155,12 @@ Result<std::string> fit_rooms(const FitInput& own, const std::filesystem::path& 
     }
     double low = 0, high = 0;
     if (!reader.text("area_low").empty() || areas.empty()) {
-      low = reader.number("area_low", 0, kMostArea_m2, false);
-      high = reader.number("area_high", low, kMostArea_m2, true);
+      low = reader.number("area_low", 0, kLargestFittedArea_m2, false);
+      high = reader.number("area_high", low, kLargestFittedArea_m2, true);
     } else {
       std::tie(low, high) = quartiles(areas);
-      low = std::clamp(low, kSmallestArea_m2, 0.7 * kMostArea_m2);
-      high = std::clamp(high, low, kMostArea_m2);
+      low = std::clamp(low, kSmallestArea_m2, 0.7 * kLargestFittedArea_m2);
+      high = std::clamp(high, low, kLargestFittedArea_m2);
     }
     double weight = 0;
     std::string source = "curated";

@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kSizeSpread = 0.04;
+constexpr double kObjectSizeSpread = 0.04;
 constexpr double kUsualRoomFactor = 4;
 constexpr double kHeldByOthers = 0.5;  // things that a receptacle holds of which no home shows how many
 constexpr int kReceptaclesPerTry = 3;
@@ -86,7 +86,7 @@ class Scatterer {
   }
 
   bool place(const Wish& wish, Rng rng) {
-    Node node = make_node(workspace_, *wish.category, kSizeSpread, rng);
+    Node node = make_node(workspace_, *wish.category, kObjectSizeSpread, rng);
     draw_states(node, workspace_.knowledge(), rng);
     std::vector<Host> hosts = hosts_in(wish);
     for (int choice = 0; choice < kReceptaclesPerTry && !hosts.empty(); ++choice) {

@@ -22,9 +22,9 @@ constexpr double kOpen = 0.05;  // radians or metres from which a joint is open
 /// Models' fronts look along x, ours along -y.
 const Quat kFrontAlongX(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
 
-class Importer {
+class BehaviorImporter {
  public:
-  Importer(const Knowledge& knowledge, const SceneModels& models) : knowledge_(knowledge), models_(models) {
+  BehaviorImporter(const Knowledge& knowledge, const SceneModels& models) : knowledge_(knowledge), models_(models) {
     // A model keeps its six letters when a later release renames its category.
     for (const Asset& asset : knowledge.assets()) by_letters_.emplace(letters_of(asset.name), asset.name);
     for (const auto& [name, model] : models) by_letters_.emplace(letters_of(name), name);
@@ -162,7 +162,7 @@ Result<std::vector<SourceScene>> read_behavior(const std::string& where, std::st
                       const auto objects = read_behavior_objects(reader, home, missing);
                       if (reader.error()) return SourceScene();
                       if (const auto name = given(home, "scene")) id = reader.text(*name);
-                      return Importer(knowledge, models).scene(objects, missing, std::move(id));
+                      return BehaviorImporter(knowledge, models).scene(objects, missing, std::move(id));
                     });
 }
 

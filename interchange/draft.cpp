@@ -17,7 +17,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kThinnest_m = 0.002;  // physics needs some thickness
+constexpr double kThinnestBox_m = 0.002;  // physics needs some thickness
 constexpr double kOutside_m = 0.5;     // what lies farther from every room is not in the home
 constexpr double kLeaning_rad = 0.05;  // a tilt that physics would not keep
 constexpr double kSlab_m = 0.02;       // thickness of a laptop or book that was measured while open
@@ -63,7 +63,7 @@ void stand_up(Node& node) {
 /// The file measured a folding thing with its lid up: the closed body, and how far its lid is open, that fill the box.
 void unfold(Node& node) {
   const Vec3 box = node.size;
-  const double rise = std::max(box.z() - kSlab_m / 2, kThinnest_m);
+  const double rise = std::max(box.z() - kSlab_m / 2, kThinnestBox_m);
   double side = box.y(), angle = 2 * std::atan2(box.y(), rise);  // a lid that leans back past upright
   if (angle > kLidTravel_rad) {
     angle = std::asin(std::min(1.0, rise / side));
@@ -143,7 +143,7 @@ class Placer {
       issue(object, "typical-size", "neither the file nor the knowledge base has its own");
     }
     if (node.size.maxCoeff() <= 0) return issue(object, "no-size", "its size is unknown");
-    node.size = node.size.cwiseMax(kThinnest_m);
+    node.size = node.size.cwiseMax(kThinnestBox_m);
     node.mass = std::max(object.mass > 0 ? object.mass : category.mass, kLightest_kg);
     node.pose = {object.pose.position, object.pose.rotation.normalized()};
     node.asset = object.asset;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kMargin_m = 0.1;  // between what stands in a drawn room and the middle of its walls
 constexpr double kDoor_m = 0.9;    // width of an opening that is made
 constexpr double kDoorHeight_m = 2.0;
-constexpr double kSameWall_m = 0.35;  // edges of two rooms that are nearer are two sides of one wall
+constexpr double kSameDrawnWall_m = 0.35;  // edges of two rooms that are nearer are two sides of one wall
 
 struct Rectangle {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -108,7 +108,7 @@ std::optional<SharedWall> shared_wall(const Room& a, const Room& b) {
     for (const Edge2& two : edges_of(b)) {
       if (std::abs(one.along.dot(two.along)) < 0.999) continue;
       const double gap = (two.start - one.start).dot(across);
-      if (std::abs(gap) > kSameWall_m) continue;
+      if (std::abs(gap) > kSameDrawnWall_m) continue;
       double from = (two.start - one.start).dot(one.along), to = from + two.length * one.along.dot(two.along);
       if (from > to) std::swap(from, to);
       from = std::max(from, 0.0);

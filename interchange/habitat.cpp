@@ -44,9 +44,9 @@ Vec3 scale_of(JsonReader& reader, const JsonAt& at) {
   return scale.cwiseAbs();
 }
 
-class Importer {
+class HabitatImporter {
  public:
-  Importer(JsonReader& reader, const Knowledge& knowledge, const SceneModels& models)
+  HabitatImporter(JsonReader& reader, const Knowledge& knowledge, const SceneModels& models)
       : reader_(reader), knowledge_(knowledge), models_(models) {}
 
   SourceScene scene(const JsonAt& home, std::string id) {
@@ -251,7 +251,7 @@ Result<std::vector<SourceScene>> read_habitat(const std::string& where, std::str
   return read_homes(where, text, {"object_instances", "articulated_object_instances", "stage_instance", "objects"},
                     [&](JsonReader& reader, const JsonAt& home, std::string id) {
                       if (given(home, "objects")) return read_labelled_boxes(reader, home, std::move(id), knowledge);
-                      return Importer(reader, knowledge, models).scene(home, std::move(id));
+                      return HabitatImporter(reader, knowledge, models).scene(home, std::move(id));
                     });
 }
 

@@ -16,18 +16,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kSamePart = 1e-3;  // a scale nearer to 1 is none
 
-Json json_of(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
-Json json_of(const Quat& q) { return Json::array({q.w(), q.x(), q.y(), q.z()}); }
-Json floor_point(const Vec2& point) { return json_of(to_habitat({point.x(), point.y(), 0})); }
+Json array_of(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+Json array_of(const Quat& q) { return Json::array({q.w(), q.x(), q.y(), q.z()}); }
+Json floor_point(const Vec2& point) { return array_of(to_habitat({point.x(), point.y(), 0})); }
 
 std::string state_text(const State& state) {
   std::string text(info(state.predicate).name);
   return state.symbol.empty() ? text : text + "(" + state.symbol + ")";
 }
 
-class Exporter {
+class HabitatExporter {
  public:
-  Exporter(const Scene& scene, const Knowledge& knowledge) : scene_(scene), knowledge_(knowledge) {}
+  HabitatExporter(const Scene& scene, const Knowledge& knowledge) : scene_(scene), knowledge_(knowledge) {}
 
   ExportedScene write() {
     for (const Node& node : scene_.nodes) add(node);
@@ -83,7 +83,7 @@ class Exporter {
       }
       left_out_.push_back(node.id + ": no model of " + node.category + " fits its box, template " + name);
     }
-    const Json entry = {{"category", category.name}, {"size", json_of(size)}, {"mass", node.mass}};
+    const Json entry = {{"category", category.name}, {"size", array_of(size)}, {"mass", node.mass}};
     if (const auto [at, fresh] = templates_.try_emplace(name, entry); !fresh && at->second != entry) {
       const Json& known = at->second.at("size");
       size = Vec3(known[0].get<double>(), known[1].get<double>(), known[2].get<double>());
@@ -101,11 +101,11 @@ class Exporter {
     const std::string name = template_of(node, scale);
     Json instance = {{"template_name", name},
                      {"translation_origin", "COM"},
-                     {"translation", json_of(to_habitat(node.pose.position))},
-                     {"rotation", json_of(rotation_to_habitat(node.pose.rotation))},
+                     {"translation", array_of(to_habitat(node.pose.position))},
+                     {"rotation", array_of(rotation_to_habitat(node.pose.rotation))},
                      {"motion_type", node.movable || node.openable ? "DYNAMIC" : "STATIC"}};
     if ((scale - Vec3::Ones()).cwiseAbs().maxCoeff() > kSamePart) {
-      instance["non_uniform_scale"] = json_of(lengths_to_habitat(scale));
+      instance["non_uniform_scale"] = array_of(lengths_to_habitat(scale));
     }
     Json states = Json::array();
     for (const State& state : node.states.all()) states.push_back(state_text(state));
@@ -143,7 +143,7 @@ class Exporter {
   Json agent() const {
     const Quat rotation = upright(Vec3::Zero(), scene_.agent.yaw + std::numbers::pi / 2).rotation;
     Json json = {{"translation", floor_point(scene_.agent.position)},
-                 {"rotation", json_of(rotation_to_habitat(rotation))}};
+                 {"rotation", array_of(rotation_to_habitat(rotation))}};
     if (!scene_.agent.held.empty()) json["held"] = scene_.agent.held;
     return json;
   }
@@ -164,7 +164,7 @@ Result<ExportedScene> write_habitat(const Scene& scene, const Knowledge& knowled
                  {},
                  "expected a scene of habitat, not of " + std::string(name_of(scene.simulator))};
   }
-  return Exporter(scene, knowledge).write();
+  return HabitatExporter(scene, knowledge).write();
 }
 
 }  // namespace unietp

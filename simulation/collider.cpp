@@ -20,7 +20,7 @@ Bounds bounds_of(const Convex& part) {
 
 void add(Digester& digester, const Vec3& v) { digester.add(v.x()).add(v.y()).add(v.z()); }
 
-void append(std::string& bytes, const void* from, std::size_t size) {
+void append_bytes(std::string& bytes, const void* from, std::size_t size) {
   bytes.append(static_cast<const char*>(from), size);
 }
 
@@ -68,13 +68,13 @@ std::vector<Convex> Collider::placed(const Pose& pose) const {
 std::shared_ptr<const Collider> ColliderBook::of(const Node& node) {
   std::string key;
   const auto form = static_cast<std::uint64_t>(node.archetype) * 2 + (node.openable ? 1 : 0);
-  append(key, &form, sizeof form);
-  append(key, node.size.data(), 3 * sizeof(double));
-  append(key, &node.opening, sizeof(double));
+  append_bytes(key, &form, sizeof form);
+  append_bytes(key, node.size.data(), 3 * sizeof(double));
+  append_bytes(key, &node.opening, sizeof(double));
   for (const Board& board : node.boards) {
-    append(key, board.centre.data(), 3 * sizeof(double));
-    append(key, board.size.data(), 3 * sizeof(double));
-    append(key, &board.joint, sizeof board.joint);
+    append_bytes(key, board.centre.data(), 3 * sizeof(double));
+    append_bytes(key, board.size.data(), 3 * sizeof(double));
+    append_bytes(key, &board.joint, sizeof board.joint);
   }
   auto& known = known_[std::move(key)];
   if (known == nullptr) known = std::make_shared<const Collider>(shape_of(node), node.opening);

@@ -49,13 +49,13 @@ double apply(WorldState& state, const Settled& settled, const std::vector<BodyId
   return farthest;
 }
 
-struct Spot {
+struct FreeSpot {
   Pose pose;      // of the object, W
   double effort;  // metres
 };
 
 struct Spots {
-  std::vector<Spot> spots;  // in reach, easiest first
+  std::vector<FreeSpot> spots;  // in reach, easiest first
   Offer offer;
 };
 
@@ -79,7 +79,7 @@ Spots spots_on(const WorldState& state, std::size_t target, const Vec3& size, bo
     return true;
   });
   std::stable_sort(result.spots.begin(), result.spots.end(),
-                   [](const Spot& a, const Spot& b) { return a.effort < b.effort; });
+                   [](const FreeSpot& a, const FreeSpot& b) { return a.effort < b.effort; });
   return result;
 }
 
@@ -190,7 +190,7 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
   };
   // Behind the near wall of a basin a thing is out of sight, so such spots come last.
   std::vector<const Pose*> hidden;
-  for (const Spot& spot : spots.spots) {
+  for (const FreeSpot& spot : spots.spots) {
     if (settles == kMostSettles) break;
     state.back_to(before);
     if (!free_at(state, group, spot.pose * inverse(state.node(i).pose))) continue;

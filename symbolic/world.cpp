@@ -8,7 +8,7 @@
 namespace unietp::symbolic {
 namespace {
 
-std::uint64_t bit(Predicate state) { return std::uint64_t{1} << static_cast<unsigned>(state); }
+std::uint64_t state_bit(Predicate state) { return std::uint64_t{1} << static_cast<unsigned>(state); }
 
 /// By state: the states of its group, itself included.
 const std::array<std::uint64_t, kPredicateCount>& group_masks() {
@@ -16,7 +16,7 @@ const std::array<std::uint64_t, kPredicateCount>& group_masks() {
     std::array<std::uint64_t, kPredicateCount> masks{};
     for (const StateGroup& group : state_groups()) {
       std::uint64_t mask = 0;
-      for (const Predicate state : group.predicates) mask |= bit(state);
+      for (const Predicate state : group.predicates) mask |= state_bit(state);
       for (const Predicate state : group.predicates) masks[static_cast<std::size_t>(state)] = mask;
     }
     return masks;
@@ -147,7 +147,7 @@ Trace trace_with(const Setting& setting, const std::vector<World>& worlds, const
 
 void Thing::set(Predicate state) {
   states &= ~group_masks()[static_cast<std::size_t>(state)];
-  states |= bit(state);
+  states |= state_bit(state);
 }
 
 Thing default_thing(const Kind& kind) {

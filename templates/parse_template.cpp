@@ -29,7 +29,7 @@ std::vector<std::string> section_names(bool all) {
   return names;
 }
 
-const std::vector<std::string> kSections = section_names(true);
+const std::vector<std::string> kSectionNames = section_names(true);
 
 bool is_template_name(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
@@ -97,13 +97,13 @@ class TemplateReader {
     for (std::size_t i = 2; i < top.children.size(); ++i) {
       const auto& child = top.children[i];
       if (!child.is_list() || child.children.empty() || !child.children[0].is_atom()) {
-        error(child.pos, "expected a section, a bracketed list that starts with one of: " + join(kSections, ", "));
+        error(child.pos, "expected a section, a bracketed list that starts with one of: " + join(kSectionNames, ", "));
         continue;
       }
       const auto& word = child.children[0].text;
-      if (std::find(kSections.begin(), kSections.end(), word) == kSections.end()) {
+      if (std::find(kSectionNames.begin(), kSectionNames.end(), word) == kSectionNames.end()) {
         error(child.children[0].pos,
-              "unknown section '" + word + "'; accepted: " + join(kSections, ", ") + hint(word, kSections));
+              "unknown section '" + word + "'; accepted: " + join(kSectionNames, ", ") + hint(word, kSectionNames));
         continue;
       }
       const bool twice = std::any_of(sections.begin(), sections.end(), [&](const auto& s) { return s.first == word; });
@@ -113,7 +113,7 @@ class TemplateReader {
       }
       sections.emplace_back(word, &child);
     }
-    for (const auto& word : kSections) {
+    for (const auto& word : kSectionNames) {
       const auto found = std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return s.first == word; });
       if (found != sections.end()) {
         read_section(word, *found->second);

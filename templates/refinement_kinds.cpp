@@ -7,7 +7,7 @@ namespace {
 
 using enum Split;
 
-constexpr std::array<RefinementKind, 23> kKinds = {{
+constexpr std::array<RefinementKind, 23> kRefinements = {{
     {"referring", InstanceGrounding, true, "the goal itself identifies its objects, with a :where"},
     {"by-state", InstanceGrounding, false, "the dirty mug"},
     {"by-relation", InstanceGrounding, false, "the mug on the desk, in the sink, next to the laptop"},
@@ -36,10 +36,10 @@ constexpr std::array<RefinementKind, 23> kKinds = {{
 
 }  // namespace
 
-std::span<const RefinementKind> refinement_kinds() { return kKinds; }
+std::span<const RefinementKind> refinement_kinds() { return kRefinements; }
 
 const RefinementKind* refinement_kind(std::string_view name) {
-  for (const auto& kind : kKinds) {
+  for (const auto& kind : kRefinements) {
     if (kind.name == name) return &kind;
   }
   return nullptr;
