@@ -51,7 +51,7 @@ std::vector<std::string> form_faults(const std::string& text, const Specificatio
   if (const auto mark = static_cast<std::size_t>(std::find_if(text.begin(), text.end(), is_mark) - text.begin());
       mark < text.size())
     faults.push_back(std::string("the text has '") + (text[mark] < ' ' ? ' ' : text[mark]) +
-                     "', which is no plain English");
+                     "', which is not plain English");
   if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c >= 0x80; }))
     faults.emplace_back("the text has letters that are not English");
   if (has_coordinates(text)) faults.emplace_back("the text has a number with a decimal point, such as a coordinate");

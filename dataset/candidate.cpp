@@ -193,7 +193,7 @@ Result<std::string> actions_of_line(std::string_view where, std::string_view lin
     }
     return line_of({{"mode", whole.at("mode")}, {"steps", std::move(steps)}});
   } catch (const Json::exception& reason) {
-    return Error{Error::Kind::Parse, std::string(where), {}, std::string("is no demonstration: ") + reason.what()};
+    return Error{Error::Kind::Parse, std::string(where), {}, std::string("is not a demonstration: ") + reason.what()};
   }
 }
 

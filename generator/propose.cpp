@@ -54,7 +54,7 @@ std::optional<GateRefusal> wrong_category(const Parameter& parameter, const Bind
   if (affords(parameter, *category, knowledge)) return std::nullopt;
   const std::string simulator(name_of(knowledge.simulator()));
   if (parameter.affordances == std::vector<std::string>{"room"}) {
-    return GateRefusal{Gate::Placeholder, parameter.name, "'" + *category + "' is no type of room of " + simulator,
+    return GateRefusal{Gate::Placeholder, parameter.name, "'" + *category + "' is not a room type of " + simulator,
                        "choose one of " + join(room_types(knowledge), ", ")};
   }
   if (is_value(parameter)) {
@@ -64,7 +64,7 @@ std::optional<GateRefusal> wrong_category(const Parameter& parameter, const Bind
                        "choose a " + word + " of some category (unietp knowledge show CATEGORY)"};
   }
   if (knowledge.find(*category) == nullptr) {
-    return GateRefusal{Gate::Placeholder, parameter.name, "'" + *category + "' is no category of " + simulator,
+    return GateRefusal{Gate::Placeholder, parameter.name, "'" + *category + "' is not a category of " + simulator,
                        "choose a category that is: " + join(parameter.affordances, " ")};
   }
   std::vector<std::string> missing;

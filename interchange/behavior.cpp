@@ -130,8 +130,8 @@ class BehaviorImporter {
     }
     if (shifted == 0) return;
     scene_.warnings.push_back(std::to_string(shifted) +
-                              " objects stand by more than 2 cm beside the height that their root link suggests: the "
-                              "middle of their box is told by what of their model stands on the floor");
+                              " objects are more than 2 cm from the height that their root link suggests: the "
+                              "center of their box follows from the part of their model that stands on the floor");
   }
 
   double floor_height() const {

@@ -24,7 +24,7 @@ class GoalTextWriter {
   GoalTextWriter(const Goal& goal, const Problem& names) : goal_(goal), names_(names) {}
 
   Result<GoalText> write() {
-    if (!goal_.understood()) refuse("a temporal operator stands within another");
+    if (!goal_.understood()) refuse("a temporal operator is inside another");
     const Part goal = text(goal_.root(), true);
     made_.goal = goal.text;
     if (goal.text.size() > kMostText) refuse("its numbers take too many literals");
@@ -230,12 +230,12 @@ class GoalTextWriter {
     }
     const auto& node = goal_.node(at);
     if (node.op != Goal::Op::Atom) {
-      refuse("a temporal operator speaks of more than one truth at a time");
+      refuse("a temporal operator has more than one literal");
       return std::nullopt;
     }
     if (!fact_of(node.atom, names_) || node.atom.predicate == Predicate::SliceOf ||
         (node.atom.predicate == Predicate::Covered && !node.atom.symbol)) {
-      refuse("a temporal operator speaks of (" + std::string(info(node.atom.predicate).name) +
+      refuse("a temporal operator refers to (" + std::string(info(node.atom.predicate).name) +
              " …), which no monitor watches");
       return std::nullopt;
     }

@@ -127,7 +127,7 @@ Outcome perform(WorldState& state, const Action& action) {
     case ActionType::Break:
       return break_apart(state, *node);
     default:
-      return failed(Failure::InvalidAction, std::string(about.name) + " is no action on an object.");
+      return failed(Failure::InvalidAction, std::string(about.name) + " is not an action on an object.");
   }
 }
 

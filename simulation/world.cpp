@@ -51,7 +51,7 @@ Result<World> World::create(Scene start, const Knowledge& knowledge, const Profi
     return Error{Error::Kind::Schema, start.id, {}, "scene, knowledge base and profile are of different simulators"};
   }
   if (room_at(start, start.agent.position) == nullptr) {
-    return Error{Error::Kind::Schema, start.id, {}, "the agent stands in no room"};
+    return Error{Error::Kind::Schema, start.id, {}, "the agent is in no room"};
   }
   Viewer viewer = known.viewer ? *known.viewer : Viewer(start);
   auto state = WorldState::of(std::move(start), knowledge, profile, std::move(known));

@@ -174,7 +174,7 @@ class Checker {
         used.insert(name);
         require_declared(name, atom->pos);
         if (is_value_placeholder(name)) {
-          error(atom->pos, "placeholder '" + name + "' stands for a word and is no category; write (colour ?x " + name +
+          error(atom->pos, "placeholder '" + name + "' is a word, not a category; write (colour ?x " + name +
                                "), (material ?x " + name + "), (covered ?x " + name + ") or (filled ?x " + name + ")");
         }
       }

@@ -32,7 +32,7 @@ TEST(Gate, SaysWhichGateRefusedWhatWasAskedAndWhatWouldHaveToChange) {
 
   const auto unknown = refusal_of("open-one", {{"A", "Unicorn"}});
   EXPECT_EQ(unknown.gate, Gate::Placeholder);
-  EXPECT_EQ(unknown.reason, "'Unicorn' is no category of ai2thor");
+  EXPECT_EQ(unknown.reason, "'Unicorn' is not a category of ai2thor");
 
   const auto affordance = refusal_of("open-one", {{"A", "Table"}});
   EXPECT_EQ(affordance.gate, Gate::Affordance);
