@@ -18,9 +18,9 @@ namespace unietp {
 namespace {
 
 constexpr double kThinnestBox_m = 0.002;  // physics needs some thickness
-constexpr double kOutside_m = 0.5;     // what lies farther from every room is not in the home
-constexpr double kLeaning_rad = 0.05;  // a tilt that physics would not keep
-constexpr double kSlab_m = 0.02;       // thickness of a laptop or book that was measured while open
+constexpr double kOutside_m = 0.5;        // what lies farther from every room is not in the home
+constexpr double kLeaning_rad = 0.05;     // a tilt that physics would not keep
+constexpr double kSlab_m = 0.02;          // thickness of a laptop or book that was measured while open
 constexpr double kLightest_kg = 0.001;
 
 bool finite(const SourceObject& object) {

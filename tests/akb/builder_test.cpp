@@ -24,7 +24,7 @@ class WordsAlone {
   std::filesystem::path path() const { return folder_.path() / "c"; }
 
  private:
-  test::TemporaryFolder folder_;
+  ScratchFolder folder_;
 };
 
 RawCategory raw(const std::string& name, bool movable) {

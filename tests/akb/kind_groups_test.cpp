@@ -21,7 +21,7 @@ using ::testing::IsEmpty;
 const auto kCurated = test::committed_tables() / "curated";
 
 std::vector<std::string> problems_of(const std::string& csv) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   EXPECT_TRUE(write_file(folder.path() / "groups.csv", csv));
   std::vector<Error> errors;
   (void)read_kind_groups(folder.path() / "groups.csv", errors);
@@ -59,7 +59,7 @@ TEST(PlacementRules, MeanTheKindThatTheyNameAndThoseThatCountAsIt) {
 }
 
 TEST(NameTexts, RefuseANameThatStandsTwiceAndARowWithoutAMeaning) {
-  const test::TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto read = [&](const std::string& csv) {
     EXPECT_TRUE(write_file(folder.path() / "names.csv", csv));
     return read_name_texts(folder.path() / "names.csv");
