@@ -1,3 +1,4 @@
+#include "resources/resources.h"
 #include "resources/template_library.h"
 
 #include <gmock/gmock.h>
