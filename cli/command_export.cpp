@@ -86,7 +86,7 @@ Exit export_dataset(const Options& options, const CommandLine& program) {
     return refuse({Error::Kind::Usage, options.dataset.string(), {}, "is not a folder; expected a finished data set"});
   if (options.format == "starts") return tell(export_starts(options.dataset, options.out), options);
   DataFolders folders = program.folders;
-  folders.extended_library = acted_wide(options.dataset);
+  folders.extended_library = records_extended_library(options.dataset);
   const auto reading = load_backends(folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   Backends backends;

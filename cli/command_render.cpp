@@ -5,14 +5,12 @@
 #include "cli/commands.h"
 #include "core/files.h"
 #include "core/png.h"
-#include "core/text.h"
 #include "grounding/scene_svg.h"
-#include "record/home_shelf.h"
+#include "record/dataset_reader.h"
 #include "simulation/navigation.h"
 #include "simulation/picture.h"
 #include "simulation/solids.h"
 #include "simulation/view.h"
-#include "validator/folder_reading.h"
 
 namespace unietp {
 namespace {
@@ -36,22 +34,28 @@ struct Options {
 
 using Legs = std::vector<std::vector<Vec2>>;
 
-/// The scenes of a task's demonstration: its start, then the one after each step.
-Result<std::vector<Scene>> scenes_of(const std::filesystem::path& file, const std::string& task, const Scene& start) {
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  int number = 0;
-  for (const auto& line : split(*text, '\n')) {
-    ++number;
-    if (line.find('"' + task + '"') == std::string::npos) continue;
-    const auto shown = read_demonstration(file.string(), number, line);
-    if (!shown) return shown.error();
-    if (shown->task != task) continue;
-    std::vector<Scene> scenes{start};
-    for (const StepRecord& step : shown->steps) scenes.push_back(apply(scenes.back(), step.changes));
-    return scenes;
+/// A task with its start and its demonstration in a mode. The lines in front of it are not parsed, only held to be
+/// those of other tasks.
+Result<FinishedTask> find_task(const std::filesystem::path& dataset, const std::string& task, Mode mode) {
+  auto reader = DatasetReader::open(dataset, {.modes = {mode}, .starts = true});
+  if (!reader) return reader.error();
+  while (const auto lines = reader->lines().next()) {
+    if (auto error = reader->line_error(*lines)) return *error;
+    if (!lines->id.empty() && lines->id != task) continue;
+    auto found = reader->read(*lines);
+    if (!found || found->record.id == task) return found;
   }
-  return Error{Error::Kind::Usage, file.string(), {}, "has no task \"" + task + "\"; tasks.jsonl lists the ids"};
+  return Error{Error::Kind::Usage,
+               (dataset / kTasksFile).string(),
+               {},
+               "has no task \"" + task + "\"; each line has its id first"};
+}
+
+/// The start of a task, then the scene after each step of its demonstration.
+std::vector<Scene> scenes_of(const Scene& start, const DemonstrationRecord& shown) {
+  std::vector<Scene> scenes{start};
+  for (const StepRecord& step : shown.steps) scenes.push_back(apply(scenes.back(), step.changes));
+  return scenes;
 }
 
 /// How the agent walks, one leg for each time that it changes its place.
@@ -79,36 +83,23 @@ Result<std::string> seen(const Scene& scene, const Profile& profile, bool boxes)
   return png(picture.width, picture.height, picture.rgb);
 }
 
-Result<Scene> start_of(const std::filesystem::path& dataset, const std::string& task) {
-  const auto lines = LineFile::read(dataset, "tasks.jsonl");
-  if (!lines) return lines.error();
-  for (std::size_t i = 0; i < lines->size(); ++i) {
-    if (lines->line(i).find("\"" + task + "\"") == std::string_view::npos) continue;
-    const auto record = read_task(lines->name(), static_cast<int>(i) + 1, lines->line(i));
-    if (!record) return record.error();
-    if (record->id == task)
-      return HomeShelf(dataset).start(lines->at(i), record->layout, record->changes, record->scene);
-  }
-  return Error{Error::Kind::Usage, (dataset / "tasks.jsonl").string(), {}, "has no task \"" + task + "\""};
-}
-
 Exit render(const Options& options, const DataFolders& folders) {
   if (std::error_code code; !std::filesystem::is_directory(options.dataset, code))
     return refuse({Error::Kind::Usage,
                    options.dataset.string(),
                    {},
                    "is no folder; a data set is expected, and `unietp scene show` draws scene files"});
-  const auto scene = start_of(options.dataset, options.task);
-  if (!scene) return refuse(scene.error());
-  const auto profile = load_profile(folders.profiles(), scene->simulator);
+  const Mode mode = *mode_named(options.mode);
+  const auto task = find_task(options.dataset, options.task, mode);
+  if (!task) return refuse(task.error());
+  const auto profile = load_profile(folders.profiles(), task->start.simulator);
   if (!profile) return refuse(profile.error());
-  const auto scenes = scenes_of(options.dataset / "demonstrations" / (options.mode + ".jsonl"), options.task, *scene);
-  if (!scenes) return refuse(scenes.error());
+  const auto scenes = scenes_of(task->start, task->shown.at(mode));
   const bool as_seen = options.out.extension() == ".png";
-  if (options.step < 1 || options.step > scenes->size())
-    return refuse({Error::Kind::Usage, "--step", {}, "expected 1 to " + std::to_string(scenes->size())});
-  const auto drawn = as_seen ? seen((*scenes)[options.step - 1], *profile, options.boxes)
-                             : Result<std::string>(scene_svg(*scene, way_through(*scenes, *profile)));
+  if (options.step < 1 || options.step > scenes.size())
+    return refuse({Error::Kind::Usage, "--step", {}, "expected 1 to " + std::to_string(scenes.size())});
+  const auto drawn = as_seen ? seen(scenes[options.step - 1], *profile, options.boxes)
+                             : Result<std::string>(scene_svg(task->start, way_through(scenes, *profile)));
   if (!drawn) return refuse(drawn.error());
   if (const auto written = write_file(options.out, *drawn); !written) return refuse(written.error());
   return Exit::Ok;

@@ -4,7 +4,7 @@
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "core/files.h"
-#include "exports/finished_tasks.h"
+#include "record/manifest_record.h"
 #include "report/review_page.h"
 #include "rewording/apply_review.h"
 
@@ -56,7 +56,7 @@ Exit apply(const Options& options, const CommandLine& program) {
   const auto reviews = read_reviews(options.reviews.string(), *text);
   if (!reviews) return refuse(reviews.error());
   auto folders = program.folders;
-  folders.extended_library = acted_wide(options.folder);
+  folders.extended_library = records_extended_library(options.folder);
   const auto reading = load_resources(folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   ApplyOptions settings = options.apply;

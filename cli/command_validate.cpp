@@ -6,7 +6,7 @@
 
 #include "cli/command_parser.h"
 #include "cli/commands.h"
-#include "exports/finished_tasks.h"
+#include "record/manifest_record.h"
 #include "rewording/check_text.h"
 #include "validator/validate.h"
 
@@ -121,7 +121,7 @@ Exit validate(Options& options, const CommandLine& program) {
                                     : "is not a folder; expected a finished data set"});
   }
   auto folders = program.folders;
-  folders.extended_library = acted_wide(options.folder);
+  folders.extended_library = records_extended_library(options.folder);
   const auto reading = load_backends(folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   const auto digest = knowledge_digest(folders);

@@ -14,6 +14,7 @@
 #include "core/limits.h"
 #include "core/text.h"
 #include "dataset/configuration_json.h"
+#include "dataset/lines.h"
 #include "generator/rejection.h"
 
 namespace unietp {
@@ -32,7 +33,8 @@ std::string progress_text(const RunProgress& now) {
 nlohmann::ordered_json json_of(const RunReport& report, const RunCommand& command) {
   auto unfilled = nlohmann::ordered_json::array();
   for (const auto& slot : report.unfilled)
-    unfilled.push_back({{"slot", slot.slot}, {"what", slot.description}, {"last", slot.last_reason}});
+    unfilled.push_back(
+        {{"slot", slot.slot}, {"what", slot.description}, {"last", slot.last ? line_of(*slot.last) : ""}});
   auto balance = nlohmann::ordered_json::array();
   for (const auto& spread : report.balance)
     balance.push_back({{"dimension", name_of(spread.dimension)},
@@ -56,14 +58,11 @@ std::string text_of(const std::vector<Spread>& balance) {
   return join(parts, "; ");
 }
 
-/// "grounding no-free-place: …; there is no space left: …" from a line of rejections.jsonl.
-std::string reason_text(const std::string& line) {
-  const auto json = nlohmann::ordered_json::parse(line, nullptr, false);
-  if (!json.is_object()) return line;
-  const auto reason = json.value("reason", "");
-  const auto known = rejection_reason_named(reason);
+/// "grounding no-free-place: …; there is no space left: …"
+std::string reason_text(const RejectionEntry& rejection) {
+  const auto known = rejection_reason_named(rejection.reason);
   const std::string hint(known ? hint_for(*known) : "");
-  return json.value("stage", "") + " " + reason + ": " + json.value("detail", "") + (hint.empty() ? "" : "; " + hint);
+  return rejection.stage + " " + rejection.reason + ": " + rejection.detail + (hint.empty() ? "" : "; " + hint);
 }
 
 Exit tell(const RunReport& report, const RunCommand& command, spdlog::logger& log) {
@@ -80,7 +79,7 @@ Exit tell(const RunReport& report, const RunCommand& command, spdlog::logger& lo
   if (!command.json && report.tasks > 1) std::printf("spread over %s\n", text_of(report.balance).c_str());
   for (const auto& slot : report.unfilled)
     log.error("no {} after {} attempts; the last: {}", slot.description, command.configuration.attempts,
-              reason_text(slot.last_reason));
+              slot.last ? reason_text(*slot.last) : "");
   return report.unfilled.empty() ? Exit::Ok : Exit::Wrong;
 }
 

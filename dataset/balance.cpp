@@ -64,13 +64,19 @@ std::string to_text(const std::vector<Trait>& traits) {
   return text;
 }
 
+std::optional<Dimension> dimension_named(std::string_view name) {
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<Dimension>(found - kNames.begin());
+}
+
 std::vector<Trait> traits_from(std::string_view text) {
   std::vector<Trait> traits;
   for (const auto& line : split(text, '\n')) {
     const auto blank = line.find(' ');
-    const auto name = std::find(kNames.begin(), kNames.end(), std::string_view(line).substr(0, blank));
-    if (blank == std::string::npos || name == kNames.end()) continue;
-    traits.push_back({static_cast<Dimension>(name - kNames.begin()), std::string(line.substr(blank + 1))});
+    if (blank == std::string::npos) continue;
+    if (const auto dimension = dimension_named(line.substr(0, blank)))
+      traits.push_back({*dimension, line.substr(blank + 1)});
   }
   return traits;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ namespace unietp {
 enum class Dimension { Template, Category, Receptacle, Room, Scene };
 inline constexpr std::size_t kDimensionCount = static_cast<std::size_t>(Dimension::Scene) + 1;
 std::string_view name_of(Dimension dimension);  // "receptacle"
+std::optional<Dimension> dimension_named(std::string_view name);
 
 /// Whether a placeholder is a place for others: second in a placement constraint, or asked to be a receptacle or a
 /// container; `Room` for one that is a type of room.

@@ -4,9 +4,6 @@
 
 #include "core/digest.h"
 #include "core/text.h"
-#include "dataset/formula_json.h"
-#include "dataset/instruction_json.h"
-#include "scene/json_text.h"
 #include "scene/scene_json.h"
 
 namespace unietp {
@@ -14,205 +11,108 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-Json binding_json(const Binding& binding) {
-  Json json = Json::object();
-  for (const auto& [placeholder, category] : binding) json[placeholder] = category;
-  return json;
-}
-
-Json demonstration_summary(const Demonstration& demonstration) {
-  int failures = 0;
-  for (const auto& step : demonstration.steps) failures += step.outcome.success ? 0 : 1;
-  return {{"steps", demonstration.steps.size()}, {"failures", failures}};
-}
-
-/// What the start must be, what was done to the home for it, and what is different there now.
-std::string start_text(const Task& task, const std::string& changes) {
-  Json constraints = Json::array();
-  for (const auto& formula : task.episode.specification.init) constraints.push_back(to_text(formula));
-  std::string text;
-  JsonText json(text);
-  json.open_object();
-  json.key("constraints");
-  json.raw(line_of(constraints));
-  json.key("edits");
-  json.raw(line_of(task.episode.edits));
-  json.key("changes");
-  json.raw(changes);
-  json.close_object();
-  return text;
-}
-
-std::string task_line(const Task& task, const std::string& changes) {
-  const auto& specification = task.episode.specification;
-  Json expert = Json::object();
-  expert[std::string(name_of(task.demonstration.mode))] = demonstration_summary(task.demonstration);
-  for (const auto& other : task.in_other_modes) expert[std::string(name_of(other.mode))] = demonstration_summary(other);
-  std::string line;
-  JsonText json(line);
-  const auto field = [&json](std::string_view name, const Json& value) {
-    json.key(name);
-    json.raw(line_of(value));
-  };
-  json.open_object();
-  field("format", "unietp-task/1");
-  field("id", task.id);
-  field("template", specification.template_name);
-  field("split", name_of(specification.split));
-  field("simulator", name_of(specification.simulator));
-  field("scene", task.episode.start.id);
-  field("layout", task.episode.layout);
-  field("bindings", binding_json(specification.binding));
-  field("refinement", specification.refinement);
-  field("goal", {{"text", to_text(specification.goal)}, {"tree", formula_to_json(specification.goal)}});
-  json.key("start");
-  json.raw(start_text(task, changes));
-  field("instruction", instruction_to_json(task.instruction));
-  field("expert", expert);
-  field("seed", {{"run", task.seed}, {"slot", task.slot}, {"attempt", task.attempt}});
-  json.close_object();
-  return line;
-}
-
-/// What was done and how it went, in an object that is left open.
-void write_action(JsonText& json, const DemonstrationStep& step) {
-  json.open_object();
-  const Json command = command_to_json(step.command);
-  for (const auto& [name, value] : command.items()) {
-    json.key(name);
-    json.raw(line_of(value));
-  }
-  json.key("success");
-  json.value(step.outcome.success);
-  json.key("failure");
-  json.value(name_of(step.outcome.failure));
-}
-
-void write(JsonText& json, const DemonstrationStep& step) {
-  write_action(json, step);
-  json.key("feedback");
-  json.value(step.outcome.feedback);
-  json.key("visible");
-  json.open_list();
-  for (const auto& object : step.visible) {
-    json.open_object();
-    json.key("id");
-    json.value(object.id);
-    json.key("box");
-    json.open_list();
-    for (const int edge : object.box) json.value(edge);
-    json.close_list();
-    json.close_object();
-  }
-  json.close_list();
-  json.key("changes");
-  json.raw(delta_to_json(step.changes));
-  json.close_object();
-}
-
-std::string demonstration_line(const Task& task, const Demonstration& demonstration) {
-  std::string line;
-  JsonText json(line);
-  json.open_object();
-  json.key("format");
-  json.value("unietp-demonstration/1");
-  json.key("task");
-  json.value(task.id);
-  json.key("mode");
-  json.value(name_of(demonstration.mode));
-  json.key("steps");
-  json.open_list();
-  for (const auto& step : demonstration.steps) write(json, step);
-  json.close_list();
-  json.close_object();
-  return line;
-}
-
-std::string actions_line(const Demonstration& demonstration) {
-  std::string line;
-  JsonText json(line);
-  json.open_object();
-  json.key("mode");
-  json.value(name_of(demonstration.mode));
-  json.key("steps");
-  json.open_list();
-  for (const auto& step : demonstration.steps) {
-    write_action(json, step);
-    json.close_object();
-  }
-  json.close_list();
-  json.close_object();
-  return line;
-}
-
-std::string actions_lines(const Task& task) {
-  std::string lines = actions_line(task.demonstration);
-  for (const auto& other : task.in_other_modes) lines += "\n" + actions_line(other);
-  return lines;
-}
-
-std::string demonstration_lines(const Task& task) {
-  std::string lines = demonstration_line(task, task.demonstration);
-  for (const auto& other : task.in_other_modes) lines += "\n" + demonstration_line(task, other);
-  return lines;
-}
-
-std::string rejection_text(int slot, int attempt, std::string_view template_name, std::string_view simulator,
-                           std::string_view split, const Rejection& rejection) {
-  return line_of({{"format", "unietp-rejection/1"},
-                  {"slot", slot},
-                  {"attempt", attempt},
-                  {"template", template_name},
-                  {"simulator", simulator},
-                  {"split", split},
-                  {"stage", name_of(stage_of(rejection.reason))},
-                  {"reason", name_of(rejection.reason)},
-                  {"detail", rejection.detail}});
+StepEntry step_entry(const DemonstrationStep& step) {
+  return {step.command,          step.outcome.success, name_of(step.outcome.failure),
+          step.outcome.feedback, step.visible,         step.changes};
 }
 
 /// Key of what is done in which start: equal starts of a home have equal texts of their changes.
 std::string start_key(const Task& task, const std::string& changes) {
   const auto& specification = task.episode.specification;
-  std::string key = specification.template_name + "\n" + line_of(binding_json(specification.binding)) + "\n" +
-                    to_text(specification.goal) + "\n" + task.episode.layout + "\n";
+  Json binding = Json::object();
+  for (const auto& [placeholder, category] : specification.binding) binding[placeholder] = category;
+  std::string key = specification.template_name + "\n" + binding.dump(-1, ' ', false, Json::error_handler_t::replace) +
+                    "\n" + to_text(specification.goal) + "\n" + task.episode.layout + "\n";
   return sha256(key.append(changes));
+}
+
+/// The task's line but for what its demonstrations count.
+TaskEntry task_entry(const Task& task, const std::string& changes) {
+  const auto& specification = task.episode.specification;
+  TaskEntry entry;
+  entry.id = task.id;
+  entry.template_name = specification.template_name;
+  entry.split = name_of(specification.split);
+  entry.simulator = name_of(specification.simulator);
+  entry.scene = task.episode.start.id;
+  entry.layout = task.episode.layout;
+  entry.bindings = specification.binding;
+  entry.refinement = specification.refinement;
+  entry.goal_text = to_text(specification.goal);
+  entry.goal = specification.goal;
+  for (const auto& formula : specification.init) entry.start_constraints.push_back(to_text(formula));
+  entry.edits = task.episode.edits;
+  entry.changes = changes;
+  entry.instruction = task.instruction;
+  entry.run_seed = task.seed;
+  entry.slot = task.slot;
+  entry.attempt = task.attempt;
+  return entry;
+}
+
+WrittenTask written_task(const Task& task, const std::string& changes) {
+  TaskEntry entry = task_entry(task, changes);
+  WrittenTask written;
+  written.row = row_of(entry);
+  const auto add = [&](const Demonstration& demonstration) {
+    std::vector<StepEntry> steps;
+    TaskEntry::Count count{demonstration.mode};
+    for (const auto& step : demonstration.steps) {
+      steps.push_back(step_entry(step));
+      written.row.actions.push_back(action_row(demonstration.mode, steps.back()));
+      ++count.steps;
+      count.failures += step.outcome.success ? 0 : 1;
+    }
+    entry.expert.push_back(count);
+    written.shown.push_back(demonstration_line(task.id, demonstration.mode, steps));
+  };
+  add(task.demonstration);
+  for (const auto& other : task.in_other_modes) add(other);
+  written.line = line_of(entry);
+  return written;
 }
 
 }  // namespace
 
-Result<std::string> actions_of_line(std::string_view where, std::string_view line) {
-  try {
-    const auto whole = Json::parse(line);
-    Json steps = Json::array();
-    for (const auto& step : whole.at("steps")) {
-      Json done = Json::object();
-      for (const char* part : {"action", "args", "success", "failure"}) done[part] = step.at(part);
-      steps.push_back(std::move(done));
-    }
-    return line_of({{"mode", whole.at("mode")}, {"steps", std::move(steps)}});
-  } catch (const Json::exception& reason) {
-    return Error{Error::Kind::Parse, std::string(where), {}, std::string("is not a demonstration: ") + reason.what()};
-  }
+TaskRow row_of(const TaskEntry& task) {
+  return {task.id,
+          task.split,
+          task.simulator,
+          task.template_name,
+          task.scene,
+          task.layout,
+          task.goal_text,
+          task.instruction.text,
+          std::string(name_of(task.instruction.style)),
+          task.instruction.writer,
+          task.bindings,
+          {}};
 }
 
-std::string rejection_line(const RejectedCandidate& candidate) {
-  return rejection_text(candidate.slot, candidate.attempt, candidate.template_name, name_of(candidate.simulator),
-                        name_of(candidate.split), candidate.rejection);
+ActionRow action_row(Mode mode, const StepEntry& step) {
+  std::vector<std::string> arguments;
+  const Json command = command_to_json(step.command);
+  for (const auto& argument : command.at("args"))
+    arguments.push_back(argument.is_string() ? argument.get<std::string>() : argument.dump());
+  return {mode, step.command.action, join(arguments, ", "), step.success, std::string(step.failure)};
 }
 
-std::string repetition_line(const CandidateRecord& record, bool same_start) {
-  const auto task = Json::parse(record.task);
-  return rejection_text(record.slot, record.attempt, record.template_name, task.at("simulator").get<std::string>(),
-                        task.at("split").get<std::string>(),
-                        {same_start ? RejectionReason::DuplicateStart : RejectionReason::DuplicateText,
-                         same_start ? "an earlier task has this template, binding and start"
-                                    : "an earlier task in this home has this instruction"});
+RejectionEntry repetition_entry(const CandidateRecord& record, bool same_start) {
+  const auto reason = same_start ? RejectionReason::DuplicateStart : RejectionReason::DuplicateText;
+  return {record.slot,
+          record.attempt,
+          record.template_name,
+          record.task.row.simulator,
+          record.task.row.split,
+          std::string(name_of(stage_of(reason))),
+          std::string(name_of(reason)),
+          same_start ? "an earlier task has this template, binding and start"
+                     : "an earlier task in this home has this instruction"};
 }
 
 CandidateRecord outline_of(CandidateRecord record) {
-  for (auto* text : {&record.task, &record.demonstration, &record.actions, &record.rejection}) *text = {};
+  record.task = {};
+  record.rejection = {};
   return record;
 }
 
@@ -234,18 +134,23 @@ CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate
     record.slot = rejected->slot;
     record.attempt = rejected->attempt;
     record.template_name = rejected->template_name;
-    record.rejection = rejection_line(*rejected);
+    record.rejection = {rejected->slot,
+                        rejected->attempt,
+                        rejected->template_name,
+                        std::string(name_of(rejected->simulator)),
+                        std::string(name_of(rejected->split)),
+                        std::string(name_of(stage_of(rejected->rejection.reason))),
+                        std::string(name_of(rejected->rejection.reason)),
+                        rejected->rejection.detail};
     return record;
   }
   const auto& task = std::get<Task>(candidate);
+  const std::string changes = delta_to_json(task.episode.changes);
   record.slot = task.slot;
   record.attempt = task.attempt;
   record.accepted = true;
-  record.template_name = task.episode.specification.template_name;
-  const std::string changes = delta_to_json(task.episode.changes);
-  record.task = task_line(task, changes);
-  record.demonstration = demonstration_lines(task);
-  record.actions = actions_lines(task);
+  record.task = written_task(task, changes);
+  record.template_name = record.task.row.template_name;
   record.start_key = start_key(task, changes);
   record.traits = to_text(task.traits);
   record.text_key = sha256(task.episode.layout + "\n" + normalised_text(task.instruction.text));

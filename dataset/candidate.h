@@ -3,11 +3,22 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "core/result.h"
+#include "dataset/lines.h"
 #include "dataset/task.h"
+#include "dataset/task_row.h"
 
 namespace unietp {
+
+/// A task as it is written to a data set.
+struct WrittenTask {
+  TaskRow row;
+  std::string line;                // of tasks.jsonl
+  std::vector<std::string> shown;  // lines of demonstrations/<mode>.jsonl, in the order of modes_of(row)
+  bool operator==(const WrittenTask&) const = default;
+};
 
 /// A candidate's outcome as it will stand in files: what the ledger keeps and the data set is written from.
 struct CandidateRecord {
@@ -15,27 +26,25 @@ struct CandidateRecord {
   bool accepted = false;
   std::string template_name;
   // of an accepted one
-  std::string task;           // line of tasks.jsonl, without its end
-  std::string demonstration;  // lines of demonstrations/<mode>.jsonl, one a mode, joined by line ends
-  std::string actions;        // the same lines with mode and steps alone, and of steps what was done and how it went
-  std::string start_key;      // equal for equal (template, binding, start)
-  std::string text_key;       // equal for equal (layout, normalised instruction)
-  std::string traits;         // text of its traits (balance.h)
+  WrittenTask task;
+  std::string start_key;  // equal for equal (template, binding, start)
+  std::string text_key;   // equal for equal (layout, normalised instruction)
+  std::string traits;     // text of its traits (balance.h)
   // of a rejected one
-  std::string rejection;  // line of rejections.jsonl
+  RejectionEntry rejection;
   bool operator==(const CandidateRecord&) const = default;
 };
 
 /// Pure; no clock, no order that depends on threads.
 CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate);
 
-/// `CandidateRecord::actions` of a demonstration's line that was written already. Errors: Parse, naming `where`, when
-/// it is none.
-Result<std::string> actions_of_line(std::string_view where, std::string_view line);
+/// The row of a task, without its actions.
+TaskRow row_of(const TaskEntry& task);
+/// A step as a row of the table `step`.
+ActionRow action_row(Mode mode, const StepEntry& step);
 
-std::string rejection_line(const RejectedCandidate& candidate);
-/// The same for a candidate that was accepted, and then turned out to repeat a task.
-std::string repetition_line(const CandidateRecord& record, bool same_start);
+/// Why a candidate that was accepted is no task of the data set: it repeats an earlier one.
+RejectionEntry repetition_entry(const CandidateRecord& record, bool same_start);
 
 /// Only slot, attempt, accepted, template, keys and traits.
 CandidateRecord outline_of(CandidateRecord record);

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "dataset/balance.h"
 
@@ -12,7 +13,7 @@ struct DatasetCounts {
   int tasks = 0;
   std::map<std::string, int> by_split, by_simulator, by_template;
   std::map<std::string, std::map<std::string, int>> rejections;  // stage, reason
-  Frequencies traits;                                            // of the tasks
+  std::vector<Spread> balance;                                   // of the tasks
 };
 
 }  // namespace unietp

@@ -1,16 +1,14 @@
 #include "dataset/dataset_database.h"
 
 #include <exception>
+#include <initializer_list>
+#include <string_view>
 
-#include <nlohmann/json.hpp>
-
-#include "core/text.h"
 #include "dataset/balance.h"
 
 namespace unietp {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* kSchema = R"(
@@ -33,18 +31,8 @@ Error failure(const fs::path& path, const std::exception& reason) {
   return {Error::Kind::Io, path.string(), {}, std::string("cannot write the database: ") + reason.what()};
 }
 
-std::string text_at(const Json& json, const char* pointer) {
-  return json.at(Json::json_pointer(pointer)).get<std::string>();
-}
-
-void bind_texts(Statement& statement, const Json& json, std::initializer_list<const char*> pointers, int first) {
-  for (const char* pointer : pointers) statement.bind(first++, std::string_view(text_at(json, pointer)));
-}
-
-std::string texts_of(const Json& list) {
-  std::vector<std::string> parts;
-  for (const auto& part : list) parts.push_back(part.is_string() ? part.get<std::string>() : part.dump());
-  return join(parts, ", ");
+void bind_texts(Statement& statement, int first, std::initializer_list<std::string_view> texts) {
+  for (const auto text : texts) statement.bind(first++, text);
 }
 
 }  // namespace
@@ -59,49 +47,40 @@ Result<DatasetDatabase> DatasetDatabase::begin(const fs::path& path) {
   }
 }
 
-Result<Done> DatasetDatabase::add_task(const Json& task, const std::vector<Json>& demonstrations,
-                                       const std::vector<Trait>& traits) {
+Result<Done> DatasetDatabase::add_task(const TaskRow& task, const std::vector<Trait>& traits) {
   try {
-    const auto id = text_at(task, "/id");
     auto insert = file_.prepare("INSERT INTO task VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
-    bind_texts(insert, task,
-               {"/id", "/template", "/split", "/simulator", "/scene", "/layout", "/goal/text", "/instruction/text",
-                "/instruction/style", "/instruction/writer"},
-               1);
-    insert.bind(11, task.at("/expert/M1/steps"_json_pointer).get<std::int64_t>());
-    insert.bind(12, task.at("/expert/M1/failures"_json_pointer).get<std::int64_t>());
+    bind_texts(insert, 1,
+               {task.id, task.template_name, task.split, task.simulator, task.scene, task.layout, task.goal,
+                task.instruction, task.style, task.writer});
+    const auto [steps, failures] = steps_and_failures(task, Mode::M1);
+    insert.bind(11, std::int64_t{steps});
+    insert.bind(12, std::int64_t{failures});
     insert.step();
-    auto bind = file_.prepare("INSERT INTO binding VALUES(?,?,?)");
-    for (const auto& [placeholder, category] : task.at("bindings").items()) {
-      bind.bind(1, std::string_view(id));
-      bind.bind(2, std::string_view(placeholder));
-      bind.bind(3, std::string_view(category.get_ref<const std::string&>()));
-      bind.step();
-      bind.reset();
+    auto binding = file_.prepare("INSERT INTO binding VALUES(?,?,?)");
+    for (const auto& [placeholder, category] : task.bindings) {
+      bind_texts(binding, 1, {task.id, placeholder, category});
+      binding.step();
+      binding.reset();
     }
-    auto lies = file_.prepare("INSERT INTO trait VALUES(?,?,?)");
+    auto own = file_.prepare("INSERT INTO trait VALUES(?,?,?)");
     for (const auto& trait : traits) {
-      lies.bind(1, std::string_view(id));
-      lies.bind(2, name_of(trait.dimension));
-      lies.bind(3, std::string_view(trait.value));
-      lies.step();
-      lies.reset();
+      bind_texts(own, 1, {task.id, name_of(trait.dimension), trait.value});
+      own.step();
+      own.reset();
     }
     auto step = file_.prepare("INSERT INTO step VALUES(?,?,?,?,?,?,?)");
-    for (const auto& demonstration : demonstrations) {
-      const auto mode = text_at(demonstration, "/mode");
-      std::int64_t number = 0;
-      for (const auto& one : demonstration.at("steps")) {
-        step.bind(1, std::string_view(id));
-        step.bind(2, std::string_view(mode));
-        step.bind(3, ++number);
-        step.bind(4, std::string_view(text_at(one, "/action")));
-        step.bind(5, std::string_view(texts_of(one.at("args"))));
-        step.bind(6, std::int64_t{one.at("success").get<bool>()});
-        step.bind(7, std::string_view(text_at(one, "/failure")));
-        step.step();
-        step.reset();
-      }
+    std::int64_t number = 0;
+    for (std::size_t i = 0; i < task.actions.size(); ++i) {
+      const ActionRow& action = task.actions[i];
+      number = i > 0 && task.actions[i - 1].mode == action.mode ? number + 1 : 1;
+      bind_texts(step, 1, {task.id, name_of(action.mode)});
+      step.bind(3, number);
+      bind_texts(step, 4, {action.action, action.arguments});
+      step.bind(6, std::int64_t{action.success});
+      step.bind(7, std::string_view(action.failure));
+      step.step();
+      step.reset();
     }
     return Done{};
   } catch (const std::exception& reason) {
@@ -109,12 +88,14 @@ Result<Done> DatasetDatabase::add_task(const Json& task, const std::vector<Json>
   }
 }
 
-Result<Done> DatasetDatabase::add_rejection(const Json& rejection) {
+Result<Done> DatasetDatabase::add_rejection(const RejectionEntry& rejection) {
   try {
     auto insert = file_.prepare("INSERT INTO rejection VALUES(?,?,?,?,?,?,?,?)");
-    insert.bind(1, rejection.at("slot").get<std::int64_t>());
-    insert.bind(2, rejection.at("attempt").get<std::int64_t>());
-    bind_texts(insert, rejection, {"/template", "/simulator", "/split", "/stage", "/reason", "/detail"}, 3);
+    insert.bind(1, std::int64_t{rejection.slot});
+    insert.bind(2, std::int64_t{rejection.attempt});
+    bind_texts(insert, 3,
+               {rejection.template_name, rejection.simulator, rejection.split, rejection.stage, rejection.reason,
+                rejection.detail});
     insert.step();
     return Done{};
   } catch (const std::exception& reason) {
@@ -133,6 +114,34 @@ Result<Done> DatasetDatabase::finish() {
   } catch (const std::exception& reason) {
     return failure(path_, reason);
   }
+}
+
+Result<Done> reword_database(const fs::path& from, const fs::path& to,
+                             const std::vector<std::pair<std::string, Instruction>>& instructions) {
+  const fs::path copy = growing(to);
+  try {
+    fs::copy_file(from, copy, fs::copy_options::overwrite_existing);
+    SqliteFile file(copy, SqliteFile::Mode::Create);
+    // A vacuum counts the schema's version up, so that each rewording would give other bytes.
+    file.run(
+        "PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF;"
+        "PRAGMA schema_version=1; BEGIN");
+    auto update = file.prepare("UPDATE task SET instruction=?, style=?, writer=? WHERE id=?");
+    for (const auto& [task, instruction] : instructions) {
+      bind_texts(update, 1, {instruction.text, name_of(instruction.style), instruction.writer, task});
+      update.step();
+      update.reset();
+    }
+    file.run("COMMIT");
+    auto vacuum = file.prepare("VACUUM INTO ?");
+    vacuum.bind(1, std::string_view(to.native()));
+    vacuum.step();
+  } catch (const std::exception& reason) {
+    return Error{Error::Kind::Io, from.string(), {}, std::string("cannot change the database: ") + reason.what()};
+  }
+  std::error_code code;
+  fs::remove(copy, code);
+  return Done{};
 }
 
 }  // namespace unietp

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "annotator/instruction.h"
 #include "core/result.h"
 #include "core/sqlite_file.h"
+#include "dataset/lines.h"
+#include "dataset/task_row.h"
 
 namespace unietp {
 
@@ -16,11 +19,11 @@ struct Trait;
 /// in file order and the finished file is a VACUUM copy, which leaves no trace of how it grew.
 class DatasetDatabase {
  public:
+  /// Errors, here and below: Io.
   static Result<DatasetDatabase> begin(const std::filesystem::path& path);
-  /// `traits`: what the data set is kept level over (balance.h), which the task's line does not say.
-  Result<Done> add_task(const nlohmann::ordered_json& task, const std::vector<nlohmann::ordered_json>& demonstrations,
-                        const std::vector<Trait>& traits);
-  Result<Done> add_rejection(const nlohmann::ordered_json& rejection);
+  /// `traits`: what the data set is balanced over (balance.h), which the task's line does not state.
+  Result<Done> add_task(const TaskRow& task, const std::vector<Trait>& traits);
+  Result<Done> add_rejection(const RejectionEntry& rejection);
   Result<Done> finish();
 
  private:
@@ -28,5 +31,9 @@ class DatasetDatabase {
   std::filesystem::path path_;
   SqliteFile file_;
 };
+
+/// Writes the database `from` to `to` with other instructions, each with the id of its task. Errors: Io.
+Result<Done> reword_database(const std::filesystem::path& from, const std::filesystem::path& to,
+                             const std::vector<std::pair<std::string, Instruction>>& instructions);
 
 }  // namespace unietp

@@ -1,107 +1,94 @@
 #include "dataset/dataset_writer.h"
 
-#include <algorithm>
-
-#include <nlohmann/json.hpp>
-
 #include "core/files.h"
-#include "core/text.h"
 #include "dataset/dataset_card.h"
-#include "dataset/manifest.h"
-#include "record/home_shelf.h"
 
 namespace unietp {
-namespace {
 
 namespace fs = std::filesystem;
 
-Error io_error(const fs::path& path) { return {Error::Kind::Io, path.string(), {}, "cannot write; is the disk full?"}; }
-
-}  // namespace
-
-DatasetWriter::DatasetWriter(fs::path folder, DatasetDatabase database)
-    : folder_(std::move(folder)),
-      tasks_(folder_ / "tasks.jsonl", std::ios::binary),
-      rejections_(folder_ / "rejections.jsonl", std::ios::binary),
-      database_(std::move(database)) {}
+std::string home_entry(const std::string& layout) { return "homes/" + layout + ".scene.json.gz"; }
 
 Result<DatasetWriter> DatasetWriter::begin(const fs::path& folder) {
   std::error_code code;
   fs::create_directories(folder / "homes", code);
   if (!code) fs::create_directories(folder / "demonstrations", code);
   if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot create this folder: " + code.message()};
+  auto tasks = LinesWriter::begin(folder / "tasks.jsonl");
+  if (!tasks) return tasks.error();
+  auto rejections = LinesWriter::begin(folder / "rejections.jsonl");
+  if (!rejections) return rejections.error();
   auto database = DatasetDatabase::begin(folder / "dataset.sqlite");
   if (!database) return database.error();
-  return DatasetWriter(folder, std::move(*database));
+  DatasetWriter writer(folder, std::move(*tasks), std::move(*rejections), std::move(*database));
+  return writer;
 }
 
-Result<Done> DatasetWriter::add_task(const CandidateRecord& record, const HomeSource& homes) {
-  // The changes of the start may be longer than all the rest, and nothing here asks for them.
-  const auto task = nlohmann::ordered_json::parse(
-      record.task, [](int depth, nlohmann::ordered_json::parse_event_t event, const nlohmann::ordered_json& key) {
-        return depth != 1 || event != nlohmann::ordered_json::parse_event_t::key || key != "start";
-      });
-  tasks_ << record.task << '\n';
-  if (!tasks_) return io_error(folder_);
-  const auto lines = split(record.demonstration, '\n');
-  std::vector<nlohmann::ordered_json> demonstrations;
-  for (const auto& actions : split(record.actions, '\n')) {
-    const auto& line = lines.at(demonstrations.size());
-    demonstrations.push_back(nlohmann::ordered_json::parse(actions));
-    auto added = add_demonstration(demonstrations.back().at("mode").get<std::string>(), line);
-    if (!added) return added;
+Result<Done> DatasetWriter::add_task(const WrittenTask& task, const std::vector<Trait>& traits,
+                                     const HomeSource& homes) {
+  const TaskRow& row = task.row;
+  const auto modes = modes_of(row);
+  if (modes.size() != task.shown.size())
+    return Error{Error::Kind::Schema, row.id, {}, "has other demonstrations than its actions are of"};
+  if (auto added = tasks_.add(task.line); !added) return added;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (auto added = add_demonstration(modes[i], task.shown[i]); !added) return added;
   }
-  if (auto added = add_home(task.at("layout").get<std::string>(), homes); !added) return added;
+  if (auto added = add_home(row.layout, homes); !added) return added;
   ++counts_.tasks;
-  ++counts_.by_split[task.at("split").get<std::string>()];
-  ++counts_.by_simulator[task.at("simulator").get<std::string>()];
-  ++counts_.by_template[task.at("template").get<std::string>()];
-  const auto traits = traits_from(record.traits);
-  counts_.traits.add(traits);
-  return database_.add_task(task, demonstrations, traits);
+  ++counts_.by_split[row.split];
+  ++counts_.by_simulator[row.simulator];
+  ++counts_.by_template[row.template_name];
+  traits_.add(traits);
+  return database_.add_task(row, traits);
 }
 
 Result<Done> DatasetWriter::add_home(const std::string& layout, const HomeSource& homes) {
   if (!homes_.insert(layout).second) return Done{};
   const auto home = homes(layout);
   if (!home) return home.error();
-  return write_file(folder_ / home_file(layout), *home);
+  return write_file(folder_ / home_entry(layout), *home);
 }
 
-Result<Done> DatasetWriter::add_demonstration(const std::string& mode, const std::string& line) {
-  const auto path = folder_ / "demonstrations" / (mode + ".jsonl");
-  const auto [file, is_new] = demonstrations_.try_emplace(mode);
-  if (is_new) file->second.open(path, std::ios::binary);
-  file->second << line << '\n';
-  if (!file->second) return io_error(path);
-  return Done{};
+Result<Done> DatasetWriter::add_demonstration(Mode mode, const std::string& line) {
+  auto file = demonstrations_.find(mode);
+  if (file == demonstrations_.end()) {
+    auto begun = LinesWriter::begin(folder_ / "demonstrations" / (std::string(name_of(mode)) + ".jsonl"));
+    if (!begun) return begun.error();
+    file = demonstrations_.emplace(mode, std::move(*begun)).first;
+  }
+  return file->second.add(line);
 }
 
-Result<Done> DatasetWriter::add_rejection(const std::string& line) {
-  const auto rejection = nlohmann::ordered_json::parse(line);
-  rejections_ << line << '\n';
-  if (!rejections_) return io_error(folder_ / "rejections.jsonl");
-  ++counts_.rejections[rejection.at("stage").get<std::string>()][rejection.at("reason").get<std::string>()];
+Result<Done> DatasetWriter::add_rejection(const RejectionEntry& rejection) {
+  if (auto added = rejections_.add(line_of(rejection)); !added) return added;
+  ++counts_.rejections[rejection.stage][rejection.reason];
   return database_.add_rejection(rejection);
 }
 
 Result<Done> DatasetWriter::finish(const RunConfiguration& configuration, const Resources& resources,
-                                   const fs::path& licences) {
-  if (demonstrations_.empty()) demonstrations_["M1"].open(folder_ / "demonstrations" / "M1.jsonl", std::ios::binary);
-  std::vector<std::ofstream*> streams{&tasks_, &rejections_};
-  for (auto& [mode, stream] : demonstrations_) streams.push_back(&stream);
-  for (auto* stream : streams) {
-    stream->close();
-    if (!*stream) return io_error(folder_);
+                                   const fs::path& licences, std::optional<WritingEntry> writing) {
+  if (demonstrations_.empty()) {  // of no task
+    auto begun = LinesWriter::begin(folder_ / "demonstrations" / "M1.jsonl");
+    if (!begun) return begun.error();
+    demonstrations_.emplace(Mode::M1, std::move(*begun));
+  }
+  std::vector<LinesWriter*> files{&tasks_, &rejections_};
+  for (auto& [mode, file] : demonstrations_) files.push_back(&file);
+  for (auto* file : files) {
+    if (auto done = file->finish(); !done) return done;
   }
   if (auto done = database_.finish(); !done) return done.error();
-  const auto sources = sources_of(configuration, resources, licences);
+  counts_.balance = traits_.spreads();
+  auto sources = sources_of(configuration, resources, licences);
   if (!sources) return sources.error();
   if (auto written = write_file(folder_ / "README.md", dataset_card(configuration, counts_, *sources)); !written)
     return written.error();
-  const auto manifest = manifest_of(folder_, configuration, resources, counts_, *sources);
-  if (!manifest) return manifest.error();
-  return write_file(folder_ / "manifest.json", *manifest);
+  auto files_written = files_below(folder_);
+  if (!files_written) return files_written.error();
+  const Manifest manifest{std::string(program_version()), resources.digest,    configuration,     std::move(counts_),
+                          std::move(*files_written),      std::move(*sources), std::move(writing)};
+  return write_file(folder_ / "manifest.json", to_text(manifest));
 }
 
 }  // namespace unietp

@@ -1,12 +1,11 @@
 #include "dataset/manifest.h"
 
-#include <algorithm>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "akb/csv.h"
-#include "core/digest.h"
+#include "core/file_digest.h"
 #include "core/files.h"
 #include "dataset/configuration_json.h"
 
@@ -37,6 +36,15 @@ Json counts_json(const std::map<std::string, int>& counts) {
 Json list_json(const char* name, const std::map<std::string, int>& counts) {
   Json json = Json::array();
   for (const auto& [value, count] : counts) json.push_back({{name, value}, {"tasks", count}});
+  return json;
+}
+
+Json writing_json(const WritingEntry& writing) {
+  Json json{{"writer", writing.writer}};
+  if (writing.seed) json["seed"] = *writing.seed;
+  if (writing.phrasings != "all") json["phrasings"] = writing.phrasings;
+  json["counts"] = Json::array();
+  for (const auto& [writer, tasks] : writing.counts) json["counts"].push_back({{"writer", writer}, {"tasks", tasks}});
   return json;
 }
 
@@ -74,20 +82,19 @@ Result<std::vector<SourceLicence>> sources_of(const RunConfiguration& configurat
   return found;
 }
 
-Result<std::string> manifest_of(const fs::path& folder, const RunConfiguration& configuration,
-                                const Resources& resources, const DatasetCounts& counts,
-                                const std::vector<SourceLicence>& sources) {
-  std::vector<std::string> names;
+Result<std::map<std::string, FileEntry>> files_below(const fs::path& folder) {
+  std::map<std::string, FileEntry> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) names.push_back(fs::relative(entry.path(), folder).generic_string());
+    if (!entry.is_regular_file()) continue;
+    auto digest = digest_of_file(entry.path());
+    if (!digest) return digest.error();
+    files[fs::relative(entry.path(), folder).generic_string()] = {digest->bytes, std::move(digest->sha256)};
   }
-  std::sort(names.begin(), names.end());
-  Json files = Json::array();
-  for (const auto& name : names) {
-    const auto bytes = read_file(folder / name);
-    if (!bytes) return bytes.error();
-    files.push_back({{"path", name}, {"bytes", bytes->size()}, {"sha256", sha256(*bytes)}});
-  }
+  return files;
+}
+
+std::string to_text(const Manifest& manifest) {
+  const DatasetCounts& counts = manifest.counts;
   int candidates = counts.tasks;
   Json rejections = Json::object();
   for (const auto& [stage, reasons] : counts.rejections) {
@@ -95,30 +102,34 @@ Result<std::string> manifest_of(const fs::path& folder, const RunConfiguration& 
     for (const auto& [reason, count] : reasons) candidates += count;
   }
   Json balance = Json::array();
-  for (const auto& spread : counts.traits.spreads())
+  for (const auto& spread : counts.balance)
     balance.push_back({{"dimension", name_of(spread.dimension)},
                        {"values", spread.values},
                        {"effective", spread.effective},
                        {"variation", spread.variation}});
+  Json files = Json::array();
+  for (const auto& [path, file] : manifest.files)
+    files.push_back({{"path", path}, {"bytes", file.bytes}, {"sha256", file.sha256}});
   Json licences = Json::array();
-  for (const auto& source : sources)
+  for (const auto& source : manifest.sources)
     licences.push_back({{"source", source.source}, {"origin", source.origin}, {"licence", source.licence}});
-  const Json manifest{{"format", "unietp-manifest/1"},
-                      {"program", {{"name", "unietp"}, {"version", program_version()}}},
-                      {"knowledge_digest", resources.digest},
-                      {"seed", configuration.seed},
-                      {"configuration", to_json(configuration)},
-                      {"counts",
-                       {{"tasks", counts.tasks},
-                        {"candidates", candidates},
-                        {"by_split", counts_json(counts.by_split)},
-                        {"by_simulator", counts_json(counts.by_simulator)},
-                        {"by_template", list_json("template", counts.by_template)},
-                        {"balance", std::move(balance)},
-                        {"rejections", std::move(rejections)}}},
-                      {"files", std::move(files)},
-                      {"sources", std::move(licences)}};
-  return manifest.dump(2) + "\n";
+  Json json{{"format", "unietp-manifest/1"},
+            {"program", {{"name", "unietp"}, {"version", manifest.version}}},
+            {"knowledge_digest", manifest.knowledge_digest},
+            {"seed", manifest.configuration.seed},
+            {"configuration", to_json(manifest.configuration)},
+            {"counts",
+             {{"tasks", counts.tasks},
+              {"candidates", candidates},
+              {"by_split", counts_json(counts.by_split)},
+              {"by_simulator", counts_json(counts.by_simulator)},
+              {"by_template", list_json("template", counts.by_template)},
+              {"balance", std::move(balance)},
+              {"rejections", std::move(rejections)}}},
+            {"files", std::move(files)},
+            {"sources", std::move(licences)}};
+  if (manifest.writing) json["instructions"] = writing_json(*manifest.writing);
+  return json.dump(2) + "\n";
 }
 
 }  // namespace unietp

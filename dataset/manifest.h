@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/result.h"
@@ -12,6 +16,12 @@
 
 namespace unietp {
 
+/// A file of a data set.
+struct FileEntry {
+  std::uint64_t bytes = 0;
+  std::string sha256;
+};
+
 /// A source of facts behind a data set.
 struct SourceLicence {
   std::string source;   // "metadata:ai2thor/object_types.json", "curated"
@@ -19,15 +29,33 @@ struct SourceLicence {
   std::string licence;  // as found there
 };
 
+/// How the instructions were written anew after the run.
+struct WritingEntry {
+  std::string writer;
+  std::optional<std::uint64_t> seed;                // of the wording, where it is not the run's
+  std::string phrasings = "all";                    // "all", "training" or "benchmark"
+  std::vector<std::pair<std::string, int>> counts;  // writer of an instruction, tasks
+};
+
+/// manifest.json of a data set.
+struct Manifest {
+  std::string version;           // of the program
+  std::string knowledge_digest;  // of the tables, profiles, layouts and templates
+  RunConfiguration configuration;
+  DatasetCounts counts;
+  std::map<std::string, FileEntry> files;  // by path in the folder, but for the manifest
+  std::vector<SourceLicence> sources;
+  std::optional<WritingEntry> writing;  // nullopt: the run wrote the instructions
+};
+std::string to_text(const Manifest& manifest);
+
+/// All files below a folder. Errors: Io.
+Result<std::map<std::string, FileEntry>> files_below(const std::filesystem::path& folder);
+
 /// The sources that the facts of the configuration's simulators name, sorted, with what the table says of each.
 /// Errors: Io, Parse; Schema when a metadata source has no row (a licence is never guessed).
 Result<std::vector<SourceLicence>> sources_of(const RunConfiguration& configuration, const Resources& resources,
                                               const std::filesystem::path& table);
-
-/// Text of manifest.json for a folder whose other files are all written. Errors: Io.
-Result<std::string> manifest_of(const std::filesystem::path& folder, const RunConfiguration& configuration,
-                                const Resources& resources, const DatasetCounts& counts,
-                                const std::vector<SourceLicence>& sources);
 
 /// "0.1.0"
 std::string_view program_version();

@@ -188,7 +188,7 @@ Result<SftExport> export_sft(const fs::path& dataset, const std::vector<Validati
   const Maker maker(backends, options);
   const auto written = write_whole_folder(out, [&](const fs::path& aside) -> Result<Done> {
     for (const Mode mode : made.modes) {
-      auto tasks = FinishedTasks::open(dataset, {mode});
+      auto tasks = DatasetReader::open(dataset, {.modes = {mode}, .starts = true});
       if (!tasks) return tasks.error();
       const auto path = aside / (std::string(name_of(mode)) + ".jsonl");
       const auto trl_path = aside / (std::string(name_of(mode)) + ".trl.jsonl");

@@ -23,17 +23,22 @@ Result<ExportedTasks> write_task_folder(const fs::path& dataset, const std::vect
                                         const std::function<Result<Done>(const fs::path& folder)>& finish) {
   ExportedTasks made;
   const auto written = write_whole_folder(out, [&](const fs::path& aside) -> Result<Done> {
-    auto tasks = FinishedTasks::open(dataset, modes);
+    auto tasks = DatasetReader::open(dataset, {.modes = modes, .starts = true});
     if (!tasks) return tasks.error();
     std::string left_out;
-    while (const auto lines = tasks->next()) {
-      const auto task = tasks->read(*lines);
-      if (!task) return task.error();
-      const auto why = say(*task, aside);
-      if (!why) return why.error();
-      if (*why) left_out += left_out_line(task->record, **why);
-      ++(*why ? made.left_out : made.said);
-    }
+    const auto read = for_each_task<std::string>(
+        std::move(*tasks), 1,
+        [&](const FinishedTask& task) -> Result<std::string> {
+          const auto why = say(task, aside);
+          if (!why) return why.error();
+          return *why ? left_out_line(task.record, **why) : std::string();
+        },
+        [&](std::string&& line) -> Result<Done> {
+          ++(line.empty() ? made.said : made.left_out);
+          left_out += line;
+          return Done{};
+        });
+    if (!read) return read;
     if (finish) {
       if (auto done = finish(aside); !done) return done;
     }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/files.h"
 #include "record/record_fields.h"
 #include "scene/json_parse.h"
 #include "scene/json_reader.h"
@@ -34,6 +35,7 @@ std::vector<Mode> read_modes(JsonReader& reader, const JsonAt& at) {
 
 void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
   JsonFields fields(reader, at);
+  run.text = at.json.dump();
   read_format(reader, fields, "unietp-run/1");
   if (const auto f = fields.required("seed")) run.seed = read_seed(reader, *f);
   if (const auto f = fields.required("count")) run.count = read_whole(reader, *f);
@@ -50,7 +52,8 @@ void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
     if (const auto own = quotas.required("simulators")) run.by_simulator = read_shares(reader, *own);
     quotas.finish();
   }
-  for (const auto* name : {"extended", "own", "binding", "attempts", "block", "rooms", "objects", "scenes"})
+  if (const auto f = fields.optional("extended")) run.extended = reader.boolean(*f);
+  for (const auto* name : {"own", "binding", "attempts", "block", "rooms", "objects", "scenes"})
     (void)fields.optional(name);  // how tasks were made, which leaves nothing to be counted
   fields.finish();
 }
@@ -96,7 +99,7 @@ void read_counts(JsonReader& reader, const JsonAt& at, ManifestRecord& manifest)
       for (const auto& [stage, reasons] : f->json.items()) {
         const auto own = stages.required(stage);
         if (!own) continue;
-        for (const auto& [reason, count] : read_shares(reader, *own)) manifest.rejections[stage + " " + reason] = count;
+        manifest.rejections[stage] = read_shares(reader, *own);
       }
     }
   }
@@ -111,11 +114,46 @@ void read_files(JsonReader& reader, const JsonAt& at, ManifestRecord& manifest) 
     std::string path;
     RecordedFile file;
     if (const auto f = fields.required("path")) path = reader.text(*f);
-    if (const auto f = fields.required("bytes")) file.bytes = reader.number(*f);
+    if (const auto f = fields.required("bytes")) file.bytes = read_seed(reader, *f);
     if (const auto f = fields.required("sha256")) file.sha256 = reader.text(*f);
     fields.finish();
     if (!manifest.files.emplace(path, std::move(file)).second) reader.fail(item, in_quotes(path) + " is listed twice");
   }
+}
+
+RecordedWriting read_writing(JsonReader& reader, const JsonAt& at) {
+  RecordedWriting writing;
+  JsonFields fields(reader, at);
+  if (const auto f = fields.required("writer")) writing.writer = reader.text(*f);
+  if (const auto f = fields.optional("seed")) writing.seed = read_seed(reader, *f);
+  if (const auto f = fields.optional("phrasings")) writing.phrasings = reader.text(*f);
+  if (const auto f = fields.required("counts")) {
+    for (std::size_t i = 0; i < reader.items(*f) && !reader.error(); ++i) {
+      const JsonAt item = reader.item(*f, i);
+      JsonFields own(reader, item);
+      auto& [writer, tasks] = writing.counts.emplace_back();
+      if (const auto name = own.required("writer")) writer = reader.text(*name);
+      if (const auto count = own.required("tasks")) tasks = read_whole(reader, *count);
+      own.finish();
+    }
+  }
+  fields.finish();
+  return writing;
+}
+
+std::vector<RecordedSource> read_sources(JsonReader& reader, const JsonAt& at) {
+  std::vector<RecordedSource> sources;
+  for (std::size_t i = 0; i < reader.items(at) && !reader.error(); ++i) {
+    const JsonAt item = reader.item(at, i);
+    JsonFields fields(reader, item);
+    RecordedSource source;
+    if (const auto f = fields.required("source")) source.source = reader.text(*f);
+    if (const auto f = fields.required("origin")) source.origin = reader.text(*f);
+    if (const auto f = fields.required("licence")) source.licence = reader.text(*f);
+    fields.finish();
+    sources.push_back(std::move(source));
+  }
+  return sources;
 }
 
 }  // namespace
@@ -136,19 +174,33 @@ Result<ManifestRecord> read_manifest(std::string_view where, std::string_view te
       reader.fail(*f, "is not the seed of the configuration");
   }
   if (const auto f = fields.optional("instructions")) {
-    manifest.phrasings = "all";
-    JsonFields own(reader, *f);
-    if (const auto set = own.optional("phrasings")) manifest.phrasings = reader.text(*set);
-    for (const auto* name : {"writer", "counts"}) (void)own.required(name);
-    (void)own.optional("seed");
-    own.finish();
+    manifest.writing = read_writing(reader, *f);
+    manifest.phrasings = manifest.writing->phrasings;
   }
   if (const auto f = fields.required("counts")) read_counts(reader, *f, manifest);
   if (const auto f = fields.required("files")) read_files(reader, *f, manifest);
-  for (const auto* name : {"program", "sources"}) (void)fields.required(name);
+  if (const auto f = fields.required("program")) {
+    JsonFields program(reader, *f);
+    if (const auto name = program.required("name")) manifest.program_name = reader.text(*name);
+    if (const auto version = program.required("version")) manifest.program_version = reader.text(*version);
+    program.finish();
+  }
+  if (const auto f = fields.required("sources")) manifest.sources = read_sources(reader, *f);
   fields.finish();
   if (reader.error()) return *reader.error();
   return manifest;
+}
+
+Result<ManifestRecord> read_manifest_file(const std::filesystem::path& folder) {
+  const auto file = folder / "manifest.json";
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  return read_manifest(file.string(), *text);
+}
+
+bool records_extended_library(const std::filesystem::path& folder) {
+  const auto manifest = read_manifest_file(folder);
+  return manifest && manifest->run.extended;
 }
 
 }  // namespace unietp

@@ -13,8 +13,8 @@ WordingRecord read_wording(JsonReader& reader, const JsonAt& at, bool refers) {
   if (const auto f = fields.required("text")) wording.text = reader.text(*f);
   if (const auto f = fields.required("writer")) wording.writer = reader.text(*f);
   if (const auto f = fields.required("style")) wording.style = reader.text(*f);
-  if (const auto f = fields.required("checks")) (void)reader.texts(*f);
-  if (const auto f = fields.optional("why")) (void)reader.text(*f);
+  if (const auto f = fields.required("checks")) wording.checks = reader.texts(*f);
+  if (const auto f = fields.optional("why")) wording.fallback = reader.text(*f);
   if (refers) {
     if (const auto f = fields.required("goal")) wording.goal = reader.text(*f);
   }

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/result.h"
 
@@ -11,6 +12,8 @@ namespace unietp {
 /// One wording of an episode; `goal` is its own where it refers to one object, else "".
 struct WordingRecord {
   std::string text, writer, style, goal;
+  std::vector<std::string> checks;  // names of those that the text passed
+  std::string fallback;             // why the grammar wrote where a model was asked; "" when it was not
 };
 
 /// A line of wordings.jsonl.

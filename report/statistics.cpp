@@ -115,14 +115,12 @@ Result<Done> count_homes(const FinishedSet& set, int threads, DatasetStatistics&
 }
 
 Result<Done> count_actions(const FinishedSet& set, int threads, DatasetStatistics& statistics) {
-  std::mutex mutex;
   for (const Mode mode : set.modes) {
     const std::string name(name_of(mode));
     auto& lengths = statistics.plan_lengths[name];
     auto& actions = statistics.actions[name];
     int& failed = statistics.failed_steps[name];
     const auto read = read_demonstrations(set, mode, threads, [&](std::size_t, const DemonstrationRecord& shown) {
-      const std::lock_guard lock(mutex);
       lengths.add(static_cast<int>(shown.steps.size()));
       for (const StepRecord& step : shown.steps) {
         ++actions[step.command.action];

@@ -1,65 +1,62 @@
 #include "rewording/annotate.h"
 
-#include <algorithm>
 #include <array>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
 #include "annotator/home_facts.h"
 #include "core/changed_copy.h"
-#include "core/digest.h"
+#include "core/file_digest.h"
 #include "core/files.h"
-#include "core/sqlite_file.h"
 #include "dataset/candidate.h"
 #include "dataset/candidate_number.h"
-#include "dataset/instruction_json.h"
+#include "dataset/dataset_database.h"
+#include "record/dataset_lines.h"
 #include "rewording/paired_wordings.h"
-#include "rewording/task_lines.h"
+#include "rewording/worded_task.h"
+#include "rewording/written_again.h"
 
 namespace unietp {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kWriters{"grammar", "llm", "batch"};
-const std::string kWordings = "wordings.jsonl";
-const std::vector<std::string> kChanged{"tasks.jsonl", "dataset.sqlite", "manifest.json", kWordings};
+constexpr const char* kDatabase = "dataset.sqlite";
 
-Rng stream_of(const TaskLine& task, const AnnotateOptions& options) {
-  return wording_stream(options.seed.value_or(task.seed), task.slot, task.attempt);
+Rng stream_of(const WordedTask& task, const AnnotateOptions& options) {
+  const TaskRecord& record = task.record;
+  return wording_stream(options.seed.value_or(record.run), record.slot, record.attempt);
 }
 
-Result<std::vector<WordingTask>> wording_tasks(HomeShelf& homes, const std::vector<TaskLine>& lines,
+Result<std::vector<WordingTask>> wording_tasks(HomeShelf& homes, const std::vector<WordedTask>& tasks,
                                                const Resources& resources, const AnnotateOptions& options) {
-  std::vector<WordingTask> tasks;
-  for (const TaskLine& line : lines) {
-    const auto scene = read_start(homes, line);
+  std::vector<WordingTask> wording;
+  for (const WordedTask& task : tasks) {
+    const auto scene = read_start(homes, task);
     if (!scene) return scene.error();
-    const Backend& backend = resources.backend(line.specification.simulator);
+    const Backend& backend = resources.backend(task.specification.simulator);
     std::set<std::string> categories;
     for (auto& name : categories_in(*scene)) categories.insert(std::move(name));
-    for (auto& name : categories_of(line.specification.goal)) categories.insert(std::move(name));
-    tasks.push_back({line.specification,
-                     &backend.knowledge,
-                     &backend.nouns,
-                     {categories.begin(), categories.end()},
-                     home_in_words(*scene, backend.nouns),
-                     stream_of(line, options)});
+    for (auto& name : categories_of(task.specification.goal)) categories.insert(std::move(name));
+    wording.push_back({task.specification,
+                       &backend.knowledge,
+                       &backend.nouns,
+                       {categories.begin(), categories.end()},
+                       home_in_words(*scene, backend.nouns),
+                       stream_of(task, options)});
   }
-  return tasks;
+  return wording;
 }
 
 /// The categories of a task's start scene, for the one style that asks what is around.
-Result<std::vector<std::string>> around(HomeShelf& homes, const TaskLine& task) {
+Result<std::vector<std::string>> around(HomeShelf& homes, const WordedTask& task) {
   if (task.specification.style != Style::Bystander) return std::vector<std::string>();
   const auto scene = read_start(homes, task);
   if (!scene) return scene.error();
   return categories_in(*scene);
 }
 
-Result<Instruction> by_grammar(HomeShelf& homes, const TaskLine& task, const Resources& resources,
+Result<Instruction> by_grammar(HomeShelf& homes, const WordedTask& task, const Resources& resources,
                                const AnnotateOptions& options, const Rng& rng) {
   const auto seen = around(homes, task);
   if (!seen) return seen.error();
@@ -67,116 +64,85 @@ Result<Instruction> by_grammar(HomeShelf& homes, const TaskLine& task, const Res
   return write_instruction(task.specification, backend.knowledge, backend.nouns, {options.llm.phrasings, *seen}, rng);
 }
 
-Result<std::vector<Instruction>> written(const fs::path& folder, const std::vector<TaskLine>& lines,
+std::string text_key(const WordedTask& task, const Instruction& instruction) {
+  return task.record.layout + "\n" + normalised_text(instruction.text);
+}
+
+Result<std::vector<Instruction>> written(const fs::path& folder, const std::vector<WordedTask>& tasks,
                                          const Resources& resources, const AnnotateOptions& options) {
   HomeShelf homes(folder);
   std::vector<Result<Instruction>> drafts;
   if (options.writer == Writer::Grammar) {
-    for (const TaskLine& line : lines)
-      drafts.push_back(by_grammar(homes, line, resources, options, stream_of(line, options)));
+    for (const WordedTask& task : tasks)
+      drafts.push_back(by_grammar(homes, task, resources, options, stream_of(task, options)));
   } else {
-    const auto tasks = wording_tasks(homes, lines, resources, options);
-    if (!tasks) return tasks.error();
-    drafts = write_instructions_with_llm(*tasks, options.llm);
+    const auto wording = wording_tasks(homes, tasks, resources, options);
+    if (!wording) return wording.error();
+    drafts = write_instructions_with_llm(*wording, options.llm);
   }
   std::vector<Instruction> instructions;
   std::set<std::string> seen;  // in a home
-  for (std::size_t i = 0; i < lines.size(); ++i) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
     auto& draft = drafts[i];
-    const auto repeats = [&] { return seen.contains(lines[i].layout + "\n" + normalised_text(draft->text)); };
-    const auto in_style = [&] { return draft->style == lines[i].specification.style; };
+    const WordedTask& task = tasks[i];
+    const auto repeats = [&] { return seen.contains(text_key(task, *draft)); };
+    const auto in_style = [&] { return draft->style == task.specification.style; };
     constexpr std::uint64_t kOthers = 400;  // a goal has tens of texts at least, and a home few tasks of one goal
     for (std::uint64_t k = 1; draft && k <= kOthers && (repeats() || !in_style()); ++k) {
       const bool in_place = repeats() && options.writer != Writer::Grammar;
       std::string why = in_place ? "another task of this home has the model's text" : draft->why;
-      draft = by_grammar(homes, lines[i], resources, options, stream_of(lines[i], options).fork("another", k));
+      draft = by_grammar(homes, task, resources, options, stream_of(task, options).fork("another", k));
       if (draft) draft->why = std::move(why);
     }
     if (!draft) {
       Error error = draft.error();
-      error.where = (folder / "tasks.jsonl").string() + " " + lines[i].id;
+      error.where = (folder / kTasksFile).string() + " " + task.record.id;
       return error;
     }
     if (!in_style() || repeats())
       return Error{Error::Kind::Unsatisfiable,
-                   lines[i].id,
+                   task.record.id,
                    {},
                    in_style() ? "no words that no other task of its home has"
-                              : "no words in the style " + std::string(name_of(lines[i].specification.style))};
-    seen.insert(lines[i].layout + "\n" + normalised_text(draft->text));
+                              : "no words in the style " + std::string(name_of(task.specification.style))};
+    seen.insert(text_key(task, *draft));
     instructions.push_back(std::move(*draft));
   }
   return instructions;
 }
 
-Result<Done> change_database(const fs::path& from, const fs::path& to, const std::vector<TaskLine>& lines,
-                             const std::vector<Instruction>& instructions) {
-  const fs::path growing = to.string() + ".growing";
-  try {
-    fs::copy_file(from, growing, fs::copy_options::overwrite_existing);
-    SqliteFile file(growing, SqliteFile::Mode::Create);
-    // A vacuum counts the schema's version up, so that each rewording would give other bytes.
-    file.run(
-        "PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF;"
-        "PRAGMA schema_version=1; BEGIN");
-    auto update = file.prepare("UPDATE task SET instruction=?, style=?, writer=? WHERE id=?");
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      update.bind(1, std::string_view(instructions[i].text));
-      update.bind(2, name_of(instructions[i].style));
-      update.bind(3, std::string_view(instructions[i].writer));
-      update.bind(4, std::string_view(lines[i].id));
-      update.step();
-      update.reset();
-    }
-    file.run("COMMIT");
-    auto copy = file.prepare("VACUUM INTO ?");
-    copy.bind(1, std::string_view(to.native()));
-    copy.step();
-  } catch (const std::exception& reason) {
-    return Error{Error::Kind::Io, from.string(), {}, std::string("cannot change the database: ") + reason.what()};
+/// tasks.jsonl and dataset.sqlite with the new instructions.
+Result<Done> write_instructions(const fs::path& from, const fs::path& to, const std::vector<WordedTask>& tasks,
+                                const std::vector<Instruction>& instructions) {
+  auto lines = LinesWriter::begin(to / kTasksFile);
+  if (!lines) return lines.error();
+  std::vector<std::pair<std::string, Instruction>> by_task;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (auto added = lines->add(line_of(written_again(tasks[i].record, instructions[i]))); !added) return added;
+    by_task.emplace_back(tasks[i].record.id, instructions[i]);
   }
-  std::error_code code;
-  fs::remove(growing, code);
-  return Done{};
+  if (auto done = lines->finish(); !done) return done;
+  return reword_database(from / kDatabase, to / kDatabase, by_task);
 }
 
-Json record_of(const AnnotateReport& report, const AnnotateOptions& options) {
-  Json counts = Json::array();
-  for (const auto& [writer, count] : report.by_writer) counts.push_back({{"writer", writer}, {"tasks", count}});
-  Json record{{"writer", name_of(options.writer)}};
-  if (options.seed) record["seed"] = *options.seed;
-  if (options.llm.phrasings == Phrasings::Training) record["phrasings"] = "training";
-  if (options.llm.phrasings == Phrasings::Benchmark) record["phrasings"] = "benchmark";
-  record["counts"] = std::move(counts);
-  return record;
+WritingEntry writing_of(const AnnotateReport& report, const AnnotateOptions& options) {
+  return {std::string(name_of(options.writer)),
+          options.seed,
+          std::string(name_of(options.llm.phrasings)),
+          {report.by_writer.begin(), report.by_writer.end()}};
 }
 
-Json entry_of(const std::string& name, const std::string& bytes) {
-  return {{"path", name}, {"bytes", bytes.size()}, {"sha256", sha256(bytes)}};
-}
-
-/// The manifest of the old folder with the files that changed and a note of who wrote.
-Result<Done> change_manifest(const fs::path& from, const fs::path& folder, const Json& record) {
-  const auto text = read_file(from);
-  if (!text) return text.error();
-  try {
-    Json manifest = Json::parse(*text);
-    std::map<std::string, Json> files;  // in order of name, as the manifest has them
-    for (const auto& entry : manifest.at("files")) files[entry.at("path").get<std::string>()] = entry;
-    files.erase(kWordings);
-    for (const std::string& name : kChanged) {
-      if (name == "manifest.json" || !fs::exists(folder / name)) continue;
-      const auto bytes = read_file(folder / name);
-      if (!bytes) return bytes.error();
-      files[name] = entry_of(name, *bytes);
-    }
-    manifest["files"] = Json::array();
-    for (auto& [name, entry] : files) manifest["files"].push_back(std::move(entry));
-    manifest["instructions"] = record;
-    return write_file(folder / "manifest.json", manifest.dump(2) + "\n");
-  } catch (const Json::exception& reason) {
-    return Error{Error::Kind::Schema, from.string(), {}, std::string("expected a manifest: ") + reason.what()};
+/// The manifest of the old folder with the files that changed.
+Result<Done> write_manifest(Manifest manifest, const fs::path& folder) {
+  manifest.files.erase(kWordingsFile);
+  for (const char* name : {kTasksFile, kDatabase, kWordingsFile}) {
+    std::error_code code;
+    if (!fs::exists(folder / name, code)) continue;
+    auto digest = digest_of_file(folder / name);
+    if (!digest) return digest.error();
+    manifest.files[name] = {digest->bytes, std::move(digest->sha256)};
   }
+  return write_file(folder / kManifest, to_text(manifest));
 }
 
 }  // namespace
@@ -191,45 +157,44 @@ std::optional<Writer> writer_named(std::string_view name) {
 
 Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& out, const Resources& resources,
                                         const AnnotateOptions& options) {
-  const auto lines = read_task_lines(folder);
-  if (!lines) return lines.error();
-  const auto instructions = written(folder, *lines, resources, options);
+  const auto recorded = read_manifest_file(folder);
+  if (!recorded) return recorded.error();
+  auto manifest = written_again((folder / kManifest).string(), *recorded);
+  if (!manifest) return manifest.error();
+  const auto tasks = read_worded_tasks(folder);
+  if (!tasks) return tasks.error();
+  const auto instructions = written(folder, *tasks, resources, options);
   if (!instructions) return instructions.error();
   AnnotateReport report;
-  std::string text;
-  for (std::size_t i = 0; i < lines->size(); ++i) {
+  for (std::size_t i = 0; i < tasks->size(); ++i) {
     const Instruction& instruction = (*instructions)[i];
-    const TaskLine& line = (*lines)[i];
-    text += reworded_line(line.text, instruction) + "\n";
     ++report.tasks;
     ++report.by_writer[instruction.writer];
-    if (!instruction.why.empty()) report.stand_ins.emplace_back(line.id, instruction.why);
+    if (!instruction.why.empty()) report.stand_ins.emplace_back((*tasks)[i].record.id, instruction.why);
   }
-  auto copy = ChangedCopy::begin(folder, out, kChanged);
+  auto copy = ChangedCopy::begin(folder, out, {kTasksFile, kDatabase, kManifest, kWordingsFile});
   if (!copy) return copy.error();
-  if (auto done = write_file(copy->folder() / "tasks.jsonl", text); !done) return done.error();
+  if (auto done = write_instructions(folder, copy->folder(), *tasks, *instructions); !done) return done.error();
   if (options.paired) {
-    const auto pairs = paired_wordings(folder, *lines, resources, options.llm.phrasings, options.seed);
-    if (!pairs) return pairs.error();
-    if (auto done = write_file(copy->folder() / kWordings, *pairs); !done) return done.error();
+    if (auto done = write_paired_wordings(folder, *tasks, resources, {options.llm.phrasings, options.seed},
+                                          copy->folder() / kWordingsFile);
+        !done)
+      return done.error();
   }
-  if (auto done = change_database(folder / "dataset.sqlite", copy->folder() / "dataset.sqlite", *lines, *instructions);
-      !done)
-    return done.error();
-  if (auto done = change_manifest(folder / "manifest.json", copy->folder(), record_of(report, options)); !done)
-    return done.error();
+  manifest->writing = writing_of(report, options);
+  if (auto done = write_manifest(std::move(*manifest), copy->folder()); !done) return done.error();
   if (auto done = copy->finish(); !done) return done.error();
   return report;
 }
 
 Result<std::vector<LlmRequest>> prompts_for(const fs::path& folder, const Resources& resources,
                                             const AnnotateOptions& options) {
-  const auto lines = read_task_lines(folder);
-  if (!lines) return lines.error();
-  HomeShelf homes(folder);
-  const auto tasks = wording_tasks(homes, *lines, resources, options);
+  const auto tasks = read_worded_tasks(folder);
   if (!tasks) return tasks.error();
-  return first_requests(*tasks, options.llm);
+  HomeShelf homes(folder);
+  const auto wording = wording_tasks(homes, *tasks, resources, options);
+  if (!wording) return wording.error();
+  return first_requests(*wording, options.llm);
 }
 
 }  // namespace unietp

@@ -3,99 +3,68 @@
 #include <map>
 #include <optional>
 
-#include <nlohmann/json.hpp>
-
 #include "core/changed_copy.h"
 #include "core/files.h"
-#include "core/sqlite_file.h"
-#include "core/text.h"
-#include "dataset/configuration_json.h"
 #include "dataset/dataset_writer.h"
-#include "dataset/instruction_json.h"
+#include "generator/rejection.h"
+#include "record/dataset_reader.h"
+#include "record/record_file.h"
+#include "record/review_mark_record.h"
+#include "record/trait_table.h"
 #include "rewording/review_rulings.h"
-#include "rewording/task_lines.h"
-#include "validator/folder_reading.h"
+#include "rewording/worded_task.h"
+#include "rewording/written_again.h"
 
 namespace unietp {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-const std::string kReviews = "reviews.jsonl", kPairs = "wordings.jsonl", kManifest = "manifest.json";
+constexpr const char* kReviews = "reviews.jsonl";
 
-Result<Json> read_json(const fs::path& file) {
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  auto json = Json::parse(*text, nullptr, false);
-  if (!json.is_object()) return Error{Error::Kind::Parse, file.string(), {1, 1}, "expected a JSON object"};
-  return json;
-}
+using Marks = std::map<std::string, ReviewMarkRecord>;  // by task
 
-/// "" for what is no object with such a text.
-std::string text_in(const Json& json, const std::string& field) {
-  const auto* text = json.is_object() && json.contains(field) ? json.at(field).get_ptr<const std::string*>() : nullptr;
-  return text == nullptr ? "" : *text;
-}
-
-/// The lines of a file, none of one that is not there; by the task that the field names.
-Result<std::map<std::string, std::string>> lines_by_task(const fs::path& folder, const std::string& name,
-                                                         const char* field) {
-  const auto file = LineFile::read(folder, name);
+/// The verdicts that are in force; none where there is no such file.
+Result<Marks> read_marks(const fs::path& folder) {
+  Marks marks;
+  if (std::error_code code; !fs::exists(folder / kReviews, code)) return marks;
+  auto file = RecordFile<ReviewMarkRecord>::open(folder, kReviews, FileNames::WithFolder, read_review_mark);
   if (!file) return file.error();
-  std::map<std::string, std::string> lines;
-  for (std::size_t i = 0; i < file->size(); ++i) {
-    const auto line = file->line(i);
-    if (line.empty()) continue;
-    const auto task = text_in(Json::parse(line, nullptr, false), field);
-    if (task.empty())
-      return Error{Error::Kind::Schema,
-                   (folder / name).string(),
-                   {static_cast<int>(i) + 1, 1},
-                   "expected an object with the field \"" + std::string(field) + "\""};
-    lines[task] = line;
+  while (auto mark = file->next()) {
+    if (!*mark) return mark->error();
+    const std::string task = (*mark)->task;
+    if (!marks.emplace(task, std::move(**mark)).second)
+      return Error{Error::Kind::Schema, file->at(), {}, "is a second verdict on " + task};
   }
-  return lines;
+  return marks;
 }
 
-Result<std::map<std::string, std::vector<Trait>>> traits_of_tasks(const fs::path& file) {
-  std::map<std::string, std::vector<Trait>> traits;
-  try {
-    SqliteFile database(file, SqliteFile::Mode::Read);
-    auto rows = database.prepare("SELECT task, dimension || ' ' || value FROM trait ORDER BY rowid");
-    while (rows.step()) {
-      for (auto& trait : traits_from(rows.text(1))) traits[std::string(rows.text(0))].push_back(std::move(trait));
-    }
-    return traits;
-  } catch (const std::exception& reason) {
-    return Error{Error::Kind::Io, file.string(), {}, std::string("cannot read its table trait: ") + reason.what()};
-  }
+ReviewMarkRecord mark_of(const Review& review) {
+  return {review.task, std::string(name_of(review.judgement)),
+          review.judgement == Judgement::Edit ? review.instruction : "", review.comment};
 }
 
-std::string mark_of(const Review& review) {
-  Json mark{{"format", "unietp-review-mark/1"}, {"task", review.task}, {"verdict", name_of(review.judgement)}};
-  if (review.judgement == Judgement::Edit) mark["before"] = review.instruction;
-  mark["comment"] = review.comment;
-  return mark.dump(-1, ' ', false, Json::error_handler_t::replace);
+RejectionEntry rejection_of(const TaskRecord& task, const Review& review) {
+  return {task.slot,
+          task.attempt,
+          task.template_name,
+          task.simulator,
+          task.split,
+          std::string(name_of(stage_of(RejectionReason::Rejected))),
+          std::string(name_of(RejectionReason::Rejected)),
+          review.comment};
 }
 
-std::string rejection_of(const TaskLine& task, const Review& review) {
-  const Json rejection{{"format", "unietp-rejection/1"},
-                       {"slot", task.slot},
-                       {"attempt", task.attempt},
-                       {"template", task.specification.template_name},
-                       {"simulator", name_of(task.specification.simulator)},
-                       {"split", name_of(task.specification.split)},
-                       {"stage", "review"},
-                       {"reason", "rejected"},
-                       {"detail", review.comment}};
-  return rejection.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::vector<Trait> traits_of(const TraitTable::Traits& recorded) {
+  std::string text;
+  for (const auto& [dimension, value] : recorded) text.append(dimension).append(" ").append(value) += '\n';
+  return traits_from(text);
 }
 
 /// Every file of the folder but paired wordings that are kept as they are, and what nobody here knows.
 std::vector<std::string> files_made_anew(const fs::path& folder) {
-  std::vector<std::string> names{"tasks.jsonl", "rejections.jsonl", "dataset.sqlite", "README.md", kManifest, kReviews,
-                                 kPairs};
+  std::vector<std::string> names{"tasks.jsonl", "rejections.jsonl", "dataset.sqlite", "README.md",
+                                 kManifest,     kReviews,           kWordingsFile};
   for (const char* part : {"homes", "demonstrations"}) {
     std::error_code code;
     for (const auto& entry : fs::directory_iterator(folder / part, code))
@@ -104,96 +73,123 @@ std::vector<std::string> files_made_anew(const fs::path& folder) {
   return names;
 }
 
-/// Notes in the new manifest how the instructions were written, as the old one has it.
-Result<Done> note_writer(const fs::path& file, const Json& old) {
-  if (!old.contains("instructions")) return Done{};
-  auto manifest = read_json(file);
-  if (!manifest) return manifest.error();
-  (*manifest)["instructions"] = old.at("instructions");
-  return write_file(file, manifest->dump(2) + "\n");
-}
+/// Writes the data set anew, task by task.
+class ReviewedSet {
+ public:
+  ReviewedSet(const fs::path& folder, const fs::path& copy, DatasetWriter writer, TraitTable traits)
+      : folder_(folder), copy_(copy), writer_(std::move(writer)), traits_(std::move(traits)) {}
+
+  /// The next task with its ruling.
+  Result<Done> add(const FinishedTask& task, const Instruction& instruction, const Ruling& ruling, bool keep_rejected) {
+    const auto recorded = traits_.of(++row_, task.record.id);
+    if (!recorded) return recorded.error();
+    const bool rejected = ruling.review != nullptr && ruling.review->judgement == Judgement::Reject;
+    if (rejected && !keep_rejected) {
+      rejections_.push_back(rejection_of(task.record, *ruling.review));
+      return Done{};
+    }
+    const auto home_of = [this](const std::string& layout) { return read_file(folder_ / home_file(layout)); };
+    auto added =
+        writer_.add_task(written_again(task.record, ruling.rewritten ? *ruling.rewritten : instruction, task.shown),
+                         traits_of(*recorded), home_of);
+    if (!added || !task.wordings) return added;
+    if (!wordings_) {
+      auto begun = LinesWriter::begin(copy_ / kWordingsFile);
+      if (!begun) return begun.error();
+      wordings_ = std::move(*begun);
+    }
+    const auto wordings = written_again(*task.wordings);
+    if (!wordings) return wordings.error();
+    return wordings_->add(line_of(*wordings));
+  }
+
+  Result<Done> finish(const Marks& marks, const RunConfiguration& configuration, const Resources& resources,
+                      const fs::path& licences, std::optional<WritingEntry> writing) {
+    if (auto done = add_rejections(); !done) return done;
+    auto lines = LinesWriter::begin(copy_ / kReviews);
+    if (!lines) return lines.error();
+    for (const auto& [task, mark] : marks) {
+      if (auto added = lines->add(line_of(written_again(mark))); !added) return added;
+    }
+    if (auto done = lines->finish(); !done) return done;
+    if (wordings_) {
+      if (auto done = wordings_->finish(); !done) return done;
+    }
+    return writer_.finish(configuration, resources, licences, std::move(writing));
+  }
+
+ private:
+  /// The old ones, then those of this review.
+  Result<Done> add_rejections() {
+    auto old = RecordFile<RejectionRecord>::open(folder_, "rejections.jsonl", FileNames::WithFolder, read_rejection);
+    if (!old) return old.error();
+    while (const auto rejection = old->next()) {
+      if (!*rejection) return rejection->error();
+      if (auto done = writer_.add_rejection(written_again(**rejection)); !done) return done;
+    }
+    for (const auto& rejection : rejections_) {
+      if (auto done = writer_.add_rejection(rejection); !done) return done;
+    }
+    return Done{};
+  }
+
+  const fs::path& folder_;
+  const fs::path& copy_;
+  DatasetWriter writer_;
+  TraitTable traits_;
+  std::int64_t row_ = 0;
+  std::vector<RejectionEntry> rejections_;
+  std::optional<LinesWriter> wordings_;
+};
 
 }  // namespace
 
 Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, const std::vector<Review>& reviews,
                                  const Resources& resources, const ApplyOptions& options) {
-  const auto manifest = read_json(folder / kManifest);
-  if (!manifest) return manifest.error();
-  if (text_in(*manifest, "knowledge_digest") != resources.digest)
+  const auto recorded = read_manifest_file(folder);
+  if (!recorded) return recorded.error();
+  const auto where = (folder / kManifest).string();
+  if (recorded->knowledge_digest != resources.digest)
     return Error{Error::Kind::Usage,
-                 (folder / kManifest).string(),
+                 where,
                  {},
                  "was made with different tables, profiles, layouts or templates; select the right ones "
                  "with --data"};
-  const auto configuration =
-      configuration_from_json((folder / kManifest).string(), manifest->value("configuration", Json()).dump());
-  if (!configuration) return configuration.error();
-  const auto tasks = read_task_lines(folder);
+  const auto manifest = written_again(where, *recorded);
+  if (!manifest) return manifest.error();
+  const auto tasks = read_worded_tasks(folder);
   if (!tasks) return tasks.error();
-  auto marks = lines_by_task(folder, kReviews, "task");
+  auto marks = read_marks(folder);
   if (!marks) return marks.error();
-  const auto wordings = lines_by_task(folder, kPairs, "pair");
-  if (!wordings) return wordings.error();
-  const auto traits = traits_of_tasks(folder / "dataset.sqlite");
+  auto traits = TraitTable::open(folder / "dataset.sqlite");
   if (!traits) return traits.error();
-  std::vector<std::map<std::string, std::string>> demonstrations;  // a mode each
-  for (const Mode mode : kModes) {
-    auto lines = lines_by_task(folder, demonstrations_file(mode), "task");
-    if (!lines) return lines.error();
-    demonstrations.push_back(std::move(*lines));
-  }
 
   ApplyReport report;
   const auto rulings = rule_on(reviews, *tasks, {folder, resources, options.accept_unchecked, *marks}, report);
   if (!rulings) return rulings.error();
+  for (const Ruling& ruling : *rulings) {
+    if (ruling.review != nullptr) (*marks)[ruling.review->task] = mark_of(*ruling.review);
+  }
   auto copy = ChangedCopy::begin(folder, out, files_made_anew(folder));
   if (!copy) return copy.error();
   auto writer = DatasetWriter::begin(copy->folder());
   if (!writer) return writer.error();
-  const auto home_of = [&folder](const std::string& layout) { return read_file(folder / home_file(layout)); };
-  std::string kept_wordings;
-  std::vector<std::string> rejections;
-  for (std::size_t i = 0; i < tasks->size(); ++i) {
-    const TaskLine& task = (*tasks)[i];
-    const Ruling& ruling = (*rulings)[i];
-    if (ruling.review != nullptr) (*marks)[task.id] = mark_of(*ruling.review);
-    const bool rejected = ruling.review != nullptr && ruling.review->judgement == Judgement::Reject;
-    if (rejected && !options.keep_rejected) {
-      rejections.push_back(rejection_of(task, *ruling.review));
-      continue;
-    }
-    CandidateRecord record;
-    record.task = ruling.rewritten ? reworded_line(task.text, *ruling.rewritten) : task.text;
-    for (std::size_t mode = 0; mode < demonstrations.size(); ++mode) {
-      const auto line = demonstrations[mode].find(task.id);
-      if (line == demonstrations[mode].end()) continue;
-      const auto actions =
-          actions_of_line((folder / demonstrations_file(kModes[mode])).string() + ", " + task.id, line->second);
-      if (!actions) return actions.error();
-      const char* gap = record.demonstration.empty() ? "" : "\n";
-      record.demonstration += gap + line->second;
-      record.actions += gap + *actions;
-    }
-    if (const auto own = traits->find(task.id); own != traits->end()) record.traits = to_text(own->second);
-    if (auto done = writer->add_task(record, home_of); !done) return done.error();
-    if (const auto line = wordings->find(task.id); line != wordings->end()) kept_wordings += line->second + "\n";
-  }
-  const auto old_rejections = read_file(folder / "rejections.jsonl");
-  if (!old_rejections) return old_rejections.error();
-  auto all_rejections = split(*old_rejections, '\n');
-  all_rejections.insert(all_rejections.end(), rejections.begin(), rejections.end());
-  for (const auto& line : all_rejections) {
-    if (line.empty()) continue;
-    if (auto done = writer->add_rejection(line); !done) return done.error();
-  }
-  std::string kept_marks;
-  for (const auto& [task, line] : *marks) kept_marks += line + "\n";
-  if (auto done = write_file(copy->folder() / kReviews, kept_marks); !done) return done.error();
-  if (!kept_wordings.empty()) {
-    if (auto done = write_file(copy->folder() / kPairs, kept_wordings); !done) return done.error();
-  }
-  if (auto done = writer->finish(*configuration, resources, options.licences); !done) return done.error();
-  if (auto done = note_writer(copy->folder() / kManifest, *manifest); !done) return done.error();
+  std::error_code code;
+  auto reader =
+      DatasetReader::open(folder, {.modes = shown_modes(folder), .wordings = fs::exists(folder / kWordingsFile, code)});
+  if (!reader) return reader.error();
+  ReviewedSet set(folder, copy->folder(), std::move(*writer), std::move(*traits));
+  std::size_t next = 0;
+  const auto added = for_each_task<Done>(
+      std::move(*reader), 1,
+      [&](const FinishedTask& task) {
+        const std::size_t i = next++;
+        return set.add(task, instruction_of((*tasks)[i]), (*rulings)[i], options.keep_rejected);
+      },
+      [](Done&&) -> Result<Done> { return Done{}; });
+  if (!added) return added.error();
+  if (auto done = set.finish(*marks, manifest->configuration, resources, options.licences, manifest->writing); !done)
+    return done.error();
   if (auto done = copy->finish(); !done) return done.error();
   return report;
 }

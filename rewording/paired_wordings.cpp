@@ -2,21 +2,15 @@
 
 #include <array>
 
-#include <nlohmann/json.hpp>
-
 #include "annotator/home_facts.h"
-#include "core/files.h"
-#include "core/text.h"
 #include "dataset/candidate_number.h"
-#include "dataset/instruction_json.h"
-#include "record/task_record.h"
+#include "dataset/lines.h"
+#include "record/dataset_reader.h"
 #include "rewording/referring_goal.h"
-#include "scene/scene_json.h"
 
 namespace unietp {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::array kComplex{Style::NestedSyntax, Style::Condition, Style::RelativeClause, Style::InvertedOrder,
@@ -24,36 +18,38 @@ constexpr std::array kComplex{Style::NestedSyntax, Style::Condition, Style::Rela
 
 class PairWriter {
  public:
-  PairWriter(const TaskLine& task, Scene start, const DemonstrationRecord& demonstration, const Backend& backend,
-             Phrasings phrasings, std::optional<std::uint64_t> seed)
+  PairWriter(const WordedTask& task, Scene start, const DemonstrationRecord& demonstration, const Backend& backend,
+             const PairOptions& options)
       : task_(task),
         start_(std::move(start)),
         backend_(backend),
-        writing_{phrasings, categories_in(start_)},
-        rng_(wording_stream(seed.value_or(task.seed), task.slot, task.attempt).fork("pair", 0)) {
+        writing_{options.phrasings, categories_in(start_)},
+        rng_(wording_stream(options.seed.value_or(task.record.run), task.record.slot, task.record.attempt)
+                 .fork("pair", 0)) {
     std::vector<Delta> changes;
     for (const StepRecord& step : demonstration.steps) changes.push_back(step.changes);
     trace_ = to_logic(start_, changes, reads_comparisons(task.specification.goal));
   }
 
-  Result<Json> pair() const {
-    Json json{{"format", "unietp-wordings/1"}, {"task", task_.id}, {"pair", task_.id}};
-    const auto direct = worded(task_.specification.goal, Style::Direct);
+  Result<WordingsEntry> pair() const {
+    WordingsEntry pair;
+    pair.task = task_.record.id;
+    auto direct = worded(task_.specification.goal, Style::Direct);
     if (!direct) return direct.error();
-    json["direct"] = instruction_to_json(*direct);
+    pair.direct = std::move(*direct);
     if (const auto goal = referring_goal(task_.specification.goal, start_, trace_, rng_.fork("referring", 0))) {
-      if (const auto referring = worded(*goal, Style::Direct)) {
-        json["referring"] = instruction_to_json(*referring);
-        json["referring"]["goal"] = to_text(*goal);
+      if (auto referring = worded(*goal, Style::Direct)) {
+        pair.referring = std::move(*referring);
+        pair.referring_goal = to_text(*goal);
       }
     }
     for (const Style style : kComplex) {
-      const auto complex = worded(task_.specification.goal, style);
+      auto complex = worded(task_.specification.goal, style);
       if (!complex || complex->style != style) continue;
-      json["complex"] = instruction_to_json(*complex);
+      pair.complex = std::move(*complex);
       break;
     }
-    return json;
+    return pair;
   }
 
  private:
@@ -64,7 +60,7 @@ class PairWriter {
     return write_instruction(specification, backend_.knowledge, backend_.nouns, writing_, rng_.fork(name_of(style), 0));
   }
 
-  const TaskLine& task_;
+  const WordedTask& task_;
   Scene start_;
   const Backend& backend_;
   WritingOptions writing_;
@@ -74,28 +70,25 @@ class PairWriter {
 
 }  // namespace
 
-Result<std::string> paired_wordings(const fs::path& folder, const std::vector<TaskLine>& lines,
-                                    const Resources& resources, Phrasings phrasings,
-                                    std::optional<std::uint64_t> seed) {
-  const auto file = folder / "demonstrations" / "M1.jsonl";
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  const auto demonstrations = split(*text, '\n');
-  HomeShelf homes(folder);
-  std::string all;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (i >= demonstrations.size())
-      return Error{Error::Kind::Schema, file.string(), {}, "has no demonstration of " + lines[i].id};
-    const auto demonstration = read_demonstration(file.string(), static_cast<int>(i) + 1, demonstrations[i]);
-    if (!demonstration) return demonstration.error();
-    auto start = read_start(homes, lines[i]);
-    if (!start) return start.error();
-    const Backend& backend = resources.backend(lines[i].specification.simulator);
-    const auto pair = PairWriter(lines[i], std::move(*start), *demonstration, backend, phrasings, seed).pair();
-    if (!pair) return pair.error();
-    all += pair->dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  }
-  return all;
+Result<Done> write_paired_wordings(const fs::path& folder, const std::vector<WordedTask>& tasks,
+                                   const Resources& resources, const PairOptions& options, const fs::path& file) {
+  auto reader = DatasetReader::open(folder, {.modes = {Mode::M1}, .starts = true});
+  if (!reader) return reader.error();
+  auto lines = LinesWriter::begin(file);
+  if (!lines) return lines.error();
+  std::size_t next = 0;
+  const auto done = for_each_task<std::string>(
+      std::move(*reader), 1,
+      [&](const FinishedTask& finished) -> Result<std::string> {
+        const WordedTask& task = tasks[next++];
+        const Backend& backend = resources.backend(task.specification.simulator);
+        const auto pair = PairWriter(task, finished.start, finished.shown.at(Mode::M1), backend, options).pair();
+        if (!pair) return pair.error();
+        return line_of(*pair);
+      },
+      [&](std::string&& line) { return lines->add(line); });
+  if (!done) return done;
+  return lines->finish();
 }
 
 }  // namespace unietp

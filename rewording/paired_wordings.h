@@ -3,22 +3,28 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "annotator/phrasing_sets.h"
 #include "core/result.h"
 #include "resources/resources.h"
-#include "rewording/task_lines.h"
+#include "rewording/worded_task.h"
 
 namespace unietp {
 
-/// The text of `wordings.jsonl`: for each task of a folder the same episode in a direct, a referring and a complex
-/// wording, marked as a pair by the task's id, so that results compare like with like. Direct and complex say the
-/// task's goal; referring says it of the object that the demonstration used, with that goal beside it, and is left out
-/// where nothing simple tells the object apart. `seed`: of the wording; without it each run's own. All are the
-/// grammar's and pass its checks. Errors: Io, Parse, Schema of a file; Unsatisfiable (names the task).
-Result<std::string> paired_wordings(const std::filesystem::path& folder, const std::vector<TaskLine>& lines,
-                                    const Resources& resources, Phrasings phrasings, std::optional<std::uint64_t> seed);
+/// How paired wordings are written.
+struct PairOptions {
+  Phrasings phrasings = Phrasings::All;
+  std::optional<std::uint64_t> seed;  // of the wording; without it each run's own
+};
+
+/// Writes `wordings.jsonl` to `file`: for each task of a folder the same episode in a direct, a referring and a complex
+/// wording, marked as a pair by the task's id, so that results compare like with like. Direct and complex state the
+/// task's goal; referring states it of the object that the demonstration used, with that goal beside it, and is left
+/// out where nothing simple tells the object apart. All are the grammar's and pass its checks. Errors: Io, Parse,
+/// Schema of a file; Unsatisfiable (names the task).
+Result<Done> write_paired_wordings(const std::filesystem::path& folder, const std::vector<WordedTask>& tasks,
+                                   const Resources& resources, const PairOptions& options,
+                                   const std::filesystem::path& file);
 
 }  // namespace unietp

@@ -6,7 +6,7 @@
 
 namespace unietp {
 
-PersonText check_person_text(const std::string& text, const TaskLine& task, const Backend& backend,
+PersonText check_person_text(const std::string& text, const WordedTask& task, const Backend& backend,
                              const std::vector<std::string>& around) {
   const Specification& specification = task.specification;
   const auto narrowed = narrowed_for(specification, backend.knowledge, backend.nouns);

@@ -6,7 +6,7 @@
 #include "annotator/instruction.h"
 #include "core/result.h"
 #include "resources/resources.h"
-#include "rewording/task_lines.h"
+#include "rewording/worded_task.h"
 
 namespace unietp {
 
@@ -17,7 +17,7 @@ struct PersonText {
 };
 
 /// `around`: the categories of the start scene. Pure.
-PersonText check_person_text(const std::string& text, const TaskLine& task, const Backend& backend,
+PersonText check_person_text(const std::string& text, const WordedTask& task, const Backend& backend,
                              const std::vector<std::string>& around);
 
 }  // namespace unietp

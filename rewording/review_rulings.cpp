@@ -3,8 +3,6 @@
 #include <functional>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
 #include "annotator/home_facts.h"
 #include "core/text.h"
 #include "dataset/candidate.h"
@@ -13,15 +11,13 @@
 namespace unietp {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Decides on each review; the texts of a home stay different.
 class Judge {
  public:
-  Judge(const std::vector<TaskLine>& tasks, const RulingContext& context) : tasks_(tasks), context_(context) {
+  Judge(const std::vector<WordedTask>& tasks, const RulingContext& context) : tasks_(tasks), context_(context) {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-      at_[tasks[i].id] = i;
-      texts_.insert(key(tasks[i].layout, text_of(tasks[i])));
+      at_[tasks[i].record.id] = i;
+      texts_.insert(key(tasks[i].record.layout, tasks[i].record.instruction));
     }
   }
 
@@ -37,8 +33,8 @@ class Judge {
         refuse("no such task");
         continue;
       }
-      const TaskLine& task = tasks_[found->second];
-      const std::string now = text_of(task);
+      const WordedTask& task = tasks_[found->second];
+      const std::string& now = task.record.instruction;
       const bool in_force = review.judgement == Judgement::Edit && now == review.text;
       if (now != review.instruction && !in_force) {
         refuse("its text has changed: \"" + now + "\"");
@@ -63,12 +59,9 @@ class Judge {
   static std::string key(const std::string& layout, const std::string& text) {
     return layout + "\n" + normalised_text(text);
   }
-  static std::string text_of(const TaskLine& task) {
-    return Json::parse(task.text).at("instruction").at("text").get<std::string>();
-  }
 
   /// nullopt when it was refused.
-  Result<std::optional<Instruction>> rewritten(const TaskLine& task, const std::string& now, const std::string& text,
+  Result<std::optional<Instruction>> rewritten(const WordedTask& task, const std::string& now, const std::string& text,
                                                const std::function<void(std::string)>& refuse) {
     HomeShelf homes(context_.folder);
     const auto scene = read_start(homes, task);
@@ -79,14 +72,14 @@ class Judge {
       refuse("\"" + text + "\": " + join(checked.faults, "; "));
       return std::optional<Instruction>();
     }
-    if (normalised_text(text) != normalised_text(now) && !texts_.insert(key(task.layout, text)).second) {
+    if (normalised_text(text) != normalised_text(now) && !texts_.insert(key(task.record.layout, text)).second) {
       refuse("\"" + text + "\": another task of this home has this text");
       return std::optional<Instruction>();
     }
     return std::optional(checked.instruction);
   }
 
-  const std::vector<TaskLine>& tasks_;
+  const std::vector<WordedTask>& tasks_;
   const RulingContext& context_;
   std::map<std::string, std::size_t> at_;
   std::set<std::string> texts_;
@@ -94,7 +87,7 @@ class Judge {
 
 }  // namespace
 
-Result<std::vector<Ruling>> rule_on(const std::vector<Review>& reviews, const std::vector<TaskLine>& tasks,
+Result<std::vector<Ruling>> rule_on(const std::vector<Review>& reviews, const std::vector<WordedTask>& tasks,
                                     const RulingContext& context, ApplyReport& report) {
   return Judge(tasks, context).rulings(reviews, report);
 }

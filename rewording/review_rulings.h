@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "annotator/instruction.h"
+#include "record/review_mark_record.h"
 #include "report/review_file.h"
 #include "resources/resources.h"
-#include "rewording/task_lines.h"
+#include "rewording/worded_task.h"
 
 namespace unietp {
 
@@ -30,13 +31,13 @@ struct ApplyReport {
 struct RulingContext {
   const std::filesystem::path& folder;
   const Resources& resources;
-  bool accept_unchecked = false;                            // take edits whose text does not pass the checks, too
-  const std::map<std::string, std::string>& judged_before;  // earlier verdicts, by task
+  bool accept_unchecked = false;                                 // take edits whose text does not pass the checks, too
+  const std::map<std::string, ReviewMarkRecord>& judged_before;  // earlier verdicts, by task
 };
 
 /// A ruling for each task, in their order. What is not taken over is counted and named in the report. Errors: those of
 /// reading a start.
-Result<std::vector<Ruling>> rule_on(const std::vector<Review>& reviews, const std::vector<TaskLine>& tasks,
+Result<std::vector<Ruling>> rule_on(const std::vector<Review>& reviews, const std::vector<WordedTask>& tasks,
                                     const RulingContext& context, ApplyReport& report);
 
 }  // namespace unietp

@@ -1,29 +1,21 @@
 #include "run/assemble.h"
 
-#include <exception>
 #include <string>
 
+#include "dataset/balance.h"
 #include "run/selection.h"
 
 namespace unietp {
 
 namespace {
 
-/// Errors: Schema, for texts that are not as the program writes them: the ledger is damaged.
 Result<Done> add_candidate(DatasetWriter& writer, Ledger& ledger, const CandidateRecord& record,
                            Selection::Verdict verdict) {
-  try {
-    if (verdict != Selection::Verdict::Taken)
-      return writer.add_rejection(repetition_line(record, verdict == Selection::Verdict::SameStart));
-    if (!record.accepted) return writer.add_rejection(record.rejection);
-    return writer.add_task(record, [&ledger](const std::string& layout) { return ledger.home(layout); });
-  } catch (const std::exception& reason) {
-    return Error{Error::Kind::Schema,
-                 "ledger.sqlite",
-                 {},
-                 "candidate " + std::to_string(record.attempt) + " of slot " + std::to_string(record.slot) +
-                     " is damaged: " + reason.what()};
-  }
+  if (verdict != Selection::Verdict::Taken)
+    return writer.add_rejection(repetition_entry(record, verdict == Selection::Verdict::SameStart));
+  if (!record.accepted) return writer.add_rejection(record.rejection);
+  return writer.add_task(record.task, traits_from(record.traits),
+                         [&ledger](const std::string& layout) { return ledger.home(layout); });
 }
 
 }  // namespace

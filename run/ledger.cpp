@@ -18,18 +18,25 @@ constexpr const char* kPragmas =
 std::string schema(const std::string& to) {
   return "CREATE TABLE IF NOT EXISTS " + to + ".run(identity TEXT NOT NULL);" + "CREATE TABLE IF NOT EXISTS " + to +
          R"(.candidate(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, accepted INTEGER NOT NULL,
-  template TEXT NOT NULL, task TEXT NOT NULL, demonstration TEXT NOT NULL, actions TEXT NOT NULL,
-  start_key TEXT NOT NULL, text_key TEXT NOT NULL, traits TEXT NOT NULL, rejection TEXT NOT NULL,
-  cost TEXT NOT NULL, PRIMARY KEY(slot, attempt));
+  template TEXT NOT NULL, simulator TEXT NOT NULL, split TEXT NOT NULL, id TEXT NOT NULL, scene TEXT NOT NULL,
+  layout TEXT NOT NULL, goal TEXT NOT NULL, instruction TEXT NOT NULL, style TEXT NOT NULL, writer TEXT NOT NULL,
+  bindings TEXT NOT NULL, actions TEXT NOT NULL, task TEXT NOT NULL, demonstration TEXT NOT NULL,
+  start_key TEXT NOT NULL, text_key TEXT NOT NULL, traits TEXT NOT NULL,
+  stage TEXT NOT NULL, reason TEXT NOT NULL, detail TEXT NOT NULL, cost TEXT NOT NULL, PRIMARY KEY(slot, attempt));
 CREATE TABLE IF NOT EXISTS )" +
          to + R"(.home(layout TEXT PRIMARY KEY, scene TEXT NOT NULL);
 CREATE VIEW IF NOT EXISTS )" +
          to + R"(.outcome AS SELECT slot, attempt, template, accepted,
-  CASE accepted WHEN 0 THEN json_extract(rejection, '$.stage') END AS stage,
-  CASE accepted WHEN 0 THEN json_extract(rejection, '$.reason') END AS reason,
+  CASE accepted WHEN 0 THEN stage END AS stage, CASE accepted WHEN 0 THEN reason END AS reason,
   (SELECT sum(value) FROM json_each(cost)) AS seconds, cost FROM candidate;
 )";
 }
+
+// The columns of a candidate between `accepted` and `cost`, as `texts_of` has them.
+constexpr const char* kTexts =
+    "template, simulator, split, id, scene, layout, goal, instruction, style, writer, bindings, actions, task, "
+    "demonstration, start_key, text_key, traits, stage, reason, detail";
+constexpr int kTextCount = 20;
 
 std::string text_of(const StageCosts& costs) {
   std::string text;
@@ -43,6 +50,19 @@ std::string text_of(const StageCosts& costs) {
 
 Error failure(std::string_view what, const std::exception& reason) {
   return {Error::Kind::Io, "ledger.sqlite", {}, std::string(what) + ": " + reason.what()};
+}
+
+Error no_candidate(int slot, int attempt, std::string_view why) {
+  return {Error::Kind::Io,
+          "ledger.sqlite",
+          {},
+          "candidate " + std::to_string(attempt) + " of slot " + std::to_string(slot) + " " + std::string(why)};
+}
+
+std::string repeated(std::string_view part, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += part;
+  return text;
 }
 
 }  // namespace
@@ -100,8 +120,8 @@ Result<Done> Ledger::copy_to(const std::filesystem::path& path, bool with_costs)
     const std::string cost = with_costs ? "cost" : "'{}'";
     const std::string fill =
         "BEGIN; INSERT INTO copy.run SELECT identity FROM main.run; INSERT INTO copy.candidate SELECT slot, attempt, "
-        "accepted, template, task, demonstration, actions, start_key, text_key, traits, rejection, " +
-        cost +
+        "accepted, " +
+        std::string(kTexts) + ", " + cost +
         " FROM main.candidate ORDER BY slot, attempt; INSERT INTO copy.home SELECT layout, scene FROM main.home ORDER "
         "BY layout; COMMIT; DETACH copy;";
     file_.run(fill.c_str());
@@ -115,13 +135,35 @@ Result<Done> Ledger::add(const CandidateRecord& record, const StageCosts& costs)
   const std::scoped_lock lock(*mutex_);
   try {
     const std::string cost = text_of(costs);
-    auto insert = file_.prepare("INSERT INTO candidate VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
+    static const std::string kInsert = "INSERT INTO candidate VALUES(?,?,?" + repeated(",?", kTextCount) + ",?)";
+    auto insert = file_.prepare(kInsert);
     insert.bind(1, std::int64_t{record.slot});
     insert.bind(2, std::int64_t{record.attempt});
     insert.bind(3, std::int64_t{record.accepted});
     int column = 3;
-    for (const auto* text : {&record.template_name, &record.task, &record.demonstration, &record.actions,
-                             &record.start_key, &record.text_key, &record.traits, &record.rejection})
+    const TaskRow& row = record.task.row;
+    const RejectionEntry& rejection = record.rejection;
+    const std::string bindings = bindings_text(row), actions = actions_text(row), shown = join(record.task.shown, "\n");
+    for (const auto* text : {&record.template_name,
+                             record.accepted ? &row.simulator : &rejection.simulator,
+                             record.accepted ? &row.split : &rejection.split,
+                             &row.id,
+                             &row.scene,
+                             &row.layout,
+                             &row.goal,
+                             &row.instruction,
+                             &row.style,
+                             &row.writer,
+                             &bindings,
+                             &actions,
+                             &record.task.line,
+                             &shown,
+                             &record.start_key,
+                             &record.text_key,
+                             &record.traits,
+                             &rejection.stage,
+                             &rejection.reason,
+                             &rejection.detail})
       insert.bind(++column, std::string_view(*text));
     insert.bind(++column, std::string_view(cost));
     insert.step();
@@ -189,25 +231,58 @@ Result<std::vector<CandidateRecord>> Ledger::outlines(int first, int slots) {
 Result<CandidateRecord> Ledger::read(int slot, int attempt) {
   const std::scoped_lock lock(*mutex_);
   try {
-    auto query = file_.prepare(
-        "SELECT accepted, template, task, demonstration, actions, start_key, text_key, traits, rejection FROM "
-        "candidate "
-        "WHERE slot = ? AND attempt = ?");
+    static const std::string kSelect =
+        "SELECT accepted, " + std::string(kTexts) + " FROM candidate WHERE slot = ? AND attempt = ?";
+    auto query = file_.prepare(kSelect);
     query.bind(1, std::int64_t{slot});
     query.bind(2, std::int64_t{attempt});
-    if (!query.step())
-      return Error{Error::Kind::Io,
-                   "ledger.sqlite",
-                   {},
-                   "lacks candidate " + std::to_string(attempt) + " of slot " + std::to_string(slot)};
+    if (!query.step()) return no_candidate(slot, attempt, "is missing");
     CandidateRecord record;
     record.slot = slot;
     record.attempt = attempt;
     record.accepted = query.integer(0) != 0;
+    std::string simulator, split_name, bindings, actions, shown;
+    TaskRow& row = record.task.row;
+    RejectionEntry& rejection = record.rejection;
     int column = 0;
-    for (auto* text : {&record.template_name, &record.task, &record.demonstration, &record.actions, &record.start_key,
-                       &record.text_key, &record.traits, &record.rejection})
+    for (auto* text : {&record.template_name,
+                       &simulator,
+                       &split_name,
+                       &row.id,
+                       &row.scene,
+                       &row.layout,
+                       &row.goal,
+                       &row.instruction,
+                       &row.style,
+                       &row.writer,
+                       &bindings,
+                       &actions,
+                       &record.task.line,
+                       &shown,
+                       &record.start_key,
+                       &record.text_key,
+                       &record.traits,
+                       &rejection.stage,
+                       &rejection.reason,
+                       &rejection.detail})
       *text = query.text(++column);
+    if (!record.accepted) {
+      rejection.slot = slot;
+      rejection.attempt = attempt;
+      rejection.template_name = record.template_name;
+      rejection.simulator = std::move(simulator);
+      rejection.split = std::move(split_name);
+      return record;
+    }
+    row.template_name = record.template_name;
+    row.simulator = std::move(simulator);
+    row.split = std::move(split_name);
+    auto read_bindings = bindings_from(bindings);
+    auto read_actions = actions_from(actions);
+    if (!read_bindings || !read_actions) return no_candidate(slot, attempt, "is damaged");
+    row.bindings = std::move(*read_bindings);
+    row.actions = std::move(*read_actions);
+    record.task.shown = split(shown, '\n');
     return record;
   } catch (const std::exception& reason) {
     return failure("cannot read a candidate", reason);

@@ -55,9 +55,9 @@ class Account {
     for (const int open : run.selection().open_slots()) {
       const auto& slot = block.slots[static_cast<std::size_t>(open - block.first())];
       unfilled_.push_back(
-          {open, std::string(name_of(slot.split)) + " task on " + std::string(name_of(slot.simulator)), ""});
+          {open, std::string(name_of(slot.split)) + " task on " + std::string(name_of(slot.simulator)), {}});
       if (const auto record = ledger.read(open, attempts - 1); record && !record->accepted)
-        unfilled_.back().last_reason = record->rejection;
+        unfilled_.back().last = record->rejection;
     }
   }
 

@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "dataset/balance.h"
 #include "dataset/configuration.h"
+#include "dataset/lines.h"
 #include "resources/resources.h"
 #include "run/shard.h"
 #include "run/stage_costs.h"
@@ -38,8 +40,8 @@ struct RunOptions {
 
 struct UnfilledSlot {
   int slot = 0;
-  std::string description;  // "logical task on habitat"
-  std::string last_reason;
+  std::string description;             // "logical task on habitat"
+  std::optional<RejectionEntry> last;  // why its last candidate was given up
 };
 
 struct RunReport {

@@ -44,18 +44,6 @@ void compare_count(const char* table, std::int64_t there, std::int64_t wanted, s
         wrong("", "has " + std::to_string(there) + " rows in " + table + ", expected " + std::to_string(wanted)));
 }
 
-using Traits = std::map<std::string, std::vector<std::pair<std::string, std::string>>, std::less<>>;  // by task
-
-Traits traits_in(SqliteFile& file) {
-  Traits traits;
-  auto rows = file.prepare("SELECT task, dimension, value FROM trait ORDER BY rowid");
-  while (rows.step()) {
-    const std::string task(rows.text(0));
-    traits[task].emplace_back(rows.text(1), rows.text(2));
-  }
-  return traits;
-}
-
 /// Whether a task can count as this: by its own line and its start.
 bool is_of(const TaskRecord& task, const TaskFacts& facts, const std::string& dimension, const std::string& value) {
   if (dimension == "template") return value == task.template_name;
@@ -84,41 +72,70 @@ void check_traits(const TaskReading& task, const TaskFacts& facts,
 
 }  // namespace
 
-DatabaseCheck check_database(const FolderReading& set, const std::vector<TaskFacts>& facts) {
-  DatabaseCheck check;
-  auto& problems = check.problems;
+struct DatabaseCheck::Tables {
+  SqliteFile file;
+  Statement tasks;
+  bool more = true;  // rows of the table `task`
+  TraitTable traits;
+};
+
+DatabaseCheck::DatabaseCheck(const std::filesystem::path& folder) {
   try {
-    SqliteFile file(set.folder / kFile, SqliteFile::Mode::Read);
-    auto rows = file.prepare(
+    SqliteFile file(folder / kFile, SqliteFile::Mode::Read);
+    auto tasks = file.prepare(
         "SELECT id, template, split, simulator, scene, layout, goal, instruction, style, writer, steps, failures FROM "
         "task ORDER BY rowid");
-    auto traits = traits_in(file);
-    std::size_t next = 0;
-    for (; rows.step(); ++next) {
-      if (next >= set.tasks.size()) continue;
-      const TaskReading& task = set.tasks[next];
-      if (const auto field = difference(rows, *task.record); !field.empty())
-        problems.push_back(wrong(task.name, "has a different " + field + " for this task than tasks.jsonl"));
+    auto traits = TraitTable::open(folder / kFile);
+    if (!traits) {
+      fail(traits.error().message);
+      return;
     }
-    compare_count("task", static_cast<std::int64_t>(next), static_cast<std::int64_t>(set.tasks.size()), problems);
-    std::int64_t bindings = 0, steps = 0;
-    for (std::size_t i = 0; i < set.tasks.size(); ++i) {
-      const TaskReading& task = set.tasks[i];
-      bindings += static_cast<std::int64_t>(task.record->bindings.size());
-      for (const auto& shown : task.record->expert) steps += shown.steps;
-      const auto& own = traits[task.name];
-      if (!facts[i].start_key.empty()) check_traits(task, facts[i], own, problems);
-      for (const auto& [dimension, value] : own) ++check.traits[dimension][value];
-    }
-    compare_count("binding", count(file, "SELECT count(*) FROM binding"), bindings, problems);
-    compare_count("step", count(file, "SELECT count(*) FROM step"), steps, problems);
-    const auto rejections = LineFile::read(set.folder, "rejections.jsonl");
-    compare_count("rejection", count(file, "SELECT count(*) FROM rejection"),
-                  rejections ? static_cast<std::int64_t>(rejections->size()) : 0, problems);
+    tables_ = std::make_unique<Tables>(Tables{std::move(file), std::move(tasks), true, std::move(*traits)});
   } catch (const std::exception& reason) {
-    problems.push_back(wrong("", std::string("cannot be read: ") + reason.what()));
+    fail(reason.what());
   }
-  return check;
+}
+
+DatabaseCheck::~DatabaseCheck() = default;
+
+void DatabaseCheck::fail(const std::string& reason) {
+  problems_.push_back(wrong("", "cannot be read: " + reason));
+  tables_.reset();
+}
+
+void DatabaseCheck::add(const TaskReading& task, const TaskFacts& facts) {
+  ++tasks_;
+  bindings_ += static_cast<std::int64_t>(task.record->bindings.size());
+  for (const auto& shown : task.record->expert) steps_ += shown.steps;
+  if (!tables_) return;
+  try {
+    tables_->more = tables_->more && tables_->tasks.step();
+    if (tables_->more) {
+      ++rows_;
+      if (const auto field = difference(tables_->tasks, *task.record); !field.empty())
+        problems_.push_back(wrong(task.name, "has a different " + field + " for this task than tasks.jsonl"));
+    }
+    const auto traits = tables_->traits.of(tasks_, task.name);
+    if (!traits) return fail(traits.error().message);
+    if (!facts.start_key.empty()) check_traits(task, facts, *traits, problems_);
+    for (const auto& [dimension, value] : *traits) ++traits_[dimension][value];
+  } catch (const std::exception& reason) {
+    fail(reason.what());
+  }
+}
+
+std::vector<Problem> DatabaseCheck::finish(std::int64_t rejections) {
+  if (!tables_) return std::move(problems_);
+  try {
+    while (tables_->more && tables_->tasks.step()) ++rows_;
+    compare_count("task", rows_, tasks_, problems_);
+    compare_count("binding", count(tables_->file, "SELECT count(*) FROM binding"), bindings_, problems_);
+    compare_count("step", count(tables_->file, "SELECT count(*) FROM step"), steps_, problems_);
+    compare_count("rejection", count(tables_->file, "SELECT count(*) FROM rejection"), rejections, problems_);
+  } catch (const std::exception& reason) {
+    fail(reason.what());
+  }
+  return std::move(problems_);
 }
 
 }  // namespace unietp

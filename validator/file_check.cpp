@@ -2,10 +2,7 @@
 
 #include <algorithm>
 
-#include "core/digest.h"
-#include "core/files.h"
-#include "core/text.h"
-#include "record/manifest_record.h"
+#include "core/file_digest.h"
 
 namespace unietp {
 namespace {
@@ -42,17 +39,17 @@ FileCheck::FileCheck(fs::path folder, const ManifestRecord& manifest)
 }
 
 std::vector<Problem> FileCheck::of(const std::string& path) const {
-  const auto bytes = read_file(folder_ / path);
-  if (!bytes) {
-    Problem problem{ProblemKind::Unreadable, "", bytes.error()};
+  const auto digest = digest_of_file(folder_ / path);
+  if (!digest) {
+    Problem problem{ProblemKind::Unreadable, "", digest.error()};
     return {std::move(problem)};
   }
-  const auto& vouched = manifest_.files.at(path);
-  const auto length = static_cast<double>(bytes->size());
-  if (length != vouched.bytes)
-    return {problem_in(ProblemKind::ChangedFile, path,
-                       "has " + number_text(length) + " bytes, but the manifest lists " + number_text(vouched.bytes))};
-  if (sha256(*bytes) != vouched.sha256)
+  const auto& recorded = manifest_.files.at(path);
+  if (digest->bytes != recorded.bytes)
+    return {problem_in(
+        ProblemKind::ChangedFile, path,
+        "has " + std::to_string(digest->bytes) + " bytes, but the manifest lists " + std::to_string(recorded.bytes))};
+  if (digest->sha256 != recorded.sha256)
     return {problem_in(ProblemKind::ChangedFile, path, "its SHA-256 differs from the manifest")};
   return {};
 }

@@ -23,8 +23,8 @@ bool speaks_of_comparisons(const std::string& text) {
 /// One task's proof under way.
 class TaskProver {
  public:
-  TaskProver(const TaskReading& reading, const ProofTools& tools)
-      : reading_(reading), task_(*reading.record), tools_(tools) {}
+  TaskProver(const TaskReading& reading, const TaskLines& lines, const ProofTools& tools)
+      : reading_(reading), lines_(lines), task_(*reading.record), tools_(tools) {}
 
   TaskProof prove() {
     read_goal();
@@ -67,7 +67,7 @@ class TaskProver {
     if (!simulator)
       found(ProblemKind::SceneName, reading_.where,
             "unknown simulator \"" + task_.simulator + "\"; accepted are ai2thor, virtualhome, habitat, behavior");
-    const auto home = tools_.homes.home(task_.layout);
+    const auto home = tools_.reader.homes().home(task_.layout);
     auto start = home ? start_in(reading_.where, **home, task_.changes, task_.scene) : Result<Scene>(home.error());
     if (!start) {
       found(ProblemKind::Unreadable, start.error());
@@ -104,25 +104,20 @@ class TaskProver {
       found(prove_goal_at_start(task_, *goal_, constraints_, start_, traces.at_start(), *backend_->knowledge,
                                 reading_.where));
     for (const auto& [mode, demonstration] : shown) prove_demonstration(*world, mode, demonstration, traces);
-    if (const auto wordings = tools_.wordings.find(task_.id); wordings != tools_.wordings.end())
-      prove_wordings(wordings->second, traces, in_m1 == shown.end() ? nullptr : &in_m1->second);
+    if (reading_.wordings) prove_wordings(*reading_.wordings, traces, in_m1 == shown.end() ? nullptr : &in_m1->second);
   }
 
   std::string where_shown(Mode mode) const {
-    const auto index = static_cast<std::size_t>(mode);
-    return tools_.folder.demonstrations[index].at(*reading_.shown[index]);
+    return tools_.reader.lines().shown_at(mode, lines_.shown_in(mode).line->number);
   }
 
   void read_demonstration(Mode mode, std::map<Mode, DemonstrationRecord>& shown) {
-    const auto line = reading_.shown[static_cast<std::size_t>(mode)];
-    if (!line) return;
-    auto read = tools_.folder.demonstration(mode, *line);
+    if (!lines_.shown_in(mode).line) return;
+    auto read = tools_.reader.demonstration(lines_, mode);
     if (!read) return found(ProblemKind::Unreadable, read.error());
-    if (read->mode != name_of(mode))
-      found(ProblemKind::StrayDemonstration, where_shown(mode),
-            "expected the mode \"" + std::string(name_of(mode)) + "\", not \"" + read->mode + "\"");
-    if (read->task != task_.id) found(ProblemKind::StrayDemonstration, where_shown(mode), "is of " + read->task);
-    shown.emplace(mode, std::move(*read));
+    if (const auto error = tools_.reader.misplaced(lines_, mode, *read, task_))
+      found(ProblemKind::StrayDemonstration, *error);
+    if (counts_steps(task_, mode)) shown.emplace(mode, std::move(*read));
   }
 
   void prove_demonstration(const World& world, Mode mode, const DemonstrationRecord& demonstration,
@@ -201,6 +196,7 @@ class TaskProver {
   }
 
   const TaskReading& reading_;
+  const TaskLines& lines_;
   const TaskRecord& task_;
   const ProofTools& tools_;
   std::shared_ptr<const Scene> home_;
@@ -213,6 +209,8 @@ class TaskProver {
 
 }  // namespace
 
-TaskProof prove_task(const TaskReading& task, const ProofTools& tools) { return TaskProver(task, tools).prove(); }
+TaskProof prove_task(const TaskReading& task, const TaskLines& lines, const ProofTools& tools) {
+  return TaskProver(task, lines, tools).prove();
+}
 
 }  // namespace unietp

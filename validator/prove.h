@@ -1,29 +1,24 @@
 #pragma once
 
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "record/home_shelf.h"
-#include "record/wordings_record.h"
-#include "validator/folder_reading.h"
+#include "record/dataset_reader.h"
 #include "validator/proof_counts.h"
 #include "validator/rest.h"
 #include "validator/task_facts.h"
+#include "validator/task_reading.h"
 #include "validator/validation_options.h"
 
 namespace unietp {
 
 /// What all proofs of a data set share. Read by several threads.
 struct ProofTools {
-  const FolderReading& folder;
+  const DatasetReader& reader;
   const std::vector<ValidationBackend>& backends;
   const ValidationOptions& options;
   RestCheck& rest;
-  HomeShelf& homes;
-  std::string phrasings = "all";                   // of the instructions
-  std::map<std::string, WordingsRecord> wordings;  // by task
+  std::string phrasings = "all";  // of the instructions
 };
 
 struct TaskProof {
@@ -32,7 +27,7 @@ struct TaskProof {
   std::vector<Problem> problems;  // of this task
 };
 
-/// Proves one task that reads, in fresh physics, with all that belongs to it.
-TaskProof prove_task(const TaskReading& task, const ProofTools& tools);
+/// Proves one task that reads, in fresh physics, with all that belongs to it. `lines`: those that it was read from.
+TaskProof prove_task(const TaskReading& task, const TaskLines& lines, const ProofTools& tools);
 
 }  // namespace unietp

@@ -1,93 +1,95 @@
 #include "validator/repeats.h"
 
-#include <map>
-#include <mutex>
-
-#include "core/files.h"
-#include "core/share_work.h"
-#include "record/home_shelf.h"
 #include "record/manifest_record.h"
 
 namespace unietp {
 namespace {
 
-Problem about(ProblemKind kind, const TaskReading& task, std::string message) {
-  auto problem = problem_in(kind, task.where, std::move(message));
-  problem.task = task.name;
+Problem of_task(ProblemKind kind, std::string where, std::string task, std::string message) {
+  auto problem = problem_in(kind, std::move(where), std::move(message));
+  problem.task = std::move(task);
   return problem;
 }
 
+std::pair<std::uint64_t, std::uint64_t> words_key(const std::string& instruction) {
+  const Digest digest = Digester().add(plain_words(instruction)).digest();
+  return {digest.a, digest.b};
+}
+
+/// What of one task must not occur in another data set.
+struct TaskPrint {
+  std::string layout, home_key;
+  std::pair<std::uint64_t, std::uint64_t> words;
+};
+
 }  // namespace
 
-std::vector<Problem> find_repeats(const FolderReading& set, const std::vector<TaskFacts>& facts) {
+void RepeatSearch::add(std::size_t place, const TaskFacts& facts) {
+  if (facts.start_key.empty()) return;
+  starts_.add(facts.start_key, place);
+  texts_.add(facts.text_key, place);
+}
+
+std::vector<Problem> RepeatSearch::problems(const TaskNames& names) {
   std::vector<Problem> problems;
-  std::map<std::string_view, std::size_t> starts, texts;
-  for (std::size_t i = 0; i < facts.size(); ++i) {
-    const TaskReading& task = set.tasks[i];
-    if (facts[i].start_key.empty()) continue;
-    if (const auto [first, is_new] = starts.try_emplace(facts[i].start_key, i); !is_new)
-      problems.push_back(about(ProblemKind::RepeatedStart, task,
-                               "has the same template, binding, goal and start as " + set.tasks[first->second].name));
-    if (const auto [first, is_new] = texts.try_emplace(facts[i].text_key, i); !is_new)
-      problems.push_back(about(ProblemKind::RepeatedText, task,
-                               "has the same instruction as " + set.tasks[first->second].name + " in the same home"));
-  }
+  const auto found = [&](ProblemKind kind, std::size_t place, std::string message) {
+    problems.push_back(of_task(kind, std::string(kTasksFile) + ":" + std::to_string(place + 1), names.name(place),
+                               std::move(message)));
+  };
+  for (const auto& [place, first] : starts_.repeats())
+    found(ProblemKind::RepeatedStart, place, "has the same template, binding, goal and start as " + names.name(first));
+  for (const auto& [place, first] : texts_.repeats())
+    found(ProblemKind::RepeatedText, place, "has the same instruction as " + names.name(first) + " in the same home");
   return problems;
 }
 
 Result<SetPrint> print_of(const std::filesystem::path& folder, int threads) {
+  const auto manifest = read_manifest_file(folder);
+  if (!manifest) return manifest.error();
   SetPrint print;
   print.folder = folder.string();
-  const auto text = read_file(folder / "manifest.json");
-  if (!text) return text.error();
-  const auto manifest = read_manifest((folder / "manifest.json").string(), *text);
-  if (!manifest) return manifest.error();
   print.seed = manifest->run.seed;
-  std::vector<Problem> problems;
-  const auto set = read_folder(folder, problems);
-  if (!set) return set.error();
-  HomeShelf homes(folder);
-  std::mutex mutex;
-  std::map<std::size_t, Error> failed;  // by task, so that the first is told whatever the threads do
-  share_work(threads, set->tasks.size(), [&](std::size_t i) {
-    const TaskReading& task = set->tasks[i];
-    const auto fail = [&](Error error) {
-      const std::scoped_lock lock(mutex);
-      failed.emplace(i, std::move(error));
-    };
-    if (!task.record) return fail(task.record.error());
-    const auto home = homes.home(task.record->layout);
-    if (!home) return fail(home.error());
-    auto key = home_key_of(**home);
-    const std::scoped_lock lock(mutex);
-    print.layouts.insert(task.record->layout);
-    print.words.insert(plain_words(task.record->instruction));
-    print.home_keys.insert(std::move(key));
-  });
-  if (!failed.empty()) return failed.begin()->second;
+  auto reader = DatasetReader::open(folder, {});
+  if (!reader) return reader.error();
+  HomeShelf& homes = reader->homes();
+  const auto done = for_each_task<TaskPrint>(
+      std::move(*reader), threads,
+      [&homes](const FinishedTask& task) -> Result<TaskPrint> {
+        const auto home = homes.home(task.record.layout);
+        if (!home) return home.error();
+        return TaskPrint{task.record.layout, home_key_of(**home), words_key(task.record.instruction)};
+      },
+      [&print](TaskPrint&& task) -> Result<Done> {
+        print.layouts.insert(std::move(task.layout));
+        print.home_keys.insert(std::move(task.home_key));
+        print.words.insert(task.words);
+        return Done{};
+      });
+  if (!done) return done.error();
   return print;
 }
 
-std::vector<Problem> find_leaks(const FolderReading& set, std::uint64_t seed, const std::vector<TaskFacts>& facts,
-                                const SetPrint& other) {
-  std::vector<Problem> problems;
-  if (seed == other.seed)
-    problems.push_back(problem_in(ProblemKind::SharedSeed, "manifest.json",
-                                  "the run's seed " + std::to_string(seed) + " is also that of " + other.folder));
-  for (std::size_t i = 0; i < facts.size(); ++i) {
-    const TaskReading& task = set.tasks[i];
-    if (!task.record) continue;
-    const TaskRecord& record = *task.record;
-    if (other.layouts.contains(record.layout)) {
-      problems.push_back(
-          about(ProblemKind::SharedLayout, task, "its home " + record.layout + " is also in " + other.folder));
-    } else if (other.home_keys.contains(facts[i].home_key)) {
-      problems.push_back(about(ProblemKind::SharedLayout, task,
-                               "the rooms and furniture of " + record.layout + " are also in " + other.folder));
-    }
-    if (other.words.contains(plain_words(record.instruction)))
-      problems.push_back(about(ProblemKind::SharedText, task, "its instruction is also in " + other.folder));
+void LeakSearch::add(const TaskReading& task, const TaskFacts& facts) {
+  if (!task.record) return;
+  const TaskRecord& record = *task.record;
+  const auto found = [&](ProblemKind kind, std::string message) {
+    of_tasks_.push_back(of_task(kind, task.where, task.name, std::move(message)));
+  };
+  if (other_.layouts.contains(record.layout)) {
+    found(ProblemKind::SharedLayout, "its home " + record.layout + " is also in " + other_.folder);
+  } else if (other_.home_keys.contains(facts.home_key)) {
+    found(ProblemKind::SharedLayout, "the rooms and furniture of " + record.layout + " are also in " + other_.folder);
   }
+  if (other_.words.contains(words_key(record.instruction)))
+    found(ProblemKind::SharedText, "its instruction is also in " + other_.folder);
+}
+
+std::vector<Problem> LeakSearch::problems(std::uint64_t seed) const {
+  std::vector<Problem> problems;
+  if (seed == other_.seed)
+    problems.push_back(problem_in(ProblemKind::SharedSeed, "manifest.json",
+                                  "the run's seed " + std::to_string(seed) + " is also that of " + other_.folder));
+  append(problems, of_tasks_);
   return problems;
 }
 

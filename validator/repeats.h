@@ -1,30 +1,53 @@
 #pragma once
 
+#include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "validator/folder_reading.h"
+#include "core/result.h"
+#include "simulation/digest.h"
+#include "validator/key_list.h"
 #include "validator/problem.h"
 #include "validator/task_facts.h"
+#include "validator/task_reading.h"
 
 namespace unietp {
 
-/// Tasks that have a start, or the words in a home, in common with an earlier one. `facts` in the order of the tasks;
-/// where one did not read, its keys are "".
-std::vector<Problem> find_repeats(const FolderReading& set, const std::vector<TaskFacts>& facts);
+/// Finds tasks that have a start, or the words in a home, in common with an earlier one.
+class RepeatSearch {
+ public:
+  /// The next task, by place in tasks.jsonl. Nothing is known of one whose scene does not read: its keys are "".
+  void add(std::size_t place, const TaskFacts& facts);
+  std::vector<Problem> problems(const TaskNames& names);
 
-/// What of a data set may not come back in another one.
+ private:
+  KeyList starts_, texts_;
+};
+
+/// What must not occur in two data sets.
 struct SetPrint {
   std::string folder;  // for messages
   std::uint64_t seed = 0;
-  std::set<std::string> layouts, home_keys, words;
+  std::set<std::string> layouts, home_keys;
+  std::set<std::pair<std::uint64_t, std::uint64_t>> words;  // keys of the instructions
 };
-/// Reads tasks, manifest and start scenes of a finished folder; several scenes at a time. Errors: those of reading.
+/// Reads tasks, manifest and homes of a finished data set. Errors: those of reading, the first by task.
 Result<SetPrint> print_of(const std::filesystem::path& folder, int threads);
 
-/// Every task whose home or words are in the other data set, and the seed if it is shared. As `facts` above.
-std::vector<Problem> find_leaks(const FolderReading& set, std::uint64_t seed, const std::vector<TaskFacts>& facts,
-                                const SetPrint& other);
+/// Finds what a data set shares with another one.
+class LeakSearch {
+ public:
+  explicit LeakSearch(SetPrint other) : other_(std::move(other)) {}
+  /// The next task. `facts` may be those of a task whose scene does not read.
+  void add(const TaskReading& task, const TaskFacts& facts);
+  /// `seed`: of the run.
+  std::vector<Problem> problems(std::uint64_t seed) const;
+
+ private:
+  SetPrint other_;
+  std::vector<Problem> of_tasks_;
+};
 
 }  // namespace unietp

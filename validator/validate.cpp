@@ -1,10 +1,17 @@
 #include "validator/validate.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
 
 #include "core/files.h"
+#include "core/ordered_work.h"
 #include "core/share_work.h"
+#include "record/dataset_reader.h"
 #include "record/manifest_record.h"
+#include "validator/database_check.h"
 #include "validator/file_check.h"
 #include "validator/prove.h"
 #include "validator/recount.h"
@@ -40,67 +47,82 @@ std::vector<Problem> check_files(const FileCheck& files, int threads) {
   return problems;
 }
 
-/// Wordings by task; those that do not read or are of nobody are problems.
-std::map<std::string, WordingsRecord> wordings_in(const FolderReading& folder, std::vector<Problem>& problems) {
-  std::map<std::string, WordingsRecord> wordings;
-  const auto lines = LineFile::read(folder.folder, "wordings.jsonl");
-  if (!lines) {
-    problems.push_back({ProblemKind::Unreadable, "", lines.error()});
-    return wordings;
-  }
-  std::set<std::string_view> names;
-  for (const TaskReading& task : folder.tasks) names.insert(task.name);
-  for (std::size_t i = 0; i < lines->size(); ++i) {
-    auto record = read_wordings(lines->name(), static_cast<int>(i) + 1, lines->line(i));
-    if (!record) {
-      problems.push_back({ProblemKind::Unreadable, "", record.error()});
-      continue;
-    }
-    const std::string task = record->task;
-    if (!names.contains(task)) {
-      problems.push_back(problem_in(ProblemKind::Wordings, lines->at(i), "belong to no task in tasks.jsonl"));
-    } else if (!wordings.emplace(task, std::move(*record)).second) {
-      problems.push_back(problem_in(ProblemKind::Wordings, lines->at(i), "repeat those of " + task));
+/// What is gathered of all tasks, in a few hundred bytes each: what is wrong with them taken together.
+class WholeSet {
+ public:
+  WholeSet(const fs::path& folder, const ManifestRecord& manifest, const ValidationOptions& options)
+      : folder_(folder), manifest_(manifest), recount_(manifest), database_(folder) {
+    for (const auto& other : options.against) {
+      auto print = print_of(other, options.threads);
+      if (print) {
+        leaks_.emplace_back(LeakSearch(std::move(*print)));
+      } else {
+        leaks_.emplace_back(print.error());
+      }
     }
   }
-  if (lines->size() > 0 && wordings.size() < names.size())
-    problems.push_back(problem_in(ProblemKind::Wordings, lines->name(), "has no wordings for some tasks"));
-  return wordings;
-}
 
-/// What is wrong with the tasks taken together.
-std::vector<Problem> check_as_a_whole(const FolderReading& folder, const ManifestRecord& manifest,
-                                      const std::vector<TaskFacts>& facts, const ValidationOptions& options) {
-  auto problems = recount_tasks(manifest, folder);
-  append(problems, recount_rejections(manifest, folder));
-  append(problems, check_quotas(manifest.run, folder));
-  const bool all_read = std::all_of(folder.tasks.begin(), folder.tasks.end(),
-                                    [](const TaskReading& task) { return static_cast<bool>(task.record); });
-  if (all_read) {
-    auto database = check_database(folder, facts);
-    append(problems, std::move(database.problems));
-    append(problems, check_balance(manifest, std::move(database.traits)));
-  }
-  append(problems, find_repeats(folder, facts));
-  for (const auto& other : options.against) {
-    const auto print = print_of(other, options.threads);
-    if (print) {
-      append(problems, find_leaks(folder, manifest.run.seed, facts, *print));
-    } else {
-      problems.push_back({ProblemKind::Unreadable, "", print.error()});
+  void add(std::size_t place, const TaskReading& task, const TaskFacts& facts) {
+    recount_.add(task);
+    if (task.record) candidates_.add(candidate_key(task.record->slot, task.record->attempt), place);
+    if (recount_.all_read()) database_.add(task, facts);
+    repeats_.add(place, facts);
+    for (auto& search : leaks_) {
+      if (search) search->add(task, facts);
     }
   }
-  return problems;
-}
 
-/// Folder-wide problems first, then task by task; within each as they were found.
-void sort_by_task(std::vector<Problem>& problems, const FolderReading& folder) {
-  std::map<std::string_view, std::size_t> place{{"", 0}};
-  for (const TaskReading& task : folder.tasks) place.emplace(task.name, place.size());
-  const auto of = [&](const Problem& problem) {
-    const auto found = place.find(problem.task);
-    return found == place.end() ? 0 : found->second;
-  };
+  std::vector<Problem> problems(const TaskNames& names) {
+    const auto rejections = count_rejections(folder_, candidates_, names);
+    auto problems = recount_.wrong_counts(rejections);
+    append(problems, recount_.wrong_quotas(rejections));
+    if (recount_.all_read()) {
+      append(problems, database_.finish(rejections.lines));
+      append(problems, check_balance(manifest_, database_.traits()));
+    }
+    append(problems, repeats_.problems(names));
+    for (const auto& search : leaks_) {
+      if (search) append(problems, search->problems(manifest_.run.seed));
+      if (!search) problems.push_back({ProblemKind::Unreadable, "", search.error()});
+    }
+    return problems;
+  }
+
+ private:
+  const fs::path& folder_;
+  const ManifestRecord& manifest_;
+  TaskRecount recount_;
+  KeyList candidates_;
+  DatabaseCheck database_;
+  RepeatSearch repeats_;
+  std::vector<Result<LeakSearch>> leaks_;
+};
+
+/// What one task showed.
+struct TaskVerdict {
+  TaskReading reading;
+  TaskProof proof;
+};
+
+/// What all tasks showed, in the order of tasks.jsonl.
+struct SetVerdict {
+  TaskNames names;
+  std::vector<std::uint8_t> simulators;  // of each task; kSimulators.size() where it is not known
+  std::vector<Problem> reading, wordings, proofs;
+  bool lacks_wordings = false;                               // of some task; the first is named
+  ProofCounts counts;                                        // without those that are proven
+  std::array<ProofCounts, kSimulators.size()> by_simulator;  // likewise
+};
+
+/// Problems of the data set as a whole first, then task by task; within each as they were found.
+void sort_by_task(std::vector<Problem>& problems, TaskNames& names) {
+  std::map<std::string, std::size_t> place;  // of the tasks that problems name; 0: none
+  for (const Problem& problem : problems) {
+    if (problem.task.empty() || place.contains(problem.task)) continue;
+    const auto places = names.places(problem.task);
+    place[problem.task] = places.empty() ? 0 : places.front() + 1;
+  }
+  const auto of = [&](const Problem& problem) { return problem.task.empty() ? 0 : place.at(problem.task); };
   std::stable_sort(problems.begin(), problems.end(), [&](const Problem& a, const Problem& b) { return of(a) < of(b); });
 }
 
@@ -113,6 +135,43 @@ void add(ProofCounts& to, const ProofCounts& other) {
   to.texts += other.texts;
 }
 
+void take(TaskVerdict&& task, SetVerdict& set) {
+  set.names.add(task.reading.name);
+  append(set.reading, std::move(task.reading.problems));
+  append(set.wordings, std::move(task.reading.wordings_problems));
+  if (task.reading.missing_wordings && !set.lacks_wordings)
+    set.wordings.push_back({ProblemKind::Wordings, "", *task.reading.missing_wordings});
+  set.lacks_wordings = set.lacks_wordings || task.reading.missing_wordings;
+  append(set.proofs, std::move(task.proof.problems));
+  task.proof.counts.tasks = 1;
+  add(set.counts, task.proof.counts);
+  const auto simulator =
+      task.reading.record ? simulator_named(task.reading.record->simulator) : std::optional<Simulator>();
+  const auto index = simulator ? static_cast<std::size_t>(*simulator) : kSimulators.size();
+  set.simulators.push_back(static_cast<std::uint8_t>(index));
+  if (simulator) add(set.by_simulator[index], task.proof.counts);
+}
+
+void take_left_over_lines(DatasetLines& lines, SetVerdict& set) {
+  while (const auto stray = lines.next_stray())
+    (stray->mode ? set.reading : set.wordings).push_back(stray_problem(*stray));
+}
+
+/// Tasks of which nothing is wrong count as proven.
+void count_proven(const std::vector<Problem>& problems, SetVerdict& set) {
+  std::vector<bool> wrong(set.names.size());
+  std::set<std::string_view> done;
+  for (const Problem& problem : problems) {
+    if (problem.task.empty() || !done.insert(problem.task).second) continue;
+    for (const std::size_t place : set.names.places(problem.task)) wrong[place] = true;
+  }
+  for (std::size_t place = 0; place < wrong.size(); ++place) {
+    if (wrong[place]) continue;
+    ++set.counts.proven;
+    if (set.simulators[place] < kSimulators.size()) ++set.by_simulator[set.simulators[place]].proven;
+  }
+}
+
 }  // namespace
 
 ValidationReport validate_dataset(const fs::path& folder, const std::vector<ValidationBackend>& backends,
@@ -123,48 +182,51 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
     problems.push_back({ProblemKind::Unreadable, "", std::move(error)});
     return report;
   };
-  if (std::error_code code; !fs::is_directory(folder, code))
+  std::error_code code;
+  if (!fs::is_directory(folder, code))
     return stop_with({Error::Kind::Io, folder.string(), {}, "is not a folder; expected a finished data set"});
   const auto manifest = manifest_in(folder, knowledge_digest, problems);
-  const auto reading = read_folder(folder, problems);
-  if (!reading) return stop_with(reading.error());
-  std::optional<FileCheck> files;
-  if (manifest) {
-    files.emplace(folder, *manifest);
-    append(problems, files->listing());
-    append(problems, check_files(*files, options.threads));
-  }
+  auto reader =
+      DatasetReader::open(folder, {shown_modes(folder), fs::exists(folder / kWordingsFile, code)}, FileNames::InFolder);
+  if (!reader) return stop_with(reader.error());
 
   RestCheck rest(options.rest_m);
-  HomeShelf homes(folder);
-  ProofTools tools{*reading, backends, options, rest, homes, "all", {}};
-  if (manifest) tools.phrasings = manifest->phrasings;
-  tools.wordings = wordings_in(*reading, problems);
-  const auto count = reading->tasks.size();
-  std::vector<TaskProof> proofs(count);
-  share_work(options.threads, count, [&](std::size_t i) {
-    if (reading->tasks[i].record) proofs[i] = prove_task(reading->tasks[i], tools);
-  });
+  const ProofTools tools{*reader, backends, options, rest, manifest ? manifest->phrasings : "all"};
+  std::optional<WholeSet> whole;
+  if (manifest) whole.emplace(folder, *manifest, options);
+  SetVerdict set;
+  (void)work_in_order<TaskLines, TaskVerdict>(
+      options.threads, [&] { return reader->lines().next(); },
+      [&](const TaskLines& lines) {
+        TaskVerdict task{read_task_lines(*reader, lines), {}};
+        if (task.reading.record) task.proof = prove_task(task.reading, lines, tools);
+        return task;
+      },
+      [&](TaskVerdict&& task) -> Result<Done> {
+        if (whole) whole->add(set.names.size(), task.reading, task.proof.facts);
+        take(std::move(task), set);
+        return Done{};
+      });
+  take_left_over_lines(reader->lines(), set);
 
-  std::vector<TaskFacts> facts;
-  for (TaskProof& proof : proofs) {
-    facts.push_back(std::move(proof.facts));
-    append(problems, std::move(proof.problems));
+  append(problems, std::move(set.reading));
+  for (const auto& [place, first] : set.names.repeats()) {
+    problems.push_back(problem_in(ProblemKind::RepeatedTask, reader->lines().task_at(static_cast<int>(place) + 1),
+                                  "an earlier task has the same id"));
+    problems.back().task = set.names.name(place);
   }
-  if (manifest) append(problems, check_as_a_whole(*reading, *manifest, facts, options));
-  sort_by_task(problems, *reading);
-
-  std::set<std::string_view> wrong;
-  for (const Problem& problem : problems) wrong.insert(problem.task);
-  for (std::size_t i = 0; i < count; ++i) {
-    ProofCounts& own = proofs[i].counts;
-    own.tasks = 1;
-    own.proven = wrong.contains(reading->tasks[i].name) ? 0 : 1;
-    add(report.counts, own);
-    const auto& record = reading->tasks[i].record;
-    const auto simulator = record ? simulator_named(record->simulator) : std::nullopt;
-    if (simulator) add(report.by_simulator[static_cast<std::size_t>(*simulator)], own);
+  if (manifest) {
+    const FileCheck files(folder, *manifest);
+    append(problems, files.listing());
+    append(problems, check_files(files, options.threads));
   }
+  append(problems, std::move(set.wordings));
+  append(problems, std::move(set.proofs));
+  if (whole) append(problems, whole->problems(set.names));
+  sort_by_task(problems, set.names);
+  count_proven(problems, set);
+  report.counts = set.counts;
+  report.by_simulator = set.by_simulator;
   if (manifest) report.counts.tasks = std::max(report.counts.tasks, manifest->tasks);
   return report;
 }

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "core/digest.h"
+#include "core/file_digest.h"
 #include "core/rng.h"
 
 namespace unietp {
@@ -121,6 +123,19 @@ TEST(Gunzip, ReadsMembersInARowAsOneFile) {
   EXPECT_EQ(*gunzip("f.gz", gzip(first) + gzip(second)), first + second);
   EXPECT_EQ(*gunzip("f.gz", gzip(first) + gzip("") + gzip(second), first.size() + second.size()), first + second);
   EXPECT_FALSE(gunzip("f.gz", gzip(first) + gzip(second), first.size() + second.size() - 1));
+}
+
+TEST(DigestOfFile, IsThatOfItsBytes) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "digested";
+  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{1} << 18, (std::size_t{1} << 19) + 1}) {
+    const std::string bytes(size, 'x');
+    ASSERT_TRUE(write_file(file, bytes));
+    const auto digest = digest_of_file(file);
+    ASSERT_TRUE(digest) << format(digest.error());
+    EXPECT_EQ(digest->bytes, size);
+    EXPECT_EQ(digest->sha256, sha256(bytes));
+  }
+  EXPECT_FALSE(digest_of_file(file / "nothing"));
 }
 
 }  // namespace

@@ -106,10 +106,10 @@ TEST(DataSet, ATaskIsDrawnFromAbove) {
   fs::copy(small_data_set() / "homes", spoilt / "homes");
   fs::copy(small_data_set() / "tasks.jsonl", spoilt / "tasks.jsonl");
   const std::string line = R"({"task":")" + task + R"(","steps":[7]})";
-  ASSERT_TRUE(write_file(spoilt / "demonstrations" / "M1.jsonl", "{}\n" + line + "\n"));
+  ASSERT_TRUE(write_file(spoilt / "demonstrations" / "M1.jsonl", line + "\n"));
   const auto refused = run_program({"render", spoilt.string(), task, "--out", folder.at("no.svg")});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("M1.jsonl:2"));
+  EXPECT_THAT(refused.err, HasSubstr("M1.jsonl:1"));
   EXPECT_FALSE(fs::exists(folder.at("no.svg")));
 }
 

@@ -13,7 +13,8 @@ using ::testing::Pair;
 using Json = nlohmann::ordered_json;
 
 Json sound() {
-  return Json::parse(R"({"format":"unietp-manifest/1","program":{},"knowledge_digest":"digest","seed":7,
+  return Json::parse(
+      R"({"format":"unietp-manifest/1","program":{"name":"unietp","version":"0.1.0"},"knowledge_digest":"digest","seed":7,
     "configuration":{"format":"unietp-run/1","seed":7,"count":3,"simulators":["habitat"],"splits":[],
       "quotas":{"splits":{"atomic":3},"simulators":{"habitat":3}},"templates":[],"without":["wave"],
       "modes":["M1","M3"],"phrasings":"training","attempts":40,"block":256,"homes":"drawn","rooms":5,"objects":9},
@@ -32,7 +33,7 @@ TEST(ReadManifest, TakesASoundOne) {
   EXPECT_THAT(manifest->run.modes, ElementsAre(Mode::M1, Mode::M3));
   EXPECT_THAT(manifest->run.without, ElementsAre("wave"));
   EXPECT_EQ(manifest->phrasings, "training");
-  EXPECT_THAT(manifest->rejections, ElementsAre(Pair("expert no-plan", 2)));
+  EXPECT_THAT(manifest->rejections, ElementsAre(Pair("expert", ElementsAre(Pair("no-plan", 2)))));
   EXPECT_EQ(manifest->files.at("a.txt").bytes, 5);
 }
 

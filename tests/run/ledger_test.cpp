@@ -33,9 +33,13 @@ CandidateRecord full_record() {
   record.attempt = 1;
   record.accepted = true;
   record.template_name = "open-one";
-  record.task = "{\"id\":\"x\"}";
-  record.demonstration = "{}";
-  record.actions = "[]";
+  record.task.row = {"x", "atomic", "ai2thor", "open-one", "scene", "layout", "(goal)", "Open it.", "direct", "grammar",
+                     {{"A", "Fridge"}, {"B", ""}},
+                     {{Mode::M1, "go_to", "fridge_1", true, "none"},
+                      {Mode::M1, "stop", "", true, "none"},
+                      {Mode::M3, "open", "{\"bbox\":[1,2,3,4]}, b", false, "too-far"}}};
+  record.task.line = "{\"id\":\"x\"}";
+  record.task.shown = {"{}", "{\"mode\":\"M3\"}"};
   record.start_key = "start";
   record.text_key = "text";
   return record;
@@ -56,7 +60,7 @@ TEST_F(LedgerFile, GivesBackWhatItWasGivenAfterReopening) {
   ASSERT_TRUE(outlines);
   ASSERT_EQ(outlines->size(), 1U);
   EXPECT_EQ(outlines->front().text_key, "text");
-  EXPECT_EQ(outlines->front().task, "");
+  EXPECT_EQ(outlines->front().task, WrittenTask());
 }
 
 TEST_F(LedgerFile, KeepsAHomeOnce) {

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "annotator/instruction.h"
+#include "core/result.h"
+#include "logic/formula.h"
+#include "scene/action.h"
+#include "scene/command.h"
+#include "scene/trace.h"
+#include "scene/visible_object.h"
+
+namespace unietp {
+
+// The lines of a data set's files, as values; `line_of` gives the text of a line without its line feed. Their formats
+// are those of docs/files.md and data/schemas/, which tests hold every kind of line against.
+
+/// A line of tasks.jsonl.
+struct TaskEntry {
+  std::string id, template_name, split, simulator, scene, layout;
+  std::vector<std::pair<std::string, std::string>> bindings;  // placeholder, category
+  std::string refinement;                                     // name of the referring constraint, or ""
+  std::string goal_text;
+  Formula goal;
+  std::vector<std::string> start_constraints, edits;
+  std::string changes;  // JSON of the Delta that makes the start of the home (scene/scene_json.h)
+  Instruction instruction;
+  struct Count {
+    Mode mode = Mode::M1;
+    int steps = 0, failures = 0;
+    bool operator==(const Count&) const = default;
+  };
+  std::vector<Count> expert;  // of its demonstrations
+  std::uint64_t run_seed = 0;
+  int slot = 0, attempt = 0;
+};
+std::string line_of(const TaskEntry& task);
+
+/// A step of a demonstration; refers to values that outlive it.
+struct StepEntry {
+  const Command& command;
+  bool success;
+  std::string_view failure, feedback;
+  const std::vector<VisibleObject>& visible;
+  const Delta& changes;
+};
+/// A line of demonstrations/<mode>.jsonl.
+std::string demonstration_line(std::string_view task, Mode mode, const std::vector<StepEntry>& steps);
+
+/// A line of rejections.jsonl.
+struct RejectionEntry {
+  int slot = 0, attempt = 0;
+  std::string template_name, simulator, split, stage, reason, detail;
+  bool operator==(const RejectionEntry&) const = default;
+};
+std::string line_of(const RejectionEntry& rejection);
+
+/// A line of wordings.jsonl: one episode in several wordings.
+struct WordingsEntry {
+  std::string task;
+  Instruction direct;
+  std::optional<Instruction> referring;
+  std::string referring_goal;  // that `referring` states
+  std::optional<Instruction> complex;
+};
+std::string line_of(const WordingsEntry& wordings);
+
+/// A line of reviews.jsonl: a person's verdict that is in force.
+struct ReviewMarkEntry {
+  std::string task, verdict;
+  std::string before;  // the instruction that an edit replaced; "" for other verdicts
+  std::string comment;
+};
+std::string line_of(const ReviewMarkEntry& mark);
+
+/// A file of such lines, written one after the other.
+class LinesWriter {
+ public:
+  /// Makes the file anew. Errors: Io.
+  static Result<LinesWriter> begin(const std::filesystem::path& file);
+  /// Errors: Io, naming the file.
+  Result<Done> add(std::string_view line);
+  Result<Done> finish();
+
+ private:
+  explicit LinesWriter(std::filesystem::path file) : file_(std::move(file)), stream_(file_, std::ios::binary) {}
+  std::filesystem::path file_;
+  std::ofstream stream_;
+};
+
+}  // namespace unietp
