@@ -44,7 +44,7 @@ bool Methods::is_named(const std::string& id) const {
 bool Methods::put_shut(const std::string& id, ActionType action, const std::string& target) {
   const auto& trouble = attempt_.trouble();
   const bool may_help = trouble && !attempt_.exhausted() && lacks_room(trouble->failure) && is(id, Predicate::Open);
-  return may_help && device(ActionType::Close, id) && hold(id) && do_at(action, target);
+  return may_help && directly(ActionType::Close, id) && hold(id) && do_at(action, target);
 }
 
 /// What lies on or in a target and the way to the goal does not speak of, the largest first.

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "expert/ways.h"
+#include "scene/states.h"
 
 namespace unietp {
 namespace {
@@ -67,7 +68,7 @@ bool Methods::change_state(const Literal& literal) {
     bool done = false;
     switch (way.way) {
       case Way::Direct:
-        done = device(way.action, id);
+        done = directly(way.action, id);
         break;
       case Way::ToolOnHeld:
         done = with_tool_on_held(literal, way.action, way.needs);
@@ -191,10 +192,10 @@ bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::
     const auto& trouble = attempt_.trouble();
     if (attempt_.exhausted() || not_run_here(trouble)) return false;
     if (trouble->failure == Failure::MustBeClosed && is(tool, Predicate::Open)) {
-      if (device(ActionType::Close, tool) && do_at(action, tool)) return true;
+      if (directly(ActionType::Close, tool) && do_at(action, tool)) return true;
     } else if (is(tool, Predicate::Closed)) {
       // With the door open, one stands elsewhere and sees what one lets go of.
-      if (device(ActionType::Open, tool) && hold(id) && attempt_.act(ActionType::GoTo, tool) &&
+      if (directly(ActionType::Open, tool) && hold(id) && attempt_.act(ActionType::GoTo, tool) &&
           attempt_.act(action, tool))
         return true;
     }
@@ -225,9 +226,9 @@ bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
                          put_in_grasp(id, needs("on") ? ActionType::PlaceOn : ActionType::PlaceIn, tool);
       const bool runs = needs("power_on") || needs("under_tap");
       if (there && !attempt_.holds(literal)) {
-        if (runs && is(tool, Predicate::PowerOn)) device(ActionType::TurnOff, tool);
-        if (needs("closed") && is(tool, Predicate::Open)) device(ActionType::Close, tool);
-        if (runs && !attempt_.holds(literal)) device(ActionType::TurnOn, tool);
+        if (runs && is(tool, Predicate::PowerOn)) directly(ActionType::TurnOff, tool);
+        if (needs("closed") && is(tool, Predicate::Open)) directly(ActionType::Close, tool);
+        if (runs && !attempt_.holds(literal)) directly(ActionType::TurnOn, tool);
       }
       if (attempt_.holds(literal)) return true;
       if (attempt_.exhausted()) return false;
@@ -250,25 +251,52 @@ bool Methods::stand_up() {
 bool Methods::open_around(const std::string& id) {
   for (std::string container = attempt_.world().closed_around(id); !container.empty();
        container = attempt_.world().closed_around(id)) {
-    if (!device(ActionType::Open, container)) return false;
+    if (!directly(ActionType::Open, container)) return false;
   }
   return true;
 }
 
-/// What is done to a thing itself, with what it needs first: no power while opening, shut and plugged in while running,
-/// put down and a free hand for folding.
-bool Methods::device(ActionType action, const std::string& id) {
+/// Whether the simulator has the rule.
+bool Methods::applies(ActionRule rule) const {
   const Profile& profile = attempt_.situation().profile;
-  const bool moves = action == ActionType::Open || action == ActionType::Close || action == ActionType::Fold ||
-                     action == ActionType::Break || action == ActionType::PlugIn || action == ActionType::Unplug;
-  if (moves && attempt_.is_held(id) && !put_aside(id)) return false;
-  const bool power_first = action == ActionType::Open && profile.open_needs_power_off && is(id, Predicate::PowerOn);
-  if (power_first && !do_at(ActionType::TurnOff, id)) return false;
-  const bool shut_first = action == ActionType::TurnOn && profile.power_needs_closed && is(id, Predicate::Open);
-  if (shut_first && !do_at(ActionType::Close, id)) return false;
-  const bool plug_first = action == ActionType::TurnOn && profile.power_needs_plug && is(id, Predicate::Unplugged);
-  if (plug_first && !do_at(ActionType::PlugIn, id)) return false;
-  if (action == ActionType::Fold && !free_hand(id)) return false;
+  switch (rule) {
+    case ActionRule::Always:
+      return true;
+    case ActionRule::OpenNeedsPowerOff:
+      return profile.open_needs_power_off;
+    case ActionRule::PowerNeedsClosed:
+      return profile.power_needs_closed;
+    case ActionRule::PowerNeedsPlug:
+      return profile.power_needs_plug;
+  }
+  return true;
+}
+
+/// Brings about what a direct action needs of the object's states: no power while opening, shut while running.
+bool Methods::bring_about(const ActionNeed& need, const std::string& id, Predicate aim) {
+  using Kind = ActionNeed::Kind;
+  const auto other = opposite_of(need.state);
+  const bool state = need.kind == Kind::Is || need.kind == Kind::IsNot;
+  if (!state || !applies(need.rule) || need.state == aim || other == aim) return true;
+  if (is(id, need.state) == (need.kind == Kind::Is)) return true;
+  const auto wanted = need.kind == Kind::Is ? std::optional(need.state) : other;
+  const auto first = wanted ? direct_action(*wanted) : std::nullopt;
+  return first && do_at(*first, id);
+}
+
+/// An action on an object itself, with what it needs first.
+bool Methods::directly(ActionType action, const std::string& id) {
+  using Kind = ActionNeed::Kind;
+  const ActionInfo& about = info(action);
+  const auto needs = [&about](Kind kind) {
+    return std::any_of(about.needs.begin(), about.needs.end(), [kind](const auto& need) { return need.kind == kind; });
+  };
+  if (needs(Kind::NotInHand) && attempt_.is_held(id) && !put_aside(id)) return false;
+  for (const ActionNeed& need : about.needs) {
+    if (!bring_about(need, id, about.changes.front().state)) return false;
+  }
+  if (needs(Kind::HandFree) && !free_hand(id)) return false;
+  if (needs(Kind::InHand) && !hold(id)) return false;
   const bool swings = action == ActionType::Open || action == ActionType::Close;
   return do_at(action, id) || (swings && unblock(action, id));
 }

@@ -68,7 +68,9 @@ class Methods {
   bool put(const std::string& id, ActionType action, const std::string& target);
   bool open_around(const std::string& id);
   bool stand_up();
-  bool device(ActionType action, const std::string& id);
+  bool applies(ActionRule rule) const;
+  bool bring_about(const ActionNeed& need, const std::string& id, Predicate aim);
+  bool directly(ActionType action, const std::string& id);
   bool do_at(ActionType action, const std::string& id);
   bool shut_out_of_the_way(const std::string& id);
   bool from_elsewhere(const Action& action, const std::string& about, const Aim& aim);

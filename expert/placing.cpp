@@ -195,10 +195,10 @@ bool Methods::put(const std::string& id, ActionType action, const std::string& t
 bool Methods::reopen(const std::string& id, ActionType action, const std::string& target) {
   const Node* into = find(target);
   const bool shut = action == ActionType::PlaceIn && into != nullptr && into->openable && !is(target, Predicate::Open);
-  if (shut && !device(ActionType::Open, target)) {
+  if (shut && !directly(ActionType::Open, target)) {
     const auto& trouble = attempt_.trouble();
     if (!trouble || trouble->failure != Failure::HandsFull || attempt_.exhausted()) return false;
-    if (!put_aside(id) || !device(ActionType::Open, target)) return false;
+    if (!put_aside(id) || !directly(ActionType::Open, target)) return false;
   }
   return hold(id);
 }
@@ -207,7 +207,7 @@ bool Methods::reopen(const std::string& id, ActionType action, const std::string
 bool Methods::put_in_grasp(const std::string& id, ActionType action, const std::string& target) {
   const Node* into = find(target);
   const bool shut = action == ActionType::PlaceIn && into != nullptr && into->openable && !is(target, Predicate::Open);
-  if (!hold(id) || (shut && !device(ActionType::Open, target)) || !hold(id)) return put(id, action, target);
+  if (!hold(id) || (shut && !directly(ActionType::Open, target)) || !hold(id)) return put(id, action, target);
   const Aim aim{[&](const World& world) { return world.in_reach(id); }, {}};
   return from_elsewhere({action, {target}}, target, aim) || put(id, action, target);
 }

@@ -3,43 +3,43 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/action_table.h"
+#include "scene/treatment.h"
+
 namespace unietp {
 namespace {
 
-constexpr std::array kWays{
-    StateWay{Predicate::Open, Way::Direct, ActionType::Open, "openable"},
-    StateWay{Predicate::Closed, Way::Direct, ActionType::Close, "openable"},
-    StateWay{Predicate::PowerOn, Way::Direct, ActionType::TurnOn, "switchable"},
-    StateWay{Predicate::PowerOff, Way::Direct, ActionType::TurnOff, "switchable"},
-    StateWay{Predicate::UsedUp, Way::Direct, ActionType::UseUp, "consumable"},
-    StateWay{Predicate::Clean, Way::ToolOnHeld, ActionType::WashWith, "washes"},
-    StateWay{Predicate::Hot, Way::ToolOnHeld, ActionType::HeatWith, "heats"},
-    StateWay{Predicate::Cool, Way::ToolOnHeld, ActionType::CoolWith, "cools"},
-    StateWay{Predicate::Frozen, Way::ToolOnHeld, ActionType::CoolWith, "freezes"},
-    StateWay{Predicate::Cooked, Way::ToolOnHeld, ActionType::CookWith, "cooks"},
-    StateWay{Predicate::Burnt, Way::ToolOnHeld, ActionType::BurnWith, "burns"},
-    StateWay{Predicate::Filled, Way::ToolOnHeld, ActionType::FillWith, "fills"},
-    StateWay{Predicate::Soaked, Way::ToolOnHeld, ActionType::SoakWith, "soaks"},
+/// What a held tool does to an object, and pouring; the other ways come from the tables of actions and treatments.
+constexpr std::array kByHand{
     StateWay{Predicate::Empty, Way::ToolOnHeld, ActionType::PourTo, "drains"},
     StateWay{Predicate::Sliced, Way::HeldToolOn, ActionType::Slice, "slices"},
     StateWay{Predicate::Clean, Way::HeldToolOn, ActionType::Wipe, "wipes"},
     StateWay{Predicate::Filled, Way::HeldToolOn, ActionType::PourTo, "fills"},
     StateWay{Predicate::Covered, Way::HeldToolOn, ActionType::SpreadTo, "dispenses"},
-    StateWay{Predicate::SatOn, Way::Direct, ActionType::SitOn, "sittable"},
-    StateWay{Predicate::LainOn, Way::Direct, ActionType::LieOn, "lieable"},
-    StateWay{Predicate::PluggedIn, Way::Direct, ActionType::PlugIn, "pluggable"},
-    StateWay{Predicate::Unplugged, Way::Direct, ActionType::Unplug, "pluggable"},
-    StateWay{Predicate::Folded, Way::Direct, ActionType::Fold, "foldable"},
-    StateWay{Predicate::Broken, Way::Direct, ActionType::Break, "breakable"},
-    StateWay{Predicate::Hot, Way::Appliance, ActionType::PlaceIn, "heats"},
-    StateWay{Predicate::Cool, Way::Appliance, ActionType::PlaceIn, "cools"},
-    StateWay{Predicate::Frozen, Way::Appliance, ActionType::PlaceIn, "freezes"},
-    StateWay{Predicate::Cooked, Way::Appliance, ActionType::PlaceIn, "cooks"},
-    StateWay{Predicate::Burnt, Way::Appliance, ActionType::PlaceIn, "burns"},
-    StateWay{Predicate::Clean, Way::Appliance, ActionType::PlaceIn, "washes"},
-    StateWay{Predicate::Filled, Way::Appliance, ActionType::PlaceIn, "fills"},
-    StateWay{Predicate::Filled, Way::FromVessel, ActionType::PourTo, "fillable"},
 };
+constexpr StateWay kFromVessel{Predicate::Filled, Way::FromVessel, ActionType::PourTo, "fillable"};
+
+/// All ways, for each state the best first.
+const std::vector<StateWay>& all_ways() {
+  static const auto ways = [] {
+    std::vector<StateWay> all;
+    for (const ActionInfo& action : action_table()) {
+      if (action.changes.empty()) continue;
+      all.push_back({action.changes.front().state, Way::Direct, action.type, affordance_for(action)});
+    }
+    for (const TreatmentInfo& row : all_treatments()) {
+      if (row.treats) all.push_back({row.states.front(), Way::ToolOnHeld, *row.treats, row.name});
+    }
+    all.insert(all.end(), kByHand.begin(), kByHand.end());
+    for (const TreatmentInfo& row : all_treatments()) {
+      const bool appliance = row.treats && info(*row.treats).group == ActionClass::Composite;
+      if (appliance) all.push_back({row.states.front(), Way::Appliance, ActionType::PlaceIn, row.name});
+    }
+    all.push_back(kFromVessel);
+    return all;
+  }();
+  return ways;
+}
 
 /// What covers a thing comes off, whatever it is.
 constexpr StateWay kWipeOff{Predicate::Covered, Way::HeldToolOn, ActionType::Wipe, "wipes"};
@@ -83,7 +83,7 @@ bool state_achievable(const Literal& literal, const Situation& situation) {
 
 std::vector<StateWay> ways_to(Predicate predicate, const Profile& profile) {
   std::vector<StateWay> ways;
-  for (const StateWay& way : kWays) {
+  for (const StateWay& way : all_ways()) {
     if (way.predicate == predicate && profile.offers(way.action)) ways.push_back(way);
   }
   return ways;
@@ -114,7 +114,7 @@ bool is_placement(Predicate predicate) {
 }
 
 bool changes_in_hand(Predicate predicate) {
-  return std::any_of(kWays.begin(), kWays.end(), [predicate](const StateWay& way) {
+  return std::any_of(all_ways().begin(), all_ways().end(), [predicate](const StateWay& way) {
     return way.predicate == predicate && way.way == Way::ToolOnHeld;
   });
 }

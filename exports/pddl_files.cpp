@@ -1,5 +1,6 @@
 #include "exports/pddl_files.h"
 
+#include <algorithm>
 #include <set>
 
 #include "core/files.h"
@@ -46,13 +47,23 @@ Doings doings_of(const DemonstrationRecord& demonstration) {
   return all;
 }
 
+ActionProfile profile_with(const ActionSet& offered) {
+  const auto extensions = extension_actions();
+  const bool wide = std::any_of(extensions.begin(), extensions.end(), [&](const ActionInfo& action) {
+    return offered[static_cast<std::size_t>(action.type)];
+  });
+  return wide ? ActionProfile::Wide : ActionProfile::Unietp;
+}
+
 /// Its problem, its plan and, with the first of a simulator, the domain; else why PDDL does not say it.
 Result<std::optional<std::string>> say(const FinishedTask& finished, const std::vector<ValidationBackend>& backends,
                                        const fs::path& folder) {
   const TaskRecord& task = finished.record;
-  const Knowledge& knowledge = *backend_of(backends, finished.start).knowledge;
+  const ValidationBackend& backend = backend_of(backends, finished.start);
+  const Knowledge& knowledge = *backend.knowledge;
+  const ActionProfile profile = profile_with(backend.profile->actions);
   const Doings doings = doings_of(finished.shown.at(Mode::M1));
-  const symbolic::SceneSymbols symbols(finished.start, knowledge, ActionProfile::Unietp,
+  const symbolic::SceneSymbols symbols(finished.start, knowledge, profile,
                                        pddl::cast_of(finished.start, knowledge, task.goal_tree, doings.handled));
   const auto goal = symbols.goal(task.goal_tree);
   const auto problem = pddl::problem_for(task.id, finished.start.simulator, symbols.setting, symbols.start, goal);
@@ -61,7 +72,8 @@ Result<std::optional<std::string>> say(const FinishedTask& finished, const std::
   if (!plan) return std::optional(plan.error().message);
   const auto own = folder / task.simulator;
   if (!fs::exists(own / "domain.pddl")) {
-    if (auto written = write_file(own / "domain.pddl", pddl::domain_text(knowledge)); !written) return written.error();
+    if (auto written = write_file(own / "domain.pddl", pddl::domain_text(knowledge, profile)); !written)
+      return written.error();
   }
   for (const auto& [ending, text] :
        {std::pair{".pddl", "; " + task.goal_text + "\n" + problem->text}, {".plan", join(*plan, "\n") + "\n"}})

@@ -93,7 +93,7 @@ std::string argument_words(ActionArgument argument) {
 
 std::string action_line(const ActionInfo& action, const Profile& profile) {
   std::vector<std::string> needs;
-  for (const Failure failure : action.failures) {
+  for (const Failure failure : failures_of(action)) {
     auto need = need_behind(failure, profile);
     if (!need.empty() && std::find(needs.begin(), needs.end(), need) == needs.end()) needs.push_back(std::move(need));
   }

@@ -251,13 +251,13 @@ class GoalReader {
 
   bool ends_by_itself(Predicate state, const std::string& object, Predicate relation, const std::string& tool) const {
     const std::vector<std::string> by_itself{relation == Predicate::On ? "on" : "inside"};
-    for (std::size_t t = 0; t < symbolic::kTreatments; ++t) {
-      const auto treatment = static_cast<symbolic::Treatment>(t);
+    for (std::size_t t = 0; t < kTreatments; ++t) {
+      const auto treatment = static_cast<Treatment>(t);
       const auto rows = knowledge_.effects_on(object, std::string(name_of(treatment)));
       const auto row =
           std::find_if(rows.begin(), rows.end(), [&](const Effect* effect) { return effect->tool == tool; });
       if (row == rows.end() || (*row)->needs != by_itself) continue;
-      for (const auto set : symbolic::sets(treatment)) {
+      for (const auto set : sets(treatment)) {
         if (exclude_each_other(atom(state, {"x"}), atom(set, {"x"}))) return true;
       }
     }

@@ -25,13 +25,11 @@ bool speaks_of_attributes(const Formula& formula) {
          std::any_of(formula.domain.where.begin(), formula.domain.where.end(), speaks_of_attributes);
 }
 
-/// What only an action of the profile `wide` brings about, or takes away.
+/// Whether the formula speaks of a state or relation that only actions of the profile `wide` bring about.
 bool asks_for_wide(const Formula& formula) {
-  using enum Predicate;
   if (formula.op == Formula::Op::Atom) {
-    const auto& p = formula.predicate;
-    if (p == SatOn || p == LainOn || p == PluggedIn || p == Unplugged || p == Folded || p == Broken || p == Attached)
-      return true;
+    const auto action = direct_action(formula.predicate);
+    if (formula.predicate == Predicate::Attached || (action && is_extension(*action))) return true;
   }
   return std::any_of(formula.children.begin(), formula.children.end(), asks_for_wide);
 }

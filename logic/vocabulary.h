@@ -7,7 +7,7 @@
 
 namespace unietp {
 
-/// Every truth that a goal, a start constraint, an effect rule or a scene can speak of; one vocabulary for all of them.
+/// Every state and relation that a goal, a start constraint, an effect rule or a scene can speak of.
 enum class Predicate : std::uint8_t {
   // states of one object
   Open,
@@ -71,9 +71,14 @@ struct PredicateInfo {
   std::string_view name;  // "next_to"
   std::span<const ArgumentKind> arguments;
   std::string_view meaning;  // one line for people
+  // Of states that exclude each other: the affordance of the categories that have them ("openable"); exactly one of the
+  // group holds of their objects, `by_default` at first. Empty for other predicates.
+  std::string_view group = {};
+  bool by_default = false;
 };
 
 const PredicateInfo& info(Predicate predicate);
+/// The predicate of this name, or nullopt.
 std::optional<Predicate> predicate_named(std::string_view name);
 /// All predicates in the order of the enum.
 std::span<const PredicateInfo> all_predicates();

@@ -13,15 +13,18 @@ namespace unietp::pddl {
 /// "unietp-ai2thor".
 std::string domain_name(Simulator simulator);
 
-/// The domain of a simulator: preconditions and effects of its actions for everything in its knowledge base. Typed,
-/// with negative preconditions; effects are conditional only where one action affects objects differently (those in a
-/// fridge when its door shuts) or updates monitors of temporal goals. Deterministic.
-std::string domain_text(const Knowledge& knowledge);
+/// The domain of a simulator: preconditions and effects of its actions for everything in its knowledge base; actions on
+/// one thing alone follow from scene/action_table.h. Typed, with negative preconditions; effects are conditional only
+/// where one action affects objects differently (those in a fridge when its door shuts) or updates monitors of temporal
+/// goals. Deterministic.
+std::string domain_text(const Knowledge& knowledge, ActionProfile profile = ActionProfile::Unietp);
 
 /// The domain's actions without those for monitors.
-std::vector<ActionText> actions_of(const Knowledge& knowledge, const std::vector<ProcessClass>& processes);
+std::vector<ActionText> actions_of(const ActionSet& offered, const std::vector<ProcessClass>& processes);
 /// The domain's predicates without those of monitors.
-std::vector<PredicateText> predicates_of(const std::vector<ProcessClass>& processes);
+std::vector<PredicateText> predicates_of(const ActionSet& offered, const std::vector<ProcessClass>& processes);
+/// Affordances that direct actions need, without those that every domain has: "foldable".
+std::vector<std::string_view> affordances_for(const ActionSet& offered);
 
 /// The effect by which a state begins and those that exclude it end: "(hot ?w) (not (cool ?w)) (not
 /// (room_temperature ?w))".

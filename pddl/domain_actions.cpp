@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "pddl/domain.h"
+#include "pddl/direct_actions.h"
 #include "scene/states.h"
 #include "symbolic/perform.h"
 
@@ -20,9 +20,9 @@ std::string for_all(const std::string& variables, const std::string& effect) {
 /// The states that a process sets.
 std::string made_of(const ProcessClass& process, const std::string& thing) {
   std::string text;
-  for (const auto state : symbolic::sets(process.treatment)) text += (text.empty() ? "" : " ") + becomes(state, thing);
-  if (process.treatment == symbolic::Treatment::Washes) text += " (not (stained " + thing + "))";
-  if (process.treatment == symbolic::Treatment::Fills) text += " (filled-with " + thing + " ?s)";
+  for (const auto state : sets(process.treatment)) text += (text.empty() ? "" : " ") + becomes(state, thing);
+  if (process.treatment == Treatment::Washes) text += " (not (stained " + thing + "))";
+  if (process.treatment == Treatment::Fills) text += " (filled-with " + thing + " ?s)";
   return text;
 }
 
@@ -37,7 +37,7 @@ void add_process(const ProcessClass& process, const Moment& moment, const std::s
                  const std::string& thing, bool quantified, Lines& effects) {
   const bool power = process.power || (process.tap && !moment.tap);  // a tap runs while it is on, too
   if ((process.closed && moment.closed == false) || (power && moment.power == false)) return;
-  const bool fills = process.treatment == symbolic::Treatment::Fills;
+  const bool fills = process.treatment == Treatment::Fills;
   std::string when_all = "(" + name_of(process) + " ?t " + thing + (fills ? " ?s)" : ")");
   if (!condition.empty()) when_all = condition + " " + when_all;
   if (process.closed && !moment.closed) when_all += " (closed ?t)";
@@ -50,8 +50,7 @@ void add_process(const ProcessClass& process, const Moment& moment, const std::s
     effects.push_back(variables.empty() ? conditional : for_all(variables, conditional));
   };
   add("", "", made_of(process, thing));
-  if (process.treatment == symbolic::Treatment::Washes)
-    add("?q - substance", "", "(not (covered-with " + thing + " ?q))");
+  if (process.treatment == Treatment::Washes) add("?q - substance", "", "(not (covered-with " + thing + " ?q))");
   if (fills) add("?q - substance", " (not (= ?q ?s))", "(not (filled-with " + thing + " ?q))");
 }
 
@@ -101,10 +100,16 @@ Lines joined(Lines first, const Lines& second) {
   return first;
 }
 
+/// The needs with one more if it is asked for.
+Lines with(bool asked, Lines needs, const char* more) {
+  if (asked) needs.emplace_back(more);
+  return needs;
+}
+
 class ActionWriter {
  public:
-  ActionWriter(const Knowledge& knowledge, const std::vector<ProcessClass>& processes)
-      : offered_(unietp::actions_of(knowledge.simulator(), ActionProfile::Unietp)), processes_(processes) {}
+  ActionWriter(const ActionSet& offered, const std::vector<ProcessClass>& processes)
+      : offered_(offered), processes_(processes) {}
 
   std::vector<ActionText> write() {
     add_going();
@@ -125,17 +130,21 @@ class ActionWriter {
 
   void add_going() {
     // To what stands on the floor; with it to all that rests on it.
-    add(ActionType::GoTo, "", "?f - thing ?r - room", {"(standing ?f)", "(in_room ?f ?r)"},
+    const bool sits = has(ActionType::StandUp);
+    add(ActionType::GoTo, "", "?f - thing ?r - room",
+        with(sits, {"(standing ?f)", "(in_room ?f ?r)"}, "(not (seated))"),
         {"(agent-in ?r)", for_all("?q - room", when("(not (= ?q ?r))", "(not (agent-in ?q))")),
          for_all("?w - thing", when("(rests ?w ?f)", "(near ?w)")),
          for_all("?w - thing", when("(not (rests ?w ?f))", "(not (near ?w))"))});
-    add(ActionType::GoTo, "-room", "?r - room", {},
+    add(ActionType::GoTo, "-room", "?r - room", with(sits, {}, "(not (seated))"),
         {"(agent-in ?r)", for_all("?q - room", when("(not (= ?q ?r))", "(not (agent-in ?q))")),
          for_all("?w - thing", "(not (near ?w))")});
   }
 
   void add_moving() {
-    add(ActionType::PickUp, "", "?x - movable", {"(pickupable ?x)", "(hand-empty)", "(near ?x)", "(free ?x)"},
+    add(ActionType::PickUp, "", "?x - movable",
+        with(has(ActionType::StandUp), {"(pickupable ?x)", "(hand-empty)", "(near ?x)", "(free ?x)"},
+             "(not (sat_on ?x)) (not (lain_on ?x))"),
         joined({"(held ?x)", "(not (hand-empty))"}, kLeavesPlace));
     auto on = joined({"(on ?x ?t)"}, kComesToPlace);
     run_on_content(processes_, {}, on);
@@ -170,11 +179,15 @@ class ActionWriter {
     Lines on = {becomes(Predicate::PowerOn, "?t")}, off = {becomes(Predicate::PowerOff, "?t")};
     run_on_content(processes_, {{}, true, false}, on);
     run_on_content(processes_, {{}, false, false}, off);
-    add(ActionType::TurnOn, "", "?t - thing", {"(power_off ?t)", "(near ?t)", "(free ?t)", "(not (shuts-to-run ?t))"},
-        on);
+    const auto plugged = [this](Lines needs) {
+      return with(has(ActionType::PlugIn), std::move(needs), "(not (unplugged ?t))");
+    };
+    add(ActionType::TurnOn, "", "?t - thing",
+        plugged({"(power_off ?t)", "(near ?t)", "(free ?t)", "(not (shuts-to-run ?t))"}), on);
     add(ActionType::TurnOn, "-shut", "?t - thing",
-        {"(power_off ?t)", "(near ?t)", "(free ?t)", "(shuts-to-run ?t)", "(not (open ?t))"}, on);
-    add(ActionType::TurnOn, "-held", "?t - movable", {"(power_off ?t)", "(held ?t)", "(not (shuts-to-run ?t))"}, on);
+        plugged({"(power_off ?t)", "(near ?t)", "(free ?t)", "(shuts-to-run ?t)", "(not (open ?t))"}), on);
+    add(ActionType::TurnOn, "-held", "?t - movable",
+        plugged({"(power_off ?t)", "(held ?t)", "(not (shuts-to-run ?t))"}), on);
     add(ActionType::TurnOff, "", "?t - thing", {"(power_on ?t)", "(near ?t)", "(free ?t)"}, off);
     add(ActionType::TurnOff, "-held", "?t - movable", {"(power_on ?t)", "(held ?t)"}, off);
   }
@@ -215,10 +228,7 @@ class ActionWriter {
         {emptied, becomes(Predicate::Filled, "?t"), "(filled-with ?t ?s)"});
     add(ActionType::PourTo, "-away", "?x - movable ?t - thing ?s - substance",
         {"(held ?x)", "(filled-with ?x ?s)", "(near ?t)", "(free ?t)", "(drains ?t ?x)"}, {emptied});
-    add(ActionType::UseUp, "", "?t - thing", {"(consumable ?t)", "(not (used_up ?t))", "(near ?t)", "(free ?t)"},
-        {becomes(Predicate::UsedUp, "?t")});
-    add(ActionType::UseUp, "-held", "?t - movable", {"(consumable ?t)", "(not (used_up ?t))", "(held ?t)"},
-        {becomes(Predicate::UsedUp, "?t")});
+    for (auto& direct : direct_actions(offered_)) actions_.push_back(std::move(direct));
     const Lines cleans = {"(not (stained ?t))", for_all("?q - substance", "(not (covered-with ?t ?q))"),
                           when("(dirty ?t)", becomes(Predicate::Clean, "?t"))};
     add(ActionType::Wipe, "", "?x - movable ?t - thing",
@@ -233,9 +243,9 @@ class ActionWriter {
 
   /// ?x is put to the tool ?t, treated and taken back; what else is there is treated too.
   void add_composite(const ProcessClass& process) {
-    const auto action = symbolic::action_for(process.treatment);
+    const auto action = action_for(process.treatment);
     if (!action || !has(*action)) return;
-    const bool fills = process.treatment == symbolic::Treatment::Fills;
+    const bool fills = process.treatment == Treatment::Fills;
     Lines needs = {"(held ?x)", "(" + name_of(process) + " ?t ?x" + (fills ? " ?u)" : ")"), "(near ?t)", "(free ?t)"};
     const auto place = process.tap || process.place == Place::Inside ? Place::Inside : Place::On;
     // A door that has to open on the way opens only while the tool is off; what is open already may stay so.
@@ -245,7 +255,7 @@ class ActionWriter {
       needs.emplace_back(place == Place::Inside ? "(or (not (shuts-to-run ?t)) (power_on ?t))"
                                                 : "(or (not (shuts-to-run ?t)) (power_on ?t) (not (open ?t)))");
     }
-    if (process.treatment == symbolic::Treatment::Freezes) needs.emplace_back("(not (can-cool ?t ?x))");
+    if (process.treatment == Treatment::Freezes) needs.emplace_back("(not (can-cool ?t ?x))");
     const auto yes = [](bool known) { return known ? std::optional(true) : std::nullopt; };
     Lines effects;
     run_on_content(processes_, {yes(process.closed), yes(process.power), process.tap}, effects);
@@ -265,12 +275,12 @@ class ActionWriter {
 }  // namespace
 
 std::string composite_name(const ProcessClass& process) {
-  const auto action = symbolic::action_for(process.treatment);
+  const auto action = action_for(process.treatment);
   return action ? std::string(info(*action).name) + "-" + name_of(process) : "";
 }
 
-std::vector<ActionText> actions_of(const Knowledge& knowledge, const std::vector<ProcessClass>& processes) {
-  return ActionWriter(knowledge, processes).write();
+std::vector<ActionText> actions_of(const ActionSet& offered, const std::vector<ProcessClass>& processes) {
+  return ActionWriter(offered, processes).write();
 }
 
 }  // namespace unietp::pddl

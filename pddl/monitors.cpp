@@ -26,12 +26,28 @@ const std::vector<Watched>& all_watched() {
     all.push_back({Predicate::InRoom, "agent-in", "?x - room", "?x"});
     all.push_back({Predicate::Filled, "filled-with", "?x - thing ?y - substance", "?x ?y"});
     all.push_back({Predicate::Covered, "covered-with", "?x - thing ?y - substance", "?x ?y"});
+    for (const auto& action : extension_actions()) {
+      const bool alone = !action.changes.empty() && info(action.changes.front().state).group.empty();
+      if (!alone) continue;
+      const auto state = action.changes.front().state;
+      all.push_back({state, std::string(info(state).name), "?x - thing", "?x"});
+    }
     return all;
   }();
   return kAll;
 }
 
-std::vector<PredicateText> monitor_predicates() {
+std::vector<Watched> watched_with(const ActionSet& offered) {
+  std::vector<Watched> found;
+  for (const auto& watched : all_watched()) {
+    const auto action = direct_action(watched.predicate);
+    const bool extension = info(watched.predicate).group.empty() && action && is_extension(*action);
+    if (!extension || offered[static_cast<std::size_t>(*action)]) found.push_back(watched);
+  }
+  return found;
+}
+
+std::vector<PredicateText> monitor_predicates(const ActionSet& offered) {
   std::vector<PredicateText> all = {{"watching", ""},
                                     {"ready", ""},
                                     {"to-note", ""},
@@ -43,16 +59,16 @@ std::vector<PredicateText> monitor_predicates() {
                                     {"in-order", "?m ?n - monitor"},
                                     {"kept-until", "?m ?n - monitor"},
                                     {"not-kept", "?m ?n - monitor"}};
-  for (const auto& watched : all_watched()) {
+  for (const auto& watched : watched_with(offered)) {
     all.push_back({"watches-" + watched.name, "?m - monitor " + watched.arguments});
     all.push_back({"watches-not-" + watched.name, "?m - monitor " + watched.arguments});
   }
   return all;
 }
 
-std::vector<ActionText> monitor_actions() {
+std::vector<ActionText> monitor_actions(const ActionSet& offered) {
   ActionText note{"note", "", {"(to-note)"}, {"(not (to-note))", "(to-judge)"}};
-  for (const auto& watched : all_watched()) {
+  for (const auto& watched : watched_with(offered)) {
     const auto fact = "(" + watched.name + " " + watched.variables + ")";
     const auto variables = "(?m - monitor " + watched.arguments + ") ";
     for (const bool negative : {false, true}) {

@@ -15,13 +15,16 @@ struct Watched {
   std::string arguments;  // typed: "?x - thing ?y - room"
   std::string variables;  // "?x ?y"
 };
+/// What every domain has, then the states that only an extension action sets and no other takes away.
 const std::vector<Watched>& all_watched();
+/// Those that a domain with these actions has.
+std::vector<Watched> watched_with(const ActionSet& offered);
 
 /// Temporal operators for planners that have none. A problem that needs them contains (watching) and declares its
 /// monitors; then each action must be followed by `note`, which evaluates what each monitor watches, and `judge`, which
 /// stores the result: (seen ?m), (missed ?m), (in-order ?first ?second), (not-kept ?first ?until). In other problems
 /// neither is applicable.
-std::vector<PredicateText> monitor_predicates();
-std::vector<ActionText> monitor_actions();
+std::vector<PredicateText> monitor_predicates(const ActionSet& offered);
+std::vector<ActionText> monitor_actions(const ActionSet& offered);
 
 }  // namespace unietp::pddl

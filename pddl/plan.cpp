@@ -8,7 +8,6 @@ namespace {
 using symbolic::Id;
 using symbolic::kNobody;
 using symbolic::Step;
-using symbolic::Treatment;
 using symbolic::World;
 
 class StepWriter {
@@ -55,9 +54,9 @@ class StepWriter {
       default:
         break;
     }
-    for (std::size_t t = 0; t < symbolic::kTreatments; ++t) {
+    for (std::size_t t = 0; t < kTreatments; ++t) {
       const auto treatment = static_cast<Treatment>(t);
-      if (symbolic::action_for(treatment) != step.action) continue;
+      if (action_for(treatment) != step.action) continue;
       const auto* own = reaction(step.target, treatment);
       if (own == nullptr) continue;
       const bool fills = treatment == Treatment::Fills;

@@ -28,6 +28,7 @@ class FactWriter {
     write_reactions();
     if (start_.room != kNobody) add("(agent-in " + name(start_.room) + ")");
     if (start_.held == kNobody) add("(hand-empty)");
+    if (start_.seat != kNobody) add("(seated)");
     return std::move(facts_);
   }
 
@@ -37,6 +38,7 @@ class FactWriter {
   std::size_t number() const { return start_.things.size(); }
 
   void write_things() {
+    const auto affordances = affordances_for(rules_.offer().actions);
     for (std::size_t i = 0; i < number(); ++i) {
       const auto id = Id::thing(i);
       const auto& thing = start_[id];
@@ -45,8 +47,13 @@ class FactWriter {
       if (kind.pickupable) add("(pickupable" + of);
       if (kind.openable) add("(openable" + of);
       if (kind.fillable) add("(fillable" + of);
-      if (kind.consumable) add("(consumable" + of);
+      if (kind.allows(ActionType::UseUp)) add("(consumable" + of);
       if (kind.shuts_to_run && rules_.offer().power_needs_closed) add("(shuts-to-run" + of);
+      for (const auto& action : extension_actions()) {
+        const auto affordance = affordance_for(action);
+        const bool asks = std::find(affordances.begin(), affordances.end(), affordance) != affordances.end();
+        if (asks && kind.allows(action.type)) add("(" + std::string(affordance) + of);
+      }
       add("(rests " + name(id) + of);
       const Id whole = setting_.cast.things[i].whole;
       if (whole != kNobody) write_piece(id, whole);
@@ -57,6 +64,11 @@ class FactWriter {
         for (const auto state : group.predicates) {
           if (thing.has(state)) add("(" + std::string(info(state).name) + of);
         }
+      }
+      for (const auto& action : extension_actions()) {  // states of no group
+        if (action.changes.empty()) continue;
+        const auto state = action.changes.front().state;
+        if (info(state).group.empty() && thing.has(state)) add("(" + std::string(info(state).name) + of);
       }
       if (thing.has(Predicate::Filled))
         add("(filled-with " + name(id) + " " + names_.substances[thing.filling.index()] + ")");
@@ -82,7 +94,7 @@ class FactWriter {
     for (std::size_t k = 0; k < number(); ++k) {
       const auto knife = Id::thing(k);
       const auto* cut =
-          rules_.reaction(setting_.kind_number(knife), symbolic::Treatment::Slices, setting_.kind_number(whole));
+          rules_.reaction(setting_.kind_number(knife), Treatment::Slices, setting_.kind_number(whole));
       if (cut != nullptr && cut->piece == setting_.kind_number(piece) && place < cut->pieces)
         add("(piece-by " + name(piece) + " " + name(knife) + ")");
     }
@@ -114,7 +126,6 @@ class FactWriter {
   }
 
   void write_reactions() {
-    using symbolic::Treatment;
     for (std::size_t t = 0; t < number(); ++t) {
       const auto tool = Id::thing(t);
       for (std::size_t i = 0; i < number(); ++i) {

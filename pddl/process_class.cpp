@@ -7,7 +7,7 @@
 namespace unietp::pddl {
 
 std::string name_of(const ProcessClass& process) {
-  std::string name(symbolic::name_of(process.treatment));
+  std::string name(name_of(process.treatment));
   if (process.place == ProcessClass::Place::On) name += "-on";
   if (process.place == ProcessClass::Place::Inside) name += "-inside";
   if (process.closed) name += "-closed";
@@ -17,8 +17,7 @@ std::string name_of(const ProcessClass& process) {
   return name;
 }
 
-std::optional<ProcessClass> class_of(symbolic::Treatment treatment, std::uint8_t needs, bool openable,
-                                     bool switchable) {
+std::optional<ProcessClass> class_of(Treatment treatment, std::uint8_t needs, bool openable, bool switchable) {
   using namespace symbolic;
   if (sets(treatment).empty() || (needs & (kHeld | kUnknown)) != 0) return std::nullopt;
   ProcessClass found;
@@ -44,7 +43,7 @@ std::optional<ProcessClass> class_of(const symbolic::Setting& setting, symbolic:
 std::vector<ProcessClass> classes_of(const Knowledge& knowledge) {
   std::set<ProcessClass> found;
   for (const auto& row : knowledge.effects()) {
-    const auto treatment = symbolic::treatment_named(row.effect);
+    const auto treatment = treatment_named(row.effect);
     if (!treatment) continue;
     const auto process = class_of(*treatment, symbolic::needs_of(row), knowledge.has(row.tool, "openable"),
                                   knowledge.has(row.tool, "switchable"));

@@ -15,7 +15,7 @@ namespace unietp::pddl {
 /// and under which conditions. A condition that always holds (closed, of a tool without a door) is left out.
 struct ProcessClass {
   enum class Place : std::uint8_t { Rests, On, Inside };
-  symbolic::Treatment treatment = symbolic::Treatment::Heats;
+  Treatment treatment = Treatment::Heats;
   Place place = Place::Rests;
   bool closed = false, power = false;
   bool tap = false;   // only under the running tap, so only within a composite action
@@ -27,7 +27,7 @@ std::string name_of(const ProcessClass& process);
 
 /// The class of an effect row or reaction with these needs (symbolic::Need) and such a tool; nullopt for what is done
 /// by hand.
-std::optional<ProcessClass> class_of(symbolic::Treatment treatment, std::uint8_t needs, bool openable, bool switchable);
+std::optional<ProcessClass> class_of(Treatment treatment, std::uint8_t needs, bool openable, bool switchable);
 std::optional<ProcessClass> class_of(const symbolic::Setting& setting, symbolic::Id tool,
                                      const symbolic::Reaction& reaction);
 

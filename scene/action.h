@@ -9,11 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "logic/vocabulary.h"
 #include "scene/simulator.h"
 
 namespace unietp {
 
-/// The 38 action types and the seven of the profile `wide`, numbered as in docs/actions.md.
+/// The 38 action types and those of the profile `wide`, numbered as in docs/actions.md.
 enum class ActionType : std::uint8_t {
   MoveForward,
   MoveBackward,
@@ -69,13 +70,54 @@ enum class Mode : std::uint8_t { M1, M2, M3 };
 inline constexpr std::array kModes{Mode::M1, Mode::M2, Mode::M3};
 std::string_view name_of(Mode mode);  // "M1"
 std::optional<Mode> mode_named(std::string_view name);
-/// Which catalogue agents act by: the 38, or `wide`, in which the seven extension actions take the places of the seven
+/// Which actions agents are offered: the 38, or `wide`, in which the extension actions take the places of the seven
 /// small moves of head and hand.
 enum class ActionProfile : std::uint8_t { Unietp, Wide };
 std::string_view name_of(ActionProfile profile);  // "unietp"
 std::optional<ActionProfile> action_profile_named(std::string_view name);
 
 enum class Failure : std::uint8_t;
+
+/// A rule that only some simulators have. A need with a rule is checked only where the rule holds.
+enum class ActionRule : std::uint8_t { Always, OpenNeedsPowerOff, PowerNeedsClosed, PowerNeedsPlug };
+
+/// One need of an action on a target. The needs of an action are checked in order; the first that is not met is why the
+/// action fails.
+struct ActionNeed {
+  enum class Kind : std::uint8_t {
+    Affordance,     // the target's category has `affordance`
+    Varies,         // the target is in one of the states of the group of `state`
+    Is,             // the target is `state`
+    IsNot,          // the target is not `state`
+    NotInHand,      // the hand does not hold the target
+    NotCarried,     // nor what the target rests on or in
+    InHand,         // the hand holds the target
+    HandFree,       // the hand holds nothing
+    Holding,        // the hand holds something
+    HeldIs,         // what the hand holds is `state`
+    HeldTool,       // what the hand holds has an effect of this action on the target
+    TargetTool,     // the target has an effect of this action on what the hand holds
+    Reach,          // nothing closed is around the target, it is in reach and in sight
+    ReachOrInHand,  // as Reach, or the hand holds the target
+    Sight,          // the target is in sight
+    Unloaded,       // nothing rests on or in the target
+    Standing,       // the agent neither sits nor lies
+    Seated,         // the agent sits or lies
+    NotSeat,        // the agent neither sits nor lies on the target
+    Special,        // checked in code: geometry, which only simulation/ has, and what no other kind says
+  };
+  Kind kind;
+  Failure failure;
+  Predicate state = Predicate::Open;
+  std::string_view affordance;
+  ActionRule rule = ActionRule::Always;
+};
+
+/// The target comes to be in a state; with `only_if`, only if it was in that state.
+struct ActionChange {
+  Predicate state;
+  std::optional<Predicate> only_if;
+};
 
 struct ActionInfo {
   ActionType type;
@@ -85,12 +127,23 @@ struct ActionInfo {
   bool m1, m2, m3;                               // the mode offers it
   bool ai2thor, virtualhome, habitat, behavior;  // the simulator has it
   std::string_view effect;                       // one line for people
-  std::span<const Failure> failures;             // for each need that is not met, in order of checking; all actions
-                                                 // can also be not_offered, or be given an invalid_argument
+  std::span<const ActionNeed> needs;             // in order of checking
+  std::span<const ActionChange> changes;         // of the target's states; the first is what the action is for
+  bool starts_tool;  // afterwards the target treats what is on or in it (scene/treatment.h), if it is a tool that can
 };
 const ActionInfo& info(ActionType type);
 std::optional<ActionType> action_named(std::string_view name);
-/// The 38, and the seven of `wide`.
+/// A failure for each need that is not met, without repeats, in order of checking. All actions can also fail as
+/// not_offered and invalid_argument.
+std::vector<Failure> failures_of(const ActionInfo& action);
+/// The action that the agent does to an object itself, without a tool, to bring it into a state; nullopt where there is
+/// none.
+std::optional<ActionType> direct_action(Predicate state);
+/// The affordance that a direct action needs: "openable". Empty for other actions.
+std::string_view affordance_for(const ActionInfo& action);
+/// Whether only the profile `wide` offers it.
+bool is_extension(ActionType type);
+/// The 38, and those that only `wide` offers.
 std::span<const ActionInfo> all_actions();
 std::span<const ActionInfo> extension_actions();
 bool offers(const ActionInfo& action, Simulator simulator);

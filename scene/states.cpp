@@ -28,17 +28,34 @@ int group_of(Predicate predicate) { return group_of_predicate()[static_cast<std:
 }  // namespace
 
 const std::vector<StateGroup>& state_groups() {
-  using enum Predicate;
-  static const std::vector<StateGroup> groups{
-      {"openable", {Closed, Open}},     {"switchable", {PowerOff, PowerOn}},
-      {"dirtyable", {Clean, Dirty}},    {"heatable", {RoomTemperature, Hot, Cool}},
-      {"cookable", {Raw, Cooked}},      {"burnable", {Unburnt, Burnt}},
-      {"freezable", {Thawed, Frozen}},  {"sliceable", {Whole, Sliced}},
-      {"fillable", {Empty, Filled}},    {"soakable", {Dry, Soaked}},
-      {"consumable", {Unused, UsedUp}}, {"breakable", {Intact, Broken}},
-      {"foldable", {Unfolded, Folded}}, {"pluggable", {Unplugged, PluggedIn}},
-  };
+  static const auto groups = [] {
+    std::vector<StateGroup> found;
+    for (const PredicateInfo& row : all_predicates()) {
+      if (row.group.empty()) continue;
+      auto group =
+          std::find_if(found.begin(), found.end(), [&](const StateGroup& one) { return one.affordance == row.group; });
+      if (group == found.end()) group = found.insert(group, {std::string(row.group), {}});
+      auto& states = group->predicates;
+      states.insert(row.by_default ? states.begin() : states.end(), row.predicate);
+    }
+    return found;
+  }();
   return groups;
+}
+
+std::optional<Predicate> opposite_of(Predicate state) {
+  static const auto table = [] {
+    std::array<std::optional<Predicate>, kPredicateCount> opposites;
+    for (const StateGroup& group : state_groups()) {
+      const auto& two = group.predicates;
+      const bool plain = std::all_of(two.begin(), two.end(), [](Predicate p) { return info(p).arguments.size() == 1; });
+      if (two.size() != 2 || !plain) continue;
+      opposites[static_cast<std::size_t>(two[0])] = two[1];
+      opposites[static_cast<std::size_t>(two[1])] = two[0];
+    }
+    return opposites;
+  }();
+  return table[static_cast<std::size_t>(state)];
 }
 
 void StateSet::set(State state) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,16 +20,19 @@ struct StateGroup {
   std::string affordance;             // a category with this affordance has the group ("openable", "dirtyable", …)
   std::vector<Predicate> predicates;  // {Closed, Open}
 };
-/// {Closed, Open}, {PowerOff, PowerOn}, {Clean, Dirty}, {RoomTemperature, Hot, Cool}, {Raw, Cooked}, {Unburnt, Burnt},
-/// {Thawed, Frozen}, {Whole, Sliced}, {Empty, Filled}, {Dry, Soaked}, {Unused, UsedUp}, {Intact, Broken},
-/// {Unfolded, Folded}, {Unplugged, PluggedIn}.
+/// From the rows of logic/vocabulary.cpp, in the order of their first predicates.
 const std::vector<StateGroup>& state_groups();
+
+/// The other state of a group of two that need no symbol (Open: Closed); nullopt for other predicates.
+std::optional<Predicate> opposite_of(Predicate state);
 
 /// Sorted states with the exclusive groups kept: setting `hot` takes `cool` away.
 class StateSet {
  public:
   void set(State state);
+  /// Takes the predicate away, with every symbol.
   void clear(Predicate predicate);
+  /// With any symbol.
   bool has(Predicate predicate) const;
   bool has(const State& state) const;
   const std::vector<State>& all() const { return states_; }

@@ -26,7 +26,6 @@ void leave_neighbours(World& world, Id thing) {
 }
 
 Failure drop(const Setting& setting, World& world, const Step& step) {
-  if (world.held == kNobody) return Failure::NotHolding;
   if (world.room == kNobody) return Failure::DidNotRest;
   if (step.beside != kNobody) {
     if (world.by != step.beside) return Failure::TooFar;
@@ -41,132 +40,18 @@ Failure drop(const Setting& setting, World& world, const Step& step) {
   return Failure::None;
 }
 
-Failure cool_with(const Setting& setting, World& world, Id tool) {
-  const Failure cooled = treat_with(setting, world, tool, Treatment::Cools);
-  return cooled == Failure::NoEffect ? treat_with(setting, world, tool, Treatment::Freezes) : cooled;
-}
-
-Failure perform_on(const Setting& setting, World& world, const Step& step) {
-  const Id id = step.target;
-  switch (step.action) {
-    case ActionType::PickUp:
-      return pick_up(setting, world, id);
-    case ActionType::PlaceOn:
-    case ActionType::PlaceIn:
-      return place(setting, world, step);
-    case ActionType::Open:
-      return swing(setting, world, id, true);
-    case ActionType::Close:
-      return swing(setting, world, id, false);
-    case ActionType::TurnOn:
-      return switch_power(setting, world, id, true);
-    case ActionType::TurnOff:
-      return switch_power(setting, world, id, false);
-    case ActionType::Slice:
-      return slice(setting, world, id);
-    case ActionType::PourTo:
-      return pour_to(setting, world, id);
-    case ActionType::UseUp:
-      return use_up(setting, world, id);
-    case ActionType::Wipe:
-      return wipe(setting, world, id);
-    case ActionType::SpreadTo:
-      return spread_to(setting, world, id);
-    case ActionType::SoakWith:
-      return treat_with(setting, world, id, Treatment::Soaks);
-    case ActionType::HeatWith:
-      return treat_with(setting, world, id, Treatment::Heats);
-    case ActionType::CoolWith:
-      return cool_with(setting, world, id);
-    case ActionType::WashWith:
-      return treat_with(setting, world, id, Treatment::Washes);
-    case ActionType::CookWith:
-      return treat_with(setting, world, id, Treatment::Cooks);
-    case ActionType::BurnWith:
-      return treat_with(setting, world, id, Treatment::Burns);
-    case ActionType::FillWith:
-      return treat_with(setting, world, id, Treatment::Fills);
-    case ActionType::SitOn:
-      return take_seat(setting, world, id, Predicate::SatOn);
-    case ActionType::LieOn:
-      return take_seat(setting, world, id, Predicate::LainOn);
-    case ActionType::PlugIn:
-      return plug(setting, world, id, true);
-    case ActionType::Unplug:
-      return plug(setting, world, id, false);
-    case ActionType::Fold:
-      return fold(setting, world, id);
-    case ActionType::Break:
-      return break_apart(setting, world, id);
-    case ActionType::TurnTo:
-      return out_of_reach(setting, world, id);
-    default:
-      return Failure::InvalidAction;
-  }
-}
-
-}  // namespace
-
-std::string to_text(const Setting& setting, const Step& step) {
-  std::string text(info(step.action).name);
-  if (step.target != kNobody) text += "(" + name_of(setting, step.target) + ")";
-  if (step.beside != kNobody) text += (step.under ? " under " : " beside ") + name_of(setting, step.beside);
-  return text;
-}
-
-Failure perform(const Setting& setting, World& world, const Step& step) {
-  if (!setting.rules->offer().has(step.action)) return Failure::NotOffered;
-  const ActionInfo& about = info(step.action);
-  if (step.action == ActionType::StandUp) return stand_up(world);
-  if (world.seat != kNobody && (about.group == ActionClass::Movement || step.action == ActionType::GoTo) &&
-      step.action != ActionType::LookUp && step.action != ActionType::LookDown)
-    return Failure::Seated;
-  if (step.action == ActionType::GoTo) return go_to(world, step.target);
-  if (step.action == ActionType::Drop) return drop(setting, world, step);
-  if (about.argument == ActionArgument::None) return Failure::None;
-  if (!step.target.is_thing() || !world[step.target].exists) return Failure::InvalidArgument;
-  return perform_on(setting, world, step);
-}
-
-Failure out_of_reach(const Setting& setting, const World& world, Id thing) {
-  if (closed_around(setting, world, thing) != kNobody) return Failure::InsideClosed;
-  return world.by != kNobody && root_of(world, thing) == world.by ? Failure::None : Failure::TooFar;
-}
-
-bool has_room(const Setting& setting, const World& world, Id thing, Predicate relation, Id place) {
-  const int own = setting.rules->capacity(setting.kind_number(thing), relation, setting.kind_number(place));
-  if (own == 0) return false;
-  const Where where = relation == Predicate::On ? Where::On : Where::Inside;
-  int there = 0;
-  for (std::size_t i = 0; i < world.things.size(); ++i) {
-    const auto other = Id::thing(i);
-    if (other == thing || !world[other].exists || world[other].where != where || world[other].at != place) continue;
-    there += setting.kind_number(other) == setting.kind_number(thing) ? 1 : 0;
-  }
-  return there < own;
-}
-
-Failure pick_up(const Setting& setting, World& world, Id thing) {
-  if (world.held == thing) return Failure::InvalidArgument;
-  if (!setting.kind_of(thing).pickupable) return Failure::NotPickupable;
-  if (world.seat == thing) return Failure::Seated;
-  if (world.held != kNobody) return Failure::HandsFull;
-  if (const Failure blocked = out_of_reach(setting, world, thing); blocked != Failure::None) return blocked;
+void lift(World& world, Id thing) {
   leave_neighbours(world, thing);
   world[thing].attached = false;
   world[thing].where = Where::Hand;
   world[thing].at = kNobody;
   world.held = thing;
   if (world.by == thing) world.by = kNobody;
-  return Failure::None;
 }
 
 Failure place(const Setting& setting, World& world, const Step& step) {
-  if (world.held == kNobody) return Failure::NotHolding;
   const Id item = world.held;
   const Id target = step.target;
-  if (target == item || rests_on(world, target, item)) return Failure::InvalidArgument;
-  if (const Failure blocked = out_of_reach(setting, world, target); blocked != Failure::None) return blocked;
   const bool inside = step.action == ActionType::PlaceIn;
   if (inside && setting.kind_of(target).openable && !world[target].has(Predicate::Open))
     return Failure::ReceptacleClosed;
@@ -190,34 +75,105 @@ Failure place(const Setting& setting, World& world, const Step& step) {
   return Failure::None;
 }
 
-Failure swing(const Setting& setting, World& world, Id thing, bool open) {
-  if (!setting.kind_of(thing).openable) return Failure::NotOpenable;
-  if (world.held == thing) return Failure::InvalidArgument;
-  if (const Failure blocked = out_of_reach(setting, world, thing); blocked != Failure::None) return blocked;
-  const bool is_open = world[thing].has(Predicate::Open);
-  if (open == is_open) return open ? Failure::AlreadyOpen : Failure::AlreadyClosed;
-  if (open && setting.rules->offer().open_needs_power_off && world[thing].has(Predicate::PowerOn))
-    return Failure::AlreadyOn;
-  world[thing].set(open ? Predicate::Open : Predicate::Closed);
-  run_processes(setting, world, thing, false);
+void stand_up(World& world) {
+  world[world.seat].clear(Predicate::SatOn);
+  world[world.seat].clear(Predicate::LainOn);
+  world.seat = kNobody;
+}
+
+/// The changes of a direct action.
+void change(const Setting& setting, World& world, const ActionInfo& action, Id id) {
+  Thing& thing = world[id];
+  for (const ActionChange& change : action.changes) {
+    if (change.only_if && !thing.has(*change.only_if)) continue;
+    thing.set(change.state);
+    if (change.state == Predicate::Empty) thing.filling = {};
+    if (change.state == Predicate::SatOn || change.state == Predicate::LainOn) world.seat = id;
+  }
+  if (action.starts_tool) run_processes(setting, world, id, false);
+}
+
+/// With the first effect of the tool that the action stands for.
+Failure treat(const Setting& setting, World& world, const Step& step) {
+  for (const TreatmentInfo& row : all_treatments()) {
+    if (row.treats != step.action) continue;
+    const Failure failure = treat_with(setting, world, step.target, row.treatment);
+    if (failure != Failure::NoEffect) return failure;
+  }
+  return Failure::NoEffect;
+}
+
+Failure carry_out(const Setting& setting, World& world, const Step& step) {
+  switch (step.action) {
+    case ActionType::GoTo:
+      return go_to(world, step.target);
+    case ActionType::PickUp:
+      lift(world, step.target);
+      return Failure::None;
+    case ActionType::PlaceOn:
+    case ActionType::PlaceIn:
+      return place(setting, world, step);
+    case ActionType::Drop:
+      return drop(setting, world, step);
+    case ActionType::Slice:
+      return slice(setting, world, step.target);
+    case ActionType::PourTo:
+      return pour_to(setting, world, step.target);
+    case ActionType::Wipe:
+      return wipe(setting, world, step.target);
+    case ActionType::SpreadTo:
+      return spread_to(setting, world, step.target);
+    case ActionType::StandUp:
+      stand_up(world);
+      return Failure::None;
+    default:
+      break;
+  }
+  const ActionInfo& action = info(step.action);
+  if (action.argument == ActionArgument::Tool) return treat(setting, world, step);
+  if (!action.changes.empty()) change(setting, world, action, step.target);
   return Failure::None;
 }
 
-Failure switch_power(const Setting& setting, World& world, Id thing, bool on) {
-  const Thing& device = world[thing];
-  if (!device.has(Predicate::PowerOn) && !device.has(Predicate::PowerOff)) return Failure::NotSwitchable;
-  if (world.held != thing) {
-    if (const Failure blocked = out_of_reach(setting, world, thing); blocked != Failure::None) return blocked;
+}  // namespace
+
+std::string to_text(const Setting& setting, const Step& step) {
+  std::string text(info(step.action).name);
+  if (step.target != kNobody) text += "(" + name_of(setting, step.target) + ")";
+  if (step.beside != kNobody) text += (step.under ? " under " : " beside ") + name_of(setting, step.beside);
+  return text;
+}
+
+Failure perform(const Setting& setting, World& world, const Step& step) {
+  if (!setting.rules->offer().has(step.action)) return Failure::NotOffered;
+  const ActionArgument argument = info(step.action).argument;
+  const bool on_thing = argument == ActionArgument::Object || argument == ActionArgument::Tool;
+  if (on_thing && (!step.target.is_thing() || !world[step.target].exists))
+    return Failure::InvalidArgument;
+  return perform_checked(setting, world, step);
+}
+
+Failure perform_checked(const Setting& setting, World& world, const Step& step) {
+  const Failure unmet = first_unmet(setting, world, step);
+  return unmet != Failure::None ? unmet : carry_out(setting, world, step);
+}
+
+Failure out_of_reach(const Setting& setting, const World& world, Id thing) {
+  if (closed_around(setting, world, thing) != kNobody) return Failure::InsideClosed;
+  return world.by != kNobody && root_of(world, thing) == world.by ? Failure::None : Failure::TooFar;
+}
+
+bool has_room(const Setting& setting, const World& world, Id thing, Predicate relation, Id place) {
+  const int own = setting.rules->capacity(setting.kind_number(thing), relation, setting.kind_number(place));
+  if (own == 0) return false;
+  const Where where = relation == Predicate::On ? Where::On : Where::Inside;
+  int there = 0;
+  for (std::size_t i = 0; i < world.things.size(); ++i) {
+    const auto other = Id::thing(i);
+    if (other == thing || !world[other].exists || world[other].where != where || world[other].at != place) continue;
+    there += setting.kind_number(other) == setting.kind_number(thing) ? 1 : 0;
   }
-  if (on && device.has(Predicate::PowerOn)) return Failure::AlreadyOn;
-  if (!on && device.has(Predicate::PowerOff)) return Failure::AlreadyOff;
-  if (on && setting.rules->offer().power_needs_closed && setting.kind_of(thing).shuts_to_run &&
-      device.has(Predicate::Open))
-    return Failure::MustBeClosed;
-  if (on && setting.rules->offer().power_needs_plug && device.has(Predicate::Unplugged)) return Failure::NotPluggedIn;
-  world[thing].set(on ? Predicate::PowerOn : Predicate::PowerOff);
-  run_processes(setting, world, thing, false);
-  return Failure::None;
+  return there < own;
 }
 
 }  // namespace unietp::symbolic

@@ -19,42 +19,33 @@ struct Step {
 };
 std::string to_text(const Setting& setting, const Step& step);  // "place_on(table_1)"
 
-/// Does the step: the same needs, effects and side effects as in simulation/, but for geometry: what is asked of reach
-/// is that the agent went to the thing or to what it rests on or in; what fits where is what the knowledge base says of
-/// things of one kind; those of other kinds take no room from them. A failed step leaves the world as it was. Actions
-/// of the body, the camera and the hand change nothing here.
+/// Does the step by the needs and changes of scene/action_table.h, with the side effects that simulation/ has, but for
+/// geometry: what is asked of reach is that the agent went to the thing or to what it rests on or in; what fits where
+/// is what the knowledge base says of things of one kind; those of other kinds take no room from them. A failed step
+/// leaves the world as it was. Actions of the body and the camera change nothing here.
 Failure perform(const Setting& setting, World& world, const Step& step);
+
+/// The first need of the step's action that is not met; Failure::None when all are. Needs of kind Special are not
+/// asked.
+Failure first_unmet(const Setting& setting, const World& world, const Step& step);
+/// Whether a rule holds of a thing.
+bool applies(const Setting& setting, ActionRule rule, Id thing);
 
 /// Whether the agent can act on a thing from where it stands; Failure::None when it can.
 Failure out_of_reach(const Setting& setting, const World& world, Id thing);
 /// Whether a thing has room on or inside another (`relation`), as things are now.
 bool has_room(const Setting& setting, const World& world, Id thing, Predicate relation, Id place);
 
-/// The states that a treatment sets, as simulation/effects.cpp has them; empty for what is not done by lying in or on a
-/// tool.
-const std::vector<Predicate>& sets(Treatment treatment);
-/// The action that treats the held thing with a tool; nullopt where there is none.
-std::optional<ActionType> action_for(Treatment treatment);
 /// Does to all that rests on or in a tool what the tool does by itself as things are now.
 void run_processes(const Setting& setting, World& world, Id tool, bool tap_runs);
 
-// The steps that composite actions stand for.
-Failure pick_up(const Setting& setting, World& world, Id thing);
-Failure place(const Setting& setting, World& world, const Step& step);
-Failure swing(const Setting& setting, World& world, Id thing, bool open);
-Failure switch_power(const Setting& setting, World& world, Id thing, bool on);
+// Below: a step whose needs in the table are met, offered or not.
+Failure perform_checked(const Setting& setting, World& world, const Step& step);
 /// With every check of the atomic steps that it stands for.
 Failure treat_with(const Setting& setting, World& world, Id tool, Treatment treatment);
 Failure slice(const Setting& setting, World& world, Id thing);
 Failure pour_to(const Setting& setting, World& world, Id target);
-Failure use_up(const Setting& setting, World& world, Id thing);
 Failure wipe(const Setting& setting, World& world, Id thing);
 Failure spread_to(const Setting& setting, World& world, Id thing);
-// Those of the profile `wide`.
-Failure take_seat(const Setting& setting, World& world, Id thing, Predicate as);
-Failure stand_up(World& world);
-Failure plug(const Setting& setting, World& world, Id thing, bool in);
-Failure fold(const Setting& setting, World& world, Id thing);
-Failure break_apart(const Setting& setting, World& world, Id thing);
 
 }  // namespace unietp::symbolic

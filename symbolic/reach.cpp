@@ -10,6 +10,11 @@ namespace {
 
 std::uint64_t bit(Predicate state) { return std::uint64_t{1} << static_cast<unsigned>(state); }
 
+bool needs_holding(const ActionInfo& action) {
+  return std::any_of(action.needs.begin(), action.needs.end(),
+                     [](const ActionNeed& need) { return need.kind == ActionNeed::Kind::InHand; });
+}
+
 }  // namespace
 
 Reach::Reach(const Setting& setting, const World& start) : setting_(setting), start_(start) {
@@ -57,23 +62,16 @@ void Reach::spread() {
 
 void Reach::do_alone(Id id, Outlook& next) const {
   const Kind& kind = setting_.kind_of(id);
-  const auto add = [&](bool can, ActionType action, Predicate state) {
-    if (can && offered(action)) next.states |= bit(state);
-  };
   if (kind.pickupable && offered(ActionType::PickUp)) next.held = true;
-  add(kind.openable, ActionType::Open, Predicate::Open);
-  add(kind.openable, ActionType::Close, Predicate::Closed);
-  add(kind.switchable, ActionType::TurnOn, Predicate::PowerOn);
-  add(kind.switchable, ActionType::TurnOff, Predicate::PowerOff);
-  add(kind.sittable, ActionType::SitOn, Predicate::SatOn);
-  add(kind.lieable, ActionType::LieOn, Predicate::LainOn);
-  add(kind.pluggable, ActionType::PlugIn, Predicate::PluggedIn);
-  add(kind.pluggable, ActionType::Unplug, Predicate::Unplugged);
-  if (offered(ActionType::Unplug) && kind.pluggable && kind.switchable) next.states |= bit(Predicate::PowerOff);
-  add(kind.foldable, ActionType::Fold, Predicate::Folded);
-  add(kind.breakable, ActionType::Break, Predicate::Broken);
-  add(kind.breakable && kind.fillable, ActionType::Break, Predicate::Empty);
-  add(kind.consumable, ActionType::UseUp, Predicate::UsedUp);
+  for (const auto list : {all_actions(), extension_actions()}) {
+    for (const ActionInfo& action : list) {
+      if (action.changes.empty() || !offered(action.type) || !kind.allows(action.type)) continue;
+      if (needs_holding(action) && !next.held) continue;
+      for (const ActionChange& change : action.changes) {
+        if (!change.only_if || kind.has_group_of(*change.only_if)) next.states |= bit(change.state);
+      }
+    }
+  }
 }
 
 bool Reach::works(Id tool, Id target, const Reaction& reaction) const {
@@ -94,7 +92,7 @@ bool Reach::works(Id tool, Id target, const Reaction& reaction) const {
 void Reach::do_with(Id tool, Id target, Outlook& next) const {
   const Kind& kind = setting_.kind_of(target);
   for (const Reaction& reaction : setting_.rules->reactions(setting_.kind_number(tool), setting_.kind_number(target))) {
-    const auto& states = sets(reaction.treatment);
+    const auto states = sets(reaction.treatment);
     if (!states.empty()) {
       if (!works(tool, target, reaction)) continue;
       for (const Predicate state : states) next.states |= bit(state);

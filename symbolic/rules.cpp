@@ -3,13 +3,6 @@
 #include <algorithm>
 
 namespace unietp::symbolic {
-namespace {
-
-constexpr std::array<std::string_view, kTreatments> kTreatmentNames{"heats",     "cools",  "freezes", "cooks",  "burns",
-                                                                    "washes",    "soaks",  "fills",   "slices", "wipes",
-                                                                    "dispenses", "drains", "attaches"};
-
-}  // namespace
 
 Offer offer_of(Simulator simulator, ActionProfile profile) {
   Offer offer;
@@ -39,13 +32,11 @@ std::uint8_t needs_of(const Effect& row) {
   return needs;
 }
 
-std::optional<Treatment> treatment_named(std::string_view name) {
-  const auto found = std::find(kTreatmentNames.begin(), kTreatmentNames.end(), name);
-  if (found == kTreatmentNames.end()) return std::nullopt;
-  return static_cast<Treatment>(found - kTreatmentNames.begin());
+bool Kind::has_group_of(Predicate state) const {
+  return std::any_of(groups.begin(), groups.end(), [state](const StateGroup* group) {
+    return std::find(group->predicates.begin(), group->predicates.end(), state) != group->predicates.end();
+  });
 }
-
-std::string_view name_of(Treatment treatment) { return kTreatmentNames[static_cast<std::size_t>(treatment)]; }
 
 Rules::Rules(const Knowledge& knowledge, const Offer& offer, const std::vector<std::string>& categories)
     : offer_(offer) {
@@ -84,14 +75,17 @@ void Rules::add_kind(const Knowledge& knowledge, const std::string& category) {
   kind.switchable = has("switchable");
   kind.sliceable = has("sliceable");
   kind.fillable = has("fillable");
-  kind.consumable = has("consumable");
   kind.coverable = has("coverable");
   kind.drain = has("drain");
-  kind.sittable = has("sittable");
-  kind.lieable = has("lieable");
-  kind.pluggable = has("pluggable");
-  kind.foldable = has("foldable");
-  kind.breakable = has("breakable");
+  for (const auto list : {all_actions(), extension_actions()}) {
+    for (const ActionInfo& action : list) {
+      kind.allowed[static_cast<std::size_t>(action.type)] =
+          std::all_of(action.needs.begin(), action.needs.end(), [&](const ActionNeed& need) {
+            if (need.kind == ActionNeed::Kind::Affordance) return has(need.affordance);
+            return need.kind != ActionNeed::Kind::Varies || has(info(need.state).group);
+          });
+    }
+  }
   kind.shuts_to_run = kind.openable && known->archetype == Archetype::Cabinet;
   for (const StateGroup& group : state_groups()) {
     if (has(group.affordance)) kind.groups.push_back(&group);
@@ -102,7 +96,7 @@ void Rules::add_kind(const Knowledge& knowledge, const std::string& category) {
 void Rules::read_reactions(const Knowledge& knowledge, std::size_t tools, std::size_t targets) {
   for (std::size_t target = 0; target < targets; ++target) {
     for (std::size_t t = 0; t < kTreatments; ++t) {
-      for (const Effect* row : knowledge.effects_on(kinds_[target].category, kTreatmentNames[t])) {
+      for (const Effect* row : knowledge.effects_on(kinds_[target].category, name_of(static_cast<Treatment>(t)))) {
         const auto tool = kind_named(row->tool);
         if (!tool || tool->index() >= tools) continue;
         auto& known = reactions_[cell(*tool, KindId(target))];

@@ -10,6 +10,7 @@
 #include "akb/knowledge.h"
 #include "scene/action.h"
 #include "scene/states.h"
+#include "scene/treatment.h"
 #include "symbolic/substances.h"
 
 namespace unietp::symbolic {
@@ -26,26 +27,6 @@ struct Offer {
 /// What the action catalogue says of the simulator. The rules are those of data/simulators: all have the two of
 /// appliances; in the profile `wide`, plugs matter where they can be handled, and BEHAVIOR attaches.
 Offer offer_of(Simulator simulator, ActionProfile profile = ActionProfile::Unietp);
-
-/// What tools do to things, as the tables name it.
-enum class Treatment : std::uint8_t {
-  Heats,
-  Cools,
-  Freezes,
-  Cooks,
-  Burns,
-  Washes,
-  Soaks,
-  Fills,
-  Slices,
-  Wipes,
-  Dispenses,
-  Drains,
-  Attaches,
-};
-inline constexpr std::size_t kTreatments = static_cast<std::size_t>(Treatment::Attaches) + 1;
-std::string_view name_of(Treatment treatment);  // "heats"
-std::optional<Treatment> treatment_named(std::string_view name);
 
 /// What has to be so before a treatment happens; bits of Reaction::needs.
 enum Need : std::uint8_t { kClosed = 1, kPowerOn = 2, kInside = 4, kOn = 8, kUnderTap = 16, kHeld = 32, kUnknown = 64 };
@@ -68,11 +49,14 @@ struct Reaction {
 struct Kind {
   std::string category;
   bool movable = false, pickupable = false, openable = false, switchable = false, sliceable = false, fillable = false,
-       consumable = false, coverable = false, drain = false, sittable = false, lieable = false, pluggable = false,
-       foldable = false, breakable = false;
+       coverable = false, drain = false;
+  ActionSet allowed;                      // actions whose needs of affordances its things meet
   bool shuts_to_run = false;              // runs only with its door shut, where the simulator has that rule
   std::vector<const StateGroup*> groups;  // the state groups that its things have
   std::vector<std::string> colours, materials;
+  bool allows(ActionType action) const { return allowed[static_cast<std::size_t>(action)]; }
+  /// Whether its things have the states of this one's group.
+  bool has_group_of(Predicate state) const;
 };
 
 /// The knowledge base cut down to some categories and turned into numbers, for one simulator: what the symbolic actions

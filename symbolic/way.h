@@ -66,8 +66,10 @@ class Way {
   Wish to_fill(Id id, std::optional<SubstanceId> symbol, int depth) const;
   Wish to_empty(Id id, int depth) const;
   Wish done_to(Id id, ActionType action, Wish need, int depth, bool also_in_hand) const;
-  /// A free hand, and nothing on it.
-  Wish to_fold(Id id, int depth) const;
+  /// Nothing rests on or in it.
+  Wish to_unload(Id id, int depth) const;
+  /// By an action on the thing itself, with what the action needs first.
+  Wish directly(Id id, ActionType action, int depth) const;
   Wish to_state(Id id, Predicate state, std::optional<SubstanceId> symbol, int depth) const;
   /// A state ends when another of its group begins.
   Wish away_from(const Atom& atom, int depth) const;

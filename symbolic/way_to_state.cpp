@@ -111,8 +111,7 @@ Wish Way::done_to(Id id, ActionType action, Wish need, int depth, bool also_in_h
   return then(std::move(need), {action, id});
 }
 
-Wish Way::to_fold(Id id, int depth) const {
-  if (world_.held != kNobody) return to_free_hand(depth + 1);
+Wish Way::to_unload(Id id, int depth) const {
   for (std::size_t i = 0; i < world_.things.size(); ++i) {
     const auto other = Id::thing(i);
     if (world_[other].exists && other != id && rests_on(world_, other, id)) return after(to_hold(other, depth + 1), 1);
@@ -120,44 +119,34 @@ Wish Way::to_fold(Id id, int depth) const {
   return {};
 }
 
+Wish Way::directly(Id id, ActionType action, int depth) const {
+  using Kind = ActionNeed::Kind;
+  if (!kind(id).allows(action)) return kNever;
+  const ActionInfo& about = info(action);
+  const Predicate aim = about.changes.front().state;
+  Wish need;
+  bool also_in_hand = false;
+  for (const ActionNeed& one : about.needs) {
+    if (!applies(setting_, one.rule, id)) continue;
+    const auto other = opposite_of(one.state);
+    const bool own = one.state == aim || other == aim;  // it holds, or the state would be wanted already
+    if (one.kind == Kind::IsNot && !own && world_[id].has(one.state) && other)
+      need = together(std::move(need), to_state(id, *other, kAnySymbol, depth + 1));
+    if (one.kind == Kind::Is && !own && !world_[id].has(one.state))
+      need = together(std::move(need), to_state(id, one.state, kAnySymbol, depth + 1));
+    if (one.kind == Kind::HandFree && world_.held != kNobody) need = together(std::move(need), to_free_hand(depth + 1));
+    if (one.kind == Kind::Unloaded && world_.held == kNobody) need = together(std::move(need), to_unload(id, depth));
+    if (one.kind == Kind::InHand) need = together(std::move(need), to_hold(id, depth));
+    also_in_hand = also_in_hand || one.kind == Kind::ReachOrInHand || one.kind == Kind::InHand;
+  }
+  return done_to(id, action, std::move(need), depth, also_in_hand);
+}
+
 Wish Way::to_state(Id id, Predicate state, std::optional<SubstanceId> symbol, int depth) const {
   if (depth > kDeepestNeed) return kNever;
   Choice ways;
+  if (const auto action = direct_action(state)) return directly(id, *action, depth);
   switch (state) {
-    case Predicate::Open: {
-      if (!kind(id).openable) return kNever;
-      Wish need;
-      if (setting_.rules->offer().open_needs_power_off && world_[id].has(Predicate::PowerOn))
-        need = to_state(id, Predicate::PowerOff, kAnySymbol, depth + 1);
-      return done_to(id, ActionType::Open, std::move(need), depth, false);
-    }
-    case Predicate::Closed:
-      return kind(id).openable ? done_to(id, ActionType::Close, {}, depth, false) : kNever;
-    case Predicate::PowerOn: {
-      if (!kind(id).switchable) return kNever;
-      Wish need;
-      if (setting_.rules->offer().power_needs_closed && kind(id).shuts_to_run && world_[id].has(Predicate::Open))
-        need = to_state(id, Predicate::Closed, kAnySymbol, depth + 1);
-      if (setting_.rules->offer().power_needs_plug && world_[id].has(Predicate::Unplugged))
-        need = together(std::move(need), to_state(id, Predicate::PluggedIn, kAnySymbol, depth + 1));
-      return done_to(id, ActionType::TurnOn, std::move(need), depth, true);
-    }
-    case Predicate::PowerOff:
-      return kind(id).switchable ? done_to(id, ActionType::TurnOff, {}, depth, true) : kNever;
-    case Predicate::UsedUp:
-      return kind(id).consumable ? done_to(id, ActionType::UseUp, {}, depth, true) : kNever;
-    case Predicate::SatOn:
-      return kind(id).sittable ? done_to(id, ActionType::SitOn, {}, depth, false) : kNever;
-    case Predicate::LainOn:
-      return kind(id).lieable ? done_to(id, ActionType::LieOn, {}, depth, false) : kNever;
-    case Predicate::PluggedIn:
-      return kind(id).pluggable ? done_to(id, ActionType::PlugIn, {}, depth, false) : kNever;
-    case Predicate::Unplugged:
-      return kind(id).pluggable ? done_to(id, ActionType::Unplug, {}, depth, false) : kNever;
-    case Predicate::Broken:
-      return kind(id).breakable ? done_to(id, ActionType::Break, {}, depth, false) : kNever;
-    case Predicate::Folded:
-      return kind(id).foldable ? done_to(id, ActionType::Fold, to_fold(id, depth), depth, false) : kNever;
     case Predicate::Sliced:
       if (!kind(id).sliceable) return kNever;
       each_tool(Treatment::Slices, id,
@@ -172,7 +161,7 @@ Wish Way::to_state(Id id, Predicate state, std::optional<SubstanceId> symbol, in
     default:
       for (std::size_t t = 0; t < kTreatments; ++t) {
         const auto treatment = static_cast<Treatment>(t);
-        const auto& states = sets(treatment);
+        const auto states = sets(treatment);
         if (std::find(states.begin(), states.end(), state) != states.end())
           treated(id, treatment, kAnySymbol, depth, ways);
       }

@@ -1,0 +1,71 @@
+#include "pddl/direct_actions.h"
+
+#include <algorithm>
+
+#include "scene/action_table.h"
+#include "scene/states.h"
+
+namespace unietp::pddl {
+namespace {
+
+using Kind = ActionNeed::Kind;
+
+std::string fact(Predicate state) { return "(" + std::string(info(state).name) + " ?t)"; }
+
+bool has_need(const ActionInfo& action, Kind kind) {
+  return std::any_of(action.needs.begin(), action.needs.end(),
+                     [kind](const ActionNeed& need) { return need.kind == kind; });
+}
+
+/// What has to be so of the thing and the hand; where the thing is, is asked apart.
+std::vector<std::string> needs_of(const ActionInfo& action) {
+  std::vector<std::string> needs;
+  for (const ActionNeed& need : action.needs) {
+    if (need.kind == Kind::Affordance) needs.push_back("(" + std::string(need.affordance) + " ?t)");
+    if (need.kind == Kind::Is) needs.push_back(fact(need.state));
+    if (need.kind == Kind::IsNot && !has_need(action, Kind::Varies)) needs.push_back("(not " + fact(need.state) + ")");
+    if (need.kind == Kind::IsNot && has_need(action, Kind::Varies)) needs.push_back(fact(*opposite_of(need.state)));
+    if (need.kind == Kind::HandFree) needs.emplace_back("(hand-empty)");
+    if (need.kind == Kind::Standing) needs.emplace_back("(not (seated))");
+    if (need.kind == Kind::Unloaded) needs.emplace_back("(forall (?w - movable) (or (= ?w ?t) (not (rests ?w ?t))))");
+  }
+  return needs;
+}
+
+std::vector<std::string> effects_of(const ActionInfo& action) {
+  std::vector<std::string> effects;
+  for (const ActionChange& change : action.changes) {
+    const auto text = becomes(change.state, "?t");
+    effects.push_back(change.only_if ? "(when " + fact(*change.only_if) + " (and " + text + "))" : text);
+    if (change.state == Predicate::Empty) effects.emplace_back("(forall (?s - substance) (not (filled-with ?t ?s)))");
+    if (change.state == Predicate::SatOn || change.state == Predicate::LainOn) effects.emplace_back("(seated)");
+  }
+  return effects;
+}
+
+}  // namespace
+
+std::vector<ActionText> direct_actions(const ActionSet& offered) {
+  std::vector<ActionText> actions;
+  for (const ActionInfo& action : action_table()) {
+    if (!offered[static_cast<std::size_t>(action.type)]) continue;
+    const std::string name(action.name);
+    if (action.type == ActionType::StandUp) {
+      actions.push_back({name,
+                         "",
+                         {"(seated)"},
+                         {"(not (seated))", "(forall (?t - thing) (and (not (sat_on ?t)) (not (lain_on ?t))))"}});
+    }
+    if (action.changes.empty() || action.starts_tool) continue;
+    const auto add = [&](const std::string& suffix, const char* type, const std::vector<std::string>& where) {
+      auto needs = needs_of(action);
+      needs.insert(needs.end(), where.begin(), where.end());
+      actions.push_back({name + suffix, std::string("?t - ") + type, std::move(needs), effects_of(action)});
+    };
+    if (!has_need(action, Kind::InHand)) add("", "thing", {"(near ?t)", "(free ?t)"});
+    if (has_need(action, Kind::InHand) || has_need(action, Kind::ReachOrInHand)) add("-held", "movable", {"(held ?t)"});
+  }
+  return actions;
+}
+
+}  // namespace unietp::pddl

@@ -1,0 +1,249 @@
+#include "scene/action_table.h"
+
+namespace unietp {
+namespace {
+
+using enum ActionType;
+using enum ActionArgument;
+using enum ActionClass;
+using F = Failure;
+using P = Predicate;
+using Kind = ActionNeed::Kind;
+
+constexpr ActionNeed need(Kind kind, F failure) { return {kind, failure, {}, {}, {}}; }
+constexpr ActionNeed has(std::string_view affordance, F failure) {
+  return {Kind::Affordance, failure, {}, affordance, {}};
+}
+constexpr ActionNeed varies(P state, F failure) { return {Kind::Varies, failure, state, {}, {}}; }
+constexpr ActionNeed is(P state, F failure) { return {Kind::Is, failure, state, {}, {}}; }
+constexpr ActionNeed is_not(P state, F failure, ActionRule rule = ActionRule::Always) {
+  return {Kind::IsNot, failure, state, {}, rule};
+}
+constexpr ActionNeed held_is(P state, F failure) { return {Kind::HeldIs, failure, state, {}, {}}; }
+constexpr ActionNeed special(F failure) { return need(Kind::Special, failure); }
+
+// Needs that many actions share.
+constexpr ActionNeed kReach = need(Kind::Reach, F::TooFar);
+constexpr ActionNeed kReachOrInHand = need(Kind::ReachOrInHand, F::TooFar);
+constexpr ActionNeed kPutDown = need(Kind::NotInHand, F::InvalidArgument);
+constexpr ActionNeed kNotCarried = need(Kind::NotCarried, F::InvalidArgument);
+constexpr ActionNeed kHolding = need(Kind::Holding, F::NotHolding);
+constexpr ActionNeed kHandFree = need(Kind::HandFree, F::HandsFull);
+constexpr ActionNeed kStandingUp = need(Kind::Standing, F::Seated);
+constexpr ActionNeed kTargetTool = need(Kind::TargetTool, F::NoEffect);
+
+// Needs by action, in order of checking.
+constexpr std::array<ActionNeed, 0> kNone{};
+constexpr std::array kWalking{kStandingUp, special(F::Blocked)};
+constexpr std::array kTurning{kStandingUp};
+constexpr std::array kTilting{special(F::Blocked)};
+constexpr std::array kHandMoving{kHolding, special(F::Blocked)};
+constexpr std::array kGoing{kStandingUp, special(F::NoStandingPlace)};
+constexpr std::array kFacing{need(Kind::Sight, F::NotVisible)};
+constexpr std::array kPicking{kPutDown,
+                              has("pickupable", F::NotPickupable),
+                              need(Kind::NotSeat, F::Seated),
+                              kHandFree,
+                              kReach,
+                              special(F::TooHeavy)};
+constexpr std::array kPlacingOn{kHolding,
+                                kNotCarried,
+                                kReach,
+                                special(F::NotAReceptacle),
+                                special(F::DoesNotFit),
+                                special(F::NoFreePlace),
+                                special(F::DidNotRest)};
+constexpr std::array kPlacingIn{kHolding,
+                                kNotCarried,
+                                kReach,
+                                special(F::ReceptacleClosed),
+                                special(F::NotAReceptacle),
+                                special(F::DoesNotFit),
+                                special(F::NoFreePlace),
+                                special(F::DidNotRest)};
+constexpr std::array kDropping{kHolding, special(F::Blocked), special(F::DidNotRest)};
+constexpr std::array kOpening{has("openable", F::NotOpenable),
+                              kPutDown,
+                              kReach,
+                              is_not(P::Open, F::AlreadyOpen),
+                              is_not(P::PowerOn, F::AlreadyOn, ActionRule::OpenNeedsPowerOff),
+                              special(F::Blocked)};
+constexpr std::array kClosing{has("openable", F::NotOpenable), kPutDown, kReach, is(P::Open, F::AlreadyClosed),
+                              special(F::Blocked)};
+constexpr std::array kTurningOn{varies(P::PowerOn, F::NotSwitchable), kReachOrInHand, is_not(P::PowerOn, F::AlreadyOn),
+                                is_not(P::Open, F::MustBeClosed, ActionRule::PowerNeedsClosed),
+                                is_not(P::Unplugged, F::NotPluggedIn, ActionRule::PowerNeedsPlug)};
+constexpr std::array kTurningOff{varies(P::PowerOff, F::NotSwitchable), kReachOrInHand,
+                                 is_not(P::PowerOff, F::AlreadyOff)};
+constexpr std::array kSlicing{kPutDown,
+                              has("sliceable", F::NotSliceable),
+                              need(Kind::Holding, F::NoKnife),
+                              need(Kind::HeldTool, F::NoKnife),
+                              is_not(P::Sliced, F::NotSliceable),
+                              kReach};
+constexpr std::array kPouring{
+    kHolding, held_is(P::Filled, F::VesselEmpty), kPutDown, kReach, special(F::NotFillable), special(F::AlreadyFull)};
+constexpr std::array kUsingUp{has("consumable", F::NotConsumable), kReachOrInHand, is_not(P::UsedUp, F::NotConsumable)};
+constexpr std::array kWiping{kHolding, kPutDown, need(Kind::HeldTool, F::NoEffect), kReach, special(F::NotReady)};
+constexpr std::array kSpreading{kHolding, kPutDown, need(Kind::HeldTool, F::NoEffect), kReach};
+constexpr std::array kTreating{kHolding, kTargetTool, kReach, special(F::NoFreePlace)};
+constexpr std::array kSitting{has("sittable", F::NotASeat), kStandingUp, kPutDown, kReach, special(F::NoFreePlace)};
+constexpr std::array kLying{has("lieable", F::NotASeat), kStandingUp, kPutDown, kReach, special(F::NoFreePlace)};
+constexpr std::array kStanding{need(Kind::Seated, F::NotSeated)};
+constexpr std::array kPluggingIn{varies(P::PluggedIn, F::NotPluggable), kPutDown, kReach,
+                                 is_not(P::PluggedIn, F::AlreadyPluggedIn)};
+constexpr std::array kUnplugging{varies(P::PluggedIn, F::NotPluggable), kPutDown, kReach,
+                                 is(P::PluggedIn, F::AlreadyUnplugged)};
+constexpr std::array kFolding{
+    has("foldable", F::NotFoldable), is_not(P::Folded, F::AlreadyFolded), kHandFree, kPutDown, kReach,
+    need(Kind::Unloaded, F::Blocked)};
+constexpr std::array kBreaking{has("breakable", F::NotBreakable), is_not(P::Broken, F::AlreadyBroken), kPutDown,
+                               kReach};
+
+// Changes by action.
+constexpr std::array<ActionChange, 0> kNothing{};
+constexpr ActionChange becomes(P state) { return {state, std::nullopt}; }
+constexpr ActionChange if_it_is(P before, P after) { return {after, before}; }
+constexpr std::array kOpens{becomes(P::Open)};
+constexpr std::array kCloses{becomes(P::Closed)};
+constexpr std::array kTurnsOn{becomes(P::PowerOn)};
+constexpr std::array kTurnsOff{becomes(P::PowerOff)};
+constexpr std::array kUsesUp{becomes(P::UsedUp)};
+constexpr std::array kSits{becomes(P::SatOn)};
+constexpr std::array kLies{becomes(P::LainOn)};
+constexpr std::array kPlugsIn{becomes(P::PluggedIn)};
+constexpr std::array kUnplugs{becomes(P::Unplugged), if_it_is(P::PowerOn, P::PowerOff)};
+constexpr std::array kFolds{becomes(P::Folded)};
+constexpr std::array kBreaks{becomes(P::Broken), if_it_is(P::Filled, P::Empty)};
+
+constexpr ActionInfo row(ActionType type, std::string_view name, ActionArgument argument, ActionClass group,
+                         std::string_view simulators, std::span<const ActionNeed> needs, std::string_view effect,
+                         std::span<const ActionChange> changes = kNothing, bool starts_tool = false) {
+  const auto in = [simulators](char letter) { return simulators.find(letter) != std::string_view::npos; };
+  const bool atomic = group != ActionClass::Composite;  // composites are for planners on symbols: M1 only
+  return {type,    name,    argument, group,  true,  atomic,  atomic,     in('A'),
+          in('V'), in('H'), in('B'),  effect, needs, changes, starts_tool};
+}
+
+// A = AI2-THOR, V = VirtualHome, H = Habitat, B = BEHAVIOR.
+constexpr std::array<ActionInfo, kActionCount> kActions{
+    row(MoveForward, "move_forward", None, Movement, "AVHB", kWalking, "the agent takes a step ahead"),
+    row(MoveBackward, "move_backward", None, Movement, "AHB", kWalking, "the agent takes a step back"),
+    row(MoveLeft, "move_left", None, Movement, "AHB", kWalking, "the agent takes a step to its left"),
+    row(MoveRight, "move_right", None, Movement, "AHB", kWalking, "the agent takes a step to its right"),
+    row(TurnLeft, "turn_left", None, Movement, "AVHB", kTurning, "the agent turns left on the spot"),
+    row(TurnRight, "turn_right", None, Movement, "AVHB", kTurning, "the agent turns right on the spot"),
+    row(LookUp, "look_up", None, Movement, "AHB", kTilting, "the camera tilts up"),
+    row(LookDown, "look_down", None, Movement, "AHB", kTilting, "the camera tilts down"),
+    row(TurnBaseToLook, "turn_base_to_look", None, Movement, "H", kNone, "the body turns to where the head looks"),
+    row(ResetHead, "reset_head", None, Movement, "H", kNone, "the head looks straight ahead again"),
+    row(MoveHandForward, "move_hand_forward", None, Movement, "A", kHandMoving,
+        "the held object moves away from the body"),
+    row(MoveHandBackward, "move_hand_backward", None, Movement, "A", kHandMoving,
+        "the held object moves towards the body"),
+    row(MoveHandLeft, "move_hand_left", None, Movement, "A", kHandMoving, "the held object moves left"),
+    row(MoveHandRight, "move_hand_right", None, Movement, "A", kHandMoving, "the held object moves right"),
+    row(RotateHand, "rotate_hand", None, Movement, "A", kHandMoving, "the held object turns in the hand"),
+    row(GoTo, "go_to", ObjectOrRoom, Reach, "AVHB", kGoing, "the agent stands by the object, or in the room"),
+    row(TurnTo, "turn_to", Object, Reach, "AVHB", kFacing, "the agent faces the object and looks at it"),
+    row(PickUp, "pick_up", Object, Manipulation, "AVHB", kPicking, "the object is held and lies nowhere any more"),
+    row(PlaceOn, "place_on", Object, Manipulation, "AVHB", kPlacingOn, "the held object is let down on the object"),
+    row(PlaceIn, "place_in", Object, Manipulation, "AVHB", kPlacingIn, "the held object is let down inside the object"),
+    row(Drop, "drop", None, Manipulation, "AHB", kDropping, "the held object falls to the floor"),
+    row(Open, "open", Object, Manipulation, "AVHB", kOpening, "the object is open", kOpens, true),
+    row(Close, "close", Object, Manipulation, "AVHB", kClosing, "the object is closed", kCloses, true),
+    row(TurnOn, "turn_on", Object, Manipulation, "AVB", kTurningOn,
+        "the object is on; a tap washes and fills what is under it", kTurnsOn, true),
+    row(TurnOff, "turn_off", Object, Manipulation, "AVB", kTurningOff, "the object is off", kTurnsOff, true),
+    row(Slice, "slice", Object, Manipulation, "AB", kSlicing,
+        "the object is sliced and its slices exist; needs a held knife"),
+    row(PourTo, "pour_to", Object, Manipulation, "AB", kPouring,
+        "the held vessel is empty and the object filled; a drain stays empty"),
+    row(UseUp, "use_up", Object, Manipulation, "A", kUsingUp, "the object is used up", kUsesUp),
+    row(Wipe, "wipe", Object, Manipulation, "B", kWiping,
+        "the object is clean and uncovered; needs a held cloth, soaked for stains"),
+    row(SpreadTo, "spread_to", Object, Manipulation, "B", kSpreading,
+        "the object is covered with what the held dispenser gives"),
+    row(SoakWith, "soak_with", Tool, Manipulation, "B", kTreating, "the held object is soaked"),
+    row(HeatWith, "heat_with", Tool, Composite, "A", kTreating, "the held object is hot"),
+    row(CoolWith, "cool_with", Tool, Composite, "AB", kTreating, "the held object is cool; in a freezer it is frozen"),
+    row(WashWith, "wash_with", Tool, Composite, "AB", kTreating,
+        "the held object is clean; a tap leaves a vessel filled with water"),
+    row(CookWith, "cook_with", Tool, Composite, "AB", kTreating, "the held object is cooked and hot"),
+    row(BurnWith, "burn_with", Tool, Composite, "B", kTreating, "the held object is burnt"),
+    row(FillWith, "fill_with", Tool, Composite, "AB", kTreating, "the held object is filled with what the tool gives"),
+    row(Stop, "stop", None, Control, "AVHB", kNone, "the episode ends"),
+    row(SitOn, "sit_on", Object, Manipulation, "V", kSitting, "the agent sits on the object", kSits),
+    row(LieOn, "lie_on", Object, Manipulation, "V", kLying, "the agent lies on the object", kLies),
+    row(StandUp, "stand_up", None, Movement, "V", kStanding, "the agent stands beside what it sat or lay on"),
+    row(PlugIn, "plug_in", Object, Manipulation, "V", kPluggingIn, "the object is plugged in", kPlugsIn),
+    row(Unplug, "unplug", Object, Manipulation, "V", kUnplugging, "the object is unplugged, and off", kUnplugs),
+    row(Fold, "fold", Object, Manipulation, "B", kFolding, "the object is folded", kFolds),
+    row(Break, "break", Object, Manipulation, "A", kBreaking, "the object is broken; what filled it is gone", kBreaks),
+};
+
+constexpr bool in_enum_order() {
+  for (std::size_t i = 0; i < kActions.size(); ++i) {
+    if (static_cast<std::size_t>(kActions[i].type) != i) return false;
+  }
+  return true;
+}
+static_assert(in_enum_order());
+
+constexpr std::array<std::string_view, kFailureCount> kFailureNames{
+    "none",
+    "invalid_action",
+    "invalid_argument",
+    "not_offered",
+    "blocked",
+    "no_standing_place",
+    "too_far",
+    "not_visible",
+    "inside_closed",
+    "receptacle_closed",
+    "not_a_receptacle",
+    "no_free_place",
+    "did_not_rest",
+    "does_not_fit",
+    "not_pickupable",
+    "too_heavy",
+    "not_openable",
+    "already_open",
+    "already_closed",
+    "not_switchable",
+    "already_on",
+    "already_off",
+    "must_be_closed",
+    "not_holding",
+    "hands_full",
+    "not_sliceable",
+    "no_knife",
+    "no_effect",
+    "vessel_empty",
+    "not_fillable",
+    "already_full",
+    "not_consumable",
+    "not_ready",
+    "not_a_seat",
+    "seated",
+    "not_seated",
+    "not_pluggable",
+    "already_plugged_in",
+    "already_unplugged",
+    "not_plugged_in",
+    "not_foldable",
+    "already_folded",
+    "not_breakable",
+    "already_broken",
+    "not_in_view",
+    "not_seen_yet",
+    "no_object_there",
+};
+
+}  // namespace
+
+std::span<const ActionInfo, kActionCount> action_table() { return kActions; }
+
+std::span<const std::string_view, kFailureCount> failure_table() { return kFailureNames; }
+
+}  // namespace unietp
