@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "annotator/verbs.h"
+#include "annotator/words_for_writing.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -55,7 +55,7 @@ std::string smooth(const std::string& pattern, const std::string& subject, const
     return words.find(' ') + 1 == words.find("{s}") && !words.ends_with("{s}") && words.find("{o}") == words.npos;
   };
   const bool is_long = std::count(subject.begin(), subject.end(), ' ') > 2;
-  for (const std::string words : verbs(said)) {
+  for (const std::string& words : verbs(said)) {
     const bool direct = words.find(' ') + 1 == words.find("{s}");
     if (subject == "it" && direct && pattern.find(' ') + 1 != pattern.find("{s}")) return words;
     if (is_long && parted(pattern) && !parted(words)) return words;

@@ -1,60 +1,10 @@
 #include "annotator/clause_reading.h"
+#include "annotator/words_for_reading.h"
 
 namespace unietp {
 namespace {
 
 using P = Predicate;
-
-struct Verb {
-  std::string_view words, after;  // "cut … into slices"
-  Predicate predicate;
-};
-
-/// Verbs that make a state true. Where one starts another, the longer comes first.
-constexpr Verb kVerbs[] = {{"open up", "", P::Open},
-                           {"open", "", P::Open},
-                           {"close", "", P::Closed},
-                           {"shut", "", P::Closed},
-                           {"turn on", "", P::PowerOn},
-                           {"switch on", "", P::PowerOn},
-                           {"turn off", "", P::PowerOff},
-                           {"switch off", "", P::PowerOff},
-                           {"wash", "", P::Clean},
-                           {"clean", "", P::Clean},
-                           {"heat up", "", P::Hot},
-                           {"heat", "up?", P::Hot},
-                           {"cool down", "", P::Cool},
-                           {"cool", "down?", P::Cool},
-                           {"chill", "", P::Cool},
-                           {"cook", "", P::Cooked},
-                           {"burn", "", P::Burnt},
-                           {"freeze", "", P::Frozen},
-                           {"thaw", "", P::Thawed},
-                           {"defrost", "", P::Thawed},
-                           {"slice up", "", P::Sliced},
-                           {"slice", "", P::Sliced},
-                           {"cut", "into slices", P::Sliced},
-                           {"empty", "", P::Empty},
-                           {"pour out", "", P::Empty},
-                           {"soak", "", P::Soaked},
-                           {"dry", "", P::Dry},
-                           {"use up", "", P::UsedUp},
-                           {"break", "", P::Broken},
-                           {"fold up", "", P::Folded},
-                           {"fold", "", P::Folded},
-                           {"unfold", "", P::Unfolded},
-                           {"plug in", "", P::PluggedIn},
-                           {"plug", "in", P::PluggedIn},
-                           {"unplug", "", P::Unplugged},
-                           {"pick up", "", P::Held},
-                           {"pick", "up", P::Held},
-                           {"end up holding", "", P::Held},
-                           {"hold", "", P::Held},
-                           {"sit down on", "", P::SatOn},
-                           {"sit on", "", P::SatOn},
-                           {"lie down on", "", P::LainOn},
-                           {"lie on", "", P::LainOn},
-                           {"make", "dirty", P::Dirty}};
 
 }  // namespace
 
@@ -190,14 +140,13 @@ Clause ClauseReader::changed() {
     words_.go_back(here);
     if (!on) break;
   }
-  for (const Verb& verb : kVerbs) {
+  for (const ReadForm& verb : verb_forms()) {
     if (!words_.accept(verb.words)) continue;
     words_.set_bare_places(verb.after.empty());
     clause.subjects = words_.phrases(clause.any_subject);
     words_.set_bare_places(false);
-    const bool optional = verb.after.ends_with('?');
-    const std::string_view after = optional ? verb.after.substr(0, verb.after.size() - 1) : verb.after;
-    if (!after.empty() && !words_.accept(after) && !optional) words_.fail("expected '" + std::string(after) + "'");
+    if (!verb.after.empty() && !words_.accept(verb.after) && !verb.optional)
+      words_.fail("expected '" + std::string(verb.after) + "'");
     for (const NounPhrase& subject : clause.subjects)
       if (subject.determiner == Determiner::No || subject.determiner == Determiner::AtMost)
         words_.fail("expected something to act on before this");

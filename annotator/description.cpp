@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "annotator/naming.h"
-#include "annotator/state_words.h"
+#include "annotator/words_for_writing.h"
 #include "core/text.h"
 
 namespace unietp {

@@ -1,5 +1,5 @@
-#include "annotator/evidence.h"
 #include "annotator/word_check.h"
+#include "annotator/words_for_reading.h"
 
 #include <algorithm>
 #include <array>

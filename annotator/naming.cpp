@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "annotator/state_words.h"
+#include "annotator/words_for_writing.h"
 #include "core/text.h"
 
 namespace unietp {

@@ -8,6 +8,8 @@
 #include "annotator/meaning.h"
 #include "annotator/phrase_plan.h"
 #include "annotator/plan_proposition.h"
+#include "scene/action.h"
+#include "scene/states.h"
 
 namespace unietp {
 namespace {
@@ -151,15 +153,11 @@ class Planner {
     }
   }
 
+  /// Two states of which the agent brings one about by hand and so ends the other: open and closed.
   static bool opposite(const Formula& a, const Formula& b) {
     if (a.op != Op::Atom || b.op != Op::Atom || a.terms != b.terms) return false;
-    using P = Predicate;
-    for (const auto& [p, q] : {std::pair{P::Open, P::Closed},
-                               {P::PowerOn, P::PowerOff},
-                               {P::PluggedIn, P::Unplugged},
-                               {P::Folded, P::Unfolded}})
-      if ((a.predicate == p && b.predicate == q) || (a.predicate == q && b.predicate == p)) return true;
-    return false;
+    const bool by_hand = direct_action(a.predicate) || direct_action(b.predicate);
+    return by_hand && opposite_of(a.predicate) == b.predicate;
   }
 
   /// "Choose one kitchen.": names an object that later clauses speak of.

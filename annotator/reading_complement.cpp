@@ -2,6 +2,7 @@
 #include <array>
 
 #include "annotator/reading.h"
+#include "annotator/words_for_reading.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -9,80 +10,13 @@ namespace {
 
 using P = Predicate;
 
-struct StateWords {
-  std::string_view words;
-  Predicate predicate;
-};
-
-/// Longer ones first where one starts another.
-constexpr StateWords kStates[] = {{"open", P::Open},
-                                  {"closed", P::Closed},
-                                  {"shut", P::Closed},
-                                  {"switched on", P::PowerOn},
-                                  {"turned on", P::PowerOn},
-                                  {"switched off", P::PowerOff},
-                                  {"turned off", P::PowerOff},
-                                  {"clean", P::Clean},
-                                  {"washed", P::Clean},
-                                  {"dirty", P::Dirty},
-                                  {"hot", P::Hot},
-                                  {"heated", P::Hot},
-                                  {"cold", P::Cool},
-                                  {"cool", P::Cool},
-                                  {"chilled", P::Cool},
-                                  {"at room temperature", P::RoomTemperature},
-                                  {"cooked", P::Cooked},
-                                  {"raw", P::Raw},
-                                  {"burnt", P::Burnt},
-                                  {"unburnt", P::Unburnt},
-                                  {"frozen", P::Frozen},
-                                  {"thawed", P::Thawed},
-                                  {"sliced", P::Sliced},
-                                  {"whole", P::Whole},
-                                  {"empty", P::Empty},
-                                  {"soaked", P::Soaked},
-                                  {"dry", P::Dry},
-                                  {"used up", P::UsedUp},
-                                  {"unused", P::Unused},
-                                  {"broken", P::Broken},
-                                  {"intact", P::Intact},
-                                  {"folded", P::Folded},
-                                  {"unfolded", P::Unfolded},
-                                  {"plugged in", P::PluggedIn},
-                                  {"unplugged", P::Unplugged},
-                                  {"in your hand", P::Held},
-                                  {"in your hands", P::Held},
-                                  {"held", P::Held},
-                                  {"sat on", P::SatOn},
-                                  {"lain on", P::LainOn}};
-
-constexpr StateWords kPrepositions[] = {{"on the floor of", P::OnFloor},
-                                        {"on top of", P::On},
-                                        {"onto", P::On},
-                                        {"on", P::On},
-                                        {"inside of", P::Inside},
-                                        {"inside", P::Inside},
-                                        {"into", P::Inside},
-                                        {"in", P::Inside},
-                                        {"next to", P::NextTo},
-                                        {"beside", P::NextTo},
-                                        {"underneath", P::Under},
-                                        {"under", P::Under},
-                                        {"cut from", P::SliceOf},
-                                        {"attached to", P::Attached},
-                                        {"nearest to", P::Nearest},
-                                        {"closest to", P::Nearest}};
-
-constexpr StateWords kSymbols[] = {{"filled with", P::Filled}, {"covered with", P::Covered}, {"covered in", P::Covered},
-                                   {"made of", P::Material},   {"of the colour", P::Colour}, {"of the size", P::Size}};
-
 constexpr std::array<std::string_view, 6> kLarge{"large", "larger", "largest", "big", "bigger", "biggest"};
 constexpr std::array<std::string_view, 3> kSmall{"small", "smaller", "smallest"};
 
 }  // namespace
 
 std::optional<Complement> PhraseReader::adjective() const {
-  for (const StateWords& state : kStates)
+  for (const ReadForm& state : state_forms())
     if (peek() == state.words) return Complement{state.predicate, false, "", {}};
   if (lexicon_.is_colour(peek())) return Complement{P::Colour, false, peek(), {}};
   if (peek() == "wooden") return Complement{P::Material, false, "wood", {}};
@@ -94,16 +28,16 @@ std::optional<Complement> PhraseReader::adjective() const {
 
 bool PhraseReader::complement_comes() const {
   if (peek() == "not" || lexicon_.is_colour(peek())) return true;
-  for (const StateWords& words : kStates)
+  for (const ReadForm& words : state_forms())
     if (comes(words.words)) return true;
-  for (const StateWords& words : kPrepositions)
+  for (const ReadForm& words : preposition_forms())
     if (comes(words.words)) return true;
-  return std::any_of(std::begin(kSymbols), std::end(kSymbols),
-                     [&](const StateWords& words) { return comes(words.words); });
+  const auto symbols = symbol_forms();
+  return std::any_of(symbols.begin(), symbols.end(), [&](const ReadForm& words) { return comes(words.words); });
 }
 
 std::optional<Predicate> PhraseReader::preposition() {
-  for (const StateWords& words : kPrepositions)
+  for (const ReadForm& words : preposition_forms())
     if (accept(words.words)) return words.predicate;
   return std::nullopt;
 }
@@ -125,9 +59,9 @@ Complement PhraseReader::complement() {
     read.negated = !read.negated;
     return read;
   }
-  for (const StateWords& words : kStates)
+  for (const ReadForm& words : state_forms())
     if (accept(words.words)) return {words.predicate, false, "", {}};
-  for (const StateWords& words : kSymbols)
+  for (const ReadForm& words : symbol_forms())
     if (accept(words.words)) return {words.predicate, false, symbol(), {}};
   if (lexicon_.is_colour(peek())) return {P::Colour, false, tokens_[at_++].text, {}};
   if (accept("on its floor")) {

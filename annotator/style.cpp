@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "annotator/evidence.h"
+#include "annotator/words_for_reading.h"
 
 namespace unietp {
 namespace {

@@ -1,10 +1,10 @@
 #include "annotator/trace_draft.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "logic/membership.h"
+#include "scene/states.h"
 
 namespace unietp {
 namespace {
@@ -15,21 +15,20 @@ using P = Predicate;
 constexpr EntityIndex kAgent(0);
 
 /// Of what has one of these states, the other is not true. Facts of the second are kept as the first's absence.
-constexpr std::array<std::pair<P, P>, 12> kExcluding = {{{P::Open, P::Closed},
-                                                         {P::PowerOn, P::PowerOff},
-                                                         {P::Clean, P::Dirty},
-                                                         {P::Cooked, P::Raw},
-                                                         {P::Burnt, P::Unburnt},
-                                                         {P::Frozen, P::Thawed},
-                                                         {P::Sliced, P::Whole},
-                                                         {P::Soaked, P::Dry},
-                                                         {P::UsedUp, P::Unused},
-                                                         {P::Broken, P::Intact},
-                                                         {P::Folded, P::Unfolded},
-                                                         {P::PluggedIn, P::Unplugged}}};
+const std::vector<std::pair<P, P>>& excluding() {
+  static const auto pairs = [] {
+    std::vector<std::pair<P, P>> all;
+    for (const PredicateInfo& row : all_predicates()) {
+      const auto other = opposite_of(row.predicate);
+      if (other && row.predicate < *other) all.emplace_back(row.predicate, *other);
+    }
+    return all;
+  }();
+  return pairs;
+}
 
 std::optional<P> first_of(P second) {
-  for (const auto& [one, other] : kExcluding)
+  for (const auto& [one, other] : excluding())
     if (other == second) return one;
   return std::nullopt;
 }
@@ -168,7 +167,7 @@ Trace TraceDraft::trace() const {
         facts.set(predicate, first, second);
       }
     }
-    for (const auto& [one, other] : kExcluding) {
+    for (const auto& [one, other] : excluding()) {
       if (!kinds_.contains({one, ""})) continue;
       for (EntityIndex e(3); e.index() < entities_.size(); ++e)  // what stands for other things has no such state
         if (exists(e) && entities_[e].kind == Entity::Kind::Object && !states_[i].contains({one, e, kNone, ""}))

@@ -4,9 +4,9 @@
 #include <cctype>
 #include <optional>
 
-#include "annotator/evidence.h"
 #include "annotator/goal_words.h"
 #include "annotator/naming.h"
+#include "annotator/words_for_reading.h"
 #include "core/text.h"
 
 namespace unietp {

@@ -2,7 +2,7 @@
 
 #include <cctype>
 
-#include "annotator/state_words.h"
+#include "annotator/words_for_writing.h"
 #include "core/text.h"
 
 namespace unietp {

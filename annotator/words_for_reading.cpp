@@ -1,0 +1,153 @@
+#include "annotator/words_for_reading.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace unietp {
+namespace {
+
+using P = Predicate;
+
+/// Forms are separated by '|'; in a verb "_" stands for its object, and a "?" at the end marks what may be left out.
+struct Row {
+  Predicate predicate;
+  std::string_view states, prepositions, symbols, verbs;
+  std::string_view evidence;       // see words_for
+  std::string_view evidence_only;  // see words_only_for
+};
+
+constexpr std::array<Row, kPredicateCount> kRows{{
+    {P::Open, "open", "", "", "open up|open", "open", "open. opened. opening."},
+    {P::Closed, "closed|shut", "", "", "close|shut", "clos shut", "close. closed. closing. shut."},
+    {P::PowerOn, "switched on|turned on", "", "", "turn on|switch on",
+     "on. power switch turn activ start running lit light", ""},
+    {P::PowerOff, "switched off|turned off", "", "", "turn off|switch off", "off. power switch turn deactiv stop out.",
+     ""},
+    {P::Clean, "clean|washed", "", "", "wash|clean", "clean wash rins scrub wip spotless dust",
+     "wash. washed. washing. clean. cleaned. rinse. scrub."},
+    {P::Dirty, "dirty", "", "", "make _ dirty", "dirt soil stain unwash unclean smear mess grim",
+     "dirty. soiled. unwashed."},
+    {P::Hot, "hot|heated", "", "", "heat up|heat _ up?", "hot heat warm boil steam microwav",
+     "heat. heated. hot. warm. warmed."},
+    {P::Cool, "cold|cool|chilled", "", "", "cool down|cool _ down?|chill", "cool cold chill fridg refrigerat",
+     "cool. cold. chill. chilled. cooled."},
+    {P::RoomTemperature, "at room temperature", "", "", "", "temperature", "temperature."},
+    {P::Cooked, "cooked", "", "", "cook", "cook bak roast fry fried boil toast grill prepar done.",
+     "cook. cooked. bake. baked. roast. fry."},
+    {P::Raw, "raw", "", "", "", "raw uncook", "raw. uncooked."},
+    {P::Burnt, "burnt", "", "", "burn", "burn char", "burn. burnt. burned. charred."},
+    {P::Unburnt, "unburnt", "", "", "", "unburn burn", "unburnt."},
+    {P::Frozen, "frozen", "", "", "freeze", "freez froz", "freeze. frozen."},
+    {P::Thawed, "thawed", "", "", "thaw|defrost", "thaw defrost unfroz", "thaw. thawed. defrost. defrosted."},
+    {P::Sliced, "sliced", "", "", "slice up|slice|cut _ into slices", "slic cut chop", "sliced. chop. chopped."},
+    {P::Whole, "whole", "", "", "", "whole uncut unslic intact cut slic", "uncut."},
+    {P::Empty, "empty", "", "", "empty|pour out", "empt pour drain tip nothing", "empty. emptied. pour. drain."},
+    {P::Soaked, "soaked", "", "", "soak", "soak wet drench", "soak. soaked. drench. drenched."},
+    {P::Dry, "dry", "", "", "dry", "dry dri", "dry. dried."},
+    {P::UsedUp, "used up", "", "", "use up", "use", "used-up."},
+    {P::Unused, "unused", "", "", "", "unus use new.", "unused."},
+    {P::Broken, "broken", "", "", "break", "break broke smash shatter", "break. broken. smash. shatter."},
+    {P::Intact, "intact", "", "", "", "intact unbroken break broke undamag whole", "intact. unbroken."},
+    {P::Folded, "folded", "", "", "fold up|fold", "fold", "fold. folded."},
+    {P::Unfolded, "unfolded", "", "", "unfold", "unfold spread open", "unfold. unfolded."},
+    {P::PluggedIn, "plugged in", "", "", "plug in|plug _ in", "plug", ""},
+    {P::Unplugged, "unplugged", "", "", "unplug", "unplug plug disconnect", "unplug. unplugged."},
+    {P::Held, "in your hand|in your hands|held", "", "", "pick up|pick _ up|end up holding|hold",
+     "hold held hand pick carry carri grab grasp", "hold. holding. held."},
+    {P::SatOn, "sat on", "", "", "sit down on|sit on", "sit sat. seat", "sit. seated."},
+    {P::LainOn, "lain on", "", "", "lie down on|lie on", "lie lying lain lay", "lie. lain. lying."},
+    {P::Filled, "", "", "filled with", "", "fill full pour contain with", "fill. filled."},
+    {P::Covered, "", "", "covered with|covered in", "", "cover spread smear coat wip", "cover. covered. spread."},
+    {P::Colour, "", "", "of the colour", "", "", ""},
+    {P::Material, "", "", "made of", "", "", ""},
+    {P::Size, "", "", "of the size", "", "larg big small tini tiny littl size",
+     "larger. largest. bigger. biggest. smaller. smallest."},
+    {P::On, "", "on top of|onto|on", "", "", "on. onto. upon. top. over. off. from. atop. stand surface", ""},
+    {P::Inside, "", "inside of|inside|into|in", "", "",
+     "in. into. inside within. out. from. contain kept keep store fill full", ""},
+    {P::NextTo, "", "next to|beside", "", "", "next. beside. near. by. adjacent. alongside.",
+     "beside. alongside. adjacent."},
+    {P::Under, "", "underneath|under", "", "", "under below beneath", "under. underneath. below. beneath."},
+    {P::SliceOf, "", "cut from", "", "", "slice piece cut from. of.", ""},
+    {P::Attached, "", "attached to", "", "", "attach fix fasten mount hang hung stick to.",
+     "attach. attached. fasten. mount."},
+    {P::Nearest, "", "nearest to|closest to", "", "", "near close", "nearest. closest."},
+    {P::OnFloor, "", "on the floor of", "", "", "floor", "floor."},
+    {P::InRoom, "", "", "", "", "in. into. to. from. enter room reach inside", ""},
+}};
+
+constexpr bool in_order_of_the_enum() {
+  for (std::size_t i = 0; i < kRows.size(); ++i) {
+    if (static_cast<std::size_t>(kRows[i].predicate) != i) return false;
+  }
+  return true;
+}
+static_assert(in_order_of_the_enum());
+
+ReadForm form_of(std::string_view text, Predicate predicate) {
+  constexpr std::string_view kObject = " _ ";
+  const auto gap = text.find(kObject);
+  if (gap == std::string_view::npos) return {text, {}, false, predicate};
+  std::string_view after = text.substr(gap + kObject.size());
+  const bool optional = after.ends_with('?');
+  if (optional) after.remove_suffix(1);
+  return {text.substr(0, gap), after, optional, predicate};
+}
+
+/// All forms of one column, those of more words first.
+std::vector<ReadForm> forms(std::string_view Row::*column) {
+  std::vector<ReadForm> all;
+  for (const Row& row : kRows) {
+    for (std::string_view rest = row.*column; !rest.empty();) {
+      const auto end = std::min(rest.find('|'), rest.size());
+      all.push_back(form_of(rest.substr(0, end), row.predicate));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+  const auto words = [](const ReadForm& form) { return std::count(form.words.begin(), form.words.end(), ' '); };
+  std::stable_sort(all.begin(), all.end(), [&](const ReadForm& a, const ReadForm& b) { return words(a) > words(b); });
+  return all;
+}
+
+}  // namespace
+
+std::span<const ReadForm> state_forms() {
+  static const auto all = forms(&Row::states);
+  return all;
+}
+
+std::span<const ReadForm> preposition_forms() {
+  static const auto all = forms(&Row::prepositions);
+  return all;
+}
+
+std::span<const ReadForm> symbol_forms() {
+  static const auto all = forms(&Row::symbols);
+  return all;
+}
+
+std::span<const ReadForm> verb_forms() {
+  static const auto all = forms(&Row::verbs);
+  return all;
+}
+
+std::string_view words_for(Predicate predicate) { return kRows[static_cast<std::size_t>(predicate)].evidence; }
+
+std::string_view words_only_for(Predicate predicate) {
+  return kRows[static_cast<std::size_t>(predicate)].evidence_only;
+}
+
+bool is_among(std::string_view word, std::string_view list) {
+  while (!list.empty()) {
+    const std::size_t blank = list.find(' ');
+    std::string_view beginning = list.substr(0, blank);
+    list = blank == std::string_view::npos ? std::string_view() : list.substr(blank + 1);
+    const bool whole = beginning.ends_with('.');
+    if (whole) beginning.remove_suffix(1);
+    if (whole ? word == beginning : word.starts_with(beginning)) return true;
+  }
+  return false;
+}
+
+}  // namespace unietp

@@ -1,0 +1,92 @@
+#include "annotator/words_for_writing.h"
+
+#include <array>
+
+namespace unietp {
+namespace {
+
+using P = Predicate;
+
+struct Row {
+  Predicate predicate;
+  std::string_view state;        // after "is", of one object
+  std::string_view preposition;  // after "is", before the second object
+  std::array<std::string_view, 5> verbs = {};
+};
+
+constexpr Row kRows[] = {
+    {P::Open, "open", "", {"open {s}", "open up {s}"}},
+    {P::Closed, "closed", "", {"close {s}", "shut {s}"}},
+    {P::PowerOn, "switched on", "", {"turn on {s}", "switch on {s}", "turn {s} on", "switch {s} on"}},
+    {P::PowerOff, "switched off", "", {"turn off {s}", "switch off {s}", "turn {s} off", "switch {s} off"}},
+    {P::Clean, "clean", "", {"clean {s}", "wash {s}"}},
+    {P::Dirty, "dirty", "", {"make {s} dirty"}},
+    {P::Hot, "hot", "", {"heat {s}", "heat up {s}", "heat {s} up"}},
+    {P::Cool, "cold", "", {"cool {s}", "chill {s}", "cool {s} down", "cool down {s}"}},
+    {P::RoomTemperature, "at room temperature", "", {}},
+    {P::Cooked, "cooked", "", {"cook {s}"}},
+    {P::Raw, "raw", "", {}},
+    {P::Burnt, "burnt", "", {"burn {s}"}},
+    {P::Unburnt, "unburnt", "", {}},
+    {P::Frozen, "frozen", "", {"freeze {s}"}},
+    {P::Thawed, "thawed", "", {"thaw {s}", "defrost {s}"}},
+    {P::Sliced, "sliced", "", {"slice {s}", "cut {s} into slices", "slice up {s}"}},
+    {P::Whole, "whole", "", {}},
+    {P::Empty, "empty", "", {"empty {s}", "pour out {s}"}},
+    {P::Soaked, "soaked", "", {"soak {s}"}},
+    {P::Dry, "dry", "", {"dry {s}"}},
+    {P::UsedUp, "used up", "", {"use up {s}"}},
+    {P::Unused, "unused", "", {}},
+    {P::Broken, "broken", "", {"break {s}"}},
+    {P::Intact, "intact", "", {}},
+    {P::Folded, "folded", "", {"fold {s}", "fold up {s}"}},
+    {P::Unfolded, "unfolded", "", {"unfold {s}"}},
+    {P::PluggedIn, "plugged in", "", {"plug in {s}", "plug {s} in"}},
+    {P::Unplugged, "unplugged", "", {"unplug {s}"}},
+    {P::Held, "in your hand", "", {"pick up {s}", "pick {s} up", "hold {s}"}},
+    {P::SatOn, "sat on", "", {"sit on {s}", "sit down on {s}"}},
+    {P::LainOn, "lain on", "", {"lie on {s}", "lie down on {s}"}},
+    {P::Filled, "", "", {"fill {s} with {m}"}},
+    {P::Covered, "", "", {"cover {s} with {m}", "spread {m} over {s}"}},
+    {P::On,
+     "",
+     "on",
+     {"put {s} on {o}", "place {s} on {o}", "set {s} on {o}", "put {s} onto {o}", "place {s} on top of {o}"}},
+    {P::Inside,
+     "",
+     "in",
+     {"put {s} in {o}", "put {s} into {o}", "place {s} inside {o}", "put {s} inside {o}", "place {s} in {o}"}},
+    {P::NextTo, "", "next to", {"put {s} next to {o}", "place {s} beside {o}", "set {s} next to {o}"}},
+    {P::Under, "", "under", {"put {s} under {o}", "place {s} underneath {o}"}},
+    {P::SliceOf, "", "cut from", {}},
+    {P::Attached, "", "attached to", {"attach {s} to {o}"}},
+    {P::Nearest, "", "nearest to", {}},
+    {P::OnFloor, "", "on the floor of", {"put {s} on the floor of {o}", "place {s} on the floor of {o}"}},
+    {P::InRoom, "", "in", {"bring {s} into {o}", "take {s} to {o}"}},
+};
+
+const Row& row_of(Predicate predicate) {
+  static const auto kTable = [] {
+    std::array<Row, kPredicateCount> table{};
+    for (const Row& row : kRows) table[static_cast<std::size_t>(row.predicate)] = row;
+    return table;
+  }();
+  return kTable[static_cast<std::size_t>(predicate)];
+}
+
+}  // namespace
+
+std::string state_word(Predicate predicate) { return std::string(row_of(predicate).state); }
+
+std::string before_object(Predicate predicate) { return std::string(row_of(predicate).preposition); }
+
+std::vector<std::string> verbs(const Complement& said) {
+  if (said.negated && said.predicate == P::Covered) return {"wipe the {m} off {s}"};
+  std::vector<std::string> found;
+  for (const std::string_view verb : row_of(said.predicate).verbs) {
+    if (!said.negated && !verb.empty()) found.emplace_back(verb);
+  }
+  return found;
+}
+
+}  // namespace unietp

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "annotator/clause.h"
+
+// The words that instructions are written with, a row for each predicate. Those that they are read with are a table of
+// their own (words_for_reading.h), so that a wrong word here is found when the text is read back.
+namespace unietp {
+
+/// The word for a state of one object, after "is"; "" for what is no such state.
+std::string state_word(Predicate predicate);
+/// The preposition of a relation, after "is"; "" for what is no relation.
+std::string before_object(Predicate predicate);
+
+/// Ways to ask for a state or relation: {s} the subject, {o} the object, {m} the symbol; the plainest first. Empty
+/// where only "make sure that ..." says it.
+std::vector<std::string> verbs(const Complement& said);
+
+}  // namespace unietp
