@@ -4,6 +4,7 @@
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "exports/field_page.h"
+#include "scene/schema_names.h"
 
 namespace unietp {
 namespace {
@@ -12,9 +13,14 @@ constexpr const char* kHelp =
     "The fields of all files that this program reads and writes for others.\n"
     "\n"
     "  unietp schemas           the folder of the JSON Schemas\n"
-    "  unietp schemas --page    docs/fields.md: every field with its type and meaning";
+    "  unietp schemas --page    docs/fields.md: every field with its type and meaning\n"
+    "  unietp schemas --names   names.schema.json: the names of actions, states and relations";
 
-Exit show_schemas(bool page, const DataFolders& folders) {
+Exit show_schemas(bool page, bool names, const DataFolders& folders) {
+  if (names) {
+    std::fputs(schema_names().c_str(), stdout);
+    return Exit::Ok;
+  }
   const auto schemas = folders.root / "data" / "schemas";
   if (!page) {
     std::printf("%s\n", schemas.string().c_str());
@@ -30,9 +36,11 @@ Exit show_schemas(bool page, const DataFolders& folders) {
 
 void add_schemas_command(CommandParser& app, CommandLine& program) {
   auto page = std::make_shared<bool>(false);  // shared: the callback below outlives this function
+  auto names = std::make_shared<bool>(false);
   auto* command = app.add_subcommand("schemas", kHelp);
   command->add_flag("--page", *page, "Print docs/fields.md");
-  command->callback([page, &program] { program.exit = show_schemas(*page, program.folders); });
+  command->add_flag("--names", *names, "Print names.schema.json");
+  command->callback([page, names, &program] { program.exit = show_schemas(*page, *names, program.folders); });
 }
 
 }  // namespace unietp

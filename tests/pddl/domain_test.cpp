@@ -29,6 +29,21 @@ TEST(PddlDomain, OfEachSimulatorReadsStrictly) {
   EXPECT_EQ(habitat.actions.count("turn_on"), 0U) << "an action that the simulator does not offer";
 }
 
+TEST(PddlDomain, OfTheWideProfileHasTheActionsOfTheTableAndReadsStrictly) {
+  for (const auto simulator : kSimulators) {
+    SCOPED_TRACE(name_of(simulator));
+    const auto domain = testing::read_pddl_domain(pddl::domain_text(real_tables(simulator), ActionProfile::Wide));
+    for (const ActionInfo& action : extension_actions()) {
+      const auto count =
+          domain.actions.count(std::string(action.name)) + domain.actions.count(std::string(action.name) + "-held");
+      EXPECT_EQ(count > 0, offers(action, simulator)) << action.name;
+      if (count == 0 || action.changes.empty()) continue;
+      EXPECT_EQ(domain.predicates.count(std::string(info(action.changes.front().state).name)), 1U) << action.name;
+    }
+    for (const auto& [name, action] : domain.actions) EXPECT_EQ(domain.predicates.count(name), 0U) << name;
+  }
+}
+
 TEST(PddlDomain, AStrictReaderRefusesWhatIsNotDeclared) {
   const std::string head =
       "(define (domain d) (:requirements :strips :typing) (:types a b - object) (:predicates (p ?x - a)) ";

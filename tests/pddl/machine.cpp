@@ -23,6 +23,16 @@ PddlFact PddlMachine::ground(const PddlList& atom, const Scope& scope) const {
   return fact;
 }
 
+template <class Use>
+void PddlMachine::each(const std::vector<PddlVariable>& variables, std::size_t from, Scope& scope, Use use) const {
+  if (from == variables.size()) return use();
+  for (const auto& [object, type] : problem_.objects) {
+    if (!is_of(object, variables[from].type)) continue;
+    scope[variables[from].name] = object;
+    each(variables, from + 1, scope, use);
+  }
+}
+
 bool PddlMachine::holds(const PddlList& formula, const Scope& scope) const {
   const auto& head = formula.parts.at(0).word;
   if (head == "and" || head == "or") {
@@ -32,19 +42,15 @@ bool PddlMachine::holds(const PddlList& formula, const Scope& scope) const {
     return head == "and";
   }
   if (head == "not") return !holds(formula.parts[1], scope);
+  if (head == "forall") {
+    bool all = true;
+    auto inner = scope;
+    each(pddl_variables(formula.parts[1], 0, true), 0, inner, [&] { all = all && holds(formula.parts[2], inner); });
+    return all;
+  }
   const auto fact = ground(formula, scope);
   if (head == "=") return fact[1] == fact[2];
   return state_.count(fact) > 0;
-}
-
-template <class Use>
-void PddlMachine::each(const std::vector<PddlVariable>& variables, std::size_t from, Scope& scope, Use use) const {
-  if (from == variables.size()) return use();
-  for (const auto& [object, type] : problem_.objects) {
-    if (!is_of(object, variables[from].type)) continue;
-    scope[variables[from].name] = object;
-    each(variables, from + 1, scope, use);
-  }
 }
 
 void PddlMachine::collect(const PddlList& effect, const Scope& scope, PddlState& comes, PddlState& goes) const {

@@ -122,6 +122,12 @@ class Checker {
       for (std::size_t i = 1; i < 3; ++i) {
         if (list.parts.size() != 3 || scope_.count(list.parts[i].word) == 0) fail("= takes two declared terms");
       }
+    } else if (is_headed(list, "forall")) {
+      need(":universal-preconditions");
+      if (list.parts.size() != 3) fail("forall takes variables and a condition");
+      Checker inner = *this;
+      inner.declare(pddl_variables(list.parts[1], 0, true));
+      inner.condition(list.parts[2]);
     } else {
       atom(list);
     }

@@ -8,6 +8,8 @@
 
 #include "core/files.h"
 #include "core/text.h"
+#include "scene/states.h"
+#include "scene/treatment.h"
 
 namespace unietp {
 namespace {
@@ -96,6 +98,58 @@ TEST(Actions, OnlyTheCompositesAndSoakingTakeATool) {
     const bool tool = action.group == ActionClass::Composite || action.type == ActionType::SoakWith;
     EXPECT_EQ(action.argument == ActionArgument::Tool, tool) << action.name;
   }
+}
+
+TEST(Actions, EveryDirectActionIsFoundByItsStateAndNeedsOneAffordance) {
+  std::set<Predicate> states;
+  for (const auto list : {all_actions(), extension_actions()}) {
+    for (const ActionInfo& action : list) {
+      if (action.changes.empty()) continue;
+      const Predicate state = action.changes.front().state;
+      EXPECT_TRUE(states.insert(state).second) << action.name << ": another action is for this state";
+      EXPECT_EQ(direct_action(state), action.type) << action.name;
+      EXPECT_EQ(action.changes.front().only_if, std::nullopt) << action.name;
+      EXPECT_NE(affordance_for(action), "") << action.name;
+      if (!info(state).group.empty()) {
+        EXPECT_EQ(affordance_for(action), info(state).group) << action.name;
+      }
+    }
+  }
+  EXPECT_EQ(direct_action(Predicate::Hot), std::nullopt);
+  EXPECT_EQ(direct_action(Predicate::Empty), std::nullopt) << "breaking empties, but is not for that";
+}
+
+TEST(Actions, NeedsWithARuleOrAStateOfAnotherGroupCanBeMetByAnotherAction) {
+  for (const auto list : {all_actions(), extension_actions()}) {
+    for (const ActionInfo& action : list) {
+      for (const ActionNeed& need : action.needs) {
+        if (need.kind != ActionNeed::Kind::IsNot || need.rule == ActionRule::Always) continue;
+        const auto other = opposite_of(need.state);
+        ASSERT_TRUE(other) << action.name;
+        EXPECT_TRUE(direct_action(*other)) << action.name << " cannot be made ready";
+      }
+    }
+  }
+}
+
+TEST(Actions, FailuresFollowFromTheNeedsInOrderWithoutRepeats) {
+  using enum Failure;
+  EXPECT_EQ(failures_of(info(ActionType::Slice)),
+            (std::vector{NotSliceable, NoKnife, InsideClosed, TooFar, NotVisible}));
+  EXPECT_EQ(failures_of(info(ActionType::Open)),
+            (std::vector{NotOpenable, InsideClosed, TooFar, NotVisible, AlreadyOpen, AlreadyOn, Blocked}));
+  EXPECT_EQ(failures_of(info(ActionType::Stop)), std::vector<Failure>());
+}
+
+TEST(Treatments, NamesLeadBackAndThoseThatTreatWhatIsHeldSetAState) {
+  for (const TreatmentInfo& row : all_treatments()) {
+    EXPECT_EQ(treatment_named(row.name), row.treatment);
+    EXPECT_EQ(row.treats.has_value(), !row.states.empty()) << row.name;
+    if (row.treats) {
+      EXPECT_EQ(info(*row.treats).argument, ActionArgument::Tool) << row.name;
+    }
+  }
+  EXPECT_EQ(treatment_named("tickles"), std::nullopt);
 }
 
 TEST(Actions, TextNamesTheArguments) {

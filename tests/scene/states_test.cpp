@@ -25,6 +25,24 @@ TEST(States, NoPredicateIsInTwoGroupsAndEachGroupHasAChoice) {
   }
 }
 
+TEST(States, TheDefaultComesFirstInItsGroup) {
+  for (const StateGroup& group : state_groups()) {
+    for (const Predicate p : group.predicates) EXPECT_EQ(info(p).by_default, p == group.predicates.front());
+  }
+}
+
+TEST(States, AnOppositeIsMutualAndOnlyOfGroupsOfTwoPlainStates) {
+  EXPECT_EQ(opposite_of(Predicate::Open), Predicate::Closed);
+  EXPECT_EQ(opposite_of(Predicate::Closed), Predicate::Open);
+  EXPECT_EQ(opposite_of(Predicate::Hot), std::nullopt);
+  EXPECT_EQ(opposite_of(Predicate::Empty), std::nullopt);
+  EXPECT_EQ(opposite_of(Predicate::On), std::nullopt);
+  for (const PredicateInfo& row : all_predicates()) {
+    const auto other = opposite_of(row.predicate);
+    EXPECT_TRUE(!other || opposite_of(*other) == row.predicate) << row.name;
+  }
+}
+
 TEST(States, SettingOneOfAGroupTakesTheOthersAway) {
   StateSet states;
   states.set({Predicate::Cool, ""});

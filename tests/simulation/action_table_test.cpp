@@ -80,7 +80,8 @@ TEST_P(ActionTable, EveryRowGoesAsItsNeedsAre) {
   for (const auto list : {all_actions(), extension_actions()}) {
     for (const ActionInfo& action : list) {
       if (!profile_.offers(action.type)) continue;
-      std::set<Failure> needs(action.failures.begin(), action.failures.end());
+      const auto failures = failures_of(action);
+      std::set<Failure> needs(failures.begin(), failures.end());
       needs.insert(Failure::None);
       if (!profile_.offers(ActionType::SitOn)) needs.erase(Failure::Seated);
       if (!profile_.power_needs_plug) needs.erase(Failure::NotPluggedIn);

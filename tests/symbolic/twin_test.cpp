@@ -123,13 +123,16 @@ bool is_symbolic(Failure failure) {
 /// Any action, mostly one that the symbols allow.
 ActionType draw_action(const Twin& twin, Id target, Rng& rng) {
   std::vector<ActionType> all, possible;
-  for (const auto& action : all_actions()) {
-    if (action.type <= ActionType::TurnTo || action.type == ActionType::Stop) continue;
-    const bool alone = action.argument == ActionArgument::None;
-    auto trial = twin.world;
-    all.push_back(action.type);
-    if (perform(twin.setting, trial, {action.type, alone ? kNobody : target}) == Failure::None)
-      possible.push_back(action.type);
+  for (const auto list : {all_actions(), extension_actions()}) {
+    for (const auto& action : list) {
+      if (action.type <= ActionType::TurnTo || action.type == ActionType::Stop) continue;
+      if (is_extension(action.type) && !twin.rules.offer().has(action.type)) continue;
+      const bool alone = action.argument == ActionArgument::None;
+      auto trial = twin.world;
+      all.push_back(action.type);
+      if (perform(twin.setting, trial, {action.type, alone ? kNobody : target}) == Failure::None)
+        possible.push_back(action.type);
+    }
   }
   return possible.empty() || rng.chance(0.4) ? rng.pick(all) : rng.pick(possible);
 }
@@ -149,7 +152,7 @@ TEST(Twins, PhysicsAndSymbolsAgreeOnWhatActionsNeedAndDo) {
     const auto profile = testing::kitchen_profile(simulator, actions);
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
       Rng rng = Rng(seed).fork(name_of(actions), static_cast<std::uint64_t>(simulator));
-      auto made = World::create(testing::full_kitchen(simulator), knowledge, profile);
+      auto made = World::create(testing::wide_kitchen(simulator), knowledge, profile);
       ASSERT_TRUE(made) << format(made.error());
       auto& world = *made;
       for (int i = 0; i < 60; ++i) {
@@ -189,6 +192,7 @@ TEST(Twins, PhysicsAndSymbolsAgreeOnWhatActionsNeedAndDo) {
   EXPECT_GT(done, 150U);
   EXPECT_GT(refused, 150U);
   EXPECT_GE(succeeded.size(), 14U) << "too few kinds of action came about";
+  for (const ActionInfo& action : extension_actions()) EXPECT_EQ(succeeded.count(action.type), 1U) << action.name;
 }
 
 }  // namespace

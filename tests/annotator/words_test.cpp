@@ -1,0 +1,50 @@
+#include "annotator/words_for_reading.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "annotator/words_for_writing.h"
+
+namespace unietp {
+namespace {
+
+bool reads(std::span<const ReadForm> forms, const std::string& words, Predicate predicate) {
+  return std::any_of(forms.begin(), forms.end(),
+                     [&](const ReadForm& form) { return form.words == words && form.predicate == predicate; });
+}
+
+TEST(Words, EveryWrittenStateAndRelationIsReadAsWhatItSays) {
+  for (const PredicateInfo& row : all_predicates()) {
+    const std::string state = state_word(row.predicate), preposition = before_object(row.predicate);
+    EXPECT_TRUE(state.empty() || reads(state_forms(), state, row.predicate)) << row.name;
+    // "in the kitchen" is read as inside, and the room makes it in_room.
+    const Predicate read = row.predicate == Predicate::InRoom ? Predicate::Inside : row.predicate;
+    EXPECT_TRUE(preposition.empty() || reads(preposition_forms(), preposition, read)) << row.name;
+  }
+}
+
+TEST(Words, OfFormsThatBeginAlikeTheLongerIsTriedFirst) {
+  for (const auto forms : {state_forms(), preposition_forms(), symbol_forms(), verb_forms()}) {
+    ASSERT_FALSE(forms.empty());
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      for (std::size_t k = i + 1; k < forms.size(); ++k)
+        EXPECT_FALSE(forms[k].words.starts_with(std::string(forms[i].words) + " ")) << forms[k].words;
+    }
+  }
+}
+
+TEST(Words, AVerbMayHaveWordsAfterItsObject) {
+  const auto verbs = verb_forms();
+  const auto cut = std::find_if(verbs.begin(), verbs.end(), [](const ReadForm& verb) { return verb.words == "cut"; });
+  ASSERT_NE(cut, verbs.end());
+  EXPECT_EQ(cut->after, "into slices");
+  EXPECT_FALSE(cut->optional);
+  const auto heat = std::find_if(verbs.begin(), verbs.end(), [](const ReadForm& verb) { return verb.words == "heat"; });
+  ASSERT_NE(heat, verbs.end());
+  EXPECT_EQ(heat->after, "up");
+  EXPECT_TRUE(heat->optional);
+}
+
+}  // namespace
+}  // namespace unietp
