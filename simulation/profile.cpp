@@ -6,7 +6,6 @@
 
 #include "core/files.h"
 #include "core/limits.h"
-#include "core/text.h"
 #include "scene/json_parse.h"
 
 namespace unietp {
@@ -43,18 +42,6 @@ class Fields {
     }
   }
   void known(const char* name) { known_.insert(name); }
-  /// Sets or clears the actions that a list names.
-  void actions(const char* name, ActionSet& set, bool offered) {
-    const Json* field = find(name, &Json::is_array, "a list of actions");
-    if (field == nullptr) return;
-    for (const Json& entry : *field) {
-      const std::string action = entry.is_string() ? entry.get<std::string>() : entry.dump();
-      const auto type = action_named(action);
-      if (!type)
-        return fail(name, "lists " + in_quotes(action) + "; expected a name of docs/actions.md" + near(action));
-      set[static_cast<std::size_t>(*type)] = offered;
-    }
-  }
   /// The fields of an object among these.
   std::optional<Fields> part(const char* name) {
     const Json* field = find(name, &Json::is_object, "an object");
@@ -83,14 +70,6 @@ class Fields {
     }
     return &*field;
   }
-  static std::string near(const std::string& action) {
-    std::vector<std::string> names;
-    for (const auto list : {all_actions(), extension_actions()}) {
-      for (const ActionInfo& known : list) names.emplace_back(known.name);
-    }
-    const std::string nearest = nearest_name(action, names);
-    return nearest.empty() ? "" : ", perhaps " + in_quotes(nearest);
-  }
   void fail(const std::string& name, const std::string& what) {
     if (!error_) error_ = Error{Error::Kind::Schema, where_, {}, pointer_ + "/" + name + " " + what};
   }
@@ -116,8 +95,7 @@ Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simu
   fields.text("format", "unietp-simulator/1");
   fields.text("simulator", name_of(simulator));
   fields.known("sources");
-  p.actions.reset();
-  fields.actions("actions", p.actions, true);
+  p.actions = actions_of(simulator, ActionProfile::Unietp);
   fields.positive("reach_m", p.reach_m);
   fields.positive("hands", p.hands);
   fields.positive("body_radius_m", p.body_radius_m);
@@ -141,8 +119,7 @@ Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simu
   auto wide = fields.part("wide");
   if (const auto error = fields.error()) return *error;
   Profile w = p;  // read even when not asked for, so that an error in it is found
-  wide->actions("without", w.actions, false);
-  wide->actions("with", w.actions, true);
+  w.actions = actions_of(simulator, ActionProfile::Wide);
   wide->flag("attaching", w.attaching);
   wide->flag("power_needs_plug", w.power_needs_plug);
   if (const auto error = wide->error()) return *error;

@@ -10,7 +10,8 @@
 
 namespace unietp {
 
-/// How one simulator limits and answers its agent; data/simulators/<name>.json, each number with its source there.
+/// What one simulator offers its agent (scene/action_table.h) and how it limits it: data/simulators/<name>.json, each
+/// number with its source there.
 struct Profile {
   Simulator simulator = Simulator::Ai2thor;
   ActionSet actions = actions_of(Simulator::Ai2thor);

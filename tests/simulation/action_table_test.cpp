@@ -112,10 +112,6 @@ TEST_P(ActionTable, WhatIsNotOfferedAndWhatNamesNothingFails) {
   }
 }
 
-TEST_P(ActionTable, TheFilesOfferWhatTheCatalogueSays) {
-  EXPECT_EQ(profile_.actions, actions_of(simulator_, std::get<1>(GetParam())));
-}
-
 INSTANTIATE_TEST_SUITE_P(All, ActionTable,
                          ::testing::Combine(::testing::ValuesIn(kSimulators),
                                             ::testing::Values(ActionProfile::Unietp, ActionProfile::Wide)),
