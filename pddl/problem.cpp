@@ -93,8 +93,7 @@ class FactWriter {
     }
     for (std::size_t k = 0; k < number(); ++k) {
       const auto knife = Id::thing(k);
-      const auto* cut =
-          rules_.reaction(setting_.kind_number(knife), Treatment::Slices, setting_.kind_number(whole));
+      const auto* cut = rules_.reaction(setting_.kind_number(knife), Treatment::Slices, setting_.kind_number(whole));
       if (cut != nullptr && cut->piece == setting_.kind_number(piece) && place < cut->pieces)
         add("(piece-by " + name(piece) + " " + name(knife) + ")");
     }

@@ -148,8 +148,7 @@ Failure perform(const Setting& setting, World& world, const Step& step) {
   if (!setting.rules->offer().has(step.action)) return Failure::NotOffered;
   const ActionArgument argument = info(step.action).argument;
   const bool on_thing = argument == ActionArgument::Object || argument == ActionArgument::Tool;
-  if (on_thing && (!step.target.is_thing() || !world[step.target].exists))
-    return Failure::InvalidArgument;
+  if (on_thing && (!step.target.is_thing() || !world[step.target].exists)) return Failure::InvalidArgument;
   return perform_checked(setting, world, step);
 }
 
