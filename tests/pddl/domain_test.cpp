@@ -32,7 +32,8 @@ TEST(PddlDomain, OfEachSimulatorReadsStrictly) {
 TEST(PddlDomain, OfTheWideProfileHasTheActionsOfTheTableAndReadsStrictly) {
   for (const auto simulator : kSimulators) {
     SCOPED_TRACE(name_of(simulator));
-    const auto domain = testing::read_pddl_domain(pddl::domain_text(real_tables(simulator), ActionProfile::Wide));
+    const auto domain =
+        testing::read_pddl_domain(pddl::domain_text(committed_knowledge(simulator), ActionProfile::Wide));
     for (const ActionInfo& action : extension_actions()) {
       const auto count =
           domain.actions.count(std::string(action.name)) + domain.actions.count(std::string(action.name) + "-held");
