@@ -13,10 +13,11 @@
 
 namespace unietp {
 
+/// What a language model is asked to add to the tables, and how.
 struct CompletionOptions {
   std::vector<Simulator> simulators;
   std::vector<FactKind> facts;
-  std::vector<std::filesystem::path> overrides;  // the user's own, which tell facts too
+  std::vector<std::filesystem::path> overrides;  // the user's own, which state facts too
   int batch = 8;                                 // categories a request, >= 1
   std::optional<int> limit;  // categories to ask of the endpoint; those that the cache can answer do not count
   double confidence = kLeastConfidence;
@@ -46,11 +47,12 @@ struct CompletionPlan {
 CompletionPlan plan_completion(const std::filesystem::path& tables, const LlmEndpoint& endpoint,
                                const CompletionOptions& options, LlmCache* cache, std::vector<Error>& errors);
 
+/// What a completion did.
 struct CompletionReport {
   LlmTotals totals;
-  std::map<FactKind, int> accepted;    // facts that were added
-  int unused = 0;                      // completed facts that do not count: another source tells it, or it is ambiguous
-  std::vector<RejectedFact> rejected;  // in the order of the requests
+  std::map<FactKind, int> accepted;  // facts that were added
+  int unused = 0;                    // completed facts that do not count: another source states it, or it is ambiguous
+  std::vector<RejectedFact> rejected;   // in the order of the requests
   std::map<std::string, int> failures;  // requests without an answer, by reason
   bool stopped = false;
 };

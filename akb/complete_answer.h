@@ -18,6 +18,7 @@ struct RejectedFact {
   bool operator==(const RejectedFact&) const = default;
 };
 
+/// The parts of an answer that are used and those that are not.
 struct CheckedAnswer {
   CompletedFacts accepted;
   std::vector<RejectedFact> rejected;

@@ -31,6 +31,7 @@ struct Coverage {
   std::vector<std::pair<std::string, std::vector<std::string>>> missing;
 };
 
+/// Counts all tables of one knowledge base.
 Coverage coverage_of(const Knowledge& knowledge);
 
 }  // namespace unietp

@@ -8,12 +8,14 @@
 
 namespace unietp {
 
+/// A field and where it stands.
 struct CsvCell {
   std::string text;  // quotes resolved
   SourcePos pos;     // of the field's first byte, the opening quote of a quoted one
 };
 using CsvRow = std::vector<CsvCell>;
 
+/// A table as text, with everything that is wrong with it.
 struct CsvFile {
   CsvRow header;
   std::vector<CsvRow> rows;   // each as long as the header

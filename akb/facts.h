@@ -42,6 +42,7 @@ struct Fact {
   bool operator==(const Fact&) const = default;
 };
 
+/// "0.1 x 0.09 x 0.1": width, depth, height in meters.
 std::string size_text(const Vec3& size);
 
 /// All facts of one category of `knowledge`, each name once: properties, affordances, placements, effects, aliases,

@@ -18,6 +18,7 @@
 // The parts of import_behavior: what the files say, the words made of it, and what things do.
 namespace unietp::behavior {
 
+/// Sources of facts: the files of upstream/behavior.
 inline const std::string kTable = "metadata:category_mapping.csv.gz",
                          kAnnotations = "metadata:propagated_annots_params.json.gz",
                          kInventory = "metadata:object_inventory.json.gz",
@@ -34,6 +35,7 @@ struct Facts {
   std::vector<std::string> rooms;                    // of homes in which it stands, most usual first
 };
 
+/// All that the files of BEHAVIOR say.
 struct Metadata {
   std::map<std::string, Facts> categories;      // all that are objects
   std::map<std::string, std::string> hypernym;  // synset -> the first one above it
@@ -91,6 +93,7 @@ struct Pieces {
 std::map<std::string, Pieces> pieces_of(const TableBuilder& builder, const Metadata& metadata,
                                         const nlohmann::json& transitions);
 
+/// Adds the affordances that annotations and models show, then those by archetype. Call it after all categories.
 void add_affordances(TableBuilder& builder, const Metadata& metadata, const nlohmann::json& transitions);
 /// `squeezed`: bottles that apply what is in them, though no model says so.
 void add_effects(TableBuilder& builder, const Metadata& metadata, const nlohmann::json& annotations,

@@ -20,6 +20,7 @@ struct Source {
 /// Whether a text is a source of one of these forms.
 bool well_formed_source(std::string_view source);
 
+/// A kind of object that a simulator has, with what most of its objects are like.
 struct Category {
   std::string name;       // the simulator's own: "CoffeeMachine", "kitchencabinet", "coffee_table"
   std::string display;    // "coffee machine"
@@ -56,6 +57,7 @@ struct Effect {
   Source source;
 };
 
+/// A further name or description of a category.
 struct Alias {
   std::string category, text;
   std::string kind;  // synonym, function ("something to drink from"), context
@@ -71,6 +73,7 @@ struct Asset {
   Source source;
 };
 
+/// A category has an affordance (affordance_names of akb/table_words.h).
 struct AffordanceFact {
   std::string category, affordance;
   Source source;

@@ -10,8 +10,8 @@
 
 namespace unietp {
 
-/// At most so many things with the least of a measure that is dear, one at a time, in its order and else in that in
-/// which they were added. Measured, once, is only what may come before the next one.
+/// The first few things by a measure that is costly to compute, one at a time, ties in the order in which they were
+/// added. A thing is measured once, and only when it may be the next one.
 template <class Thing, class Rank>
 class LeastFirst {
  public:

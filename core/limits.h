@@ -24,7 +24,7 @@ inline constexpr double kImportedObject_m = 50;        // a side of one object's
 inline constexpr std::size_t kListedObjects = 20'000;  // in a simulator's file, walls and floors among them
 inline constexpr std::size_t kImportedObjects = 5000;  // to be placed in one home
 inline constexpr std::size_t kImportedRooms = 200;
-inline constexpr std::size_t kNamedRooms = 100;    // told apart by the names that objects give; more are no rooms
+inline constexpr std::size_t kNamedRooms = 100;    // distinguished by the names that objects give; more are no rooms
 inline constexpr std::size_t kSceneIdBytes = 200;  // an id names a file, and most file systems allow 255 bytes
 
 // Knowledge tables: what is larger is a slip of the unit (millimetres, grams).

@@ -16,8 +16,8 @@ std::optional<Command> clearly_said(const ModeEpisode& episode, const Action& ac
 /// Says the action so and does it. What cannot be said fails and does not count.
 Outcome do_in(ModeEpisode& episode, const Action& action);
 
-/// What comes of doing actions from the start of a rehearsal under the rules of a mode, one after the other, whether
-/// they succeed or not. A copy costs next to nothing and is independent.
+/// Executes actions from the start of a rehearsal under the rules of a mode, one after the other, whether they succeed
+/// or not. A copy costs next to nothing and is independent.
 class Course {
  public:
   /// The rehearsal must outlive it.

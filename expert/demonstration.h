@@ -10,7 +10,7 @@
 
 namespace unietp {
 
-/// One executed step as an agent would have lived it: what it saw, what it did, what it was told, what changed.
+/// One executed step from the agent's side: what it saw, what it did, the feedback and what changed.
 struct DemonstrationStep {
   std::vector<VisibleObject> visible;  // before the action
   Action action;                       // on ids, whatever the mode
@@ -19,11 +19,13 @@ struct DemonstrationStep {
   Delta changes;
 };
 
+/// An executed plan under the rules of a mode.
 struct Demonstration {
   Mode mode = Mode::M1;
   std::vector<DemonstrationStep> steps;  // the last is `stop`
 };
 
+/// Limits of the search for a plan.
 struct ExpertOptions {
   int max_steps = 50, max_failures = 10;  // stages.md: M1 and M2
   int max_plans = 12;                     // alternative orders and witnesses tried

@@ -14,10 +14,10 @@ namespace unietp {
 /// What `demonstrate` shows, without looking: the actions of a plan, of which none can be missed, ending with `stop`.
 std::variant<std::vector<Action>, Rejection> find_plan(Rehearsal& rehearsal, const ExpertOptions& options);
 
-/// What was done and learnt so far by one whose plan did not go as it should.
+/// What was done and learned before a plan failed.
 struct Beginning {
   std::vector<Action> done;          // from the start; all of them succeed
-  std::vector<std::string> shunned;  // ids of what was not come to: others are taken where they will do
+  std::vector<std::string> shunned;  // ids of objects that could not be reached: others are used where possible
   bool clears = false;               // also carries out of the way what only may be in it
 };
 /// How to go on from there: the actions after those that were done, ending with `stop`; some may not be needed.

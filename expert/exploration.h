@@ -8,7 +8,7 @@
 
 namespace unietp {
 
-/// Where one may come to stand to see something.
+/// Where the agent may stand to see something.
 enum class Standing {
   Anywhere,
   InReach,  // where the arm reaches the object and nothing hides it from the hand

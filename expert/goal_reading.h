@@ -8,6 +8,7 @@
 
 namespace unietp {
 
+/// Limits of the choices that are looked at.
 struct ReadingOptions {
   std::size_t beam = 24;           // alternatives kept wherever two choices meet
   std::size_t witnesses = 8;       // looked at for one `exists`, the nearest

@@ -11,7 +11,7 @@
 
 namespace unietp {
 
-/// A pose that the agent's body can come to, and how it came about.
+/// A pose that the agent's body can reach, and the step that leads to it.
 struct ReachedPose {
   Agent agent;
   double cost = 0;

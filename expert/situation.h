@@ -11,6 +11,7 @@
 
 namespace unietp {
 
+/// No entity.
 inline constexpr EntityIndex kNobody = EntityIndex::none();
 
 /// A slice that does not exist yet: the `ordinal`-th (from 0) that cutting `whole` would make.

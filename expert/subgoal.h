@@ -62,6 +62,7 @@ std::string changes_text(const Alternative& alternative, const Situation& situat
 /// All that an alternative wants of the end, sorted.
 std::vector<Literal> wanted_at_end(const Alternative& alternative);
 
+/// Whether the literal is true in a state.
 bool holds_in(const Literal& literal, const Facts& facts);
 /// Can never hold together: opposite truths, two states of one group, one thing in two places, more held than hands.
 bool clash(const Literal& a, const Literal& b, const Situation& situation);

@@ -18,6 +18,7 @@ enum class Way {
   FromVessel,  // poured over from a vessel that is filled first
 };
 
+/// One way to bring a state about.
 struct StateWay {
   Predicate predicate;
   Way way;
@@ -32,6 +33,7 @@ std::vector<StateWay> ways_to(Predicate predicate, const Profile& profile);
 std::vector<const Effect*> rules_for(const StateWay& way, std::string_view category, std::string_view symbol,
                                      const NodeIndex& places, const Knowledge& knowledge);
 
+/// A relation of an object to a place: on, inside, on the floor, in a room, next to, attached.
 bool is_placement(Predicate predicate);
 /// A state that changes while the object is in hand.
 bool changes_in_hand(Predicate predicate);

@@ -12,7 +12,7 @@
 
 namespace unietp {
 
-/// What tells some objects of a category from the others, at the start.
+/// A property that distinguishes some objects of a category from the others at the start.
 struct Reference {
   std::string kind;            // of refinement_kinds(): "by-state"
   Formula test;                // of the goal's variable, which is free in it; a literal of templates/init_shape.h

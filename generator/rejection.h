@@ -34,7 +34,7 @@ enum class RejectionReason : std::uint8_t {
   GateFalseAtStart,
   GateReachable,
   NoBinding,              // no home has categories for all placeholders
-  NoReferringConstraint,  // nothing tells an object apart from others of its category
+  NoReferringConstraint,  // nothing distinguishes an object from others of its category
   NoWording,              // no category has a word for the style that was asked for
   // grounding
   NoLayout,          // the home could not be made
@@ -75,12 +75,15 @@ enum class RejectionReason : std::uint8_t {
 inline constexpr std::size_t kRejectionReasonCount = static_cast<std::size_t>(RejectionReason::Rejected) + 1;
 
 std::string_view name_of(RejectionReason reason);  // "no-free-place"
+/// nullopt for an unknown name.
 std::optional<RejectionReason> rejection_reason_named(std::string_view name);
+/// The one stage that gives this reason.
 RejectionStage stage_of(RejectionReason reason);
 /// What most likely has to change in a template whose candidates are given up for this reason, in one sentence; "" for
 /// a reason that says all itself.
 std::string_view hint_for(RejectionReason reason);
 
+/// A candidate's reason, with what it was about.
 struct Rejection {
   RejectionReason reason = RejectionReason::NoPlan;
   std::string detail;  // a sentence with template, categories and, for a placement, what it hit

@@ -28,6 +28,7 @@ enum class Style : std::uint8_t {
 inline constexpr std::size_t kStyleCount = static_cast<std::size_t>(Style::Condition) + 1;
 
 std::string_view name_of(Style style);  // "relative-clause"
+/// nullopt for an unknown name.
 std::optional<Style> style_named(std::string_view name);
 
 }  // namespace unietp

@@ -10,8 +10,10 @@
 
 namespace unietp {
 
+/// Width of the openings between rooms.
 inline constexpr double kOpeningWidth_m = 1.0;
 
+/// Rooms and the openings between them.
 struct FloorPlan {
   std::vector<Room> rooms;
   std::vector<Opening> openings;

@@ -10,6 +10,7 @@
 
 namespace unietp {
 
+/// How furniture is placed.
 struct FurnishOptions {
   int draws = 250;                // poses tried for one piece
   double clearance_m = 0.7;       // kept free in front of what stands at a wall

@@ -12,6 +12,7 @@
 
 namespace unietp {
 
+/// Budgets of the search for a start.
 struct GroundingOptions {
   int draws_per_object = 60;  // poses tried for one placement
   int rounds = 4;             // passes over the start constraints before giving up

@@ -20,6 +20,7 @@ struct CensusObject {
   std::vector<std::string> held_by;  // categories of what it is on or inside
 };
 
+/// A room and what is in it.
 struct CensusRoom {
   std::string type;           // "kitchen"
   std::vector<Vec2> outline;  // empty where the source has no geometry

@@ -22,6 +22,7 @@ struct Label {
   double crowding = 0;           // how many obstacles it may cover at most
 };
 
+/// Where a label goes, and its font size.
 struct PlacedLabel {
   Vec2 centre_px = Vec2::Zero();
   double size_px = 0;

@@ -11,6 +11,7 @@
 
 namespace unietp {
 
+/// How large a home is and how much is in it.
 struct LayoutOptions {
   int rooms = 6;                 // >= 4
   int movable_objects = 60;      // asked for; fewer when they find no place

@@ -21,6 +21,7 @@ struct BenchmarkLayout {
   bool operator==(const BenchmarkLayout&) const = default;
 };
 
+/// What reading data/layouts/benchmark.csv gives.
 struct BenchmarkTable {
   std::vector<BenchmarkLayout> layouts;  // rows with an error are left out
   std::vector<Error> errors;             // all of them, with line and column

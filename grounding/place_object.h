@@ -9,6 +9,7 @@
 
 namespace unietp {
 
+/// How a place is searched for.
 struct PlacementOptions {
   int draws = 40;                               // poses tried
   bool keep_sweeps_clear = true;                // not in the way of a door or drawer

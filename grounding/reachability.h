@@ -13,6 +13,7 @@
 
 namespace unietp {
 
+/// Where the agent can walk in a scene, from where it stands.
 Walk walk_in(const Scene& scene, const Profile& profile);
 
 /// Puts the agent on the free cell nearest to the middle of the first room, facing along an axis towards the room's

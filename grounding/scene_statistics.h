@@ -32,6 +32,7 @@ struct SceneStatistics {
   bool operator==(const SceneStatistics&) const = default;
 };
 
+/// Counts a set of homes. `structure`: what no statistics count. `source` names the set.
 SceneStatistics statistics_of(std::span<const HomeCensus> homes, std::string source);
 SceneStatistics statistics_of(std::span<const Scene> scenes, const StructureNames& structure, std::string source);
 

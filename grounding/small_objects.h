@@ -6,6 +6,7 @@
 
 namespace unietp {
 
+/// How many small objects are placed.
 struct ScatterOptions {
   int wanted = 60;            // movable objects
   int draws_per_object = 40;  // poses tried for one

@@ -9,7 +9,9 @@ namespace unietp {
 
 // Sums and differences of upright boxes in one frame.
 
+/// The board between two corners; it moves with the joint, -1 for none.
 Board board_between(const Vec3& low, const Vec3& high, int joint = -1);
+/// The corners of a board.
 Bounds bounds_of(const Board& board);
 
 /// What is left of the boards outside of `hole`, as boards again; pieces thinner than 3 mm are dropped. Boards that the
@@ -19,6 +21,7 @@ bool cut(std::vector<Board>& boards, const Bounds& hole);
 /// The bounds grown (or shrunk) sideways and in height.
 Bounds grown(const Bounds& bounds, double sideways, double height);
 
+/// Cubic meters.
 double volume_of(const Bounds& bounds);
 
 }  // namespace unietp

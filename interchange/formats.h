@@ -16,9 +16,12 @@ namespace unietp {
 // Errors: Parse or Schema with the place in the text (line and column, or a JSON pointer) and what is accepted: text
 // that is no JSON, a field that is missing or of another type, numbers that are not finite.
 
+/// AI2-THOR: the objects of an iTHOR scene, as its metadata lists them.
 Result<std::vector<SourceScene>> read_ithor(const std::string& where, std::string_view text);
+/// AI2-THOR: houses of ProcTHOR.
 Result<std::vector<SourceScene>> read_procthor(const std::string& where, std::string_view text,
                                                const Knowledge& knowledge);
+/// VirtualHome: scene graphs.
 Result<std::vector<SourceScene>> read_virtualhome(const std::string& where, std::string_view text,
                                                   const Knowledge& knowledge);
 Result<std::vector<SourceScene>> read_habitat(const std::string& where, std::string_view text,

@@ -41,11 +41,13 @@ struct ImportReport {
   std::vector<ImportIssue> issues;
 };
 
+/// A scene made of a simulator's file.
 struct ImportedScene {
   Scene scene;  // at rest, edges read; tasks can be made in it
   ImportReport report;
 };
 
+/// How a file is imported.
 struct ImportOptions {
   bool settle = true;                                   // false: as the file says, without physics
   std::size_t most_objects = limits::kImportedObjects;  // a file with more is refused

@@ -12,6 +12,7 @@ namespace unietp {
 // yaw turns clockwise seen from above. W = (x, z, y) of Unity. Models face Unity's +z, ours face -y of the object
 // frame, so the frame of a model that is not turned in Unity is turned by 180° in W.
 
+/// A point of Unity in W.
 inline Vec3 from_unity(const Vec3& unity) { return {unity.x(), unity.z(), unity.y()}; }
 inline Vec3 to_unity(const Vec3& w) { return {w.x(), w.z(), w.y()}; }  // the swap undoes itself
 

@@ -19,6 +19,7 @@ inline Quat front_turn(std::string_view prefab) {
   return prefab.starts_with("PRE_") ? Quat(half, 0, 0, half) : Quat(0, 0, 0, 1);
 }
 
+/// The rotation of a prefab's object in W, and back.
 inline Quat object_rotation_from_unity(const Quat& q, std::string_view prefab) {
   return turn_from_unity(q) * front_turn(prefab);
 }

@@ -20,11 +20,13 @@ struct VirtualhomeNode {
   Vec3 scale = Vec3::Ones();
 };
 
+/// A relation between two nodes, by their ids.
 struct VirtualhomeEdge {
   long long from = 0, to = 0;
   std::string relation;  // "ON", "INSIDE", …
 };
 
+/// A VirtualHome scene: nodes and relations.
 struct VirtualhomeGraph {
   std::vector<VirtualhomeNode> nodes;
   std::vector<VirtualhomeEdge> edges;

@@ -27,6 +27,7 @@ struct ConstraintKind {
   std::string_view says;   // one line for people
 };
 
+/// All kinds, in the order in which help lists them.
 std::span<const ConstraintKind> constraint_kinds();
 /// nullptr when there is none of that name.
 const ConstraintKind* constraint_kind(std::string_view name);

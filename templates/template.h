@@ -12,8 +12,10 @@
 
 namespace unietp {
 
+/// The classes of tasks. The last two are refinements of the others.
 enum class Split { Atomic, Compositional, Logical, InstanceGrounding, Linguistic };
 std::string_view name_of(Split split);  // "instance_grounding"
+/// nullopt for an unknown name.
 std::optional<Split> split_named(std::string_view name);
 
 /// A placeholder and what a category must afford to fill it. With `room` as the only affordance a room type fills it,
