@@ -42,14 +42,15 @@ bool any_completed(const std::filesystem::path& folder) {
                      [&](Simulator simulator) { return !completed_files(folder, simulator).empty(); });
 }
 
-/// What overrides tell counts as told, so completed facts yield to it; a fault of an override is reported where they
+/// What overrides tell counts as stated, so completed facts yield to it; a fault of an override is reported where they
 /// are laid over the whole.
 void lay_all_completed(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& overrides,
                        std::vector<Tables>& all, std::vector<Error>& errors) {
-  auto told = all;
+  auto stated = all;
   std::vector<Error> later;
-  lay_overrides(folder, overrides, told, later);
-  for (std::size_t i = 0; i < all.size(); ++i) lay_completed(folder, kSimulators[i], told_by(told[i]), all[i], errors);
+  lay_overrides(folder, overrides, stated, later);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    lay_completed(folder, kSimulators[i], stated_by(stated[i]), all[i], errors);
 }
 
 }  // namespace
@@ -64,8 +65,9 @@ std::vector<Tables> read_all_tables(const std::filesystem::path& folder,
   return all;
 }
 
-std::vector<Tables> read_told_tables(const std::filesystem::path& folder,
-                                     const std::vector<std::filesystem::path>& overrides, std::vector<Error>& errors) {
+std::vector<Tables> read_stated_tables(const std::filesystem::path& folder,
+                                       const std::vector<std::filesystem::path>& overrides,
+                                       std::vector<Error>& errors) {
   auto all = read_own(folder, errors);
   if (errors.empty()) lay_overrides(folder, overrides, all, errors);
   sort_all(all);

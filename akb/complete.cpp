@@ -7,37 +7,37 @@
 namespace unietp {
 namespace {
 
-bool is_filled(const CompletionBatch& batch, const ToldFacts& told) {
+bool is_filled(const CompletionBatch& batch, const StatedFacts& stated) {
   return std::all_of(batch.facts.begin(), batch.facts.end(), [&](FactKind kind) {
     return std::all_of(batch.categories.begin(), batch.categories.end(),
-                       [&](const std::string& name) { return tells(told, kind, name); });
+                       [&](const std::string& name) { return is_stated(stated, kind, name); });
   });
 }
 
 /// Adds the facts of `from` whose category has none of the kind yet.
 template <class Row, class Key>
-void add(std::vector<Row>& to, std::vector<Row> from, const ToldFacts& told, std::map<FactKind, int>& accepted,
+void add(std::vector<Row>& to, std::vector<Row> from, const StatedFacts& stated, std::map<FactKind, int>& accepted,
          const Key& key) {
   for (auto& row : from) {
     const auto [kind, category] = key(row);
-    if (tells(told, kind, category)) continue;
+    if (is_stated(stated, kind, category)) continue;
     ++accepted[kind];
     to.push_back(std::move(row));
   }
 }
 
 void add_facts(CompletedFacts& to, CompletedFacts from, std::map<FactKind, int>& accepted) {
-  const auto told = told_by(to);
+  const auto stated = stated_by(to);
   const auto of = [](FactKind kind) {
     return [kind](const auto& row) { return std::pair(kind, std::string_view(row.category)); };
   };
-  add(to.sizes, std::move(from.sizes), told, accepted, of(FactKind::Size));
-  add(to.masses, std::move(from.masses), told, accepted, of(FactKind::Mass));
-  add(to.synsets, std::move(from.synsets), told, accepted, of(FactKind::Synset));
-  add(to.affordances, std::move(from.affordances), told, accepted, of(FactKind::Affordances));
-  add(to.placements, std::move(from.placements), told, accepted,
+  add(to.sizes, std::move(from.sizes), stated, accepted, of(FactKind::Size));
+  add(to.masses, std::move(from.masses), stated, accepted, of(FactKind::Mass));
+  add(to.synsets, std::move(from.synsets), stated, accepted, of(FactKind::Synset));
+  add(to.affordances, std::move(from.affordances), stated, accepted, of(FactKind::Affordances));
+  add(to.placements, std::move(from.placements), stated, accepted,
       [](const Placement& p) { return std::pair(FactKind::Placements, std::string_view(p.object)); });
-  add(to.aliases, std::move(from.aliases), told, accepted,
+  add(to.aliases, std::move(from.aliases), stated, accepted,
       [](const Alias& a) { return std::pair(kind_of(a), std::string_view(a.category)); });
 }
 
@@ -49,7 +49,7 @@ std::size_t count_of(const CompletedFacts& facts) {
 /// Facts that a laying adds to the tables, or fills in.
 int count_used(const CompletedFacts& facts, const Tables& tables) {
   Tables laid = tables;
-  lay_under(facts, told_by(tables), laid);
+  lay_under(facts, stated_by(tables), laid);
   int used = static_cast<int>(laid.affordances.size() - tables.affordances.size() + laid.placements.size() -
                               tables.placements.size() + laid.aliases.size() - tables.aliases.size());
   const auto from_model = [](const Source& source) { return source.source.starts_with("llm:") ? 1 : 0; };
@@ -64,20 +64,20 @@ CompletionPlan plan_completion(const std::filesystem::path& tables, const LlmEnd
                                const CompletionOptions& options, LlmCache* cache, std::vector<Error>& errors) {
   CompletionPlan plan;
   int left = options.limit.value_or(0);
-  const auto told_tables = read_told_tables(tables, options.overrides, errors);
+  const auto stated_tables = read_stated_tables(tables, options.overrides, errors);
   for (const auto simulator : options.simulators) {
     CompletionPlan::Base base;
     base.simulator = simulator;
-    base.tables = told_tables[static_cast<std::size_t>(simulator)];
+    base.tables = stated_tables[static_cast<std::size_t>(simulator)];
     base.completed = read_completed(completed_folder(tables, simulator), base.tables, errors);
-    const auto told = told_by(base.completed);
+    const auto stated = stated_by(base.completed);
     const int size = options.limit ? std::min(options.batch, std::max(1, *options.limit)) : options.batch;
     for (auto& batch : completion_batches(base.tables, options.facts, size)) {
       for (const auto kind : batch.facts) {
         plan.lacking[kind] += static_cast<int>(batch.categories.size());
-        for (const auto& name : batch.categories) plan.completed[kind] += tells(told, kind, name) ? 1 : 0;
+        for (const auto& name : batch.categories) plan.completed[kind] += is_stated(stated, kind, name) ? 1 : 0;
       }
-      if (is_filled(batch, told)) continue;
+      if (is_filled(batch, stated)) continue;
       auto request = completion_request(base.tables, batch);
       request.temperature = options.temperature;
       request.max_tokens = options.max_tokens;

@@ -144,12 +144,12 @@ std::string receptacles_for(const Tables& tables, const std::vector<const Catego
 }  // namespace
 
 std::vector<CompletionBatch> completion_batches(const Tables& tables, const std::vector<FactKind>& facts, int size) {
-  const auto told = told_by(tables);
+  const auto stated = stated_by(tables);
   std::map<std::vector<FactKind>, std::vector<std::string>> lacking;
   for (const auto& c : tables.categories) {
     std::vector<FactKind> lacks;
     for (const auto kind : all_fact_kinds()) {
-      if (std::find(facts.begin(), facts.end(), kind) != facts.end() && !tells(told, kind, c.name))
+      if (std::find(facts.begin(), facts.end(), kind) != facts.end() && !is_stated(stated, kind, c.name))
         lacks.push_back(kind);
     }
     if (!lacks.empty()) lacking[lacks].push_back(c.name);

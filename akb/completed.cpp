@@ -69,36 +69,36 @@ FactKind kind_of(const Alias& alias) {
   return alias.kind == "context" ? FactKind::Context : FactKind::Aliases;
 }
 
-ToldFacts told_by(const Tables& tables) {
-  ToldFacts told;
+StatedFacts stated_by(const Tables& tables) {
+  StatedFacts stated;
   for (const auto& c : tables.categories) {
-    if (!is_stand_in(c.size_source)) told[FactKind::Size].insert(c.name);
-    if (!is_stand_in(c.mass_source)) told[FactKind::Mass].insert(c.name);
-    if (!c.synset.empty()) told[FactKind::Synset].insert(c.name);
-    if (!c.movable) told[FactKind::Placements].insert(c.name);
+    if (!is_stand_in(c.size_source)) stated[FactKind::Size].insert(c.name);
+    if (!is_stand_in(c.mass_source)) stated[FactKind::Mass].insert(c.name);
+    if (!c.synset.empty()) stated[FactKind::Synset].insert(c.name);
+    if (!c.movable) stated[FactKind::Placements].insert(c.name);
   }
-  for (const auto& f : tables.affordances) told[FactKind::Affordances].insert(f.category);
-  for (const auto& a : tables.aliases) told[kind_of(a)].insert(a.category);
+  for (const auto& f : tables.affordances) stated[FactKind::Affordances].insert(f.category);
+  for (const auto& a : tables.aliases) stated[kind_of(a)].insert(a.category);
   for (const auto& p : tables.placements) {
-    if (is_place(p)) told[FactKind::Placements].insert(p.object);
+    if (is_place(p)) stated[FactKind::Placements].insert(p.object);
   }
-  return told;
+  return stated;
 }
 
-ToldFacts told_by(const CompletedFacts& facts) {
-  ToldFacts told;
-  for (const auto& f : facts.sizes) told[FactKind::Size].insert(f.category);
-  for (const auto& f : facts.masses) told[FactKind::Mass].insert(f.category);
-  for (const auto& f : facts.synsets) told[FactKind::Synset].insert(f.category);
-  for (const auto& f : facts.affordances) told[FactKind::Affordances].insert(f.category);
-  for (const auto& a : facts.aliases) told[kind_of(a)].insert(a.category);
-  for (const auto& p : facts.placements) told[FactKind::Placements].insert(p.object);
-  return told;
+StatedFacts stated_by(const CompletedFacts& facts) {
+  StatedFacts stated;
+  for (const auto& f : facts.sizes) stated[FactKind::Size].insert(f.category);
+  for (const auto& f : facts.masses) stated[FactKind::Mass].insert(f.category);
+  for (const auto& f : facts.synsets) stated[FactKind::Synset].insert(f.category);
+  for (const auto& f : facts.affordances) stated[FactKind::Affordances].insert(f.category);
+  for (const auto& a : facts.aliases) stated[kind_of(a)].insert(a.category);
+  for (const auto& p : facts.placements) stated[FactKind::Placements].insert(p.object);
+  return stated;
 }
 
-bool tells(const ToldFacts& told, FactKind kind, std::string_view category) {
-  const auto of_kind = told.find(kind);
-  return of_kind != told.end() && of_kind->second.contains(category);
+bool is_stated(const StatedFacts& stated, FactKind kind, std::string_view category) {
+  const auto of_kind = stated.find(kind);
+  return of_kind != stated.end() && of_kind->second.contains(category);
 }
 
 std::filesystem::path completed_folder(const std::filesystem::path& tables, Simulator simulator) {

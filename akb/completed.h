@@ -48,15 +48,15 @@ struct CompletedFacts {
   std::vector<Alias> aliases;
 };
 
-/// The categories of which something of a kind is told.
-using ToldFacts = std::map<FactKind, std::set<std::string, std::less<>>>;
-/// A size or mass that a rule derived with less than this confidence stands in for one that nobody told.
+/// The categories about which the tables have a fact of a kind.
+using StatedFacts = std::map<FactKind, std::set<std::string, std::less<>>>;
+/// A size or mass that a rule derived with less than this confidence is a default: no source states one.
 inline constexpr double kLeastConfidence = 0.5;
-/// What the tables tell: a size or mass that is no stand-in, a synset, one synonym or more, one function phrase, one
+/// What tables state: a size or mass that is no default, a synset, one synonym or more, one function phrase, one
 /// context, one place on or in something (furniture needs none), one affordance.
-ToldFacts told_by(const Tables& tables);
-ToldFacts told_by(const CompletedFacts& facts);
-bool tells(const ToldFacts& told, FactKind kind, std::string_view category);
+StatedFacts stated_by(const Tables& tables);
+StatedFacts stated_by(const CompletedFacts& facts);
+bool is_stated(const StatedFacts& stated, FactKind kind, std::string_view category);
 
 /// The folder of one simulator below that of the tables.
 std::filesystem::path completed_folder(const std::filesystem::path& tables, Simulator simulator);
@@ -71,14 +71,14 @@ CompletedFacts read_completed(const std::filesystem::path& folder, const Tables&
 /// equal bytes. Errors: Io.
 Result<Done> write_completed(const std::filesystem::path& folder, CompletedFacts facts);
 
-/// Lays completed facts under the tables: each counts only where nothing of its kind is told about its category,
+/// Lays completed facts under the tables: each counts only where nothing of its kind is stated about its category,
 /// whoever came first. Left out besides: synonyms that name something else too, places in which a thing does not fit or
 /// that do not hold things. Places are made to sum to one.
-void lay_under(const CompletedFacts& facts, const ToldFacts& told, Tables& tables);
+void lay_under(const CompletedFacts& facts, const StatedFacts& stated, Tables& tables);
 
 /// What a compilation does with the completed facts of a simulator: reads and lays them under its tables, but for those
-/// that removed_file takes back. `told` also knows what overrides tell. Errors are appended, as read_tables does.
-void lay_completed(const std::filesystem::path& tables_folder, Simulator simulator, const ToldFacts& told,
+/// that removed_file takes back. `stated` also knows what overrides tell. Errors are appended, as read_tables does.
+void lay_completed(const std::filesystem::path& tables_folder, Simulator simulator, const StatedFacts& stated,
                    Tables& tables, std::vector<Error>& errors);
 
 /// True when the relation (on, inside) can hold between the two by their bodies and affordances.

@@ -31,14 +31,14 @@ std::map<std::string, std::set<std::string>> names_in(const Tables& tables) {
   return named;
 }
 
-void lay_aliases(const CompletedFacts& facts, const ToldFacts& told, Tables& tables) {
+void lay_aliases(const CompletedFacts& facts, const StatedFacts& stated, Tables& tables) {
   const auto kind_of = [](const Alias& a) {
     if (a.kind == "function") return FactKind::Function;
     return a.kind == "context" ? FactKind::Context : FactKind::Aliases;
   };
   std::vector<Alias> wanted;
   for (const auto& a : facts.aliases) {
-    if (!tells(told, kind_of(a), a.category)) wanted.push_back(a);
+    if (!is_stated(stated, kind_of(a), a.category)) wanted.push_back(a);
   }
   auto named = names_in(tables);
   for (const auto& a : wanted) {
@@ -53,7 +53,7 @@ void lay_aliases(const CompletedFacts& facts, const ToldFacts& told, Tables& tab
   }
 }
 
-void lay_placements(const CompletedFacts& facts, const ToldFacts& told, Tables& tables) {
+void lay_placements(const CompletedFacts& facts, const StatedFacts& stated, Tables& tables) {
   const auto categories = by_name(tables);
   AffordancesOf affordances;
   for (const auto& f : tables.affordances) affordances[f.category].insert(f.affordance);
@@ -62,7 +62,7 @@ void lay_placements(const CompletedFacts& facts, const ToldFacts& told, Tables& 
   for (auto p : facts.placements) {
     const auto object = categories.find(p.object), receptacle = categories.find(p.receptacle);
     if (object == categories.end() || receptacle == categories.end()) continue;
-    if (tells(told, FactKind::Placements, p.object)) continue;
+    if (is_stated(stated, FactKind::Placements, p.object)) continue;
     if (!can_be_kept(*object->second, p.relation, *receptacle->second, affordances[p.receptacle])) continue;
     p.capacity = std::min(p.capacity, capacity_of(*object->second, p.relation, *receptacle->second));
     sum[p.object] += p.likelihood;
@@ -99,12 +99,12 @@ void drop_removed(const std::filesystem::path& path, CompletedFacts& facts, std:
 
 }  // namespace
 
-void lay_completed(const std::filesystem::path& tables_folder, Simulator simulator, const ToldFacts& told,
+void lay_completed(const std::filesystem::path& tables_folder, Simulator simulator, const StatedFacts& stated,
                    Tables& tables, std::vector<Error>& errors) {
   if (completed_files(tables_folder, simulator).empty()) return;
   auto facts = read_completed(completed_folder(tables_folder, simulator), tables, errors);
   drop_removed(removed_file(tables_folder, simulator), facts, errors);
-  lay_under(facts, told, tables);
+  lay_under(facts, stated, tables);
 }
 
 bool can_be_kept(const Category& object, std::string_view relation, const Category& receptacle,
@@ -117,11 +117,11 @@ bool can_be_kept(const Category& object, std::string_view relation, const Catego
   return capacity_of(object, relation, receptacle) > 0;
 }
 
-void lay_under(const CompletedFacts& facts, const ToldFacts& told, Tables& tables) {
+void lay_under(const CompletedFacts& facts, const StatedFacts& stated, Tables& tables) {
   const auto categories = by_name(tables);
   const auto lacking = [&](FactKind kind, const std::string& category) -> Category* {
     const auto at = categories.find(category);
-    return at == categories.end() || tells(told, kind, category) ? nullptr : at->second;
+    return at == categories.end() || is_stated(stated, kind, category) ? nullptr : at->second;
   };
   for (const auto& f : facts.sizes) {
     if (auto* c = lacking(FactKind::Size, f.category)) c->size = f.size, c->size_source = f.source;
@@ -135,8 +135,8 @@ void lay_under(const CompletedFacts& facts, const ToldFacts& told, Tables& table
   for (const auto& f : facts.affordances) {
     if (lacking(FactKind::Affordances, f.category) != nullptr) tables.affordances.push_back(f);
   }
-  lay_aliases(facts, told, tables);
-  lay_placements(facts, told, tables);
+  lay_aliases(facts, stated, tables);
+  lay_placements(facts, stated, tables);
   sort_tables(tables);
 }
 

@@ -35,9 +35,9 @@ Tables read_tables(const std::filesystem::path& folder, std::vector<Error>& erro
 /// those of read_overrides and apply_overrides; overrides are looked at only when the tables are sound.
 std::vector<Tables> read_all_tables(const std::filesystem::path& folder,
                                     const std::vector<std::filesystem::path>& overrides, std::vector<Error>& errors);
-/// The same without completed facts: what other sources than language models tell.
-std::vector<Tables> read_told_tables(const std::filesystem::path& folder,
-                                     const std::vector<std::filesystem::path>& overrides, std::vector<Error>& errors);
+/// The same without completed facts: what other sources than language models state.
+std::vector<Tables> read_stated_tables(const std::filesystem::path& folder,
+                                       const std::vector<std::filesystem::path>& overrides, std::vector<Error>& errors);
 
 /// Sorts each table by its key, the order in which files and queries give them.
 void sort_tables(Tables& tables);

@@ -41,7 +41,7 @@ void StartDraft::add_things() {
       cast.things.push_back(std::move(role));
       world().things.emplace_back();
       const auto id = Id::thing(world().things.size() - 1);
-      dress(id);
+      draw_states(id);
       world()[id].at = random_room();
     }
   }
@@ -50,7 +50,7 @@ void StartDraft::add_things() {
   }
 }
 
-void StartDraft::dress(Id id) {
+void StartDraft::draw_states(Id id) {
   const auto& rules = demands_.rules;
   const auto& kind = setting().kind_of(id);
   auto& role = start_.setting.cast.role(id);
@@ -175,7 +175,7 @@ bool StartDraft::improve() {
   if (aim.of_agent) {
     world().room = random_room();
   } else if (!aim.shaped) {
-    stir(aim);
+    perturb(aim);
   } else if (aim.literals.empty()) {
     return false;  // a matter of how many there are
   } else {
@@ -187,12 +187,12 @@ bool StartDraft::improve() {
 }
 
 /// Draws something of one object anew.
-void StartDraft::stir(const StartDemands::Aim& aim) {
+void StartDraft::perturb(const StartDemands::Aim& aim) {
   const auto concerned = things_of(aim.formula->domain);
   if (concerned.empty()) return;
   const Id thing = rng_.pick(concerned);
   if (rng_.chance(0.5)) return move_anywhere(thing);
-  dress(thing);
+  draw_states(thing);
   attributes_changed_ = true;
 }
 

@@ -28,7 +28,7 @@ class StartDraft {
   symbolic::World& world() { return start_.world; }
 
   void add_things();
-  void dress(Id thing);
+  void draw_states(Id thing);
   void read_constraints();
   void read_attributes();  // anew in the constraints, where one has changed
   void find_broken();
@@ -40,7 +40,7 @@ class StartDraft {
   std::vector<Id> rooms_of(const Domain& domain) const;
   bool is_true(const StartLiteral& literal, Id thing) const;
   bool satisfies(const StartDemands::Aim& aim, Id thing) const;
-  void stir(const StartDemands::Aim& aim);
+  void perturb(const StartDemands::Aim& aim);
   void change(const StartDemands::Aim& aim);
   void make(const StartLiteral& literal, Id thing, bool truth);
   void make_state(const StartLiteral& literal, Id thing, bool truth);

@@ -60,7 +60,7 @@ bool completion_body(std::string_view text) {
   std::vector<Error> errors;
   const auto again = read_completed(folder.path(), tables, errors);
   require(errors.empty() && count_of(again) == count_of(checked.accepted));
-  lay_under(again, told_by(tables), tables);
+  lay_under(again, stated_by(tables), tables);
   for (const auto& c : tables.categories) require(c.size.minCoeff() > 0 && c.size.maxCoeff() <= 20 && c.mass > 0);
   std::set<std::pair<std::string, std::string>> seen;
   for (const auto& f : tables.affordances) require(seen.emplace(f.category, f.affordance).second);
