@@ -5,7 +5,7 @@
 namespace unietp {
 namespace {
 
-constexpr std::array<AffordanceMeaning, 23> kAffordances = {{
+constexpr std::array<AffordanceMeaning, 24> kAffordances = {{
     {"burnable", "can be burnt"},
     {"breakable", "can be broken"},
     {"consumable", "can be used up"},
@@ -24,6 +24,7 @@ constexpr std::array<AffordanceMeaning, 23> kAffordances = {{
     {"openable", "can be opened and closed"},
     {"pickupable", "the agent can carry it"},
     {"pluggable", "can be plugged in"},
+    {"readable", "the agent can read it"},
     {"receptacle", "objects stand on it"},
     {"sittable", "the agent can sit on it"},
     {"sliceable", "can be cut into slices"},

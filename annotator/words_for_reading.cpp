@@ -57,6 +57,7 @@ constexpr std::array<Row, kPredicateCount> kRows{{
      "hold held hand pick carry carri grab grasp", "hold. holding. held."},
     {P::SatOn, "sat on", "", "", "sit down on|sit on", "sit sat. seat", "sit. seated."},
     {P::LainOn, "lain on", "", "", "lie down on|lie on", "lie lying lain lay", "lie. lain. lying."},
+    {P::Read, "read", "", "", "read", "read. reads. reading.", "read. reading."},
     {P::Filled, "", "", "filled with", "", "fill full pour contain with", "fill. filled."},
     {P::Covered, "", "", "covered with|covered in", "", "cover spread smear coat wip", "cover. covered. spread."},
     {P::Colour, "", "", "of the colour", "", "", ""},

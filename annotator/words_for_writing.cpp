@@ -46,6 +46,7 @@ constexpr Row kRows[] = {
     {P::Held, "in your hand", "", {"pick up {s}", "pick {s} up", "hold {s}"}},
     {P::SatOn, "sat on", "", {"sit on {s}", "sit down on {s}"}},
     {P::LainOn, "lain on", "", {"lie on {s}", "lie down on {s}"}},
+    {P::Read, "read", "", {"read {s}"}},
     {P::Filled, "", "", {"fill {s} with {m}"}},
     {P::Covered, "", "", {"cover {s} with {m}", "spread {m} over {s}"}},
     {P::On,

@@ -47,6 +47,7 @@ constexpr std::array<PredicateInfo, kPredicateCount> kPredicates = {{
     {Predicate::Held, "held", kObject, "the agent holds ?x"},
     {Predicate::SatOn, "sat_on", kObject, "the agent sits on ?x"},
     {Predicate::LainOn, "lain_on", kObject, "the agent lies on ?x"},
+    {Predicate::Read, "read", kObject, "the agent has read ?x"},
     {Predicate::Filled, "filled", kObjectSymbol, "?x holds this liquid; `any` asks for some liquid", "fillable"},
     {Predicate::Covered, "covered", kObjectSymbol, "?x is covered with this substance; `any` asks for some substance"},
     {Predicate::Colour, "colour", kObjectSymbol, "?x has this colour; fixed for a scene"},

@@ -42,6 +42,7 @@ enum class Predicate : std::uint8_t {
   Held,
   SatOn,
   LainOn,
+  Read,
   // states with a symbol
   Filled,
   Covered,

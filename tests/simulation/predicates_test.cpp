@@ -71,6 +71,7 @@ std::map<Predicate, Pair> pairs() {
                  },
                  {"lain_on sofa_1"},
                  {"sat_on sofa_1"}};
+  all[Read] = {[](Scene& scene) { node(scene, "mug_1").states.set({Read, ""}); }, {"read mug_1"}, {"read plate_1"}};
   all[Held] = {
       [](Scene& scene) { scene.agent.held = {"mug_1"}; }, {"held mug_1"}, {"held plate_1", "on mug_1 diningtable_1"}};
   all[Colour] = {
