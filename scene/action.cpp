@@ -2,18 +2,7 @@
 
 #include <algorithm>
 
-#include "core/text.h"
-#include "scene/action_table.h"
-
 namespace unietp {
-namespace {
-
-constexpr std::size_t kDefaultCount = static_cast<std::size_t>(ActionType::Stop) + 1;
-constexpr bool is_small_move(ActionType type) {
-  return type >= ActionType::TurnBaseToLook && type <= ActionType::RotateHand;
-}
-
-}  // namespace
 
 std::string_view name_of(Mode mode) {
   switch (mode) {
@@ -41,15 +30,6 @@ std::optional<ActionProfile> action_profile_named(std::string_view name) {
   return std::nullopt;
 }
 
-const ActionInfo& info(ActionType type) { return action_table()[static_cast<std::size_t>(type)]; }
-
-std::optional<ActionType> action_named(std::string_view name) {
-  for (const ActionInfo& action : action_table()) {
-    if (action.name == name) return action.type;
-  }
-  return std::nullopt;
-}
-
 std::vector<Failure> failures_of(const ActionInfo& action) {
   std::vector<Failure> failures;
   const auto add = [&](Failure failure) {
@@ -66,17 +46,6 @@ std::vector<Failure> failures_of(const ActionInfo& action) {
   return failures;
 }
 
-std::optional<ActionType> direct_action(Predicate state) {
-  static const auto table = [] {
-    std::array<std::optional<ActionType>, kPredicateCount> actions;
-    for (const ActionInfo& action : action_table()) {
-      if (!action.changes.empty()) actions[static_cast<std::size_t>(action.changes.front().state)] = action.type;
-    }
-    return actions;
-  }();
-  return table[static_cast<std::size_t>(state)];
-}
-
 std::string_view affordance_for(const ActionInfo& action) {
   if (action.changes.empty()) return "";
   for (const ActionNeed& need : action.needs) {
@@ -86,10 +55,7 @@ std::string_view affordance_for(const ActionInfo& action) {
   return "";
 }
 
-bool is_extension(ActionType type) { return static_cast<std::size_t>(type) >= kDefaultCount; }
-
-std::span<const ActionInfo> all_actions() { return action_table().first(kDefaultCount); }
-std::span<const ActionInfo> extension_actions() { return action_table().subspan(kDefaultCount); }
+bool is_extension(ActionType type) { return type > ActionType::Stop; }
 
 bool offers(const ActionInfo& action, Simulator simulator) {
   switch (simulator) {
@@ -115,32 +81,6 @@ bool offers(const ActionInfo& action, Mode mode) {
       return action.m3;
   }
   return false;
-}
-
-ActionSet actions_of(Simulator simulator, ActionProfile profile) {
-  ActionSet set;
-  for (const ActionInfo& action : action_table()) {
-    const bool in_profile = profile == ActionProfile::Wide ? !is_small_move(action.type) : !is_extension(action.type);
-    set[static_cast<std::size_t>(action.type)] = in_profile && offers(action, simulator);
-  }
-  return set;
-}
-
-std::string to_text(const Action& action) {
-  std::string text(info(action.type).name);
-  return action.args.empty() ? text : text + "(" + join(action.args, ", ") + ")";
-}
-
-std::string_view name_of(Failure failure) {
-  const auto index = static_cast<std::size_t>(failure);
-  return index < kFailureCount ? failure_table()[index] : std::string_view();
-}
-
-std::optional<Failure> failure_named(std::string_view name) {
-  for (std::size_t i = 0; i < kFailureCount; ++i) {
-    if (failure_table()[i] == name) return static_cast<Failure>(i);
-  }
-  return std::nullopt;
 }
 
 }  // namespace unietp
