@@ -22,7 +22,7 @@ bool can_be_carried(const Facts& facts, const Vec3& size) {
   return !facts.properties.contains("sceneObject") && facts.mass <= kHeaviestPick_kg && handy;
 }
 
-std::string words_in(std::string_view name) { return replace_all(std::string(name), "_", " "); }
+std::string spaced(std::string_view name) { return replace_all(std::string(name), "_", " "); }
 
 std::string singular(const std::string& word) {
   return word.ends_with("s") && !word.ends_with("ss") ? word.substr(0, word.size() - 1) : word;
@@ -98,7 +98,7 @@ const Words::Row* Words::form(const std::string& name, std::string* content) con
     const std::string head = row.key.substr(0, star), tail = row.key.substr(star + 1);
     if (lemma.size() <= head.size() + tail.size() || !lemma.starts_with(head) || !lemma.ends_with(tail)) continue;
     if (content != nullptr) {
-      *content = words_in(lemma.substr(head.size(), lemma.size() - head.size() - tail.size()));
+      *content = spaced(lemma.substr(head.size(), lemma.size() - head.size() - tail.size()));
     }
     return &row;
   }
@@ -146,7 +146,7 @@ std::string Words::display(const std::string& name) const {
   }
   std::string content;
   const auto* of_form = form(name, &content);
-  if (of_form == nullptr || of_form->cells.at("display").empty()) return words_in(name);
+  if (of_form == nullptr || of_form->cells.at("display").empty()) return spaced(name);
   // Half of what its whole is called here: half_doughnut is of donut, by the synset.
   const auto& pattern = of_form->cells.at("display");
   for (const char* prefix : {"half_", "sliced_"}) {
@@ -155,7 +155,7 @@ std::string Words::display(const std::string& name) const {
     const auto known = names_.find(whole);
     const bool uncountable = known != names_.end() && known->second.cells.at("plural") == "-";
     if (uncountable && name.starts_with("half_")) return "piece of " + display(whole);
-    return replace_all(pattern, "*", metadata_.categories.contains(whole) ? display(whole) : words_in(whole));
+    return replace_all(pattern, "*", metadata_.categories.contains(whole) ? display(whole) : spaced(whole));
   }
   return replace_all(pattern, "*", content);
 }

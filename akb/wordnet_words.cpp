@@ -19,7 +19,7 @@ std::optional<Number> number_of(std::string_view text, int base = 10) {
   return number;
 }
 
-std::vector<std::string> words_in(std::string_view line) {
+std::vector<std::string> words_of_line(std::string_view line) {
   std::istringstream stream{std::string(line)};
   std::vector<std::string> words;
   for (std::string word; stream >> word;) words.push_back(std::move(word));
@@ -54,7 +54,7 @@ Result<WordNetWords> WordNetWords::read(const std::filesystem::path& folder) {
   net.data_ = std::move(*data);
   for (const auto& line : split(*index, '\n')) {
     if (line.empty() || line.front() == ' ') continue;  // the licence
-    const auto words = words_in(line);
+    const auto words = words_of_line(line);
     const auto count = words.size() > 2 ? number_of<std::size_t>(words[2]) : std::nullopt;
     if (!count || words.size() < *count) continue;
     auto& senses = net.senses_[words.front()];
@@ -78,7 +78,7 @@ std::vector<std::string> WordNetWords::usual_words(std::string_view synset) cons
   const auto at = senses_.find(sense.lemma)->second[sense.number];
   if (at >= data_.size()) return {};
   // offset, file, "n", count in hexadecimal, then word and lexical id by turns.
-  const auto fields = words_in(std::string_view(data_).substr(at, data_.find('\n', at) - at));
+  const auto fields = words_of_line(std::string_view(data_).substr(at, data_.find('\n', at) - at));
   const auto count = fields.size() > 3 ? number_of<std::size_t>(fields[3], 16).value_or(0) : 0;
   std::vector<std::string> words;
   for (std::size_t i = 0; i < count && 4 + 2 * i < fields.size(); ++i) {

@@ -12,7 +12,7 @@ namespace unietp {
 namespace {
 
 /// Starts drawn to see whether the goal may hold from the beginning.
-constexpr int kStartsDrawn = 6;
+constexpr int kStartsTried = 6;
 
 bool is_demanded(const std::vector<Formula>& init, const std::string& category) {
   return std::any_of(init.begin(), init.end(), [&](const Formula& start) {
@@ -131,7 +131,7 @@ std::variant<Specification, GateRefusal> propose(const Template& source, const K
 
 std::optional<GateRefusal> refused_by(const Specification& specification, const Knowledge& knowledge) {
   if (auto refusal = contradiction(specification, knowledge)) return refusal;
-  return bad_start(specification, knowledge, kStartsDrawn);
+  return bad_start(specification, knowledge, kStartsTried);
 }
 
 }  // namespace unietp

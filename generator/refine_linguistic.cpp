@@ -7,8 +7,6 @@
 namespace unietp {
 namespace {
 
-constexpr int kStartsTried = 6;
-
 /// Categories with an alias of this kind, among the movable ones that the goal speaks of.
 std::vector<std::string> with_alias(const Specification& plain, const Knowledge& knowledge, std::string_view kind) {
   std::vector<std::string> found;
@@ -82,7 +80,7 @@ std::optional<Specification> by_function(const Specification& plain, const Knowl
     std::sort(serving.begin(), serving.end());
     serving.erase(std::unique(serving.begin(), serving.end()), serving.end());
     auto widened = reworded(substituted(plain, category, serving), Style::Function);
-    if (contradiction(widened, knowledge) || bad_start(widened, knowledge, kStartsTried)) continue;
+    if (contradiction(widened, knowledge) || bad_start(widened, knowledge, kStartsDrawn)) continue;
     return widened;
   }
   return std::nullopt;

@@ -19,7 +19,7 @@ constexpr double kDoorwayDepth_m = 0.8;
 constexpr double kFarthestKeepOut_m = 3;  // from a piece's body, more than any front or door has
 constexpr double kAisle_m = 0.75;         // around what stands free
 constexpr double kRestGap_m = 0.002;
-constexpr double kWallMargin_m = 0.02;
+constexpr double kFurnitureMargin_m = 0.02;
 constexpr double kUnderCeiling_m = 0.01;
 constexpr double kInRow = 0.5;     // how often what stands at a wall is tried next to another piece first
 constexpr double kAbove_m = 0.25;  // of what treats a thing that stands on it: more than a pot's height
@@ -263,7 +263,7 @@ bool backs_onto_a_wall(Where::Kind kind) {
 
 bool within(const Bounds& inner, const Bounds& room) {
   for (int axis = 0; axis < 2; ++axis) {
-    if (inner.low[axis] < room.low[axis] + kWallMargin_m || inner.high[axis] > room.high[axis] - kWallMargin_m) {
+    if (inner.low[axis] < room.low[axis] + kFurnitureMargin_m || inner.high[axis] > room.high[axis] - kFurnitureMargin_m) {
       return false;
     }
   }
