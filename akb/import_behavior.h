@@ -74,6 +74,7 @@ class Words {
   std::vector<Row> forms_, contents_;
   std::map<std::string, std::vector<std::string>> kind_rooms_;
   std::map<std::string, std::string> like_;
+  std::set<std::string> food_;  // kinds of food
 };
 
 /// Size of a body of this archetype made of the models' boxes, upright and at rest; the archetype changes when the

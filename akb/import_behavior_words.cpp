@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "akb/import_behavior.h"
+#include "akb/kind_groups.h"
 #include "akb/row_reader.h"
 #include "akb/table_words.h"
 #include "core/files.h"
@@ -54,6 +55,7 @@ std::vector<Words::Row> Words::read_rows(const std::filesystem::path& path, cons
 
 Words::Words(const std::filesystem::path& curated, const Metadata& metadata, std::vector<Error>& errors)
     : metadata_(metadata), kind_rooms_(read_kind_rooms(curated / "kinds.csv", errors)) {
+  food_ = read_kind_groups(curated / "kind_groups.csv", errors)[KindGroup::Food];
   const auto folder = curated / "behavior";
   for (const auto& row : read_rows(folder / "kinds.csv", {"kind", "like", "rooms"}, errors)) {
     if (!row.cells.at("like").empty()) like_[row.key] = row.cells.at("like");
@@ -176,8 +178,7 @@ Word Words::word(const std::string& name) const {
       const auto row = hypernyms_.find(synset);
       if (row != hypernyms_.end()) above.insert(row->second.cells.at("kind"));
     }
-    const auto& food = food_kinds();
-    const bool eaten = std::any_of(above.begin(), above.end(), [&](const auto& kind) { return food.contains(kind); });
+    const bool eaten = std::any_of(above.begin(), above.end(), [&](const auto& kind) { return food_.contains(kind); });
     if (!eaten) word.kind = "store";
   }
   auto wanted = archetype_named(cell(name, "archetype")).value_or(Archetype::Box);

@@ -8,29 +8,29 @@ using enum ActionArgument;
 using enum ActionClass;
 using F = Failure;
 using P = Predicate;
-using Kind = ActionNeed::Kind;
+using NeedKind = ActionNeed::Kind;
 
-constexpr ActionNeed need(Kind kind, F failure) { return {kind, failure, {}, {}, {}}; }
+constexpr ActionNeed need(NeedKind kind, F failure) { return {kind, failure, {}, {}, {}}; }
 constexpr ActionNeed has(std::string_view affordance, F failure) {
-  return {Kind::Affordance, failure, {}, affordance, {}};
+  return {NeedKind::Affordance, failure, {}, affordance, {}};
 }
-constexpr ActionNeed varies(P state, F failure) { return {Kind::Varies, failure, state, {}, {}}; }
-constexpr ActionNeed is(P state, F failure) { return {Kind::Is, failure, state, {}, {}}; }
+constexpr ActionNeed varies(P state, F failure) { return {NeedKind::Varies, failure, state, {}, {}}; }
+constexpr ActionNeed is(P state, F failure) { return {NeedKind::Is, failure, state, {}, {}}; }
 constexpr ActionNeed is_not(P state, F failure, ActionRule rule = ActionRule::Always) {
-  return {Kind::IsNot, failure, state, {}, rule};
+  return {NeedKind::IsNot, failure, state, {}, rule};
 }
-constexpr ActionNeed held_is(P state, F failure) { return {Kind::HeldIs, failure, state, {}, {}}; }
-constexpr ActionNeed special(F failure) { return need(Kind::Special, failure); }
+constexpr ActionNeed held_is(P state, F failure) { return {NeedKind::HeldIs, failure, state, {}, {}}; }
+constexpr ActionNeed special(F failure) { return need(NeedKind::Special, failure); }
 
 // Needs that many actions share.
-constexpr ActionNeed kReach = need(Kind::Reach, F::TooFar);
-constexpr ActionNeed kReachOrInHand = need(Kind::ReachOrInHand, F::TooFar);
-constexpr ActionNeed kPutDown = need(Kind::NotInHand, F::InvalidArgument);
-constexpr ActionNeed kNotCarried = need(Kind::NotCarried, F::InvalidArgument);
-constexpr ActionNeed kHolding = need(Kind::Holding, F::NotHolding);
-constexpr ActionNeed kHandFree = need(Kind::HandFree, F::HandsFull);
-constexpr ActionNeed kStandingUp = need(Kind::Standing, F::Seated);
-constexpr ActionNeed kTargetTool = need(Kind::TargetTool, F::NoEffect);
+constexpr ActionNeed kReach = need(NeedKind::Reach, F::TooFar);
+constexpr ActionNeed kReachOrInHand = need(NeedKind::ReachOrInHand, F::TooFar);
+constexpr ActionNeed kPutDown = need(NeedKind::NotInHand, F::InvalidArgument);
+constexpr ActionNeed kNotCarried = need(NeedKind::NotCarried, F::InvalidArgument);
+constexpr ActionNeed kHolding = need(NeedKind::Holding, F::NotHolding);
+constexpr ActionNeed kHandFree = need(NeedKind::HandFree, F::HandsFull);
+constexpr ActionNeed kStandingUp = need(NeedKind::Standing, F::Seated);
+constexpr ActionNeed kTargetTool = need(NeedKind::TargetTool, F::NoEffect);
 
 // Needs by action, in order of checking.
 constexpr std::array<ActionNeed, 0> kNone{};
@@ -39,10 +39,10 @@ constexpr std::array kTurning{kStandingUp};
 constexpr std::array kTilting{special(F::Blocked)};
 constexpr std::array kHandMoving{kHolding, special(F::Blocked)};
 constexpr std::array kGoing{kStandingUp, special(F::NoStandingPlace)};
-constexpr std::array kFacing{need(Kind::Sight, F::NotVisible)};
+constexpr std::array kFacing{need(NeedKind::Sight, F::NotVisible)};
 constexpr std::array kPicking{kPutDown,
                               has("pickupable", F::NotPickupable),
-                              need(Kind::NotSeat, F::Seated),
+                              need(NeedKind::NotSeat, F::Seated),
                               kHandFree,
                               kReach,
                               special(F::TooHeavy)};
@@ -77,26 +77,26 @@ constexpr std::array kTurningOff{varies(P::PowerOff, F::NotSwitchable), kReachOr
                                  is_not(P::PowerOff, F::AlreadyOff)};
 constexpr std::array kSlicing{kPutDown,
                               has("sliceable", F::NotSliceable),
-                              need(Kind::Holding, F::NoKnife),
-                              need(Kind::HeldTool, F::NoKnife),
+                              need(NeedKind::Holding, F::NoKnife),
+                              need(NeedKind::HeldTool, F::NoKnife),
                               is_not(P::Sliced, F::NotSliceable),
                               kReach};
 constexpr std::array kPouring{
     kHolding, held_is(P::Filled, F::VesselEmpty), kPutDown, kReach, special(F::NotFillable), special(F::AlreadyFull)};
 constexpr std::array kUsingUp{has("consumable", F::NotConsumable), kReachOrInHand, is_not(P::UsedUp, F::NotConsumable)};
-constexpr std::array kWiping{kHolding, kPutDown, need(Kind::HeldTool, F::NoEffect), kReach, special(F::NotReady)};
-constexpr std::array kSpreading{kHolding, kPutDown, need(Kind::HeldTool, F::NoEffect), kReach};
+constexpr std::array kWiping{kHolding, kPutDown, need(NeedKind::HeldTool, F::NoEffect), kReach, special(F::NotReady)};
+constexpr std::array kSpreading{kHolding, kPutDown, need(NeedKind::HeldTool, F::NoEffect), kReach};
 constexpr std::array kTreating{kHolding, kTargetTool, kReach, special(F::NoFreePlace)};
 constexpr std::array kSitting{has("sittable", F::NotASeat), kStandingUp, kPutDown, kReach, special(F::NoFreePlace)};
 constexpr std::array kLying{has("lieable", F::NotASeat), kStandingUp, kPutDown, kReach, special(F::NoFreePlace)};
-constexpr std::array kStanding{need(Kind::Seated, F::NotSeated)};
+constexpr std::array kStanding{need(NeedKind::Seated, F::NotSeated)};
 constexpr std::array kPluggingIn{varies(P::PluggedIn, F::NotPluggable), kPutDown, kReach,
                                  is_not(P::PluggedIn, F::AlreadyPluggedIn)};
 constexpr std::array kUnplugging{varies(P::PluggedIn, F::NotPluggable), kPutDown, kReach,
                                  is(P::PluggedIn, F::AlreadyUnplugged)};
 constexpr std::array kFolding{
-    has("foldable", F::NotFoldable), is_not(P::Folded, F::AlreadyFolded), kHandFree, kPutDown, kReach,
-    need(Kind::Unloaded, F::Blocked)};
+    has("foldable", F::NotFoldable),     is_not(P::Folded, F::AlreadyFolded), kHandFree, kPutDown, kReach,
+    need(NeedKind::Unloaded, F::Blocked)};
 constexpr std::array kBreaking{has("breakable", F::NotBreakable), is_not(P::Broken, F::AlreadyBroken), kPutDown,
                                kReach};
 
