@@ -5,6 +5,7 @@
 #include "authoring/settle_binding.h"
 #include "cli/command_parser.h"
 #include "cli/commands.h"
+#include "cli/common_options.h"
 #include "cli/library_options.h"
 #include "cli/run_command.h"
 #include "homes/given_scenes.h"
@@ -12,32 +13,7 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Make a data set of verified tasks.\n"
-    "\n"
-    "  unietp generate --count 40 --seed 1 --out out/first\n"
-    "      40 tasks, equally shared by the four simulators and the five splits\n"
-    "  unietp generate --count 20 --simulators ai2thor,habitat --splits logical --out out/logic\n"
-    "  unietp generate --count 8 --template place-one-on,slice-one --out out/two\n"
-    "      of these templates; `unietp template list` names all\n"
-    "  unietp generate --count 8 --templates my/templates --template sweep-one --out out/mine\n"
-    "      templates of your own load beside the built-in ones\n"
-    "  unietp generate --template place-one-on --bind A=Book B=Sofa --out out/book\n"
-    "      exactly this, or why not; add --scenes HOME for a home of your choice\n"
-    "  unietp generate --count 20 --scenes out/homes --out out/imported\n"
-    "      in the homes of these scene files; `unietp scene import` makes them from the simulators' own files\n"
-    "  unietp generate --count 20 --modes M1,M2,M3 --out out/modes\n"
-    "      each demonstrated in all three modes; docs/modes.md says what each knows and may do\n"
-    "  unietp generate --count 20 --writer llm --llm-url URL --llm-model M --out out/worded\n"
-    "      instructions by a language model, in place of the grammar's when the tasks are made; see annotate\n"
-    "  unietp generate --count 40 --seed 1 --out out/first --resume\n"
-    "      go on after an interruption; the result is the same to the byte\n"
-    "\n"
-    "The same options and seed give the same bytes with any number of threads. Work is kept in OUT.partial and "
-    "becomes\n"
-    "OUT at the end. Exit code 1: some tasks could not be made; the data set holds the others.";
-
-struct Options : RunCommand {
+struct GenerateOptions : RunCommand {
   std::string simulators, splits, modes;
   WriterChoice writer;
   std::vector<std::string> binding;
@@ -54,7 +30,7 @@ std::vector<Simulator> simulators_of(const std::vector<Scene>& scenes) {
   return found;
 }
 
-Exit generate(Options& options, const CommandLine& program) {
+Exit generate(GenerateOptions& options, const CommandLine& program) {
   if (!options.simulators.empty()) {
     auto simulators = parse_simulators("--simulators", options.simulators);
     if (!simulators) return refuse(simulators.error());
@@ -97,33 +73,57 @@ Exit generate(Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_generate_command(CommandParser& app, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = app.add_subcommand("generate", kHelp);
+  auto options = std::make_shared<GenerateOptions>();  // shared: the callback outlives this function
+  auto* command = app.add_subcommand("generate", "Make a data set of your own design");
+  command->explain(
+      "Each task has a home, a start state, a goal formula, an instruction and a demonstration that was executed in "
+      "physics and reaches the goal. The same options and seed give the same bytes for any number of threads. While "
+      "the run is under way its work is in OUT.partial, which becomes OUT at the end.\n\n"
+      "See `unietp help modes` and `unietp help homes`. Exit code 1: some tasks could not be made; the data set holds "
+      "the others.",
+      {{"unietp generate --count 40 --seed 1 --out out/first",
+        "40 tasks, shared equally among the four simulators and the five splits"},
+       {"unietp generate --count 20 --simulators ai2thor,habitat --splits logical --out out/logic", ""},
+       {"unietp generate --count 8 --template place-one-on,slice-one --out out/two",
+        "only these templates; `unietp template list` names all"},
+       {"unietp generate --count 8 --templates my/templates --template sweep-one --out out/mine",
+        "a template of your own, loaded beside the built-in ones"},
+       {"unietp generate --template place-one-on --bind A=Book B=Sofa --out out/book",
+        "exactly this task, or the reason why it cannot be made"},
+       {"unietp generate --count 20 --scenes out/homes --out out/imported",
+        "in the homes of these scene files, such as `unietp scene import` writes"},
+       {"unietp generate --count 20 --modes M1,M2,M3 --out out/modes", "demonstrated in all three modes"},
+       {"unietp generate --count 40 --seed 1 --out out/first --resume",
+        "continue after an interruption; the result is the same to the byte"}});
   auto& configuration = options->configuration;
   auto* count =
-      command->add_option("--count", configuration.count, "How many tasks (default: 40; with --bind one a simulator)")
+      command
+          ->add_option("--count", configuration.count, "Number of tasks (default: 40; with --bind, one per simulator)")
           ->within(1, 1000000);
-  command->add_option("--seed", configuration.seed, "Number that names the run");
-  command->add_option("--simulators", options->simulators, "Of ai2thor,virtualhome,habitat,behavior (default: all)");
-  command->add_option("--splits", options->splits,
-                      "Of atomic,compositional,logical,instance_grounding,linguistic (default: all)");
-  command->add_option("--modes", options->modes,
-                      "Of M1,M2,M3: each task is demonstrated in all of them, or given up (default: M1, always made)");
-  command->add_option("--template", configuration.templates, "Names, as `unietp template list` shows (default: all)")
+  command->add_option("--seed", configuration.seed, "Seed of the run")->shows_default();
+  add_simulators_option(*command, options->simulators, "Simulators (default: all)");
+  command->add_option("--splits", options->splits, "Splits (default: all)")
+      ->type_name("NAME,...")
+      ->suggests(split_names());
+  command->add_option("--modes", options->modes, "Keep tasks that are demonstrated in all of these (default: M1)")
+      ->type_name("MODE,...")
+      ->suggests({"M1", "M2", "M3"});
+  command->add_option("--template", configuration.templates, "Templates by name (default: all)")
       ->type_name("NAME,...")
       ->delimiter(',')
       ->one_each();
   add_library_options(*command, program);
-  command
-      ->add_option("--bind", options->binding,
-                   "Categories for some or all placeholders of the one template: A=Mug B=Fridge")
-      ->type_name("A=Mug ...");
-  command->add_option("--attempts", configuration.attempts, "Candidates tried for one task before it is given up")
-      ->within(1, 1024);
-  command->add_option("--rooms", configuration.rooms, "Rooms of a home")->within(5, 20);
-  command->add_option("--objects", configuration.objects, "Movable objects asked for in a home")->within(0, 1000);
+  command->add_option("--bind", options->binding, "Categories for some or all placeholders of the one template")
+      ->type_name("A=Mug B=Fridge ...");
+  command->add_option("--attempts", configuration.attempts, "Candidates to try before a task is given up")
+      ->within(1, 1024)
+      ->shows_default();
+  command->add_option("--rooms", configuration.rooms, "Rooms in a home")->within(5, 20)->shows_default();
+  command->add_option("--objects", configuration.objects, "Movable objects to ask for in a home")
+      ->within(0, 1000)
+      ->shows_default();
   command->add_option("--scenes,--scene", options->scenes,
-                      "Scene files, folders of them, or homes of the benchmark by name, in place of drawn homes");
+                      "Homes to use: scene files, folders of them, or names of benchmark homes (default: new homes)");
   add_run_options(*command, *options, program);
   command->callback([options, count, &program] {
     options->count_given = count->given();

@@ -7,6 +7,7 @@
 #include "authoring/action_page.h"
 #include "cli/command_parser.h"
 #include "cli/commands.h"
+#include "cli/common_options.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
 #include "dataset/formula_json.h"
@@ -16,12 +17,12 @@
 namespace unietp {
 namespace {
 
-struct Options {
+struct GoalOptions {
   std::string text, simulators;
   bool json = false, page = false;
 };
 
-/// A category that a goal names must be known to the simulator it is asked of.
+/// Categories of the goal that a simulator does not know.
 std::vector<Error> unknown_in(const Formula& goal, const Knowledge& knowledge) {
   std::vector<std::string> names;
   for (const auto& category : knowledge.categories()) names.push_back(category.name);
@@ -39,7 +40,7 @@ std::vector<Error> unknown_in(const Formula& goal, const Knowledge& knowledge) {
   return errors;
 }
 
-Exit parse(const Options& options, const CommandLine& program) {
+Exit parse(const GoalOptions& options, const CommandLine& program) {
   const auto goal = parse_formula("goal", options.text, FormulaUse::Goal);
   if (!goal) return refuse(goal.error());
   if (!options.simulators.empty()) {
@@ -71,7 +72,7 @@ Exit print_action_page(const DataFolders& folders) {
   return Exit::Ok;
 }
 
-Exit list_actions(const Options& options, const DataFolders& folders) {
+Exit list_actions(const GoalOptions& options, const DataFolders& folders) {
   if (options.page) return print_action_page(folders);
   std::vector<Simulator> simulators(kSimulators.begin(), kSimulators.end());
   if (!options.simulators.empty()) {
@@ -95,24 +96,27 @@ Exit list_actions(const Options& options, const DataFolders& folders) {
 }  // namespace
 
 void add_goal_command(CommandParser& app, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = app.add_subcommand(
-      "goal",
-      "Read a goal formula and print it in canonical form, or say where it is wrong.\n"
-      "\n"
-      "  unietp goal '(at-end (exists (?m - Mug) (exists (?t - DiningTable) (on ?m ?t))))' --simulators ai2thor");
-  command->add_option("formula", options->text, "The formula")->required();
-  command->add_option("--simulators", options->simulators, "Check that these know its categories");
-  command->add_flag("--json", options->json, "Print it as a tree");
+  auto options = std::make_shared<GoalOptions>();  // shared: the callback outlives this function
+  auto* command = app.add_subcommand("goal", "Check a goal formula and print it in canonical form");
+  command->explain(
+      "Reports where the formula is wrong, with line and column. With --simulators, its categories must "
+      "be known to each of them. docs/logic.md describes the language.",
+      {{"unietp goal '(at-end (exists (?m - Mug) (dirty ?m)))' --simulators ai2thor", ""},
+       {"unietp goal '(sometime (exists (?m - Mug) (held ?m)))' --json", ""}});
+  command->add_option("FORMULA", options->text, "The formula")->required();
+  add_simulators_option(*command, options->simulators, "Check that these simulators know its categories");
+  command->add_flag("--json", options->json, "Print it as a JSON tree");
   command->callback([options, &program] { program.exit = parse(*options, program); });
 }
 
 void add_actions_command(CommandParser& app, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = app.add_subcommand("actions", "List the actions, the modes that offer them, and what they do");
-  command->add_option("--simulators", options->simulators, "Only those that one of these offers");
-  command->add_flag("--page", options->page,
-                    "Print docs/action-table.md: every action, simulator, mode and profile, needs and limits");
+  auto options = std::make_shared<GoalOptions>();  // shared: the callback outlives this function
+  auto* command = app.add_subcommand("actions", "List the actions with their modes and effects");
+  command->explain("", {{"unietp actions", ""},
+                        {"unietp actions --simulators habitat", "only what Habitat offers"},
+                        {"unietp actions --page", "all details as Markdown (docs/action-table.md)"}});
+  add_simulators_option(*command, options->simulators, "Only actions that one of these offers");
+  command->add_flag("--page", options->page, "Print needs, limits and profiles of every action as Markdown");
   command->callback([options, &program] { program.exit = list_actions(*options, program.folders); });
 }
 

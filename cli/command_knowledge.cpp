@@ -12,20 +12,9 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "What the tables in data/akb/ say of each simulator's categories.\n"
-    "\n"
-    "  unietp knowledge stats                    how much is known, and from where\n"
-    "  unietp knowledge show ai2thor             all categories\n"
-    "  unietp knowledge show ai2thor Mug         one category, each fact with its source\n"
-    "  unietp knowledge why ai2thor Mug size     where one fact comes from, and how to change it\n"
-    "  unietp knowledge diff OLD NEW             what two knowledge bases say differently\n"
-    "  unietp knowledge build                    check and compile the tables\n"
-    "  unietp knowledge import ../upstream       write the tables anew from the simulators' metadata\n"
-    "  unietp knowledge complete ...             ask a language model for what they lack";
-
-Exit build(const CommandLine& program) {
-  const auto compiled = compiled_knowledge(program.folders);
+Exit build(const std::filesystem::path& out, const CommandLine& program) {
+  const auto compiled =
+      out.empty() ? compiled_knowledge(program.folders) : compile_knowledge_into(out, program.folders);
   if (!compiled.errors.empty()) return refuse(compiled.errors);
   print_line(compiled.database.string());
   return Exit::Ok;
@@ -67,12 +56,12 @@ Result<const Category*> category_named(const Knowledge& knowledge, std::string_v
                {},
                "has no category \"" + std::string(name) + "\"" +
                    (near.empty() ? "" : ", did you mean \"" + near + "\"") + "; `unietp knowledge show " + simulator +
-                   "` lists all"};
+                   "` lists them"};
 }
 
 void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
-std::string told(const Source& source) {
+std::string source_text(const Source& source) {
   return "[" + source.source + ", confidence " + number_text(source.confidence) + "]";
 }
 
@@ -84,20 +73,33 @@ nlohmann::ordered_json json_of(const Fact& fact) {
 }
 
 void add_knowledge_command(CommandParser& app, CommandLine& program) {
-  auto* command = app.add_subcommand("knowledge", kHelp);
-  command->require_subcommand();
-  command->add_subcommand("build", "Check and compile the tables; tells where the database is")->callback([&program] {
-    program.exit = build(program);
-  });
-  add_knowledge_stats_command(*command, program);
-  add_knowledge_show_command(*command, program);
-  add_knowledge_why_command(*command, program);
-  add_knowledge_diff_command(*command, program);
-  auto upstream = std::make_shared<std::filesystem::path>();  // shared: the callback below outlives this function
-  auto* imported = command->add_subcommand("import", "Write data/akb/ anew from the simulators' metadata");
-  imported->add_option("folder", *upstream, "Folder with ai2thor/, virtualhome/, habitat/, behavior/")->required();
-  imported->callback([upstream, &program] { program.exit = import(*upstream, program); });
-  add_knowledge_complete_command(*command, program);
+  auto* group = app.add_subcommand("knowledge", "Inspect and extend what is known about objects");
+  group->explain(
+      "Facts about each simulator's object categories: sizes, affordances, places, effects and names. They "
+      "are tables in data/akb/. To change a fact without touching the tables, give --overrides FILE.",
+      {{"unietp knowledge show ai2thor Mug", ""},
+       {"unietp knowledge why ai2thor Mug size", ""},
+       {"unietp knowledge stats", ""}});
+  group->require_subcommand();
+  add_knowledge_show_command(*group, program);
+  add_knowledge_why_command(*group, program);
+  add_knowledge_stats_command(*group, program);
+  add_knowledge_diff_command(*group, program);
+  auto path = std::make_shared<std::filesystem::path>();  // shared: the callbacks outlive this function
+  auto* built = group->add_subcommand("build", "Check the tables, compile them and print where the database is");
+  built->explain(
+      "Other commands compile the tables when they need to, so this is only useful to check them or to "
+      "ship the database.",
+      {{"unietp knowledge build", ""}, {"unietp knowledge build --out out/compiled", ""}});
+  built->add_option("--out", *path, "Folder for the database (default: the user's cache)")->folder();
+  built->callback([path, &program] { program.exit = build(*path, program); });
+  auto* imported = group->add_subcommand("import", "Rewrite data/akb/ from the simulators' metadata");
+  imported->explain("docs/knowledge.md lists the metadata files.", {{"unietp knowledge import metadata", ""}});
+  imported->add_option("FOLDER", *path, "Folder with ai2thor/, virtualhome/, habitat/ and behavior/")
+      ->required()
+      ->folder();
+  imported->callback([path, &program] { program.exit = import(*path, program); });
+  add_knowledge_complete_command(*group, program);
 }
 
 }  // namespace unietp

@@ -11,14 +11,14 @@
 
 namespace unietp {
 
-// Each adds one subcommand of `unietp knowledge`.
+// Each adds a subcommand of `unietp knowledge`.
 void add_knowledge_show_command(CommandParser& knowledge, CommandLine& program);
 void add_knowledge_stats_command(CommandParser& knowledge, CommandLine& program);
 void add_knowledge_why_command(CommandParser& knowledge, CommandLine& program);
 void add_knowledge_diff_command(CommandParser& knowledge, CommandLine& program);
 void add_knowledge_complete_command(CommandParser& knowledge, CommandLine& program);
 
-/// The knowledge bases of some simulators, compiled first where they are not. `errors` as of compiled_knowledge.
+/// The knowledge bases of some simulators, compiled first if necessary. Adds those of compiled_knowledge to `errors`.
 std::vector<Knowledge> load_some(const CommandLine& program, const std::vector<Simulator>& simulators,
                                  std::vector<Error>& errors);
 
@@ -27,10 +27,10 @@ Result<const Category*> category_named(const Knowledge& knowledge, std::string_v
 
 void print_line(const std::string& text);
 /// "[curated, confidence 0.8]"
-std::string told(const Source& source);
+std::string source_text(const Source& source);
 nlohmann::ordered_json json_of(const Fact& fact);
 
-/// How much is known of each simulator, a line each; what `import` ends with.
+/// Prints the number of facts of each simulator, one line each.
 Exit print_sizes(const CommandLine& program);
 
 }  // namespace unietp

@@ -6,6 +6,7 @@
 #include "cli/command_knowledge.h"
 #include "cli/command_parser.h"
 #include "cli/commands.h"
+#include "cli/common_options.h"
 #include "cli/llm_options.h"
 #include "cli/progress_line.h"
 #include "core/text.h"
@@ -17,19 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHelp =
-    "Ask a language model for facts that the tables lack.\n"
-    "\n"
-    "  export UNIETP_LLM_KEY=...      only for servers that ask for one\n"
-    "  unietp knowledge complete ai2thor --llm-url http://localhost:8080/v1 --llm-model qwen2.5-7b\n"
-    "  unietp knowledge complete --llm-url URL --llm-model M --facts function,context --limit 20\n"
-    "  unietp knowledge complete --llm-url URL --llm-model M --dry-run      print the prompts, send nothing\n"
-    "\n"
-    "Answers that pass every check go to data/akb/completed/ with the source llm:MODEL and the confidence 0.5. They\n"
-    "count only where no other source tells a fact of the kind. Answers are cached: the same command again asks "
-    "nothing.";
-
-struct Options {
+struct KnowledgeCompleteOptions {
   std::string simulator, facts;
   LlmChoice llm;
   int batch = 8, limit = 0;
@@ -63,13 +52,13 @@ Json counts_json(const std::map<FactKind, int>& counts) {
   return json;
 }
 
-/// Number and first example of each reason for a rejection.
-struct Reason {
+/// Number and first example of a reason for rejection.
+struct ReasonCount {
   int count = 0;
   std::string example;
 };
-std::map<std::string, Reason> reasons_of(const std::vector<RejectedFact>& rejected) {
-  std::map<std::string, Reason> reasons;
+std::map<std::string, ReasonCount> reasons_of(const std::vector<RejectedFact>& rejected) {
+  std::map<std::string, ReasonCount> reasons;
   for (const auto& fact : rejected) {
     auto& reason = reasons[fact.reason];
     if (++reason.count == 1) reason.example = trim(fact.category + " " + fact.fact + " " + fact.value);
@@ -77,28 +66,29 @@ std::map<std::string, Reason> reasons_of(const std::vector<RejectedFact>& reject
   return reasons;
 }
 
-void tell(const CompletionPlan& plan, const CompletionReport& report, const Options& options) {
+void print_report(const CompletionPlan& plan, const CompletionReport& report, const KnowledgeCompleteOptions& options) {
   const auto& totals = report.totals;
   print_line("lacking    " + counts_text(plan.lacking));
-  print_line("told before by a language model: " + counts_text(plan.completed));
+  print_line("completed before by a language model: " + counts_text(plan.completed));
   print_line("requests   " + std::to_string(totals.asked) + " asked, " + std::to_string(totals.cached) +
              " from the cache, " + std::to_string(totals.failed) + " without an answer");
   for (const auto& [reason, count] : report.failures) print_line("  " + std::to_string(count) + "  " + reason);
   print_line("accepted   " + counts_text(report.accepted));
   print_line("rejected   " + std::to_string(report.rejected.size()));
-  for (const auto& [reason, told] : reasons_of(report.rejected))
-    print_line("  " + std::to_string(told.count) + "  " + reason + (told.example.empty() ? "" : ": " + told.example));
+  for (const auto& [reason, found] : reasons_of(report.rejected))
+    print_line("  " + std::to_string(found.count) + "  " + reason +
+               (found.example.empty() ? "" : ": " + found.example));
   if (report.unused > 0)
     print_line("unused     " + std::to_string(report.unused) +
-               " completed facts that another source tells, or that name two things");
+               " completed facts that another source already has, or whose name is ambiguous");
   print_line(cost_line(totals, options.llm.price));
 }
 
-Json json_of(const CompletionPlan& plan, const CompletionReport& report, const Options& options) {
+Json json_of(const CompletionPlan& plan, const CompletionReport& report, const KnowledgeCompleteOptions& options) {
   const auto& totals = report.totals;
   Json rejected = Json::object();
-  for (const auto& [reason, told] : reasons_of(report.rejected))
-    rejected[reason] = {{"count", told.count}, {"example", told.example}};
+  for (const auto& [reason, found] : reasons_of(report.rejected))
+    rejected[reason] = {{"count", found.count}, {"example", found.example}};
   return {{"lacking", counts_json(plan.lacking)},
           {"completed_before", counts_json(plan.completed)},
           {"requests", {{"asked", totals.asked}, {"cached", totals.cached}, {"failed", totals.failed}}},
@@ -111,7 +101,7 @@ Json json_of(const CompletionPlan& plan, const CompletionReport& report, const O
           {"stopped", report.stopped}};
 }
 
-Exit complete(const Options& options, const CommandLine& program) {
+Exit complete(const KnowledgeCompleteOptions& options, const CommandLine& program) {
   const Result<std::vector<Simulator>> simulators = options.simulator.empty()
                                                         ? std::vector<Simulator>(kSimulators.begin(), kSimulators.end())
                                                         : parse_simulators("simulator", options.simulator);
@@ -156,7 +146,7 @@ Exit complete(const Options& options, const CommandLine& program) {
   if (options.json) {
     print_line(json_of(plan, *report, options).dump(2));
   } else {
-    tell(plan, *report, options);
+    print_report(plan, *report, options);
   }
   if (report->stopped) return Exit::Interrupted;
   return report->failures.empty() && !cache->trouble() ? Exit::Ok : Exit::Wrong;
@@ -165,16 +155,25 @@ Exit complete(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_knowledge_complete_command(CommandParser& knowledge, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  auto options = std::make_shared<KnowledgeCompleteOptions>();  // shared: the callback outlives this function
   options->facts = "size,mass,synset,aliases,function,context,placements,affordances";
-  auto* command = knowledge.add_subcommand("complete", kHelp);
-  command->add_option("simulator", options->simulator, "ai2thor, virtualhome, habitat or behavior (default: all)");
+  auto* command = knowledge.add_subcommand("complete", "Ask a language model for facts that the tables lack");
+  command->explain(
+      "Answers that pass every check go to data/akb/completed/ with the source llm:MODEL and the confidence 0.5. They "
+      "count only where no other source has a fact of that kind. Answers are cached, so the same command asks nothing "
+      "twice. See `unietp help models` for servers and keys.",
+      {{"unietp knowledge complete ai2thor --llm-url http://localhost:8080/v1 --llm-model qwen2.5-7b", ""},
+       {"unietp knowledge complete --llm-url URL --llm-model M --facts function,context --limit 20", ""},
+       {"unietp knowledge complete --llm-url URL --llm-model M --dry-run", "print the prompts and send nothing"}});
+  add_simulator_argument(*command, options->simulator, "The simulator (default: all)");
   add_llm_options(*command, options->llm, true);
-  command->add_option("--facts", options->facts, "Kinds of fact, joined by commas")->shows_default();
-  command->add_option("--limit", options->limit, "Ask about so many categories at most; cached ones do not count")
+  command->add_option("--facts", options->facts, "Kinds of facts, separated by commas")
+      ->type_name("KIND,...")
+      ->shows_default();
+  command->add_option("--limit", options->limit, "Largest number of categories to ask about; cached ones do not count")
       ->within(1, 1'000'000);
-  command->add_option("--batch", options->batch, "Categories a request")->within(1, 100)->shows_default();
-  command->add_flag("--json", options->json, "Tell the result as JSON");
+  command->add_option("--batch", options->batch, "Categories per request")->within(1, 100)->shows_default();
+  command->add_flag("--json", options->json, "Print the result as JSON");
   command->callback([options, &program] { program.exit = complete(*options, program); });
 }
 

@@ -15,17 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHelp =
-    "What two knowledge bases say differently, fact by fact.\n"
-    "\n"
-    "  unietp knowledge diff ../old/data/akb data/akb    two folders of tables\n"
-    "  unietp knowledge diff old.sqlite data/akb         a compiled file (of `unietp knowledge build`) and a folder\n"
-    "  unietp knowledge diff OLD NEW --values            only what is added, removed or has another value\n"
-    "\n"
-    "+ added, - removed, ~ changed (its value, or only its source or confidence). Exit code 0 when both say the same,\n"
-    "1 when they differ, 2 when one cannot be read.";
-
-struct Options {
+struct KnowledgeDiffOptions {
   std::filesystem::path old, now;
   bool values = false, json = false;
 };
@@ -58,10 +48,10 @@ std::vector<Knowledge> read_any(const std::filesystem::path& path, std::vector<E
 
 std::string line_of(std::string_view simulator, const Difference& d) {
   const std::string subject = std::string(simulator) + " " + d.category + " " + d.name + " ";
-  if (!d.now) return "- " + subject + d.old->value + " " + told(d.old->source);
-  if (!d.old) return "+ " + subject + d.now->value + " " + told(d.now->source);
+  if (!d.now) return "- " + subject + d.old->value + " " + source_text(d.old->source);
+  if (!d.old) return "+ " + subject + d.now->value + " " + source_text(d.now->source);
   const std::string value = d.same_value() ? d.now->value : d.old->value + " -> " + d.now->value;
-  const std::string from = told(d.old->source), to = told(d.now->source);
+  const std::string from = source_text(d.old->source), to = source_text(d.now->source);
   return "~ " + subject + value + " " + (from == to ? to : from + " -> " + to);
 }
 
@@ -70,7 +60,7 @@ Json side(const std::optional<Fact>& fact) {
   return {{"value", fact->value}, {"source", fact->source.source}, {"confidence", fact->source.confidence}};
 }
 
-Exit diff(const Options& options) {
+Exit diff(const KnowledgeDiffOptions& options) {
   std::vector<Error> errors;
   const auto old = read_any(options.old, errors), now = read_any(options.now, errors);
   if (!errors.empty()) return refuse(errors);
@@ -104,12 +94,20 @@ Exit diff(const Options& options) {
 }  // namespace
 
 void add_knowledge_diff_command(CommandParser& knowledge, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = knowledge.add_subcommand("diff", kHelp);
-  command->add_option("old", options->old, "Folder of tables or compiled file")->required();
-  command->add_option("new", options->now, "The other")->required();
+  auto options = std::make_shared<KnowledgeDiffOptions>();  // shared: the callback outlives this function
+  auto* command = knowledge.add_subcommand("diff", "Compare two knowledge bases, fact by fact");
+  command->explain(
+      "Each is a folder of tables or a compiled file of `unietp knowledge build`. Lines begin with + for added, - for "
+      "removed and ~ for changed facts (the value, or only its source or confidence). Exit code 0 when both are equal, "
+      "1 when they differ, 2 when one cannot be read.",
+      {{"unietp knowledge diff old/data/akb data/akb", ""},
+       {"unietp knowledge diff old.sqlite data/akb", ""},
+       {"unietp knowledge diff old.sqlite data/akb --values",
+        "only facts that are added, removed or have a new value"}});
+  command->add_option("OLD", options->old, "Folder of tables or compiled file")->required();
+  command->add_option("NEW", options->now, "Folder of tables or compiled file")->required();
   command->add_flag("--values", options->values, "Leave out facts of which only the source or confidence changed");
-  command->add_flag("--json", options->json, "Tell it as JSON");
+  command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &program] { program.exit = diff(*options); });
 }
 

@@ -5,6 +5,7 @@
 
 #include "cli/command_knowledge.h"
 #include "cli/command_parser.h"
+#include "cli/common_options.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
 
@@ -13,14 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHelp =
-    "Categories of a simulator, or all facts of one with their sources.\n"
-    "\n"
-    "  unietp knowledge show ai2thor             a line a category: its name and what it affords\n"
-    "  unietp knowledge show ai2thor Mug         every fact, also those in which another category is the subject\n"
-    "  unietp knowledge show ai2thor Mug --json  the facts of the mug itself, for programs";
-
-struct Options {
+struct KnowledgeShowOptions {
   std::string simulator, category;
   bool json = false;
 };
@@ -45,33 +39,34 @@ void show_rows(const Knowledge& knowledge, const Category& category) {
     if (placement.object == category.name || placement.receptacle == category.name)
       print_line("  " + placement.object + " " + placement.relation + " " + placement.receptacle + ", likely " +
                  number_text(placement.likelihood) + ", at most " + std::to_string(placement.capacity) + " " +
-                 told(placement.source));
+                 source_text(placement.source));
   }
   for (const auto& effect : knowledge.effects()) {
     if (effect.tool != category.name && effect.target != category.name) continue;
     print_line("  " + effect.tool + " " + effect.effect + " " + effect.target +
                (effect.gives.empty() ? "" : " giving " + effect.gives) +
-               (effect.needs.empty() ? "" : ", needs " + join(effect.needs, ", ")) + " " + told(effect.source));
+               (effect.needs.empty() ? "" : ", needs " + join(effect.needs, ", ")) + " " + source_text(effect.source));
   }
   for (const auto& alias : knowledge.aliases()) {
-    if (alias.category == category.name) print_line("  " + alias.kind + ": " + alias.text + " " + told(alias.source));
+    if (alias.category == category.name)
+      print_line("  " + alias.kind + ": " + alias.text + " " + source_text(alias.source));
   }
   for (const Asset* asset : knowledge.asset_rows_of(category.name))
-    print_line("  model " + asset->name + ", " + size_text(asset->size) + " m " + told(asset->source));
+    print_line("  model " + asset->name + ", " + size_text(asset->size) + " m " + source_text(asset->source));
 }
 
 void show_category(const Knowledge& knowledge, const Category& category) {
   print_line(category.name + ": " + category.display + ", plural " + category.plural +
-             (category.synset.empty() ? "" : ", " + category.synset) + " " + told(category.source));
+             (category.synset.empty() ? "" : ", " + category.synset) + " " + source_text(category.source));
   print_line(std::string("  ") + (category.movable ? "movable" : "furniture") + ", built as " +
              std::string(name_of(category.archetype)));
   if (!category.synset.empty() && category.synset_source != category.source)
-    print_line("  synset " + category.synset + " " + told(category.synset_source));
-  print_line("  size " + size_text(category.size) + " m " + told(category.size_source));
-  print_line("  mass " + number_text(category.mass) + " kg " + told(category.mass_source));
+    print_line("  synset " + category.synset + " " + source_text(category.synset_source));
+  print_line("  size " + size_text(category.size) + " m " + source_text(category.size_source));
+  print_line("  mass " + number_text(category.mass) + " kg " + source_text(category.mass_source));
   print_line("  rooms " + join(category.rooms, ", "));
   for (const auto* fact : knowledge.affordance_facts_of(category.name))
-    print_line("  is " + fact->affordance + " " + told(fact->source));
+    print_line("  is " + fact->affordance + " " + source_text(fact->source));
   show_rows(knowledge, category);
 }
 
@@ -81,7 +76,7 @@ Json category_json(const Knowledge& knowledge, const Category& category) {
   return {{"simulator", name_of(knowledge.simulator())}, {"category", category.name}, {"facts", std::move(facts)}};
 }
 
-Exit show(const Options& options, const CommandLine& program) {
+Exit show(const KnowledgeShowOptions& options, const CommandLine& program) {
   const auto simulators = parse_simulators("simulator", options.simulator);
   if (!simulators) return refuse(simulators.error());
   std::vector<Error> errors;
@@ -112,11 +107,15 @@ Exit show(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_knowledge_show_command(CommandParser& knowledge, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = knowledge.add_subcommand("show", kHelp);
-  command->add_option("simulator", options->simulator, "ai2thor, virtualhome, habitat or behavior")->required();
-  command->add_option("category", options->category, "The simulator's own name of it");
-  command->add_flag("--json", options->json, "Tell it as JSON");
+  auto options = std::make_shared<KnowledgeShowOptions>();  // shared: the callback outlives this function
+  auto* command = knowledge.add_subcommand("show", "Print the categories of a simulator, or all facts of one");
+  command->explain("", {{"unietp knowledge show ai2thor", "one line per category: its name and affordances"},
+                        {"unietp knowledge show ai2thor Mug",
+                         "every fact with its source, including facts of other categories that name it"},
+                        {"unietp knowledge show ai2thor Mug --json", "the facts of the category itself"}});
+  add_simulator_argument(*command, options->simulator, "The simulator")->required();
+  command->add_option("CATEGORY", options->category, "A category by the simulator's name for it");
+  command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &program] { program.exit = show(*options, program); });
 }
 

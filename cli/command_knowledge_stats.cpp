@@ -6,6 +6,7 @@
 #include "akb/coverage.h"
 #include "cli/command_knowledge.h"
 #include "cli/command_parser.h"
+#include "cli/common_options.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
 
@@ -14,15 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHelp =
-    "How much is known of each simulator, from where and how surely.\n"
-    "\n"
-    "  unietp knowledge stats                    the size of each table of each simulator\n"
-    "  unietp knowledge stats behavior           by affordance, table and source; how many categories lack what\n"
-    "  unietp knowledge stats behavior --missing the names of the categories that lack something\n"
-    "  unietp knowledge stats --json             all of it, for programs";
-
-struct Options {
+struct KnowledgeStatsOptions {
   std::string simulator;
   bool missing = false, json = false;
 };
@@ -95,7 +88,7 @@ Json coverage_json(std::string_view simulator, const Coverage& coverage) {
           {"missing", std::move(missing)}};
 }
 
-Exit stats(const Options& options, const CommandLine& program) {
+Exit stats(const KnowledgeStatsOptions& options, const CommandLine& program) {
   const bool all = options.simulator.empty();
   if (all && !options.missing && !options.json) return print_sizes(program);
   const Result<std::vector<Simulator>> simulators = all ? std::vector<Simulator>(kSimulators.begin(), kSimulators.end())
@@ -138,12 +131,16 @@ Exit print_sizes(const CommandLine& program) {
 }
 
 void add_knowledge_stats_command(CommandParser& knowledge, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = knowledge.add_subcommand("stats", kHelp);
-  command->add_option("simulator", options->simulator,
-                      "ai2thor, virtualhome, habitat or behavior (default: sizes of all)");
-  command->add_flag("--missing", options->missing, "List the categories that lack a synset, rooms, places or aliases");
-  command->add_flag("--json", options->json, "Tell it as JSON, names of lacking categories included");
+  auto options = std::make_shared<KnowledgeStatsOptions>();  // shared: the callback outlives this function
+  auto* command = knowledge.add_subcommand("stats", "Count the facts of each simulator by table and source");
+  command->explain("", {{"unietp knowledge stats", "the size of each table of each simulator"},
+                        {"unietp knowledge stats behavior",
+                         "by affordance, table and source, and how many categories lack something"},
+                        {"unietp knowledge stats behavior --missing", "the categories that lack something"},
+                        {"unietp knowledge stats --json", "all of it"}});
+  add_simulator_argument(*command, options->simulator, "The simulator (default: table sizes of all)");
+  command->add_flag("--missing", options->missing, "List categories without a synset, rooms, places or aliases");
+  command->add_flag("--json", options->json, "Print JSON, with the names of incomplete categories");
   command->callback([options, &program] { program.exit = stats(*options, program); });
 }
 

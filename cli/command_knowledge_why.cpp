@@ -6,6 +6,7 @@
 #include "akb/provenance.h"
 #include "cli/command_knowledge.h"
 #include "cli/command_parser.h"
+#include "cli/common_options.h"
 #include "core/files.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
@@ -15,20 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHelp =
-    "Whether a fact holds, where it comes from, on what terms, and how to change it.\n"
-    "\n"
-    "  unietp knowledge why ai2thor Mug size             a cell of its row: display plural synset countable movable\n"
-    "                                                    archetype size mass rooms colours materials\n"
-    "  unietp knowledge why ai2thor Fridge openable      an affordance\n"
-    "  unietp knowledge why ai2thor Mug on:CounterTop    a place: on inside next_to under; on:CounterTop:capacity\n"
-    "  unietp knowledge why ai2thor Microwave heats:Potato\n"
-    "                                                    what it does to what; heats:Potato:needs\n"
-    "  unietp knowledge why ai2thor Mug alias:cup        another name; asset:Mug_1 is one of its models\n"
-    "\n"
-    "Exit code 0 when the fact holds, 1 when it does not, 2 when a name is unknown.";
-
-struct Options {
+struct KnowledgeWhyOptions {
   std::string simulator, category, fact;
   bool json = false;
 };
@@ -149,7 +137,7 @@ Json json_of(const Explanation& e) {
   return json;
 }
 
-Exit why(const Options& options, const CommandLine& program) {
+Exit why(const KnowledgeWhyOptions& options, const CommandLine& program) {
   const auto simulators = parse_simulators("simulator", options.simulator);
   if (!simulators) return refuse(simulators.error());
   if (simulators->size() != 1)
@@ -177,12 +165,27 @@ Exit why(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_knowledge_why_command(CommandParser& knowledge, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = knowledge.add_subcommand("why", kHelp);
-  command->add_option("simulator", options->simulator, "ai2thor, virtualhome, habitat or behavior")->required();
-  command->add_option("category", options->category, "The simulator's own name of it")->required();
-  command->add_option("fact", options->fact, "size, openable, on:CounterTop, heats:Potato, alias:cup, ...")->required();
-  command->add_flag("--json", options->json, "Tell it as JSON");
+  auto options = std::make_shared<KnowledgeWhyOptions>();  // shared: the callback outlives this function
+  auto* command = knowledge.add_subcommand("why", "Explain one fact: its source, its license, and how to change it");
+  command->explain(
+      "A fact is one of:\n"
+      "  a property              size, mass, synset, display, plural, countable, movable,\n"
+      "                          archetype, rooms, colours or materials\n"
+      "  an affordance           openable\n"
+      "  a place                 on:CounterTop, inside:, next_to:, under:; on:CounterTop:capacity\n"
+      "  an effect on a category heats:Potato; heats:Potato:needs\n"
+      "  another name            alias:cup\n"
+      "  a 3D model              asset:Mug_1\n\n"
+      "Exit code 0 when the fact holds, 1 when it does not, 2 when a name is unknown.",
+      {{"unietp knowledge why ai2thor Mug size", ""},
+       {"unietp knowledge why ai2thor Fridge openable", ""},
+       {"unietp knowledge why ai2thor Mug on:CounterTop", ""},
+       {"unietp knowledge why ai2thor Microwave heats:Potato", ""},
+       {"unietp knowledge why ai2thor Mug alias:cup", ""}});
+  add_simulator_argument(*command, options->simulator, "The simulator")->required();
+  command->add_option("CATEGORY", options->category, "A category by the simulator's name for it")->required();
+  command->add_option("FACT", options->fact, "The fact, as listed above")->required();
+  command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &program] { program.exit = why(*options, program); });
 }
 

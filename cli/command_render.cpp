@@ -15,24 +15,14 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Draw a task of a data set: from above as SVG, its start and the way that its demonstration goes; or as PNG\n"
-    "what the agent sees before a step of it.\n"
-    "\n"
-    "  unietp render out/first ai2thor-00001 --out task.svg\n"
-    "  unietp render out/first ai2thor-00001 --out seen.png --step 3 --boxes\n"
-    "  unietp render out/first ai2thor-00001 --out seen.png --step 3 --mode M3\n"
-    "\n"
-    "`unietp scene show` draws a home without a task.";
-
-struct Options {
+struct RenderOptions {
   std::filesystem::path dataset, out;
   std::string task, mode = "M1";
   std::size_t step = 1;
   bool boxes = false;
 };
 
-using Legs = std::vector<std::vector<Vec2>>;
+using Paths = std::vector<std::vector<Vec2>>;
 
 /// A task with its start and its demonstration in a mode. The lines in front of it are not parsed, only held to be
 /// those of other tasks.
@@ -58,20 +48,20 @@ std::vector<Scene> scenes_of(const Scene& start, const DemonstrationRecord& show
   return scenes;
 }
 
-/// How the agent walks, one leg for each time that it changes its place.
-Legs way_through(const std::vector<Scene>& scenes, const Profile& profile) {
-  Legs legs;
+/// The paths that the agent walks, one for each change of its position.
+Paths paths_through(const std::vector<Scene>& scenes, const Profile& profile) {
+  Paths paths;
   for (std::size_t i = 1; i < scenes.size(); ++i) {
     const Vec2 from = scenes[i - 1].agent.position, to = scenes[i].agent.position;
     if (from == to) continue;
     auto leg = NavigationGrid(scenes[i - 1], profile).walk(from, to);
     if (leg.empty()) leg = {from, to};
-    legs.push_back(std::move(leg));
+    paths.push_back(std::move(leg));
   }
-  return legs;
+  return paths;
 }
 
-/// What the agent sees, as PNG; with a frame around each object that it is told of.
+/// The agent's view as PNG, with a box around each object that it is told about if `boxes`.
 Result<std::string> seen(const Scene& scene, const Profile& profile, bool boxes) {
   Rays rays;
   Picture picture = picture_of(scene, profile, rays);
@@ -83,12 +73,12 @@ Result<std::string> seen(const Scene& scene, const Profile& profile, bool boxes)
   return png(picture.width, picture.height, picture.rgb);
 }
 
-Exit render(const Options& options, const DataFolders& folders) {
+Exit render(const RenderOptions& options, const DataFolders& folders) {
   if (std::error_code code; !std::filesystem::is_directory(options.dataset, code))
     return refuse({Error::Kind::Usage,
                    options.dataset.string(),
                    {},
-                   "is no folder; a data set is expected, and `unietp scene show` draws scene files"});
+                   "is not a folder; expected a data set (`unietp scene show` draws scene files)"});
   const Mode mode = *mode_named(options.mode);
   const auto task = find_task(options.dataset, options.task, mode);
   if (!task) return refuse(task.error());
@@ -99,7 +89,7 @@ Exit render(const Options& options, const DataFolders& folders) {
   if (options.step < 1 || options.step > scenes.size())
     return refuse({Error::Kind::Usage, "--step", {}, "expected 1 to " + std::to_string(scenes.size())});
   const auto drawn = as_seen ? seen(scenes[options.step - 1], *profile, options.boxes)
-                             : Result<std::string>(scene_svg(task->start, way_through(scenes, *profile)));
+                             : Result<std::string>(scene_svg(task->start, paths_through(scenes, *profile)));
   if (!drawn) return refuse(drawn.error());
   if (const auto written = write_file(options.out, *drawn); !written) return refuse(written.error());
   return Exit::Ok;
@@ -108,14 +98,23 @@ Exit render(const Options& options, const DataFolders& folders) {
 }  // namespace
 
 void add_render_command(CommandParser& app, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = app.add_subcommand("render", kHelp);
-  command->add_option("dataset", options->dataset, "A finished data set")->required();
-  command->add_option("task", options->task, "A task of the data set")->required();
-  command->add_option("--out", options->out, "The file to write: .png for the agent's view, else SVG")->required();
-  command->add_option("--step", options->step, "PNG: before which step of the demonstration; one more: after the last");
-  command->add_option("--mode", options->mode, "Of which demonstration: M1, M2 or M3")->one_of({"M1", "M2", "M3"});
-  command->add_flag("--boxes", options->boxes, "PNG: frame what the agent is told to see");
+  auto options = std::make_shared<RenderOptions>();  // shared: the callback outlives this function
+  auto* command = app.add_subcommand("render", "Draw a task from above (SVG) or as the agent sees it (PNG)");
+  command->explain(
+      "An SVG shows the start scene from above with the path of the demonstration. A PNG shows what the "
+      "agent's camera sees before one step of it. `unietp scene show` draws a home without a task.",
+      {{"unietp render out/first ai2thor-00001 --out task.svg", ""},
+       {"unietp render out/first ai2thor-00001 --out view.png --step 3 --boxes", ""},
+       {"unietp render out/first ai2thor-00001 --out view.png --step 3 --mode M3", ""}});
+  command->add_option("FOLDER", options->dataset, "A finished data set")->required()->folder();
+  command->add_option("TASK", options->task, "Id of a task in it")->required();
+  command->add_option("--out", options->out, "File to write; .png for the agent's view, otherwise SVG")->required();
+  command->add_option("--step", options->step, "PNG: the step to show the view before; one past the last shows the end")
+      ->shows_default();
+  command->add_option("--mode", options->mode, "Mode of the demonstration")
+      ->one_of({"M1", "M2", "M3"})
+      ->shows_default();
+  command->add_flag("--boxes", options->boxes, "PNG: draw the boxes of the objects that the agent is told about");
   command->callback([options, &program] { program.exit = render(*options, program.folders); });
 }
 

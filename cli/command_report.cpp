@@ -3,27 +3,20 @@
 
 #include "cli/command_parser.h"
 #include "cli/commands.h"
+#include "cli/common_options.h"
 #include "core/files.h"
 #include "report/report_page.h"
 
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Show a finished data set on one page that needs nothing but a browser: charts with the tables behind them, and\n"
-    "examples with pictures.\n"
-    "\n"
-    "  unietp report out/mine --out report.html\n"
-    "\n"
-    "`unietp stats` prints the same figures; `unietp review` makes a page to judge each task by.";
-
-struct Options {
+struct ReportOptions {
   std::filesystem::path folder, out;
   int threads = 1, examples = 20;
 };
 
 Result<std::vector<ReportExample>> examples_of(const FinishedSet& set, const std::vector<Backend>& backends,
-                                               const Options& options) {
+                                               const ReportOptions& options) {
   const auto plans = plans_of(set, options.threads);
   if (!plans) return plans.error();
   std::vector<ReportExample> examples;
@@ -39,7 +32,7 @@ Result<std::vector<ReportExample>> examples_of(const FinishedSet& set, const std
   return examples;
 }
 
-Exit report(const Options& options, const CommandLine& program) {
+Exit report(const ReportOptions& options, const CommandLine& program) {
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   std::vector<const Knowledge*> knowledge;
@@ -60,14 +53,16 @@ Exit report(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_report_command(CommandParser& app, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  options->threads = program.processors;
-  auto* command = app.add_subcommand("report", kHelp);
-  command->add_option("folder", options->folder, "A finished data set")->required();
-  command->add_option("--out", options->out, "The page to write")->required();
-  command->add_option("--examples", options->examples, "Tasks to show")->within(0, 1000)->shows_default();
-  command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->within(1, 1024);
+  auto options = std::make_shared<ReportOptions>();  // shared: the callback outlives this function
+  auto* command = app.add_subcommand("report", "Write a web page with charts and example tasks");
+  command->explain(
+      "The page is one file that needs only a browser. `unietp stats` prints the same numbers; `unietp "
+      "review` makes a page on which people judge each task.",
+      {{"unietp report out/mine --out report.html", ""}});
+  command->add_option("FOLDER", options->folder, "A finished data set")->required()->folder();
+  command->add_option("--out", options->out, "HTML file to write")->required();
+  command->add_option("--examples", options->examples, "Number of example tasks")->within(0, 1000)->shows_default();
+  add_threads_option(*command, options->threads, program);
   command->callback([options, &program] { program.exit = report(*options, program); });
 }
 

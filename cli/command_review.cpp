@@ -3,6 +3,7 @@
 
 #include "cli/command_parser.h"
 #include "cli/commands.h"
+#include "cli/common_options.h"
 #include "core/files.h"
 #include "record/manifest_record.h"
 #include "report/review_page.h"
@@ -11,25 +12,14 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Have people judge the tasks of a finished data set, and write it anew as they say.\n"
-    "\n"
-    "  unietp review out/mine --out review.html             a page to accept, reject or edit each task by\n"
-    "  unietp review out/mine --apply review-mine.json      what the page saved; the folder is replaced at once\n"
-    "  unietp review out/mine --apply review-mine.json --out out/reviewed\n"
-    "\n"
-    "The page is one file that needs nothing but a browser. Rejected tasks are taken out (--keep-rejected: only\n"
-    "marked). An edit must pass the checks of instructions; one that does not is named with the reason, and its task\n"
-    "stays as it was. Exit code 1: some verdicts were not taken over.";
-
-struct Options {
+struct ReviewOptions {
   std::filesystem::path folder, out, reviews;
   ApplyOptions apply;
   int threads = 1, view = 256;
 };
 
-Exit write_page(const Options& options, const CommandLine& program) {
-  if (options.out.empty()) return refuse({Error::Kind::Usage, "--out", {}, "say where to write the page"});
+Exit write_page(const ReviewOptions& options, const CommandLine& program) {
+  if (options.out.empty()) return refuse({Error::Kind::Usage, "--out", {}, "expected a file to write the page to"});
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   const auto set = read_finished_set(options.folder);
@@ -50,7 +40,7 @@ Exit write_page(const Options& options, const CommandLine& program) {
   return Exit::Ok;
 }
 
-Exit apply(const Options& options, const CommandLine& program) {
+Exit apply(const ReviewOptions& options, const CommandLine& program) {
   const auto text = read_file(options.reviews);
   if (!text) return refuse(text.error());
   const auto reviews = read_reviews(options.reviews.string(), *text);
@@ -64,8 +54,8 @@ Exit apply(const Options& options, const CommandLine& program) {
   const auto report = apply_review(options.folder, options.out.empty() ? options.folder : options.out, *reviews,
                                    reading.resources, settings);
   if (!report) return refuse(report.error());
-  for (const auto& [task, why] : report->refused) std::printf("%s: not taken over: %s\n", task.c_str(), why.c_str());
-  std::printf("%d accepted, %d rejected, %d edited, %zu not taken over\n", report->accepted, report->rejected,
+  for (const auto& [task, why] : report->refused) std::printf("%s: not applied: %s\n", task.c_str(), why.c_str());
+  std::printf("%d accepted, %d rejected, %d edited, %zu not applied\n", report->accepted, report->rejected,
               report->edited, report->refused.size());
   return report->refused.empty() ? Exit::Ok : Exit::Wrong;
 }
@@ -73,23 +63,29 @@ Exit apply(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_review_command(CommandParser& app, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  options->threads = program.processors;
-  auto* command = app.add_subcommand("review", kHelp);
-  command->add_option("folder", options->folder, "A finished data set")->required()->existing_folder();
-  command->add_option("--out", options->out, "The page to write; with --apply, a new folder in place of this one");
-  auto* reviews = command->add_option("--apply", options->reviews, "A file that the page saved")->existing_file();
-  command->add_option("--view", options->view, "Pixels that the agent's view is wide in the page")
+  auto options = std::make_shared<ReviewOptions>();  // shared: the callback outlives this function
+  auto* command = app.add_subcommand("review", "Have people accept, reject or edit tasks, and apply their verdicts");
+  command->explain(
+      "The page is one file that needs only a browser. Applying its saved file removes rejected tasks and takes over "
+      "edited instructions. An edit must pass the checks that all instructions pass; otherwise it is listed with the "
+      "reason and the task stays as it was. The data set is replaced in one step. Exit code 1: some verdicts were not "
+      "applied.",
+      {{"unietp review out/mine --out review.html", "a page to accept, reject or edit each task"},
+       {"unietp review out/mine --apply review-mine.json", "apply what the page saved"},
+       {"unietp review out/mine --apply review-mine.json --out out/reviewed", ""}});
+  command->add_option("FOLDER", options->folder, "A finished data set")->required()->existing_folder();
+  command->add_option("--out", options->out, "HTML file to write; with --apply, a new data set to make");
+  auto* reviews = command->add_option("--apply", options->reviews, "File that the page saved")->existing_file();
+  command->add_option("--view", options->view, "Width of the agent's view on the page, in pixels")
       ->within(16, 4096)
       ->shows_default();
   command
       ->add_flag("--accept-unchecked", options->apply.accept_unchecked,
-                 "Take edits that do not pass the checks, too; the task's record says so")
+                 "Also take edits that fail the checks; the task's record says so")
       ->needs(reviews);
-  command->add_flag("--keep-rejected", options->apply.keep_rejected, "Mark rejected tasks in reviews.jsonl only")
+  command->add_flag("--keep-rejected", options->apply.keep_rejected, "Only mark rejected tasks in reviews.jsonl")
       ->needs(reviews);
-  command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->within(1, 1024);
+  add_threads_option(*command, options->threads, program);
   command->callback([options, &program] {
     program.exit = options->reviews.empty() ? write_page(*options, program) : apply(*options, program);
   });

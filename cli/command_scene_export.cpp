@@ -14,25 +14,15 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Write a scene as a file that a simulator loads.\n"
-    "\n"
-    "  unietp scene export procthor out/homes/ai2thor-benchmark-01.scene.json.gz --out house.json\n"
-    "      a house for AI2-THOR's CreateHouse, with models whose boxes fit\n"
-    "  unietp scene export virtualhome home.scene.json.gz --out graph.json      an environment graph\n"
-    "  unietp scene export habitat home.scene.json.gz --out home.scene_instance.json\n"
-    "\n"
-    "What the format cannot say, or no model fits, is listed on stderr. A name that ends in .gz is packed.";
-
-struct Options {
+struct SceneExportOptions {
   std::string format;
   std::filesystem::path scene, out;
 };
 
-using Writer = std::function<Result<ExportedScene>(const Scene&, const Knowledge&)>;
+using SceneWriter = std::function<Result<ExportedScene>(const Scene&, const Knowledge&)>;
 
-Result<Writer> writer_named(const std::string& format) {
-  const std::map<std::string, Writer> writers{
+Result<SceneWriter> writer_named(const std::string& format) {
+  const std::map<std::string, SceneWriter> writers{
       {"habitat", write_habitat}, {"procthor", write_procthor}, {"virtualhome", write_virtualhome}};
   if (const auto found = writers.find(format); found != writers.end()) return found->second;
   std::vector<std::string> names;
@@ -41,7 +31,7 @@ Result<Writer> writer_named(const std::string& format) {
   return unknown_name_error("format", format, names);
 }
 
-Exit write_out(const Options& options, const CommandLine& program) {
+Exit write_out(const SceneExportOptions& options, const CommandLine& program) {
   const auto writer = writer_named(options.format);
   if (!writer) return refuse(writer.error());
   const auto text = read_maybe_gzip(options.scene);
@@ -62,12 +52,20 @@ Exit write_out(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_scene_export_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = group.add_subcommand("export", "Write a scene as a file that a simulator loads");
-  command->footer(kHelp);
-  command->add_option("format", options->format, "procthor, virtualhome or habitat")->required();
-  command->add_option("scene", options->scene, "A scene file (.scene.json or .scene.json.gz)")->required();
-  command->add_option("--out", options->out, "The file to write")->required();
+  auto options = std::make_shared<SceneExportOptions>();  // shared: the callback outlives this function
+  auto* command = group.add_subcommand("export", "Write a home as a file that a simulator loads");
+  command->explain(
+      "What the format cannot express, and objects without a fitting model, are listed on stderr. A file "
+      "name that ends in .gz is compressed.",
+      {{"unietp scene export procthor home.scene.json.gz --out house.json",
+        "a house for AI2-THOR's CreateHouse, with models whose boxes fit"},
+       {"unietp scene export virtualhome home.scene.json.gz --out graph.json", "an environment graph"},
+       {"unietp scene export habitat home.scene.json.gz --out home.scene_instance.json", ""}});
+  command->add_option("FORMAT", options->format, "Format to write")
+      ->required()
+      ->suggests({"procthor", "virtualhome", "habitat"});
+  command->add_option("SCENE", options->scene, "A scene file (.scene.json or .scene.json.gz)")->required();
+  command->add_option("--out", options->out, "File to write")->required();
   command->callback([options, &program] { program.exit = write_out(*options, program); });
 }
 

@@ -8,20 +8,11 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Fit the tables that homes are drawn from to real homes, and write them.\n"
-    "\n"
-    "  unietp scene fit ../shared/upstream\n"
-    "      into the program's own data/layouts; `curated/` there says where furniture goes\n"
-    "  unietp scene fit ../shared/upstream --out out/layouts\n"
-    "\n"
-    "The committed tables are what this writes, byte for byte.";
-
-struct Options {
+struct SceneFitOptions {
   std::filesystem::path upstream, out;
 };
 
-Exit fit(const Options& options, const DataFolders& folders) {
+Exit fit(const SceneFitOptions& options, const DataFolders& folders) {
   auto reading = load_backends(folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
   std::vector<Knowledge> knowledge;
@@ -36,10 +27,15 @@ Exit fit(const Options& options, const DataFolders& folders) {
 }  // namespace
 
 void add_scene_fit_command(CommandParser& group, CommandLine& program) {
-  auto* command = group.add_subcommand("fit", kHelp);
-  auto options = std::make_shared<Options>();
-  command->add_option("upstream", options->upstream, "folder of the simulators' own files")->required();
-  command->add_option("--out", options->out, "folder to write to");
+  auto options = std::make_shared<SceneFitOptions>();  // shared: the callback outlives this function
+  auto* command = group.add_subcommand("fit", "Fit the tables that new homes are drawn from to real homes");
+  command->explain(
+      "Where furniture goes comes from data/layouts/curated/. The committed tables are what this writes, "
+      "byte for byte.",
+      {{"unietp scene fit metadata", "into the program's own data/layouts"},
+       {"unietp scene fit metadata --out out/layouts", ""}});
+  command->add_option("FOLDER", options->upstream, "Folder of the simulators' own files")->required()->folder();
+  command->add_option("--out", options->out, "Folder to write to (default: data/layouts)")->folder();
   command->callback([options, &program] { program.exit = fit(*options, program.folders); });
 }
 

@@ -10,39 +10,19 @@
 
 #include "cli/command_parser.h"
 #include "cli/command_scene.h"
+#include "cli/common_options.h"
 #include "cli/each_home.h"
 #include "core/files.h"
 #include "core/text.h"
 #include "homes/foreign_scenes.h"
 #include "homes/import_json.h"
 #include "homes/scene_folder.h"
+#include "interchange/formats.h"
 
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Turn the simulators' own scene files into scenes in which tasks can be made.\n"
-    "\n"
-    "  unietp scene import auto FloorPlan1.json TestScene1_graph.json.gz --out out/homes\n"
-    "      the format is told from what each file holds\n"
-    "  unietp scene import procthor houses.jsonl.gz --out out/houses\n"
-    "      a file may hold several homes: JSON lines, a list, or an object with homes by name\n"
-    "  unietp scene import ithor scenes.json --homes FloorPlan1,FloorPlan30 --out out/kitchens\n"
-    "      some of them only\n"
-    "  unietp scene import hssd flat.scene_instance.json --assets models.json --out out/hssd\n"
-    "      with what its models are: {\"1efdc3d3\": {\"category\": \"bowl\", \"size\": [0.2, 0.2, 0.1], \"mass\": "
-    "0.3}}\n"
-    "  unietp scene import behavior house.json --assets object_inventory.json.gz --out out/behavior\n"
-    "  unietp generate --scenes out/homes --count 20 --out out/tasks\n"
-    "\n"
-    "Formats: ithor, procthor, virtualhome, replicacad, hssd, behavior, or auto. Each home becomes "
-    "OUT/ID.scene.json.gz\n"
-    "and OUT/ID.import.json, which lists everything that did not come over as the file says, with its reason. Files "
-    "of\n"
-    "the same names are replaced. Exit code 1: some homes could not be turned into scenes; they are listed, and the\n"
-    "others are there. Exit code 2: a file could not be read; nothing was written.";
-
-struct Options {
+struct SceneImportOptions {
   std::string format, homes;
   std::vector<std::filesystem::path> files;
   std::filesystem::path out, assets;
@@ -50,8 +30,8 @@ struct Options {
   int threads = 1;
 };
 
-/// What came of one home.
-struct Outcome {
+/// Result of one home.
+struct ImportOutcome {
   std::optional<ImportReport> report;  // written
   std::optional<Error> failure;
 };
@@ -80,7 +60,7 @@ void print_row(const std::string& home, const std::string& format, const ImportR
               share(report.relations_held, report.relations).c_str());
 }
 
-void print_table(const std::vector<ForeignHome>& homes, const std::vector<Outcome>& outcomes) {
+void print_table(const std::vector<ForeignHome>& homes, const std::vector<ImportOutcome>& outcomes) {
   std::map<std::string, std::pair<int, ImportReport>> by_format;
   std::map<std::string, int> causes;
   std::printf("%-32s %-12s %8s %8s %8s %8s %10s %8s %8s\n", "home", "format", "objects", "known", "arrived", "",
@@ -98,7 +78,8 @@ void print_table(const std::vector<ForeignHome>& homes, const std::vector<Outcom
   for (const auto& [reason, times] : causes) std::printf("%8d %s\n", times, reason.c_str());
 }
 
-void print_json(const Options& options, const std::vector<ForeignHome>& homes, const std::vector<Outcome>& outcomes) {
+void print_json(const SceneImportOptions& options, const std::vector<ForeignHome>& homes,
+                const std::vector<ImportOutcome>& outcomes) {
   auto imported = nlohmann::ordered_json::array();
   auto failed = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < homes.size(); ++i) {
@@ -121,7 +102,7 @@ void print_json(const Options& options, const std::vector<ForeignHome>& homes, c
   std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
-/// Keeps the homes that were asked for. Errors: Usage for one that no file has.
+/// Keeps only the homes that were asked for. Errors: Usage for one that no file has.
 Result<Done> choose(const std::string& asked, std::vector<ForeignHome>& homes) {
   std::set<std::string> wanted;
   for (const auto& id : split(asked, ',')) wanted.emplace(trim(id));
@@ -140,14 +121,14 @@ Result<Done> choose(const std::string& asked, std::vector<ForeignHome>& homes) {
   return Done{};
 }
 
-/// Scene last: where it stands, its report does.
-Result<Done> write_home(const Options& options, const ForeignHome& home, const ImportedScene& imported) {
+/// The scene is written last, so that every scene has its report.
+Result<Done> write_home(const SceneImportOptions& options, const ForeignHome& home, const ImportedScene& imported) {
   const auto report = options.out / (home.source.id + ".import.json");
   if (auto written = write_file(report, import_to_json(home, imported.report)); !written) return written;
   return write_scene(options.out, imported.scene);
 }
 
-Exit import(const Options& options, const CommandLine& program) {
+Exit import(const SceneImportOptions& options, const CommandLine& program) {
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   auto reading = read_foreign_scenes(options.format, options.files, known.backends, options.assets);
@@ -158,7 +139,7 @@ Exit import(const Options& options, const CommandLine& program) {
   if (const auto ready = prepare_folder(options.out); !ready) return refuse(ready.error());
 
   const auto& homes = reading.homes;
-  std::vector<Outcome> outcomes(homes.size());
+  std::vector<ImportOutcome> outcomes(homes.size());
   ImportOptions how;
   how.settle = !options.not_settled;
   std::atomic<bool> unwritable{false};
@@ -191,20 +172,34 @@ Exit import(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_scene_import_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  options->threads = program.processors;
-  auto* command = group.add_subcommand("import", "Turn the simulators' own scene files into scenes");
-  command->footer(kHelp);
-  command->add_option("format", options->format, "The files' format, or auto")->required();
-  command->add_option("files", options->files, "Scene files (.json, .jsonl, each also .gz)")->required();
-  command->add_option("--out", options->out, "Folder for the scenes and reports")->required();
-  command->add_option("--homes", options->homes, "Ids of the homes to import, separated by commas (default: all)");
+  auto options = std::make_shared<SceneImportOptions>();  // shared: the callback outlives this function
+  auto* command = group.add_subcommand("import", "Turn the simulators' own scene files into homes for tasks");
+  command->explain(
+      "A file may hold several homes: JSON lines, a list, or an object with homes by name. Each home becomes "
+      "OUT/ID.scene.json.gz, and OUT/ID.import.json lists everything that could not be taken over, with the reason. "
+      "Files of the same names are replaced.\n\n"
+      "Exit code 1: some homes could not be converted; they are listed, and the others are written. Exit code 2: a "
+      "file could not be read, and nothing is written.",
+      {{"unietp scene import auto FloorPlan1.json TestScene1_graph.json.gz --out out/homes",
+        "the format is detected for each file"},
+       {"unietp scene import procthor houses.jsonl.gz --out out/houses", ""},
+       {"unietp scene import ithor scenes.json --homes FloorPlan1,FloorPlan30 --out out/kitchens", "only these homes"},
+       {"unietp scene import hssd flat.scene_instance.json --assets models.json --out out/hssd",
+        "with a table of what its models are: {\"1efdc3d3\": {\"category\": \"bowl\", \"size\": [0.2, 0.2, 0.1], "
+        "\"mass\": 0.3}}"},
+       {"unietp scene import behavior house.json --assets object_inventory.json.gz --out out/behavior", ""}});
+  auto formats = scene_format_names();
+  formats.insert(formats.begin(), "auto");
+  command->add_option("FORMAT", options->format, "Format of the files")->required()->suggests(formats);
+  command->add_option("FILE", options->files, "Scene files (.json or .jsonl, also with .gz)")->required();
+  command->add_option("--out", options->out, "Folder for scenes and reports")->required()->folder();
+  command->add_option("--homes", options->homes, "Ids of the homes to import (default: all)")->type_name("ID,...");
   command->add_option("--assets", options->assets,
-                      "What the models are that scenes only name: a table for Habitat, the inventory for BEHAVIOR");
-  command->add_flag("--no-settle", options->not_settled, "Everything where the file says, without physics");
-  command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->within(1, 1024);
-  command->add_flag("--json", options->json, "Report on stdout as JSON");
+                      "Categories and sizes of models that scenes only name: a table for Habitat, the object inventory "
+                      "for BEHAVIOR");
+  command->add_flag("--no-settle", options->not_settled, "Keep every position from the file; do not run physics");
+  add_threads_option(*command, options->threads, program);
+  command->add_flag("--json", options->json, "Print the report as JSON");
   command->callback([options, &program] { program.exit = import(*options, program); });
 }
 

@@ -6,26 +6,19 @@
 
 #include "cli/command_parser.h"
 #include "cli/command_scene.h"
+#include "cli/common_options.h"
 #include "dataset/configuration.h"
 #include "grounding/layout_library.h"
 
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "The homes of the benchmark: their ids, and what they are made of.\n"
-    "\n"
-    "  unietp scene list\n"
-    "  unietp scene list --simulators habitat,behavior --json\n"
-    "\n"
-    "`unietp scene make --layout ID` makes one of them.";
-
-struct Options {
+struct SceneListOptions {
   std::string simulators;
   bool json = false;
 };
 
-Exit list(const Options& options, const CommandLine& program) {
+Exit list(const SceneListOptions& options, const CommandLine& program) {
   std::vector<Simulator> wanted(kSimulators.begin(), kSimulators.end());
   if (!options.simulators.empty()) {
     auto simulators = parse_simulators("--simulators", options.simulators);
@@ -57,11 +50,12 @@ Exit list(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_scene_list_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = group.add_subcommand("list", "The homes of the benchmark");
-  command->footer(kHelp);
-  command->add_option("--simulators", options->simulators, "Of ai2thor,virtualhome,habitat,behavior (default: all)");
-  command->add_flag("--json", options->json, "As JSON");
+  auto options = std::make_shared<SceneListOptions>();  // shared: the callback outlives this function
+  auto* command = group.add_subcommand("list", "List the homes of the benchmark");
+  command->explain("`unietp scene make --layout ID` makes one of them.",
+                   {{"unietp scene list", ""}, {"unietp scene list --simulators habitat,behavior --json", ""}});
+  add_simulators_option(*command, options->simulators, "Only homes of these simulators (default: all)");
+  command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &program] { program.exit = list(*options, program); });
 }
 

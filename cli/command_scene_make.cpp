@@ -6,64 +6,52 @@
 
 #include "cli/command_parser.h"
 #include "cli/command_scene.h"
+#include "cli/common_options.h"
 #include "cli/each_home.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
+#include "homes/home_plans.h"
 #include "homes/scene_folder.h"
-#include "homes/wanted_homes.h"
 
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Make homes as scene files OUT/ID.scene.json.gz.\n"
-    "\n"
-    "  unietp scene make --simulator ai2thor --count 10 --seed 3 --out out/homes\n"
-    "      ten homes of the training pool\n"
-    "  unietp scene make --simulator behavior --rooms 5 --objects 120 --out out/small\n"
-    "      with so many rooms, and about so many objects, furniture among them\n"
-    "  unietp scene make --layout habitat-benchmark-07 --out out/homes\n"
-    "  unietp scene make --benchmark --out out/benchmark\n"
-    "      homes of the benchmark, as `unietp scene list` names them\n"
-    "\n"
-    "The same options give the same bytes with any number of threads. Files of the same names are replaced. Exit code\n"
-    "1: some homes could not be made; they are listed, and the others are there.";
-
-struct Options {
+struct SceneMakeOptions {
   std::string simulator, layouts;
-  NewHomes wanted;
+  NewHomeOptions wanted;
   bool benchmark = false;
   int threads = 1;
   std::filesystem::path out;
   bool json = false;
 };
 
-/// What came of one home.
-struct Outcome {
+/// Result of one home.
+struct MakeOutcome {
   std::size_t rooms = 0, objects = 0;
   bool written = false;
   std::optional<Error> failure;
 };
 
-Result<std::vector<WantedHome>> wanted_homes(const Options& options, const DataFolders& folders,
-                                             const Makings& makings) {
+Result<std::vector<HomePlan>> plans_of_homes(const SceneMakeOptions& options, const DataFolders& folders,
+                                             const HomeInputs& inputs) {
   if (options.simulator.empty()) {
     std::vector<std::string> ids;
     for (const auto& id : split(options.layouts, ',')) {
       if (!trim(id).empty()) ids.emplace_back(trim(id));
     }
-    return benchmark_homes(makings, folders, options.benchmark, ids);
+    return benchmark_homes(inputs, folders, options.benchmark, ids);
   }
   const auto simulators = parse_simulators("--simulator", options.simulator);
   if (!simulators) return simulators.error();
-  std::vector<WantedHome> homes;
+  std::vector<HomePlan> homes;
   for (const auto simulator : *simulators) {
-    for (auto& home : new_homes(makings, simulator, options.wanted)) homes.push_back(std::move(home));
+    for (auto& home : new_homes(inputs, simulator, options.wanted)) homes.push_back(std::move(home));
   }
   return homes;
 }
 
-void print_json(const Options& options, const std::vector<WantedHome>& homes, const std::vector<Outcome>& outcomes) {
+void print_json(const SceneMakeOptions& options, const std::vector<HomePlan>& homes,
+                const std::vector<MakeOutcome>& outcomes) {
   auto scenes = nlohmann::ordered_json::array();
   auto failed = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < homes.size(); ++i) {
@@ -83,7 +71,8 @@ void print_json(const Options& options, const std::vector<WantedHome>& homes, co
   std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
-void print_table(const Options& options, const std::vector<WantedHome>& homes, const std::vector<Outcome>& outcomes) {
+void print_table(const SceneMakeOptions& options, const std::vector<HomePlan>& homes,
+                 const std::vector<MakeOutcome>& outcomes) {
   std::size_t written = 0;
   for (std::size_t i = 0; i < homes.size(); ++i) {
     if (!outcomes[i].written) continue;
@@ -93,20 +82,20 @@ void print_table(const Options& options, const std::vector<WantedHome>& homes, c
   std::printf("%zu of %zu homes in %s\n", written, homes.size(), options.out.string().c_str());
 }
 
-Exit make(const Options& options, const CommandLine& program) {
+Exit make(const SceneMakeOptions& options, const CommandLine& program) {
   const bool from_benchmark = options.benchmark || !options.layouts.empty();
   if (from_benchmark == !options.simulator.empty())
     return refuse({Error::Kind::Usage,
                    "scene make",
                    {},
-                   "expected one of --simulator for new homes, --layout or --benchmark for those of the benchmark"});
-  const auto reading = load_makings(program.folders);
+                   "expected one of --simulator (new homes), --layout or --benchmark (homes of the benchmark)"});
+  const auto reading = load_home_inputs(program.folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
-  const auto homes = wanted_homes(options, program.folders, reading.makings);
+  const auto homes = plans_of_homes(options, program.folders, reading.inputs);
   if (!homes) return refuse(homes.error());
   if (const auto ready = prepare_folder(options.out); !ready) return refuse(ready.error());
 
-  std::vector<Outcome> outcomes(homes->size());
+  std::vector<MakeOutcome> outcomes(homes->size());
   std::atomic<bool> unwritable{false};
   const bool whole = for_each_home(homes->size(), options.threads, program, [&](std::size_t i) {
     auto& outcome = outcomes[i];
@@ -139,23 +128,34 @@ Exit make(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_scene_make_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  options->threads = program.processors;
+  auto options = std::make_shared<SceneMakeOptions>();  // shared: the callback outlives this function
   auto* command = group.add_subcommand("make", "Make homes as scene files");
-  command->footer(kHelp);
-  auto* simulator = command->add_option("--simulator", options->simulator, "Of ai2thor,virtualhome,habitat,behavior");
-  command->add_option("--count", options->wanted.count, "How many new homes")->within(1, 1000000)->needs(simulator);
-  command->add_option("--seed", options->wanted.seed, "Number that names the new homes")->needs(simulator);
+  command->explain(
+      "Writes OUT/ID.scene.json.gz for each home and replaces files of the same names. The same options "
+      "give the same bytes for any number of threads. Exit code 1: some homes could not be made; they are "
+      "listed, and the others are written.",
+      {{"unietp scene make --simulator ai2thor --count 10 --seed 3 --out out/homes",
+        "ten homes, as training data uses"},
+       {"unietp scene make --simulator behavior --rooms 5 --objects 120 --out out/small",
+        "with a given number of rooms and about as many objects, furniture included"},
+       {"unietp scene make --layout habitat-benchmark-07 --out out/homes",
+        "a home of the benchmark; `unietp scene list` names them"},
+       {"unietp scene make --benchmark --out out/benchmark", "all homes of the benchmark"}});
+  auto* simulator = add_simulators_option(*command, options->simulator, "Make new homes for these", "--simulator");
+  command->add_option("--count", options->wanted.count, "New homes per simulator")
+      ->within(1, 1000000)
+      ->needs(simulator)
+      ->shows_default();
+  command->add_option("--seed", options->wanted.seed, "Seed of the new homes")->needs(simulator)->shows_default();
   command->add_option("--rooms", options->wanted.rooms, "Rooms of a new home")->within(4, 12)->needs(simulator);
-  command->add_option("--objects", options->wanted.objects, "Objects of a new home (default: 30 a room)")
+  command->add_option("--objects", options->wanted.objects, "Objects of a new home (default: 30 per room)")
       ->within(50, 600)
       ->needs(simulator);
-  command->add_option("--layout", options->layouts, "Ids of homes of the benchmark, separated by commas");
+  command->add_option("--layout", options->layouts, "Homes of the benchmark by id")->type_name("ID,...");
   command->add_flag("--benchmark", options->benchmark, "All homes of the benchmark");
-  command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->within(1, 1024);
-  command->add_option("--out", options->out, "Folder for the files")->required();
-  command->add_flag("--json", options->json, "Report on stdout as JSON");
+  add_threads_option(*command, options->threads, program);
+  command->add_option("--out", options->out, "Folder for the files")->required()->folder();
+  command->add_flag("--json", options->json, "Print the report as JSON");
   command->callback([options, &program] { program.exit = make(*options, program); });
 }
 

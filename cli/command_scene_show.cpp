@@ -11,24 +11,13 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Draw a home from above as SVG: rooms, walls and doors, furniture by its kind, objects and the agent.\n"
-    "\n"
-    "  unietp scene show out/homes/ai2thor-benchmark-01.scene.json.gz --out home.svg\n"
-    "  unietp scene show TestScene1_graph.json --out home.svg\n"
-    "      a simulator's own file is imported for the drawing, everything where the file says\n"
-    "  unietp scene show houses.jsonl.gz --home train_3 --out home.svg\n"
-    "      one home of a file that has several\n"
-    "\n"
-    "`unietp render` draws a task of a data set, with the way of its demonstration.";
-
-struct Options {
+struct SceneShowOptions {
   std::filesystem::path input, out;
   std::string home;
 };
 
 /// The home to draw. Errors: Usage when it is not clear which.
-Result<const HomeInFile*> chosen(const std::vector<HomeInFile>& homes, const Options& options) {
+Result<const HomeInFile*> chosen(const std::vector<HomeInFile>& homes, const SceneShowOptions& options) {
   std::vector<std::string> ids;
   for (const auto& home : homes) {
     if (home.id == options.home || (options.home.empty() && homes.size() == 1)) return &home;
@@ -38,9 +27,9 @@ Result<const HomeInFile*> chosen(const std::vector<HomeInFile>& homes, const Opt
   const std::size_t all = ids.size();
   constexpr std::size_t kShown = 10;
   if (all > kShown) ids.resize(kShown);
-  const std::string has = "it has " + std::to_string(all) + ": " + join(ids, ", ") + (all > kShown ? ", …" : "");
+  const std::string has = "it has " + std::to_string(all) + ": " + join(ids, ", ") + (all > kShown ? ", ..." : "");
   if (options.home.empty())
-    return Error{Error::Kind::Usage, options.input.string(), {}, "say which home with --home; " + has};
+    return Error{Error::Kind::Usage, options.input.string(), {}, "choose a home with --home; " + has};
   return Error{
       Error::Kind::Usage,
       options.input.string(),
@@ -48,7 +37,7 @@ Result<const HomeInFile*> chosen(const std::vector<HomeInFile>& homes, const Opt
       "has no home \"" + options.home + "\"" + (near.empty() ? "" : ", did you mean \"" + near + "\"") + "; " + has};
 }
 
-Exit show(const Options& options, const CommandLine& program) {
+Exit show(const SceneShowOptions& options, const CommandLine& program) {
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   const auto reading = read_homes({options.input}, known.backends);
@@ -64,13 +53,18 @@ Exit show(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_scene_show_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = group.add_subcommand("show", "Draw a home from above");
-  command->footer(kHelp);
-  command->add_option("input", options->input, "A scene file, ours or a simulator's (.json, .jsonl, each also .gz)")
+  auto options = std::make_shared<SceneShowOptions>();  // shared: the callback outlives this function
+  auto* command = group.add_subcommand("show", "Draw a home from above as SVG");
+  command->explain(
+      "Shows rooms, walls, doors, furniture, objects and the agent. A simulator's own file is imported "
+      "first, with every object where the file places it. `unietp render` draws a task of a data set.",
+      {{"unietp scene show home.scene.json.gz --out home.svg", ""},
+       {"unietp scene show TestScene1_graph.json --out home.svg", ""},
+       {"unietp scene show houses.jsonl.gz --home train_3 --out home.svg", "one home of several in a file"}});
+  command->add_option("FILE", options->input, "A scene file, ours or a simulator's (.json or .jsonl, also with .gz)")
       ->required();
-  command->add_option("--home", options->home, "Which home, when the file has several");
-  command->add_option("--out", options->out, "The SVG file to write")->required();
+  command->add_option("--home", options->home, "Id of the home, when the file has several");
+  command->add_option("--out", options->out, "SVG file to write")->required();
   command->callback([options, &program] { program.exit = show(*options, program); });
 }
 

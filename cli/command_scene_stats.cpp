@@ -8,6 +8,7 @@
 
 #include "cli/command_parser.h"
 #include "cli/command_scene.h"
+#include "cli/common_options.h"
 #include "cli/each_home.h"
 #include "core/files.h"
 #include "core/text.h"
@@ -19,48 +20,38 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "What homes hold on average, and how far two sets of them are apart.\n"
-    "\n"
-    "  unietp scene stats out/homes                       rooms, furniture, objects, free floor, what stands together\n"
-    "  unietp scene stats houses.jsonl.gz --json > real.json\n"
-    "      of a simulator's own files too; the JSON can be given back in place of homes\n"
-    "  unietp scene stats out/homes real.json             how far apart: each part from 0 (the same) to 1\n"
-    "  unietp scene stats out/homes --against reference   from the real homes that data/layouts/ was fitted to\n"
-    "\n"
-    "A set is a scene file, ours or a simulator's, a folder of scene files, or a file of statistics.";
-
-struct Options {
+struct SceneStatsOptions {
   std::filesystem::path a, b;
   std::string simulator, against;
   int threads = 1;
   bool json = false;
 };
 
-Error usage(const std::filesystem::path& path, std::string message) {
+Error set_error(const std::filesystem::path& path, std::string message) {
   return {Error::Kind::Usage, path.string(), {}, std::move(message)};
 }
 
 /// The homes of one simulator only: categories of two cannot be counted together.
-Result<std::vector<HomeInFile>> homes_of_one_simulator(const std::filesystem::path& path, const Options& options,
+Result<std::vector<HomeInFile>> homes_of_one_simulator(const std::filesystem::path& path,
+                                                       const SceneStatsOptions& options,
                                                        std::vector<HomeInFile> homes) {
   std::optional<Simulator> wanted;
   if (!options.simulator.empty()) {
     const auto simulators = parse_simulators("--simulator", options.simulator);
     if (!simulators) return simulators.error();
-    if (simulators->size() != 1) return usage("--simulator", "expected one simulator");
+    if (simulators->size() != 1) return set_error("--simulator", "expected one simulator");
     wanted = simulators->front();
   }
   std::set<Simulator> present;
   for (const auto& home : homes) present.insert(simulator_of(home));
   if (wanted) {
     std::erase_if(homes, [&](const HomeInFile& home) { return simulator_of(home) != *wanted; });
-    if (homes.empty()) return usage(path, "holds no home of " + options.simulator);
+    if (homes.empty()) return set_error(path, "holds no home of " + options.simulator);
   } else if (present.size() > 1) {
     std::vector<std::string> names;
     names.reserve(present.size());
     for (const auto simulator : present) names.emplace_back(name_of(simulator));
-    return usage(path, "holds homes of " + join(names, ", ") + "; say which with --simulator");
+    return set_error(path, "holds homes of " + join(names, ", ") + "; choose one with --simulator");
   }
   return homes;
 }
@@ -71,7 +62,7 @@ struct Measured {
 };
 
 /// nullopt when interrupted.
-Result<std::optional<Measured>> measure(const std::filesystem::path& path, const Options& options,
+Result<std::optional<Measured>> measure(const std::filesystem::path& path, const SceneStatsOptions& options,
                                         const std::vector<Backend>& backends, const CommandLine& program) {
   std::error_code code;
   if (!std::filesystem::is_directory(path, code)) {
@@ -123,20 +114,20 @@ void print_distance(const SceneStatistics& a, const SceneStatistics& b, bool as_
 
 /// The statistics of the real homes that data/layouts/ was fitted to.
 Result<SceneStatistics> reference_of(std::optional<Simulator> simulator, const DataFolders& folders) {
-  if (!simulator)
-    return usage("--against", "expected homes, since a file of statistics does not say of which simulator");
+  if (!simulator) return set_error("--against", "needs homes; a file of statistics does not name its simulator");
   const std::string name(name_of(*simulator));
   const auto file = folders.layouts() / ("reference_" + name + ".json");
   if (std::error_code code; !std::filesystem::exists(file, code))
-    return usage(file, "is not there: no real homes of " + name + " may be shipped; compare with another simulator's");
+    return set_error(
+        file, "does not exist: no real homes of " + name + " may be redistributed; compare with another simulator");
   const auto text = read_file(file);
   if (!text) return text.error();
   return statistics_from_json(file.string(), *text);
 }
 
-Exit stats(const Options& options, const CommandLine& program) {
+Exit stats(const SceneStatsOptions& options, const CommandLine& program) {
   if (!options.against.empty() && (options.against != "reference" || !options.b.empty()))
-    return refuse(usage("--against", "expected \"reference\" alone, or a second set of homes in its place"));
+    return refuse(set_error("--against", "expected \"reference\" and no second set of homes"));
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   std::vector<SceneStatistics> sets;
@@ -165,18 +156,26 @@ Exit stats(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_scene_stats_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  options->threads = program.processors;
-  auto* command = group.add_subcommand("stats", "What homes hold on average, and how far two sets are apart");
-  command->footer(kHelp);
-  command->add_option("a", options->a, "A set of homes")->required();
-  command->add_option("b", options->b, "Another one, to compare with");
-  command->add_option("--against", options->against, "reference: the real homes that the layout tables come from");
-  command->add_option("--simulator", options->simulator,
-                      "Of ai2thor,virtualhome,habitat,behavior, when a set has several");
-  command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->within(1, 1024);
-  command->add_flag("--json", options->json, "As JSON");
+  auto options = std::make_shared<SceneStatsOptions>();  // shared: the callback outlives this function
+  auto* command = group.add_subcommand("stats", "Print averages over homes, or the distance between two sets of homes");
+  command->explain(
+      "A set is a scene file (ours or a simulator's), a folder of scene files, or a file of statistics that "
+      "this command wrote. Each part of a distance is between 0 (equal) and 1.",
+      {{"unietp scene stats out/homes", "rooms, furniture, objects, free floor, and what stands together"},
+       {"unietp scene stats houses.jsonl.gz --json > real.json", ""},
+       {"unietp scene stats out/homes real.json", "the distance between the two"},
+       {"unietp scene stats out/homes --against reference",
+        "the distance from the real homes that data/layouts/ was fitted to"}});
+  command->add_option("A", options->a, "A set of homes")->required();
+  command->add_option("B", options->b, "A set to compare it with");
+  command->add_option("--against", options->against, "Compare with the real homes behind the layout tables")
+      ->type_name("reference")
+      ->suggests({"reference"});
+  add_simulators_option(*command, options->simulator, "Which homes to count, when a set has several simulators'",
+                        "--simulator")
+      ->type_name("NAME");
+  add_threads_option(*command, options->threads, program);
+  command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &program] { program.exit = stats(*options, program); });
 }
 

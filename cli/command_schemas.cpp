@@ -9,13 +9,6 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "The fields of all files that this program reads and writes for others.\n"
-    "\n"
-    "  unietp schemas           the folder of the JSON Schemas\n"
-    "  unietp schemas --page    docs/fields.md: every field with its type and meaning\n"
-    "  unietp schemas --names   names.schema.json: the names of actions, states and relations";
-
 Exit show_schemas(bool page, bool names, const DataFolders& folders) {
   if (names) {
     std::fputs(schema_names().c_str(), stdout);
@@ -35,10 +28,14 @@ Exit show_schemas(bool page, bool names, const DataFolders& folders) {
 }  // namespace
 
 void add_schemas_command(CommandParser& app, CommandLine& program) {
-  auto page = std::make_shared<bool>(false);  // shared: the callback below outlives this function
+  auto page = std::make_shared<bool>(false);  // shared: the callback outlives this function
   auto names = std::make_shared<bool>(false);
-  auto* command = app.add_subcommand("schemas", kHelp);
-  command->add_flag("--page", *page, "Print docs/fields.md");
+  auto* command = app.add_subcommand("schemas", "Print where the JSON Schemas of all file formats are");
+  command->explain("Every file that this program reads or writes for others has a JSON Schema.",
+                   {{"unietp schemas", "the folder of the schemas"},
+                    {"unietp schemas --page", "every field with its type and meaning, as Markdown (docs/fields.md)"},
+                    {"unietp schemas --names", "names.schema.json: the names of actions, states and relations"}});
+  command->add_flag("--page", *page, "Print all fields as Markdown");
   command->add_flag("--names", *names, "Print names.schema.json");
   command->callback([page, names, &program] { program.exit = show_schemas(*page, *names, program.folders); });
 }

@@ -3,28 +3,19 @@
 
 #include "cli/command_parser.h"
 #include "cli/commands.h"
+#include "cli/common_options.h"
 #include "report/figure_table.h"
 
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Figures of finished data sets: tasks, instructions, goals, plans, what became of the candidates, homes, balance.\n"
-    "\n"
-    "  unietp stats out/mine\n"
-    "  unietp stats out/benchmark out/training          side by side\n"
-    "  unietp stats out/mine --rows 200                 longer tables\n"
-    "  unietp stats out/mine --json > figures.json\n"
-    "\n"
-    "`unietp report` shows the same with charts.";
-
-struct Options {
+struct StatsOptions {
   std::vector<std::filesystem::path> folders;
   int threads = 1, rows = 25;
   bool json = false;
 };
 
-Exit stats(const Options& options, const CommandLine& program) {
+Exit stats(const StatsOptions& options, const CommandLine& program) {
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   std::vector<const Knowledge*> knowledge;
@@ -46,14 +37,19 @@ Exit stats(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_stats_command(CommandParser& app, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  options->threads = program.processors;
-  auto* command = app.add_subcommand("stats", kHelp);
-  command->add_option("folders", options->folders, "Finished data sets")->required();
-  command->add_option("--rows", options->rows, "Longest table")->within(1, 1000000);
-  command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->within(1, 1024);
-  command->add_flag("--json", options->json, "As JSON, with all rows");
+  auto options = std::make_shared<StatsOptions>();  // shared: the callback outlives this function
+  auto* command = app.add_subcommand("stats", "Print statistics of one or more data sets");
+  command->explain(
+      "Tables of tasks, instructions, goals, plans, rejected candidates, homes and balance. `unietp report` "
+      "shows the same with charts.",
+      {{"unietp stats out/mine", ""},
+       {"unietp stats out/benchmark out/training", "side by side"},
+       {"unietp stats out/mine --rows 200", "longer tables"},
+       {"unietp stats out/mine --json > statistics.json", ""}});
+  command->add_option("FOLDER", options->folders, "Finished data sets")->required()->folder();
+  command->add_option("--rows", options->rows, "Rows of the longest table")->within(1, 1000000)->shows_default();
+  add_threads_option(*command, options->threads, program);
+  command->add_flag("--json", options->json, "Print JSON with all rows");
   command->callback([options, &program] { program.exit = stats(*options, program); });
 }
 

@@ -2,26 +2,15 @@
 #include "cli/command_parser.h"
 
 namespace unietp {
-namespace {
-
-constexpr const char* kHelp =
-    "The task templates, and what it takes to add one; docs/add-a-template.md goes through all of it.\n"
-    "\n"
-    "  unietp template list                      what the library has\n"
-    "  unietp template show place-one-on         one of them in words, and what may fill it\n"
-    "  unietp template vocabulary                every word that a template may use\n"
-    "  unietp template new my-task               write a new one\n"
-    "  unietp template lint my-task.template     check files or folders before they join the library\n"
-    "  unietp template try my.template           tasks that it makes in a few homes, or what stops them\n"
-    "  unietp template why-not place-one-inside --bind A=Fridge B=Mug    which gate refuses it, and why\n"
-    "  unietp template coverage --tries 10       what comes of each template on each simulator that it claims\n"
-    "\n"
-    "`unietp template COMMAND --help` explains each.";
-
-}  // namespace
-
 void add_template_command(CommandParser& app, CommandLine& program) {
-  auto* group = app.add_subcommand("template", kHelp);
+  auto* group = app.add_subcommand("template", "Inspect, write, check and try task templates");
+  group->explain(
+      "A template is a text file that describes one kind of task. docs/add-a-template.md walks through "
+      "writing one.",
+      {{"unietp template list", ""},
+       {"unietp template show place-one-on", ""},
+       {"unietp template new my-task --like place-one-on", ""},
+       {"unietp template try my-task.template", ""}});
   group->require_subcommand();
   add_template_list_command(*group, program);
   add_template_show_command(*group, program);

@@ -9,6 +9,7 @@
 #include "authoring/trial_reasons.h"
 #include "cli/command_parser.h"
 #include "cli/command_template.h"
+#include "cli/common_options.h"
 #include "cli/each_home.h"
 #include "cli/library_options.h"
 #include "core/text.h"
@@ -17,21 +18,7 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Templates x simulators x predicates: what is claimed, and what comes of it.\n"
-    "\n"
-    "  unietp template coverage                          which templates claim which simulators\n"
-    "  unietp template coverage --tries 10               take 10 candidates of each through all stages: 7/10 became\n"
-    "                                                    proven tasks; tells what stops those that give none\n"
-    "  unietp template coverage --tries 20 --template open-one,slice-one --simulators ai2thor --json\n"
-    "  unietp template coverage --tries 10 --modes M1,M2,M3 --markdown > docs/coverage.md\n"
-    "  unietp template coverage --tries 10 --modes M2    how many of those shown in M1 are shown in M2, with how many\n"
-    "                                                    steps\n"
-    "\n"
-    "The same options give the same table with any number of threads. Exit code 1: a template has no proven task on a\n"
-    "simulator that it claims.";
-
-struct Options {
+struct TemplateCoverageOptions {
   std::vector<std::string> names;
   std::string simulators;
   std::string modes = "M1";
@@ -54,7 +41,7 @@ Json json_of(const CoverageCell& cell) {
           {"shown", success.shown},        {"example", cell.example},   {"reasons", std::move(reasons)}};
 }
 
-Json json_of(const std::vector<CoverageRow>& rows, const Options& options) {
+Json json_of(const std::vector<CoverageRow>& rows, const TemplateCoverageOptions& options) {
   auto templates = Json::array();
   for (const auto& row : rows) {
     auto cells = Json::object();
@@ -72,7 +59,8 @@ Json json_of(const std::vector<CoverageRow>& rows, const Options& options) {
           {"templates", std::move(templates)}};
 }
 
-void print(const std::vector<CoverageRow>& rows, const Options& options, const std::vector<Mode>& modes) {
+void print_rows(const std::vector<CoverageRow>& rows, const TemplateCoverageOptions& options,
+                const std::vector<Mode>& modes) {
   std::printf("%-36s %-14s", "template", "class");
   for (const auto simulator : kSimulators) std::printf(" %-11s", std::string(name_of(simulator)).c_str());
   std::printf(" predicates\n");
@@ -83,7 +71,7 @@ void print(const std::vector<CoverageRow>& rows, const Options& options, const s
   }
   const auto claimed = claimed_cells(rows).size(), empty = empty_cells(rows).size();
   if (options.tries == 0) {
-    std::printf("%zu templates, %zu cells claimed; --tries 10 shows what comes of them\n", rows.size(), claimed);
+    std::printf("%zu templates, %zu pairs of template and simulator; --tries 10 tries them\n", rows.size(), claimed);
     return;
   }
   for (const auto& [row, simulator] : empty_cells(rows)) {
@@ -92,10 +80,10 @@ void print(const std::vector<CoverageRow>& rows, const Options& options, const s
     for (const auto& why : rows[row].cells[simulator].reasons)
       std::printf("  %3d %s: %s\n", why.count, stage_and_name(why.reason).c_str(), why.example.c_str());
   }
-  std::printf("\nof the candidates with a start, those that the expert showed:\n%s",
-              expert_success_tables(rows).c_str());
+  std::printf("\ncandidates with a start that the expert demonstrated:\n%s", expert_success_tables(rows).c_str());
   if (modes.size() > 1) std::printf("\n%s", to_text(mode_success(rows), modes).c_str());
-  std::printf("%s%zu of %zu claimed cells have a proven task\n", empty == 0 ? "" : "\n", claimed - empty, claimed);
+  std::printf("%s%zu of %zu pairs of template and simulator have a verified task\n", empty == 0 ? "" : "\n",
+              claimed - empty, claimed);
 }
 
 /// Positions of the templates asked for; all when none is named.
@@ -113,7 +101,7 @@ Result<std::vector<std::size_t>> positions_of(const std::vector<std::string>& na
   return positions;
 }
 
-Exit coverage(const Options& options, const CommandLine& program) {
+Exit coverage(const TemplateCoverageOptions& options, const CommandLine& program) {
   auto simulators = parse_simulators("--simulators", options.simulators);
   if (!simulators) return refuse(simulators.error());
   auto modes = parse_modes("--modes", options.modes);
@@ -164,7 +152,7 @@ Exit coverage(const Options& options, const CommandLine& program) {
   } else if (options.markdown) {
     std::printf("%s", coverage_page(rows, *modes, options.tries, options.seed).c_str());
   } else {
-    print(rows, options, *modes);
+    print_rows(rows, options, *modes);
   }
   return options.tries > 0 && !empty_cells(rows).empty() ? Exit::Wrong : Exit::Ok;
 }
@@ -172,24 +160,35 @@ Exit coverage(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_template_coverage_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  options->threads = program.processors;
-  options->simulators = "ai2thor,virtualhome,habitat,behavior";
-  auto* command = group.add_subcommand("coverage", kHelp);
+  auto options = std::make_shared<TemplateCoverageOptions>();  // shared: the callback outlives this function
+  options->simulators = join(simulator_names(), ",");
+  auto* command = group.add_subcommand("coverage", "Show which templates give tasks on which simulators");
+  command->explain(
+      "Prints a table of templates, simulators and predicates. With --tries, candidates of each template "
+      "go through all stages, and templates without a task are listed with the reasons. The same options "
+      "give the same table for any number of threads. Exit code 1: a template gives no task on a simulator "
+      "that it claims.",
+      {{"unietp template coverage", "which templates claim which simulators"},
+       {"unietp template coverage --tries 10", "7/10 means that 7 of 10 candidates became tasks"},
+       {"unietp template coverage --tries 20 --template open-one,slice-one --simulators ai2thor", ""},
+       {"unietp template coverage --tries 10 --modes M2",
+        "also how many of the M1 demonstrations succeed in M2, and their lengths"},
+       {"unietp template coverage --tries 10 --modes M1,M2,M3 --markdown > docs/coverage.md", ""}});
   command->add_option("--tries", options->tries, "Candidates of each template on each simulator (default: none)")
       ->within(0, 1024);
-  command->add_option("--template", options->names, "Names (default: all)")
+  command->add_option("--template", options->names, "Templates by name (default: all)")
       ->type_name("NAME,...")
       ->delimiter(',')
       ->one_each();
-  command->add_option("--simulators", options->simulators, "Some of ai2thor,virtualhome,habitat,behavior");
-  command->add_option("--modes", options->modes, "Of M1,M2,M3: those to demonstrate each candidate in (default: M1)");
-  command->add_option("--homes", options->homes, "Homes drawn for each simulator")->within(1, 100);
-  command->add_option("--seed", options->seed, "Number that names homes and candidates");
-  command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->within(1, 1024);
-  command->add_flag("--json", options->json, "As JSON, with all reasons");
-  command->add_flag("--markdown", options->markdown, "As a page");
+  add_simulators_option(*command, options->simulators, "Simulators (default: all)");
+  command->add_option("--modes", options->modes, "Modes to demonstrate each candidate in (default: M1)")
+      ->type_name("MODE,...")
+      ->suggests({"M1", "M2", "M3"});
+  command->add_option("--homes", options->homes, "Homes per simulator")->within(1, 100)->shows_default();
+  command->add_option("--seed", options->seed, "Seed of homes and candidates")->shows_default();
+  add_threads_option(*command, options->threads, program);
+  command->add_flag("--json", options->json, "Print JSON, with all reasons");
+  command->add_flag("--markdown", options->markdown, "Print Markdown");
   add_library_options(*command, program);
   command->callback([options, &program] { program.exit = coverage(*options, program); });
 }

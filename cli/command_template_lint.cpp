@@ -12,26 +12,12 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Check template files before they join a library: every problem at once, each with its place, what is accepted "
-    "and\n"
-    "the nearest known name.\n"
-    "\n"
-    "  unietp template lint my-task.template    one file\n"
-    "  unietp template lint templates/library   all files of a folder\n"
-    "\n"
-    "A warning is about what is accepted and yet doubtful: a phrasing that does not say a number which the goal "
-    "counts, "
-    "a\nsimulator that has no categories for the placeholders or cannot do what the goal asks. Exit code 2: some file "
-    "is "
-    "refused.";
-
-struct Options {
+struct TemplateLintOptions {
   std::vector<std::filesystem::path> paths;
   bool json = false;
 };
 
-std::vector<LintedFile> lint_all(const Options& options, const std::vector<Backend>& backends) {
+std::vector<LintedFile> lint_all(const TemplateLintOptions& options, const std::vector<Backend>& backends) {
   std::vector<LintedFile> all;
   std::map<std::string, std::string> file_of;  // name -> file that has it
   for (const auto& path : options.paths) {
@@ -65,7 +51,7 @@ nlohmann::ordered_json json_of(const LintProblem& problem, std::string_view text
           {"source", line < 1 ? "" : std::string(line_of(text, line))}};
 }
 
-Exit lint(const Options& options, const CommandLine& program) {
+Exit lint(const TemplateLintOptions& options, const CommandLine& program) {
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   std::size_t errors = 0;
@@ -97,10 +83,16 @@ Exit lint(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_template_lint_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = group.add_subcommand("lint", kHelp);
-  command->add_option("paths", options->paths, "Template files or folders")->required();
-  command->add_flag("--json", options->json, "Tell it as JSON");
+  auto options = std::make_shared<TemplateLintOptions>();  // shared: the callback outlives this function
+  auto* command = group.add_subcommand("lint", "Check template files");
+  command->explain(
+      "Reports every problem with its place, what is accepted and the nearest known name. Warnings are for "
+      "what is accepted but doubtful, such as a phrasing that leaves out a number of the goal, or a "
+      "simulator without suitable categories. Exit code 2: a file has errors.",
+      {{"unietp template lint my-task.template", ""},
+       {"unietp template lint templates/library", "all files of a folder"}});
+  command->add_option("PATH", options->paths, "Template files or folders")->required();
+  command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &program] { program.exit = lint(*options, program); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/command_parser.h"
 #include "cli/command_template.h"
+#include "cli/common_options.h"
 #include "cli/library_options.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
@@ -14,25 +15,18 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "The templates: names, classes, simulators and titles.\n"
-    "\n"
-    "  unietp template list                                     the default library\n"
-    "  unietp template list --all                               with the extended one\n"
-    "  unietp template list --class logical --simulators habitat";
-
-struct Options {
+struct TemplateListOptions {
   std::string splits, simulators;
   bool json = false;
 };
 
-std::vector<std::string> simulators_of(const Template& source) {
+std::vector<std::string> claimed_by(const Template& source) {
   std::vector<std::string> names;
   for (const auto simulator : source.simulators) names.emplace_back(name_of(simulator));
   return names;
 }
 
-/// Templates of one of the splits that claim one of the simulators; an empty list asks for nothing.
+/// Templates of one of the splits that claim one of the simulators; an empty list matches all.
 std::vector<Template> chosen(std::vector<Template> all, const std::vector<Split>& splits,
                              const std::vector<Simulator>& simulators) {
   const auto has = [](const auto& list, const auto& value) {
@@ -46,7 +40,7 @@ std::vector<Template> chosen(std::vector<Template> all, const std::vector<Split>
   return all;
 }
 
-/// One letter a simulator, each in a column of its own: "A V - B".
+/// One letter per simulator, each in its own column: "A V - B".
 std::string letters_of(const Template& source) {
   std::string text;
   for (const auto simulator : kSimulators) {
@@ -64,7 +58,7 @@ std::string class_of(const Template& source) {
   return source.refinement.empty() ? split : split + "/" + source.refinement;
 }
 
-void print(const std::vector<Template>& templates) {
+void print_templates(const std::vector<Template>& templates) {
   std::size_t widest = 0;
   std::size_t widest_class = 0;
   for (const auto& source : templates) {
@@ -78,7 +72,7 @@ void print(const std::vector<Template>& templates) {
   std::printf("%zu templates\n", templates.size());
 }
 
-Exit list(const Options& options, const CommandLine& program) {
+Exit list(const TemplateListOptions& options, const CommandLine& program) {
   std::vector<Split> splits;
   std::vector<Simulator> simulators;
   if (!options.splits.empty()) {
@@ -99,14 +93,14 @@ Exit list(const Options& options, const CommandLine& program) {
       json.push_back({{"name", source.name},
                       {"split", name_of(source.split)},
                       {"refinement", source.refinement},
-                      {"simulators", simulators_of(source)},
+                      {"simulators", claimed_by(source)},
                       {"title", source.title},
                       {"goal", to_text(source.goal)},
                       {"file", source.file}});
     }
     std::printf("%s\n", json.dump(2).c_str());
   } else {
-    print(templates);
+    print_templates(templates);
   }
   return library.errors.empty() ? Exit::Ok : refuse(library.errors);
 }
@@ -114,11 +108,14 @@ Exit list(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_template_list_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = group.add_subcommand("list", kHelp);
-  command->add_flag("--json", options->json, "As JSON, with the goals");
-  command->add_option("--class", options->splits, "Only these, such as atomic,logical");
-  command->add_option("--simulators", options->simulators, "Only those that claim one of these");
+  auto options = std::make_shared<TemplateListOptions>();  // shared: the callback outlives this function
+  auto* command = group.add_subcommand("list", "List the templates with their classes, simulators and titles");
+  command->explain("", {{"unietp template list", "the default library"},
+                        {"unietp template list --all", "with the extended library"},
+                        {"unietp template list --class logical --simulators habitat", ""}});
+  command->add_flag("--json", options->json, "Print JSON, with the goals");
+  command->add_option("--class", options->splits, "Only these classes")->type_name("NAME,...")->suggests(split_names());
+  add_simulators_option(*command, options->simulators, "Only templates that claim one of these");
   add_library_options(*command, program);
   command->callback([options, &program] { program.exit = list(*options, program); });
 }

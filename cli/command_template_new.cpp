@@ -9,6 +9,7 @@
 #include "authoring/template_draft.h"
 #include "cli/command_parser.h"
 #include "cli/command_template.h"
+#include "cli/common_options.h"
 #include "cli/library_options.h"
 #include "core/files.h"
 #include "core/text.h"
@@ -16,30 +17,20 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Write a new template file, each section with a line on what it is for. What the options do not say is asked for "
-    "when\nthe program stands at a terminal. The file lints without errors or is not written; none is overwritten.\n"
-    "\n"
-    "  unietp template new my-task                       asks for everything\n"
-    "  unietp template new my-task --like place-one-on   starts from a template of the library\n"
-    "  unietp template new unlock-one --out mine --parameter 'A - furniture openable' \\\n"
-    "      --init '(exists (?a - A) (closed ?a))' --init '(forall (?a - A) (closed ?a))' \\\n"
-    "      --goal '(exists (?a - A) (at-end (open ?a)))' --instruction 'Open {A:indefinite}.'";
-
-struct Options {
+struct TemplateNewOptions {
   TemplateDraft draft;
   std::string like, simulators;
   std::filesystem::path out = ".";
   bool ask = false;
 };
 
-/// A value that was given wins over that of the template it is like.
+/// Takes the other value only where none was given.
 template <class Value>
 void prefer(Value& value, const Value& other) {
   if (value.empty()) value = other;
 }
 
-Result<TemplateDraft> with_like(const Options& options, const CommandLine& program) {
+Result<TemplateDraft> with_like(const TemplateNewOptions& options, const CommandLine& program) {
   auto draft = options.draft;
   for (const auto& name : split(options.simulators, ',')) {
     if (!name.empty()) draft.simulators.push_back(name);
@@ -74,10 +65,11 @@ std::set<std::string> sections_in(const TemplateDraft& draft) {
   return given;
 }
 
-Exit create(const Options& options, const CommandLine& program) {
+Exit create(const TemplateNewOptions& options, const CommandLine& program) {
   const auto file = (options.out / (options.draft.name + ".template")).lexically_normal();
   if (std::error_code code; std::filesystem::exists(file, code)) {
-    return refuse(Error{Error::Kind::Usage, file.string(), {}, "this file exists already; take another name or --out"});
+    return refuse(
+        Error{Error::Kind::Usage, file.string(), {}, "this file already exists; choose another name or --out"});
   }
   auto draft = with_like(options, program);
   if (!draft) return refuse(draft.error());
@@ -104,26 +96,36 @@ Exit create(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_template_new_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
+  auto options = std::make_shared<TemplateNewOptions>();  // shared: the callback outlives this function
   options->draft.split = "";
   auto& draft = options->draft;
-  auto* command = group.add_subcommand("new", kHelp);
-  command->add_option("name", draft.name, "a-z, 0-9 and '-'; the file is NAME.template")->required();
-  command->add_option("--out", options->out, "Folder to write it into (default: here)");
-  command->add_option("--like", options->like, "A template, or its file, to take what is not given from");
-  command->add_option("--title", draft.title, "Such as 'open one <A>' (default: the name)");
-  command->add_option("--class", draft.split, "atomic, compositional or logical (default: atomic)");
+  auto* command = group.add_subcommand("new", "Write a new template file");
+  command->explain(
+      "Each section of the file gets a line that explains it. At a terminal, the program asks for what the "
+      "options leave out. A file with errors is not written, and no file is overwritten.",
+      {{"unietp template new my-task", "asks for everything"},
+       {"unietp template new my-task --like place-one-on", "starts from a template of the library"},
+       {"unietp template new unlock-one --parameter 'A - furniture openable' \\\n"
+        "      --init '(exists (?a - A) (closed ?a))' --init '(forall (?a - A) (closed ?a))' \\\n"
+        "      --goal '(exists (?a - A) (at-end (open ?a)))' --instruction 'Open {A:indefinite}.'",
+        ""}});
+  command->add_option("NAME", draft.name, "Name of a-z, 0-9 and '-'; the file is NAME.template")->required();
+  command->add_option("--out", options->out, "Folder to write the file to (default: the current one)")->folder();
+  command->add_option("--like", options->like, "Template name or file that provides what is not given");
+  command->add_option("--title", draft.title, "Title, such as 'open one <A>' (default: the name)");
+  command->add_option("--class", draft.split, "atomic, compositional or logical (default: atomic)")
+      ->suggests({"atomic", "compositional", "logical"});
   command->add_option("--refinement", draft.refinement, "by-state, alias, ... (default: none)");
-  command->add_option("--simulators", options->simulators, "Such as ai2thor,behavior (default: all four)");
-  const auto many = [&](const char* name, std::vector<std::string>& into, const char* says) {
-    command->add_option(name, into, says)->one_each();  // one each time it is given
+  add_simulators_option(*command, options->simulators, "Simulators (default: all)");
+  const auto repeated = [&](const char* name, std::vector<std::string>& into, const char* help) {
+    command->add_option(name, into, help)->one_each();
   };
-  many("--parameter", draft.parameters, "Such as 'A - pickupable'; once a placeholder");
-  many("--constraint", draft.constraints, "Such as '(fits-on A B 2)'");
-  many("--init", draft.init, "A start constraint");
+  repeated("--parameter", draft.parameters, "A placeholder, such as 'A - pickupable'; may be repeated");
+  repeated("--constraint", draft.constraints, "A constraint, such as '(fits-on A B 2)'; may be repeated");
+  repeated("--init", draft.init, "A constraint on the start; may be repeated");
   command->add_option("--goal", draft.goal, "The goal formula");
-  many("--instruction", draft.phrasings, "A phrasing with slots, such as 'Open {A:indefinite}.'");
-  command->add_flag("--ask", options->ask, "Ask for what is not given, also when the answers come from a file");
+  repeated("--instruction", draft.phrasings, "A phrasing, such as 'Open {A:indefinite}.'; may be repeated");
+  command->add_flag("--ask", options->ask, "Ask for what is not given, even when stdin is not a terminal");
   add_library_options(*command, program);
   command->callback([options, &program] { program.exit = create(*options, program); });
 }

@@ -17,17 +17,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHelp =
-    "One template in words: what it asks for, where it starts, what may fill it in each simulator and in how many "
-    "ways.\n"
-    "\n"
-    "  unietp template show place-one-on            one of the library\n"
-    "  unietp template show mine/my-task.template   or a file";
-
 constexpr std::size_t kMostBindings = 5000;  // counted exactly
 constexpr std::size_t kMostNamed = 12;       // categories that a line names
 
-struct Options {
+struct TemplateShowOptions {
   std::string name;
   bool json = false;
 };
@@ -49,13 +42,13 @@ std::string bound_text(const Binding& binding) {
   return join(parts, " ");
 }
 
-struct Shown {
+struct ShownTemplate {
   Template source;
   std::optional<std::string> goal;  // in words
   std::vector<std::pair<const Backend*, BindingSummary>> simulators;
 };
 
-std::vector<std::string> phrasings_of(const Shown& shown) {
+std::vector<std::string> phrasings_of(const ShownTemplate& shown) {
   for (const auto& [backend, summary] : shown.simulators) {
     if (summary.examples.empty()) continue;
     std::vector<std::string> filled;
@@ -67,7 +60,7 @@ std::vector<std::string> phrasings_of(const Shown& shown) {
   return {};
 }
 
-void print(const Shown& shown) {
+void print(const ShownTemplate& shown) {
   const auto& source = shown.source;
   std::printf("%s: %s\n  %s%s\n\n", source.name.c_str(), source.title.c_str(),
               std::string(name_of(source.split)).c_str(),
@@ -101,7 +94,7 @@ void print(const Shown& shown) {
   }
 }
 
-Json json_of(const Shown& shown) {
+Json json_of(const ShownTemplate& shown) {
   const auto& source = shown.source;
   Json json = {{"format", "unietp-template/1"},
                {"name", source.name},
@@ -140,11 +133,11 @@ Json json_of(const Shown& shown) {
   return json;
 }
 
-Exit show(const Options& options, const CommandLine& program) {
+Exit show(const TemplateShowOptions& options, const CommandLine& program) {
   const auto choice = choose_template(program.folders, options.name);
   if (!choice.errors.empty()) return refuse(choice.errors);
   const auto& source = choice.source();
-  Shown shown{source, goal_in_words(source), {}};
+  ShownTemplate shown{source, goal_in_words(source), {}};
   for (const auto simulator : source.simulators) {
     const auto& backend = choice.resources.backend(simulator);
     shown.simulators.emplace_back(&backend, summarise_bindings(source, backend.knowledge, kMostBindings));
@@ -160,10 +153,14 @@ Exit show(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_template_show_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = group.add_subcommand("show", kHelp);
-  command->add_option("template", options->name, "Its name, or a file")->required();
-  command->add_flag("--json", options->json, "Tell it as JSON");
+  auto options = std::make_shared<TemplateShowOptions>();  // shared: the callback outlives this function
+  auto* command = group.add_subcommand("show", "Explain one template in words");
+  command->explain(
+      "Shows the goal, the start, the categories that can fill each placeholder on each simulator, the "
+      "number of possible bindings, and the phrasings.",
+      {{"unietp template show place-one-on", ""}, {"unietp template show mine/my-task.template", ""}});
+  command->add_option("TEMPLATE", options->name, "Name of a template, or its file")->required();
+  command->add_flag("--json", options->json, "Print JSON");
   add_library_options(*command, program);
   command->callback([options, &program] { program.exit = show(*options, program); });
 }

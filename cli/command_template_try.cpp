@@ -7,6 +7,7 @@
 #include "authoring/trial_reasons.h"
 #include "cli/command_parser.h"
 #include "cli/command_template.h"
+#include "cli/common_options.h"
 #include "cli/each_home.h"
 #include "cli/library_options.h"
 #include "core/text.h"
@@ -15,19 +16,7 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Take a template through all stages in a few homes and show the tasks, or what stops them.\n"
-    "\n"
-    "  unietp template try place-one-on                       on every simulator that it claims\n"
-    "  unietp template try my.template --simulator ai2thor    a file that is in no library yet\n"
-    "  unietp template try place-one-on --count 5 --seed 2    more tasks, other homes\n"
-    "  unietp template try place-one-on --bind A=Mug          with a category of your choice\n"
-    "\n"
-    "A task is shown when its start was built and rests, the expert's plan was executed and makes the goal true, and "
-    "no\n"
-    "step of it can be left out. Exit code 1: no task on any of the simulators.";
-
-struct Options {
+struct TemplateTryOptions {
   std::string name, simulators;
   std::vector<std::string> binding;
   std::uint64_t seed = 1;
@@ -43,7 +32,7 @@ std::vector<std::string> steps_of(const Task& task) {
   return steps;
 }
 
-Json json_of(const TemplateTrial& trial, Simulator simulator) {
+Json trial_json(const TemplateTrial& trial, Simulator simulator) {
   auto tasks = Json::array();
   for (const auto& task : trial.tasks) {
     auto binding = Json::object();
@@ -60,7 +49,7 @@ Json json_of(const TemplateTrial& trial, Simulator simulator) {
           {"rejections", rejections_json(trial)}};
 }
 
-void print(const TemplateTrial& trial, const std::string& name, Simulator simulator) {
+void print_trial(const TemplateTrial& trial, const std::string& name, Simulator simulator) {
   std::printf("%s on %s: %zu of %d candidates became tasks\n", name.c_str(), std::string(name_of(simulator)).c_str(),
               trial.tasks.size(), trial.candidates);
   for (const auto& task : trial.tasks) {
@@ -74,7 +63,7 @@ void print(const TemplateTrial& trial, const std::string& name, Simulator simula
   std::printf("\n");
 }
 
-Exit try_one(const Options& options, const CommandLine& program) {
+Exit try_one(const TemplateTryOptions& options, const CommandLine& program) {
   const auto choice = choose_template(program.folders, options.name, options.binding, options.simulators);
   if (!choice.errors.empty()) return refuse(choice.errors);
   const Template& source = choice.source();
@@ -100,8 +89,8 @@ Exit try_one(const Options& options, const CommandLine& program) {
   auto json = Json::array();
   for (std::size_t i = 0; i < trials.size(); ++i) {
     any = any || !trials[i].tasks.empty();
-    if (options.json) json.push_back(json_of(trials[i], simulators[i]));
-    if (!options.json) print(trials[i], source.name, simulators[i]);
+    if (options.json) json.push_back(trial_json(trials[i], simulators[i]));
+    if (!options.json) print_trial(trials[i], source.name, simulators[i]);
   }
   if (options.json)
     std::printf("%s\n",
@@ -114,19 +103,27 @@ Exit try_one(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_template_try_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  options->threads = program.processors;
-  auto* command = group.add_subcommand("try", kHelp);
-  command->add_option("template", options->name, "Name of a template, or its file")->required();
-  command->add_option("--simulator,--simulators", options->simulators, "Some of ai2thor,virtualhome,habitat,behavior");
-  command->add_option("--bind", options->binding, "Categories for some or all placeholders: A=Mug B=Fridge");
-  command->add_option("--count", options->count, "Tasks on each simulator")->within(1, 1000);
-  command->add_option("--tries", options->tries, "Candidates on each simulator, at most")->within(1, 1024);
-  command->add_option("--homes", options->homes, "Homes drawn for each simulator")->within(1, 100);
-  command->add_option("--seed", options->seed, "Number that names homes and candidates");
-  command->add_option("--threads", options->threads, "Threads (default: one a processor); never changes the result")
-      ->within(1, 1024);
-  command->add_flag("--json", options->json, "As JSON");
+  auto options = std::make_shared<TemplateTryOptions>();  // shared: the callback outlives this function
+  auto* command =
+      group.add_subcommand("try", "Make tasks of one template in a few homes, or explain why there are none");
+  command->explain(
+      "A task is shown when its start was built and is at rest, the expert's plan was executed and reaches "
+      "the goal, and no step of the plan can be left out. Exit code 1: no task on any simulator.",
+      {{"unietp template try place-one-on", "on every simulator that it claims"},
+       {"unietp template try my.template --simulator ai2thor", "a file that is in no library yet"},
+       {"unietp template try place-one-on --count 5 --seed 2", "more tasks in other homes"},
+       {"unietp template try place-one-on --bind A=Mug", "with a category of your choice"}});
+  command->add_option("TEMPLATE", options->name, "Name of a template, or its file")->required();
+  add_simulators_option(*command, options->simulators, "Simulators (default: all that the template claims)",
+                        "--simulator,--simulators");
+  command->add_option("--bind", options->binding, "Categories for some or all placeholders")
+      ->type_name("A=Mug B=Fridge ...");
+  command->add_option("--count", options->count, "Tasks per simulator")->within(1, 1000)->shows_default();
+  command->add_option("--tries", options->tries, "Most candidates per simulator")->within(1, 1024)->shows_default();
+  command->add_option("--homes", options->homes, "Homes per simulator")->within(1, 100)->shows_default();
+  command->add_option("--seed", options->seed, "Seed of homes and candidates")->shows_default();
+  add_threads_option(*command, options->threads, program);
+  command->add_flag("--json", options->json, "Print JSON");
   add_library_options(*command, program);
   command->callback([options, &program] { program.exit = try_one(*options, program); });
 }

@@ -10,35 +10,28 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Every word that a template may use, with its meaning, from the tables that the reader itself looks them up in.\n"
-    "\n"
-    "  unietp template vocabulary              a line a word\n"
-    "  unietp template vocabulary --json       as a tree, for editors\n"
-    "  unietp template vocabulary --markdown   docs/vocabulary.md";
-
-struct Options {
+struct TemplateVocabularyOptions {
   bool json = false, markdown = false;
 };
 
-void print(const std::vector<VocabularyGroup>& groups, int depth) {
+void print_groups(const std::vector<VocabularyGroup>& groups, int depth) {
   for (const auto& group : groups) {
     std::printf("%*s%s: %s\n", depth * 2, "", group.title.c_str(), group.says.c_str());
     for (const auto& word : group.words) {
       std::printf("%*s%-34s %s\n", depth * 2 + 2, "", word.usage.c_str(), word.meaning.c_str());
     }
-    print(group.groups, depth + 1);
+    print_groups(group.groups, depth + 1);
   }
 }
 
-Exit tell(const Options& options) {
+Exit print_vocabulary(const TemplateVocabularyOptions& options) {
   const auto groups = template_vocabulary();
   if (options.json) {
     std::printf("%s\n", vocabulary_json(groups).dump(2).c_str());
   } else if (options.markdown) {
     std::printf("%s", vocabulary_page(groups).c_str());
   } else {
-    print(groups, 0);
+    print_groups(groups, 0);
   }
   return Exit::Ok;
 }
@@ -46,11 +39,15 @@ Exit tell(const Options& options) {
 }  // namespace
 
 void add_template_vocabulary_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = group.add_subcommand("vocabulary", kHelp);
-  auto* json = command->add_flag("--json", options->json, "Tell it as JSON");
-  command->add_flag("--markdown", options->markdown, "Tell it as the page docs/vocabulary.md")->excludes(json);
-  command->callback([options, &program] { program.exit = tell(*options); });
+  auto options = std::make_shared<TemplateVocabularyOptions>();  // shared: the callback outlives this function
+  auto* command = group.add_subcommand("vocabulary", "List every word that a template may use");
+  command->explain("The words and meanings come from the tables that the template parser itself uses.",
+                   {{"unietp template vocabulary", ""},
+                    {"unietp template vocabulary --json", "a tree, for editors"},
+                    {"unietp template vocabulary --markdown", "docs/vocabulary.md"}});
+  auto* json = command->add_flag("--json", options->json, "Print JSON");
+  command->add_flag("--markdown", options->markdown, "Print Markdown")->excludes(json);
+  command->callback([options, &program] { program.exit = print_vocabulary(*options); });
 }
 
 }  // namespace unietp

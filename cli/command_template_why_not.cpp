@@ -8,6 +8,7 @@
 #include "authoring/verdict_text.h"
 #include "cli/command_parser.h"
 #include "cli/command_template.h"
+#include "cli/common_options.h"
 #include "cli/library_options.h"
 #include "core/text.h"
 #include "run/given_binding.h"
@@ -15,18 +16,7 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Which gate refuses a binding, and what would have to change.\n"
-    "\n"
-    "  unietp template why-not place-one-inside --bind A=Fridge B=Mug\n"
-    "  unietp template why-not place-one-inside --bind A=Mug          what is left open is filled in\n"
-    "  unietp template why-not my.template --bind A=Mug B=Fridge --simulator ai2thor --try\n"
-    "\n"
-    "The gates are asked in order, before any scene is built; --try then takes the binding through a few homes. "
-    "Without\n"
-    "--simulator: on each that the template claims and that knows the categories. Exit code 1: refused somewhere.";
-
-struct Options {
+struct TemplateWhyNotOptions {
   std::string name, simulators;
   std::vector<std::string> binding;
   std::uint64_t seed = 1;
@@ -57,7 +47,7 @@ Json json_of(const TemplateTrial& trial) {
 }
 
 /// One task is asked for, with the binding that the gates passed.
-TemplateTrial in_homes(const Options& options, const TemplateChoice& choice, Simulator simulator,
+TemplateTrial in_homes(const TemplateWhyNotOptions& options, const TemplateChoice& choice, Simulator simulator,
                        const Binding& binding, const CommandLine& program) {
   RunConfiguration configuration;
   configuration.seed = options.seed;
@@ -67,7 +57,7 @@ TemplateTrial in_homes(const Options& options, const TemplateChoice& choice, Sim
                       {options.tries, 1, program.interrupted});
 }
 
-Exit why_not(const Options& options, const CommandLine& program) {
+Exit why_not(const TemplateWhyNotOptions& options, const CommandLine& program) {
   const auto choice = choose_template(program.folders, options.name, options.binding, options.simulators);
   if (!choice.errors.empty()) return refuse(choice.errors);
   const Template& source = choice.source();
@@ -99,18 +89,27 @@ Exit why_not(const Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_template_why_not_command(CommandParser& group, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = group.add_subcommand("why-not", kHelp);
-  command->add_option("template", options->name, "Name of a template, or its file")->required();
-  command->add_option("--bind", options->binding, "Categories for some or all placeholders: A=Mug B=Fridge")
+  auto options = std::make_shared<TemplateWhyNotOptions>();  // shared: the callback outlives this function
+  auto* command = group.add_subcommand("why-not", "Explain why a template refuses some categories");
+  command->explain(
+      "Checks the binding in the order of generation, before any home is built, and says which check fails "
+      "and what would have to change. With --try, the binding then goes through a few homes. Exit code 1: "
+      "refused on some simulator.",
+      {{"unietp template why-not place-one-inside --bind A=Fridge B=Mug", ""},
+       {"unietp template why-not place-one-inside --bind A=Mug", "other placeholders are filled in"},
+       {"unietp template why-not my.template --bind A=Mug B=Fridge --simulator ai2thor --try", ""}});
+  command->add_option("TEMPLATE", options->name, "Name of a template, or its file")->required();
+  command->add_option("--bind", options->binding, "Categories for some or all placeholders")
       ->required()
-      ->type_name("A=Mug ...");
-  command->add_option("--simulator,--simulators", options->simulators, "Some of ai2thor,virtualhome,habitat,behavior");
+      ->type_name("A=Mug B=Fridge ...");
+  add_simulators_option(*command, options->simulators,
+                        "Simulators (default: all that the template claims and that know the categories)",
+                        "--simulator,--simulators");
   command->add_flag("--try", options->in_homes, "Also build starts in a few homes and run the expert");
-  command->add_option("--tries", options->tries, "Candidates, at most")->within(1, 1024);
-  command->add_option("--homes", options->homes, "Homes drawn for each simulator")->within(1, 100);
-  command->add_option("--seed", options->seed, "Number that names homes and candidates");
-  command->add_flag("--json", options->json, "As JSON");
+  command->add_option("--tries", options->tries, "Most candidates")->within(1, 1024)->shows_default();
+  command->add_option("--homes", options->homes, "Homes per simulator")->within(1, 100)->shows_default();
+  command->add_option("--seed", options->seed, "Seed of homes and candidates")->shows_default();
+  command->add_flag("--json", options->json, "Print JSON");
   add_library_options(*command, program);
   command->callback([options, &program] { program.exit = why_not(*options, program); });
 }

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/command_parser.h"
+#include "cli/common_options.h"
 #include "cli/run_command.h"
 #include "core/files.h"
 #include "core/text.h"
@@ -9,30 +10,15 @@
 namespace unietp {
 namespace {
 
-constexpr const char* kHelp =
-    "Make training data: 9,000 tasks in homes that the benchmark does not have.\n"
-    "\n"
-    "  unietp training --out out/training\n"
-    "  unietp training --count 500 --seed 7 --out out/small\n"
-    "  unietp training --without-simulator ai2thor --out out/three\n"
-    "      to see how far what was learnt carries over to a simulator that was never seen\n"
-    "  unietp training --hold-out-templates --out out/two-thirds\n"
-    "      without the third of the templates that data/runs/held_out_templates.txt names\n"
-    "  unietp training --shard 2/8 --out out/part-2\n"
-    "      one of eight parts, on one of eight machines; `unietp merge` puts them together\n"
-    "\n"
-    "The same options and seed give the same bytes with any number of threads and shards. Exit code 1: some tasks\n"
-    "could not be made.";
-
-struct Options : RunCommand {
+struct TrainingOptions : RunCommand {
   std::filesystem::path file;
-  std::uint64_t seed = 0;
-  int count = 0;
-  bool seeded = false, counted = false, hold_out = false;
+  std::optional<std::uint64_t> seed;
+  int count = 0;  // 0: not given
+  bool hold_out = false;
   std::string without_simulators;
 };
 
-/// A name a line; what follows # is a comment. Errors: Io.
+/// One name per line; # starts a comment. Errors: Io.
 Result<std::vector<std::string>> names_in(const std::filesystem::path& file) {
   const auto text = read_file(file);
   if (!text) return text.error();
@@ -44,18 +30,20 @@ Result<std::vector<std::string>> names_in(const std::filesystem::path& file) {
   return names;
 }
 
-/// The configuration file's settings with what the options change.
-Result<RunConfiguration> settings_of(const Options& options, CommandLine& program) {
+/// The settings of the configuration file, changed by the options.
+Result<RunConfiguration> settings_of(const TrainingOptions& options, CommandLine& program) {
   const DataFolders& folders = program.folders;
   auto configuration = settings_in(options.file.empty() ? folders.runs() / "training.json" : options.file, program);
   if (!configuration) return configuration.error();
-  if (options.seeded) configuration->seed = options.seed;
-  if ((options.counted || !options.without_simulators.empty()) && !configuration->quotas.empty())
-    return Error{Error::Kind::Usage,
-                 options.file.string(),
-                 {},
-                 "has quotas, which say how many tasks there are of each simulator; change the file instead"};
-  if (options.counted) configuration->count = options.count;
+  if (options.seed) configuration->seed = *options.seed;
+  if ((options.count > 0 || !options.without_simulators.empty()) && !configuration->quotas.empty())
+    return Error{
+        Error::Kind::Usage,
+        options.file.string(),
+        {},
+        "has quotas, which fix the number of tasks per simulator; change the file instead of giving --count or "
+        "--without-simulator"};
+  if (options.count > 0) configuration->count = options.count;
   if (!options.without_simulators.empty()) {
     const auto left_out = parse_simulators("--without-simulator", options.without_simulators);
     if (!left_out) return left_out.error();
@@ -63,7 +51,7 @@ Result<RunConfiguration> settings_of(const Options& options, CommandLine& progra
       return std::find(left_out->begin(), left_out->end(), simulator) != left_out->end();
     });
     if (configuration->simulators.empty())
-      return Error{Error::Kind::Usage, "--without-simulator", {}, "leaves no simulator"};
+      return Error{Error::Kind::Usage, "--without-simulator", {}, "no simulator is left"};
   }
   if (options.hold_out) {
     const auto names = names_in(folders.runs() / "held_out_templates.txt");
@@ -73,7 +61,7 @@ Result<RunConfiguration> settings_of(const Options& options, CommandLine& progra
   return configuration;
 }
 
-Exit make(Options& options, CommandLine& program) {
+Exit make(TrainingOptions& options, CommandLine& program) {
   auto configuration = settings_of(options, program);
   if (!configuration) return refuse(configuration.error());
   options.configuration = std::move(*configuration);
@@ -85,21 +73,28 @@ Exit make(Options& options, CommandLine& program) {
 }  // namespace
 
 void add_training_command(CommandParser& app, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  auto* command = app.add_subcommand("training", kHelp);
-  command->add_option("--config", options->file, "Settings, in place of data/runs/training.json")->existing_file();
-  auto* count = command->add_option("--count", options->count, "How many tasks (default: 9000)")->within(1, 1000000000);
-  auto* seed = command->add_option("--seed", options->seed, "Number that names the run: other homes, other tasks");
-  command->add_option("--without-simulator", options->without_simulators,
-                      "Leave out one or more of ai2thor,virtualhome,habitat,behavior");
+  auto options = std::make_shared<TrainingOptions>();  // shared: the callback outlives this function
+  auto* command = app.add_subcommand("training", "Make training data: 9,000 tasks in homes the benchmark does not use");
+  command->explain(
+      "Each task is demonstrated in modes M1 and M2. The same options and seed give the same bytes for any number of "
+      "threads and shards. Exit code 1: some tasks could not be made.",
+      {{"unietp training --out out/training", ""},
+       {"unietp training --count 500 --seed 7 --out out/small", ""},
+       {"unietp training --without-simulator ai2thor --out out/three",
+        "leave out one simulator, to test transfer to an unseen one"},
+       {"unietp training --hold-out-templates --out out/two-thirds",
+        "leave out a fixed third of the templates, to test on unseen kinds of tasks"},
+       {"unietp training --shard 2/8 --out out/part-2",
+        "the second of eight parts, each on a machine of its own; `unietp merge` joins them"}});
+  command->add_option("--config", options->file, "Configuration file (default: the 9,000 tasks)")->existing_file();
+  command->add_option("--count", options->count, "Number of tasks (default: 9000)")->within(1, 1000000000);
+  command->add_option("--seed", options->seed, "Seed of the run: other homes, other tasks");
+  add_simulators_option(*command, options->without_simulators, "Leave out one or more simulators",
+                        "--without-simulator");
   command->add_flag("--hold-out-templates", options->hold_out,
-                    "Leave out a fixed third of the templates, for tests on kinds of tasks that were never seen");
+                    "Leave out the templates that data/runs/held_out_templates.txt lists");
   add_run_options(*command, *options, program);
-  command->callback([options, count, seed, &program] {
-    options->counted = count->given();
-    options->seeded = seed->given();
-    program.exit = make(*options, program);
-  });
+  command->callback([options, &program] { program.exit = make(*options, program); });
 }
 
 }  // namespace unietp

@@ -6,6 +6,7 @@
 
 #include "cli/command_parser.h"
 #include "cli/commands.h"
+#include "cli/common_options.h"
 #include "record/manifest_record.h"
 #include "rewording/check_text.h"
 #include "validator/validate.h"
@@ -15,26 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHelp =
-    "Prove a data set again from its files alone.\n"
-    "\n"
-    "  unietp validate out/first\n"
-    "  unietp validate out/first --json > report.json\n"
-    "  unietp validate out/training --against out/benchmark\n"
-    "\n"
-    "Rebuilds each start scene in fresh physics, replays each demonstration in every mode and compares every outcome,\n"
-    "view and change, evaluates the goal, spoils each plan and sees that it fails, reads each instruction back, and\n"
-    "counts quotas, balance, repeats and what is shared with other data sets. One line a problem, with its kind, "
-    "task,\n"
-    "file and line, then a table (docs/validate.md). Exit code 0 only when nothing is wrong.";
-
-struct Options {
+struct ValidateOptions {
   std::filesystem::path folder;
   ValidationOptions validation;
   bool json = false, kinds = false;
 };
 
-/// A count by kind of problem, in the order of the kinds.
+/// Number of problems of each kind, in the order of the kinds.
 std::vector<std::pair<ProblemKind, int>> counted(const std::vector<Problem>& problems) {
   std::vector<std::pair<ProblemKind, int>> counts;
   for (const auto& about : all_problems()) {
@@ -105,7 +93,7 @@ void print_kinds() {
     std::printf("| `%s` | %s |\n", std::string(about.name).c_str(), std::string(about.meaning).c_str());
 }
 
-Exit validate(Options& options, const CommandLine& program) {
+Exit validate(ValidateOptions& options, const CommandLine& program) {
   if (options.kinds) {
     print_kinds();
     return Exit::Ok;
@@ -139,18 +127,26 @@ Exit validate(Options& options, const CommandLine& program) {
 }  // namespace
 
 void add_validate_command(CommandParser& app, CommandLine& program) {
-  auto options = std::make_shared<Options>();  // shared: the callback below outlives this function
-  options->validation.threads = program.processors;
-  auto* command = app.add_subcommand("validate", kHelp);
-  auto* folder = command->add_option("folder", options->folder, "A finished data set");
+  auto options = std::make_shared<ValidateOptions>();  // shared: the callback outlives this function
+  auto* command = app.add_subcommand("validate", "Verify a data set from its files alone");
+  command->explain(
+      "Rebuilds each start scene in fresh physics, replays every demonstration and compares each outcome, view and "
+      "change, evaluates the goal, checks that damaged plans fail, and reads each instruction back into its goal. Also "
+      "checks checksums, quotas, balance, duplicates and overlap with other data sets.\n\n"
+      "Prints one line per problem with its kind, task, file and line, then a table. Exit code 0 only when nothing is "
+      "wrong.",
+      {{"unietp validate out/first", ""},
+       {"unietp validate out/first --json > report.json", ""},
+       {"unietp validate out/training --against out/benchmark", "no home, seed or instruction may be shared"}});
+  auto* folder = command->add_option("FOLDER", options->folder, "A finished data set")->folder();
   command
       ->add_option("--against", options->validation.against,
-                   "Other finished data sets: no home, seed or instruction may be shared with them")
+                   "Another data set with which no home, seed or instruction may be shared; may be repeated")
+      ->folder()
       ->one_each();
-  command->add_flag("--kinds", options->kinds, "Print what can be wrong, as the table of docs/validate.md")
-      ->excludes(folder);
-  command->add_option("--threads", options->validation.threads, "Threads (default: one a processor)")->within(1, 1024);
-  command->add_flag("--json", options->json, "Report on stdout as JSON");
+  command->add_flag("--kinds", options->kinds, "List the kinds of problems, as Markdown")->excludes(folder);
+  add_threads_option(*command, options->validation.threads, program);
+  command->add_flag("--json", options->json, "Print the report as JSON");
   command->callback([options, &program] { program.exit = validate(*options, program); });
 }
 

@@ -11,20 +11,20 @@ namespace unietp {
 
 class CommandParser;
 
-/// What the program's end tells a script.
+/// Exit codes of the program.
 enum class Exit : int { Ok = 0, Wrong = 1, BadInput = 2, Interrupted = 130 };
 
-/// What a command needs to know of the world; only `main` looks it up.
+/// What commands know of their environment; only `main` looks it up.
 struct CommandLine {
   DataFolders folders;
   const std::atomic<bool>* interrupted = nullptr;
-  std::string llm_key;    // from UNIETP_LLM_KEY; shown and stored nowhere
-  bool terminal = false;  // stderr is one: a progress line may be drawn
+  std::string llm_key;    // from UNIETP_LLM_KEY; never shown or stored
+  bool terminal = false;  // stderr is a terminal, so a progress line may be drawn
   int processors = 1;
   Exit exit = Exit::Ok;  // set by the command that ran
 };
 
-// Each adds a command whose parsing runs it and sets `program.exit`. `program` outlives the parse.
+// Each adds a command, whose callback runs it and sets `program.exit`. `program` and `app` outlive the parse.
 void add_generate_command(CommandParser& app, CommandLine& program);
 void add_benchmark_command(CommandParser& app, CommandLine& program);
 void add_training_command(CommandParser& app, CommandLine& program);
@@ -42,8 +42,10 @@ void add_annotate_command(CommandParser& app, CommandLine& program);
 void add_goal_command(CommandParser& app, CommandLine& program);
 void add_scene_command(CommandParser& app, CommandLine& program);
 void add_actions_command(CommandParser& app, CommandLine& program);
+void add_help_command(CommandParser& app, CommandLine& program);
+void add_completion_command(CommandParser& app, CommandLine& program);
 
-/// Writes each error on a line of its own to stderr; Exit::BadInput.
+/// Prints each error on its own line to stderr. Returns Exit::BadInput.
 Exit refuse(const std::vector<Error>& errors);
 Exit refuse(const Error& error);
 

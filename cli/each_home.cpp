@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-std::string progress_text(std::size_t done, std::size_t count, double seconds, const std::string& unit) {
+std::string homes_progress(std::size_t done, std::size_t count, double seconds, const std::string& unit) {
   const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0;
   const auto left = rate > 0 ? clock_text(static_cast<double>(count - done) / rate) : std::string("-:--");
   std::array<char, 96> text{};
@@ -39,7 +39,7 @@ bool for_each_home(std::size_t count, int threads, const CommandLine& program,
     const std::scoped_lock lock(mutex);
     ++done;
     line.draw(
-        progress_text(done, count, std::chrono::duration<double>(Clock::now() - start).count(), std::string(unit)));
+        homes_progress(done, count, std::chrono::duration<double>(Clock::now() - start).count(), std::string(unit)));
   });
   return ended || done == count;
 }

@@ -6,11 +6,10 @@ namespace unietp {
 void add_library_options(CommandParser& command, CommandLine& program) {
   command
       .add_option("--templates", program.folders.templates,
-                  "Folder (or file) of your own templates, which load beside the built-in ones; may be given again")
-      ->type_name("DIR")
-      ->one_each();  // one place each time it is given
-  command.add_flag("--extended,--all", program.folders.extended_library,
-                   "Take the extended library too (templates/extended)");
+                  "Folder or file of your own templates, loaded beside the built-in ones; may be repeated")
+      ->folder()
+      ->one_each();  // so that the next argument is not taken for another folder
+  command.add_flag("--extended,--all", program.folders.extended_library, "Also use the extended library");
 }
 
 }  // namespace unietp

@@ -4,7 +4,7 @@
 
 namespace unietp {
 
-/// Adds `--templates DIR` and `--extended`: which templates a command works with, besides the default library.
+/// Adds `--templates` and `--extended`, which add templates to the default library.
 void add_library_options(CommandParser& command, CommandLine& program);
 
 }  // namespace unietp

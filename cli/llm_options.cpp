@@ -7,27 +7,32 @@ namespace unietp {
 
 void add_llm_options(CommandParser& command, LlmChoice& choice, bool required) {
   command.add_option("--llm-url", choice.url, "OpenAI-compatible server: .../v1 or .../v1/chat/completions")
+      ->type_name("URL")
       ->required(required);
-  command.add_option("--llm-model", choice.model, "Model, as the server names it; part of what is recorded")
+  command.add_option("--llm-model", choice.model, "Model, by the server's name for it; it is recorded as the source")
+      ->type_name("NAME")
       ->required(required);
-  command.add_option("--at-once", choice.ask.at_once, "Requests under way at a time")->within(1, 256)->shows_default();
-  command.add_option("--cache", choice.cache, "File of answers (default: llm-answers.sqlite in the cache folder)");
+  command.add_option("--at-once", choice.ask.at_once, "Concurrent requests")->within(1, 256)->shows_default();
+  command.add_option("--cache", choice.cache, "File of cached answers (default: in the user's cache folder)");
   command.add_option("--llm-timeout", choice.ask.attempt_s, "Seconds for one attempt")
       ->within(0.01, 86400.0)
       ->shows_default();
   command.add_option("--llm-total", choice.ask.total_s, "Seconds for the whole command")
       ->within(0.01, 864000.0)
       ->shows_default();
-  command.add_option("--llm-attempts", choice.ask.max_attempts, "Attempts of one request")
+  command.add_option("--llm-attempts", choice.ask.max_attempts, "Attempts per request")
       ->within(1, 100)
       ->shows_default();
-  command.add_option("--llm-wait", choice.ask.first_wait_s, "Seconds before the second attempt; then doubled")
+  command.add_option("--llm-wait", choice.ask.first_wait_s, "Seconds before the second attempt; doubled each time")
       ->within(0.0, 3600.0)
       ->shows_default();
-  command.add_option("--temperature", choice.temperature, "Sent when given")->within(0.0, 2.0);
-  command.add_option("--max-tokens", choice.max_tokens, "Of one answer; sent when given")->within(1, 1'000'000);
-  command.add_option("--price-in", choice.price.prompt, "Price of a million tokens of prompts")->not_negative();
-  command.add_option("--price-out", choice.price.completion, "Price of a million tokens of answers")->not_negative();
+  command.add_option("--temperature", choice.temperature, "Sampling temperature (default: the server's)")
+      ->within(0.0, 2.0);
+  command.add_option("--max-tokens", choice.max_tokens, "Most tokens of an answer (default: the server's)")
+      ->within(1, 1'000'000);
+  command.add_option("--price-in", choice.price.prompt, "Price of a million prompt tokens, for the cost summary")
+      ->not_negative();
+  command.add_option("--price-out", choice.price.completion, "Price of a million answer tokens")->not_negative();
   command.add_flag("--dry-run", choice.dry_run, "Print the prompts and send nothing");
 }
 

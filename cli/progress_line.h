@@ -8,8 +8,8 @@ namespace unietp {
 /// Minutes and seconds: "1:05".
 std::string clock_text(double seconds);
 
-/// One line on stderr that is drawn over itself a few times a second; nothing when stderr is no terminal. Wiped at the
-/// end of its life.
+/// A progress line on stderr, redrawn at most five times a second; does nothing when stderr is not a terminal. The
+/// destructor erases it.
 class ProgressLine {
  public:
   explicit ProgressLine(bool terminal) : terminal_(terminal) {}

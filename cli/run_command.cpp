@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command_parser.h"
+#include "cli/common_options.h"
 #include "cli/progress_line.h"
 #include "core/limits.h"
 #include "core/text.h"
@@ -20,7 +21,7 @@
 namespace unietp {
 namespace {
 
-std::string progress_text(const RunProgress& now) {
+std::string run_progress(const RunProgress& now) {
   const double rate = now.seconds > 0 ? now.tasks_now / now.seconds : 0;
   const double yield = now.candidates > 0 ? 100.0 * now.tasks / now.candidates : 0;
   const auto left = rate > 0 ? clock_text((now.asked - now.tasks) / rate) : std::string("-:--");
@@ -51,7 +52,7 @@ std::string text_of(const std::vector<Spread>& balance) {
   std::vector<std::string> parts;
   for (const auto& spread : balance) {
     std::array<char, 96> text{};
-    (void)std::snprintf(text.data(), text.size(), "%s: %d values, as even as %.1f equal ones",
+    (void)std::snprintf(text.data(), text.size(), "%s: %d values, as balanced as %.1f equally frequent ones",
                         std::string(name_of(spread.dimension)).c_str(), spread.values, spread.effective);
     parts.emplace_back(text.data());
   }
@@ -65,18 +66,18 @@ std::string reason_text(const RejectionEntry& rejection) {
   return rejection.stage + " " + rejection.reason + ": " + rejection.detail + (hint.empty() ? "" : "; " + hint);
 }
 
-Exit tell(const RunReport& report, const RunCommand& command, spdlog::logger& log) {
+Exit print_report(const RunReport& report, const RunCommand& command, spdlog::logger& log) {
   const auto out = command.run.out.string();
   if (command.json) std::printf("%s\n", json_of(report, command).dump(2).c_str());
   if (report.interrupted) {
-    log.warn("interrupted with {} of {} tasks; the same command with --resume goes on from here", report.tasks,
+    log.warn("interrupted with {} of {} tasks; run the same command with --resume to continue", report.tasks,
              report.asked);
     return Exit::Interrupted;
   }
   if (!command.json)
     std::printf("%d of %d tasks in %s (%d candidates, %s)\n", report.tasks, report.asked, out.c_str(),
                 report.candidates, clock_text(report.seconds).c_str());
-  if (!command.json && report.tasks > 1) std::printf("spread over %s\n", text_of(report.balance).c_str());
+  if (!command.json && report.tasks > 1) std::printf("balance: %s\n", text_of(report.balance).c_str());
   for (const auto& slot : report.unfilled)
     log.error("no {} after {} attempts; the last: {}", slot.description, command.configuration.attempts,
               slot.last ? reason_text(*slot.last) : "");
@@ -104,24 +105,20 @@ Result<RunConfiguration> settings_in(const std::filesystem::path& file, CommandL
     return Error{Error::Kind::Usage,
                  file.string(),
                  {},
-                 "has scenes, a binding or templates of one's own; give these to `unietp generate` as options"};
+                 "has scenes, a binding or your own templates; give these to `unietp generate` as options"};
   program.folders.extended_library = configuration->extended;
   return configuration;
 }
 
 void add_run_options(CommandParser& app, RunCommand& command, const CommandLine& program) {
-  command.run.threads = program.processors;
-  app.add_option("--threads", command.run.threads, "Threads (default: one a processor); never changes the result")
-      ->within(1, 1024);
-  app.add_option("--out", command.run.out, "Folder to make")->required();
-  app.add_flag("--resume", command.run.resume, "Go on with the unfinished run in OUT.partial");
+  add_threads_option(app, command.run.threads, program);
+  app.add_option("--out", command.run.out, "Folder to make")->required()->folder();
+  app.add_flag("--resume", command.run.resume, "Continue the unfinished run in OUT.partial");
   app.add_option("--ledger", command.run.ledger,
-                 "Keep the run's ledger in this file (SQLite): each candidate with stage, reason and cost");
-  app.add_option("--shard", command.shard,
-                 "Make only part K of N, on this machine; `unietp merge` puts the parts together (docs/scale.md)")
-      ->type_name("K/N");
+                 "Keep the record of all candidates, with stage, reason and cost, in this SQLite file");
+  app.add_option("--shard", command.shard, "Make only part K of N; `unietp merge` joins the parts")->type_name("K/N");
   add_writer_options(app, command.writer);
-  app.add_flag("--json", command.json, "Report on stdout as JSON");
+  app.add_flag("--json", command.json, "Print the report as JSON");
 }
 
 Exit make_data_set(RunCommand& command, const Resources& resources, const CommandLine& program) {
@@ -135,17 +132,19 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
     if (!shard) return refuse(shard.error());
     command.run.shard = *shard;
   }
-  const auto phrasings = settled(command.writer);
+  const auto phrasings = check_writer(command.writer);
   if (!phrasings) return refuse(phrasings.error());
   if (*phrasings != Phrasings::All) command.configuration.phrasings = *phrasings;
   const bool by_grammar = command.writer.writer == "grammar";
   if (!by_grammar && !command.run.shard.is_whole())
-    return refuse(
-        {Error::Kind::Usage, "--writer", {}, "a shard is worded by the grammar; annotate the merged data set"});
+    return refuse({Error::Kind::Usage,
+                   "--writer",
+                   {},
+                   "a shard's instructions are written by the grammar; run `unietp annotate` on the merged data set"});
   ProgressLine line(program.terminal);
   command.run.licences = program.folders.licences();
   command.run.stop = program.interrupted;
-  if (program.terminal) command.run.progress = [&line](const RunProgress& now) { line.draw(progress_text(now)); };
+  if (program.terminal) command.run.progress = [&line](const RunProgress& now) { line.draw(run_progress(now)); };
   const auto report = run_generation(command.configuration, resources, command.run);
   line.wipe();
   if (!report) {
@@ -153,15 +152,15 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
     if (std::error_code code;
         report.error().kind == Error::Kind::Io && std::filesystem::exists(command.run.out.string() + ".partial", code))
       log.warn(
-          "what was made so far is kept; once this can be written (is the disk full?), the same command with "
-          "--resume goes on from there");
+          "the work so far is kept; when the file can be written (is the disk full?), run the same command with "
+          "--resume to continue");
     return refused;
   }
-  const Exit told = tell(*report, command, log);
-  if (report->interrupted || by_grammar) return told;
+  const Exit made = print_report(*report, command, log);
+  if (report->interrupted || by_grammar) return made;
   const auto& out = command.run.out;
-  const Exit reworded = write_anew(out, out, resources, command.writer, std::nullopt, false, program);
-  return told == Exit::Ok ? reworded : told;
+  const Exit reworded = reword_dataset(out, out, resources, command.writer, std::nullopt, false, program);
+  return made == Exit::Ok ? reworded : made;
 }
 
 }  // namespace unietp

@@ -15,7 +15,7 @@
 namespace unietp {
 namespace {
 
-Error usage(std::string where, std::string message) {
+Error option_error(std::string where, std::string message) {
   return {Error::Kind::Usage, std::move(where), {}, std::move(message)};
 }
 
@@ -27,7 +27,7 @@ std::vector<LlmRequest> with_parameters(std::vector<LlmRequest> requests, const 
   return requests;
 }
 
-void tell(const AnnotateReport& report) {
+void print_report(const AnnotateReport& report) {
   print_line(std::to_string(report.tasks) + " instructions");
   for (const auto& [writer, count] : report.by_writer) print_line("  " + std::to_string(count) + " by " + writer);
   std::map<std::string, std::pair<int, std::string>> reasons;  // count and first task
@@ -35,8 +35,8 @@ void tell(const AnnotateReport& report) {
     auto& reason = reasons[why];
     if (++reason.first == 1) reason.second = task;
   }
-  for (const auto& [why, told] : reasons)
-    print_line("  the grammar stands in for " + std::to_string(told.first) + " (" + told.second + "): " + why);
+  for (const auto& [why, reason] : reasons)
+    print_line("  the grammar wrote " + std::to_string(reason.first) + " instead (" + reason.second + "): " + why);
 }
 
 Exit dry_run(const std::filesystem::path& folder, const Resources& resources, const AnnotateOptions& options,
@@ -45,7 +45,7 @@ Exit dry_run(const std::filesystem::path& folder, const Resources& resources, co
   if (!requests) return refuse(requests.error());
   for (const auto& request : with_parameters(*requests, llm)) print_line(shown(request));
   print_line(std::to_string(requests->size()) +
-             " requests, then one for each text that passes the checks of words; nothing was sent");
+             " requests, then one for each text that passes the word checks; nothing was sent");
   return Exit::Ok;
 }
 
@@ -75,7 +75,7 @@ Exit with_server(const std::filesystem::path& folder, const std::filesystem::pat
   progress.wipe();
   if (!report) return refuse(report.error());
   if (cache->trouble()) (void)refuse(*cache->trouble());
-  tell(*report);
+  print_report(*report);
   print_line("requests   " + std::to_string(totals.asked) + " asked, " + std::to_string(totals.cached) +
              " from the cache, " + std::to_string(totals.failed) + " without an answer");
   print_line(cost_line(totals, llm.price));
@@ -94,16 +94,16 @@ Exit with_batch(const std::filesystem::path& folder, const std::filesystem::path
   if (!report) return refuse(report.error());
   const auto left = batch->finish();
   if (!left) return refuse(left.error());
-  tell(*report);
+  print_report(*report);
   print_line("batch      " + std::to_string(left->answered) + " answered, " + std::to_string(left->waiting) +
              " waiting, " + std::to_string(left->failed.size()) + " failed, " + std::to_string(left->new_requests) +
              " new requests");
   std::map<std::string, int> reasons;
   for (const auto& reason : left->failed) ++reasons[reason];
   for (const auto& [reason, count] : reasons) print_line("  " + std::to_string(count) + " failed: " + reason);
-  for (const auto& file : left->new_files) print_line("  to be sent: " + file.string());
+  for (const auto& file : left->new_files) print_line("  to send: " + file.string());
   if (left->new_requests + left->waiting > 0)
-    print_line("put the service's answers into " + choice.batch.string() + " and run annotate again to go on");
+    print_line("put the service's answers into " + choice.batch.string() + " and run annotate again to continue");
   if (!left->unreadable.empty()) (void)refuse(left->unreadable);
   return left->waiting + left->new_requests == 0 && left->unreadable.empty() ? Exit::Ok : Exit::Wrong;
 }
@@ -111,37 +111,42 @@ Exit with_batch(const std::filesystem::path& folder, const std::filesystem::path
 }  // namespace
 
 void add_writer_options(CommandParser& command, WriterChoice& choice) {
-  command.add_option("--writer", choice.writer, "Of the instructions: grammar, llm or batch")->shows_default();
+  command.add_option("--writer", choice.writer, "Who writes instructions: grammar, llm or batch")
+      ->type_name("NAME")
+      ->suggests({"grammar", "llm", "batch"})
+      ->shows_default();
   command
       .add_option("--phrasings", choice.phrasings,
-                  "Turns of phrase of the grammar: all, training or benchmark; the last two share none")
+                  "Phrases that the grammar uses: all, training or benchmark; the last two have none in common")
+      ->type_name("NAME")
+      ->suggests({"all", "training", "benchmark"})
       ->shows_default();
-  command.add_option("--batch", choice.batch, "Folder of request and answer files, for --writer batch");
-  command.add_option("--rewrites", choice.rewrites, "Further tries after a text of a model that was refused")
+  command.add_option("--batch", choice.batch, "Folder of request and answer files, for --writer batch")->folder();
+  command.add_option("--rewrites", choice.rewrites, "Further attempts after a model's text was refused")
       ->within(0, 20)
       ->shows_default();
   add_llm_options(command, choice.llm, false);
 }
 
-Result<Phrasings> settled(const WriterChoice& choice) {
+Result<Phrasings> check_writer(const WriterChoice& choice) {
   const auto writer = writer_named(choice.writer);
   if (!writer) return unknown_name_error("--writer", choice.writer, {"grammar", "llm", "batch"});
   if (*writer == Writer::Llm && choice.llm.url.empty())
-    return usage("--writer llm", "needs --llm-url, the address of an OpenAI-compatible server");
+    return option_error("--writer llm", "needs --llm-url, the address of an OpenAI-compatible server");
   if (*writer != Writer::Grammar && choice.llm.model.empty())
-    return usage("--writer " + choice.writer, "needs --llm-model, as the server names it");
+    return option_error("--writer " + choice.writer, "needs --llm-model, as the server names it");
   if (*writer == Writer::Batch && choice.batch.empty())
-    return usage("--writer batch", "needs --batch, the folder for request and answer files");
+    return option_error("--writer batch", "needs --batch, the folder for request and answer files");
   if (choice.phrasings == "all") return Phrasings::All;
   if (choice.phrasings == "training") return Phrasings::Training;
   if (choice.phrasings == "benchmark") return Phrasings::Benchmark;
   return unknown_name_error("--phrasings", choice.phrasings, {"all", "training", "benchmark"});
 }
 
-Exit write_anew(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,
-                const WriterChoice& choice, std::optional<std::uint64_t> seed, bool paired,
-                const CommandLine& program) {
-  const auto phrasings = settled(choice);
+Exit reword_dataset(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,
+                    const WriterChoice& choice, std::optional<std::uint64_t> seed, bool paired,
+                    const CommandLine& program) {
+  const auto phrasings = check_writer(choice);
   if (!phrasings) return refuse(phrasings.error());
   AnnotateOptions options;
   options.writer = *writer_named(choice.writer);
@@ -155,7 +160,7 @@ Exit write_anew(const std::filesystem::path& folder, const std::filesystem::path
   if (options.writer == Writer::Batch) return with_batch(folder, out, resources, options, choice);
   const auto report = annotate_dataset(folder, out, resources, options);
   if (!report) return refuse(report.error());
-  tell(*report);
+  print_report(*report);
   return Exit::Ok;
 }
 

@@ -10,7 +10,7 @@
 
 namespace unietp {
 
-/// Who writes the instructions, as a command line says it.
+/// Who writes the instructions, as given on the command line.
 struct WriterChoice {
   std::string writer = "grammar", phrasings = "all";
   std::filesystem::path batch;  // folder of request and answer files
@@ -21,11 +21,12 @@ struct WriterChoice {
 /// Adds --writer, --phrasings, --batch, --rewrites and the options of a language model.
 void add_writer_options(CommandParser& command, WriterChoice& choice);
 
-/// What is missing or unknown, as a Usage error; the choice's phrasings otherwise.
-Result<Phrasings> settled(const WriterChoice& choice);
+/// The phrasings of a choice. Errors: Usage for an unknown name or a missing option.
+Result<Phrasings> check_writer(const WriterChoice& choice);
 
-/// Writes the instructions of a data set anew and tells what came of it. Exit::Wrong when answers are still missing.
-Exit write_anew(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,
-                const WriterChoice& choice, std::optional<std::uint64_t> seed, bool paired, const CommandLine& program);
+/// Rewrites the instructions of a data set and prints a summary. Exit::Wrong when answers are still missing.
+Exit reword_dataset(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,
+                    const WriterChoice& choice, std::optional<std::uint64_t> seed, bool paired,
+                    const CommandLine& program);
 
 }  // namespace unietp

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/text.h"
+#include "core/version.h"
 
 namespace unietp {
 namespace {

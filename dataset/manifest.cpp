@@ -7,6 +7,7 @@
 #include "akb/csv.h"
 #include "core/file_digest.h"
 #include "core/files.h"
+#include "core/version.h"
 #include "dataset/configuration_json.h"
 
 namespace unietp {
@@ -49,8 +50,6 @@ Json writing_json(const WritingEntry& writing) {
 }
 
 }  // namespace
-
-std::string_view program_version() { return UNIETP_VERSION; }
 
 Result<std::vector<SourceLicence>> sources_of(const RunConfiguration& configuration, const Resources& resources,
                                               const fs::path& table) {

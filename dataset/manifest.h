@@ -57,7 +57,5 @@ Result<std::map<std::string, FileEntry>> files_below(const std::filesystem::path
 Result<std::vector<SourceLicence>> sources_of(const RunConfiguration& configuration, const Resources& resources,
                                               const std::filesystem::path& table);
 
-/// "0.1.0"
-std::string_view program_version();
 
 }  // namespace unietp

@@ -11,7 +11,7 @@ constexpr const char* kFloor = "floor.n.01";
 
 std::string numbered(const std::string& synset, std::size_t number) { return synset + "_" + std::to_string(number); }
 
-/// Every object that has a synset: its synset and the how manieth of it.
+/// Names of all objects that have a synset: the synset and a running number.
 std::map<std::string, std::string> names_of(const Scene& start, const BddlSynsets& synsets) {
   std::map<std::string, std::size_t> counts;
   std::map<std::string, std::string> names;

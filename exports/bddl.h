@@ -11,9 +11,9 @@
 
 namespace unietp {
 
-/// A task of BEHAVIOR as a BDDL problem of the domain `omnigibson`, with the objects that its goal speaks of, what they
-/// rest on or in, and the rooms of furniture. Comments before it say which object of ours each is. Pure. Errors:
-/// Unsatisfiable with the reason, in words, where BDDL does not say the goal: it reads the last state alone.
+/// A BEHAVIOR task as a BDDL problem of the domain `omnigibson`, with the objects that its goal names, what they rest
+/// on or in, and the rooms of furniture. Comments give our id of each object. Pure. Errors: Unsatisfiable with the
+/// reason why BDDL, which evaluates only the last state, cannot express the goal.
 Result<std::string> bddl_problem(const std::string& name, const Formula& goal, const Scene& start,
                                  const Knowledge& knowledge, const BddlSynsets& synsets);
 

@@ -1,10 +1,10 @@
-#include "exports/pddl_files.h"
-
 #include <algorithm>
 #include <set>
 
 #include "core/files.h"
 #include "core/text.h"
+#include "exports/formats.h"
+#include "exports/task_folder.h"
 #include "pddl/cast.h"
 #include "pddl/domain.h"
 #include "pddl/plan.h"
@@ -15,14 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What succeeded, what it handled, and which pieces came of what.
-struct Doings {
-  std::vector<Action> actions;
-  std::vector<std::string> handled;
-  std::vector<std::pair<std::string, std::string>> pieces;
+/// The part of a demonstration that a plan shows.
+struct PlannedActions {
+  std::vector<Action> actions;                              // that succeeded
+  std::vector<std::string> handled;                         // ids of their arguments
+  std::vector<std::pair<std::string, std::string>> pieces;  // id of a piece, id of what it was cut from
 };
 
-/// M1 names its objects by ids.
+/// Of a command in M1, whose arguments are ids.
 Action action_of(const Command& command) {
   Action action;
   action.type = action_named(command.action).value_or(ActionType::Stop);
@@ -32,8 +32,8 @@ Action action_of(const Command& command) {
   return action;
 }
 
-Doings doings_of(const DemonstrationRecord& demonstration) {
-  Doings all;
+PlannedActions planned_actions(const DemonstrationRecord& demonstration) {
+  PlannedActions all;
   std::set<std::string> known;
   for (const auto& step : demonstration.steps) {
     if (!step.success) continue;
@@ -55,20 +55,21 @@ ActionProfile profile_with(const ActionSet& offered) {
   return wide ? ActionProfile::Wide : ActionProfile::Unietp;
 }
 
-/// Its problem, its plan and, with the first of a simulator, the domain; else why PDDL does not say it.
+/// Writes the problem, the plan and, with the first task of a simulator, the domain. Returns why PDDL cannot express
+/// the task, if so.
 Result<std::optional<std::string>> say(const FinishedTask& finished, const std::vector<ValidationBackend>& backends,
                                        const fs::path& folder) {
   const TaskRecord& task = finished.record;
   const ValidationBackend& backend = backend_of(backends, finished.start);
   const Knowledge& knowledge = *backend.knowledge;
   const ActionProfile profile = profile_with(backend.profile->actions);
-  const Doings doings = doings_of(finished.shown.at(Mode::M1));
+  const PlannedActions done = planned_actions(finished.shown.at(Mode::M1));
   const symbolic::SceneSymbols symbols(finished.start, knowledge, profile,
-                                       pddl::cast_of(finished.start, knowledge, task.goal_tree, doings.handled));
+                                       pddl::cast_of(finished.start, knowledge, task.goal_tree, done.handled));
   const auto goal = symbols.goal(task.goal_tree);
   const auto problem = pddl::problem_for(task.id, finished.start.simulator, symbols.setting, symbols.start, goal);
   if (!problem) return std::optional(problem.error().message);
-  const auto plan = pddl::plan_for(symbols.setting, symbols.start, goal, *problem, doings.actions, doings.pieces);
+  const auto plan = pddl::plan_for(symbols.setting, symbols.start, goal, *problem, done.actions, done.pieces);
   if (!plan) return std::optional(plan.error().message);
   const auto own = folder / task.simulator;
   if (!fs::exists(own / "domain.pddl")) {
@@ -81,13 +82,20 @@ Result<std::optional<std::string>> say(const FinishedTask& finished, const std::
   return std::optional<std::string>();
 }
 
+/// `<simulator>/domain.pddl`, `<simulator>/<task>.pddl`, the demonstration as `<simulator>/<task>.plan`,
+/// left_out.jsonl.
+Result<std::string> write_pddl(const ExportRequest& request) {
+  const auto made = write_task_folder(
+      request.dataset, {Mode::M1}, request.out,
+      [&](const FinishedTask& task, const fs::path& folder) { return say(task, request.backends, folder); });
+  if (!made) return made.error();
+  return summary_of(*made, request.out);
+}
+
 }  // namespace
 
-Result<ExportedTasks> export_pddl(const fs::path& dataset, const std::vector<ValidationBackend>& backends,
-                                  const fs::path& out) {
-  return write_task_folder(dataset, {Mode::M1}, out, [&](const FinishedTask& task, const fs::path& folder) {
-    return say(task, backends, folder);
-  });
+ExportFormat pddl_format() {
+  return {"pddl", "a PDDL domain per simulator, and a problem and a plan per task", {}, true, write_pddl};
 }
 
 }  // namespace unietp

@@ -8,7 +8,7 @@
 
 namespace unietp {
 
-bool ReleaseBinder::born_later(const std::string& category) const {
+bool ReleaseBinder::made_by_cutting(const std::string& category) const {
   return std::any_of(start_.nodes.begin(), start_.nodes.end(), [&](const Node& node) {
     const auto cuts = knowledge_.effects_on(node.category, "slices");
     return std::any_of(cuts.begin(), cuts.end(), [&](const Effect* cut) { return cut->gives == category; });
@@ -37,7 +37,7 @@ std::optional<ReleaseBound> ReleaseBinder::bind(const Formula& f) {
 }
 
 void ReleaseBinder::add_category(const std::string& category, ReleaseBound& bound) const {
-  bound.late = bound.late || born_later(category);
+  bound.late = bound.late || made_by_cutting(category);
   bound.ours.push_back(category);
   bound.theirs.push_back(their_category(category));
 }

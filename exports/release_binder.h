@@ -12,36 +12,37 @@
 
 namespace unietp {
 
-/// What a bound variable may stand for, in our vocabulary and in the release's.
+/// What a bound variable ranges over, in our vocabulary and in the release's.
 struct ReleaseBound {
   std::string name;
   std::vector<std::string> ours;    // categories; of a slice those of the pieces
   std::vector<std::string> theirs;  // the same in their words
   bool room = false;
-  bool late = false;  // some are born only when something is cut
+  bool late = false;  // some exist only after something is cut
 };
 
-/// Says in the release's words what the variables of one goal range over, and what its referring constraints pick out
-/// at the start. The first thing that cannot be said there is kept as the reason. Deterministic.
+/// Translates the domains of one goal's variables, and the objects that its referring constraints select at the start,
+/// to the release's format. Keeps the first reason why that is impossible. Deterministic.
 class ReleaseBinder {
  public:
   ReleaseBinder(const Scene& start, const Knowledge& knowledge) : start_(start), knowledge_(knowledge) {}
 
-  /// "" while everything can be said.
+  /// The first reason why the goal cannot be expressed; "" for none.
   const std::string& why() const { return why_; }
   void refuse(const std::string& why) {
     if (why_.empty()) why_ = why;
   }
-  /// The objects that referring constraints pick out, by their category.
+  /// Ids of the objects that referring constraints select, by category.
   const std::map<std::string, std::vector<std::string>>& referents() const { return referents_; }
 
-  /// What the quantifier's variable stands for; nullopt once something was refused.
+  /// What the quantifier's variable ranges over; nullopt once there is a reason.
   std::optional<ReleaseBound> bind(const Formula& quantifier);
-  /// Whether cutting what the home has makes more of a category.
-  bool born_later(const std::string& category) const;
-  /// OmniGibson takes the whole away when it is cut.
+  /// Whether cutting something in the home makes objects of the category.
+  bool made_by_cutting(const std::string& category) const;
+  /// Whether an object disappears when it is cut, as OmniGibson removes it.
   bool vanishes(const ReleaseBound& bound) const;
-  /// Refuses what theirs cannot have beside a referring constraint, when there is one. `counts`: a `forall` or a count.
+  /// Refuses what the release's evaluator does not allow together with a referring constraint. `counts`: a `forall` or
+  /// a count.
   void check_referents(bool counts);
 
  private:

@@ -1,10 +1,9 @@
-#include "exports/release_files.h"
-
 #include <map>
 
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "exports/formats.h"
 #include "exports/release_goal.h"
 #include "exports/release_scene.h"
 #include "exports/release_words.h"
@@ -81,16 +80,24 @@ class Exporter {
   std::string scenes_;
 };
 
-}  // namespace
-
-Result<ReleaseExport> export_release(const fs::path& dataset, const std::vector<ValidationBackend>& backends,
-                                     const fs::path& out) {
-  Exporter exporter(backends);
+/// THOR.json, VH.json, Hab.json and BEHAVIOR.json, each a list of tasks as the paper's runner reads them; scene files;
+/// left_out.jsonl; and scenes.jsonl, which lists what is missing of each scene.
+Result<std::string> write_release(const ExportRequest& request) {
+  Exporter exporter(request.backends);
   const auto made = write_task_folder(
-      dataset, {}, out, [&](const FinishedTask& task, const fs::path& folder) { return exporter.say(task, folder); },
+      request.dataset, {}, request.out,
+      [&](const FinishedTask& task, const fs::path& folder) { return exporter.say(task, folder); },
       [&](const fs::path& folder) { return exporter.finish(folder); });
   if (!made) return made.error();
-  return ReleaseExport{made->said, made->left_out, exporter.with_scene()};
+  return std::to_string(made->said) + " tasks in " + request.out.string() + ", " +
+         std::to_string(exporter.with_scene()) + " of them with a scene record; " + std::to_string(made->left_out) +
+         " tasks left out";
+}
+
+}  // namespace
+
+ExportFormat release_format() {
+  return {"unietp-release", "the JSON format of the UniETP paper's release", {}, true, write_release};
 }
 
 }  // namespace unietp

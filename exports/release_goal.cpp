@@ -106,7 +106,7 @@ class ReleaseTranslator {
   Json quantified(const Formula& f) {
     const auto& members = f.domain.members;
     const bool late = std::any_of(members.begin(), members.end(), [&](const Domain::Member& member) {
-      return member.slice || binder_.born_later(member.category);
+      return member.slice || binder_.made_by_cutting(member.category);
     });
     if (f.op != Op::Exists && late && !at_end_ && f.children[0].op == Op::AtEnd) {
       Formula inner = f;

@@ -11,14 +11,14 @@
 
 namespace unietp {
 
-/// A goal in the words of the paper's release.
+/// A goal in the format of the paper's release.
 struct ReleaseGoal {
   std::string json;                                           // their `logic_dict`
   std::map<std::string, std::vector<std::string>> referents;  // their `object_reference`, with our ids
 };
 
-/// Says a goal in the node types of the release, where it means the same in both: with equal truth on every trace of
-/// this start, and no error of theirs. Pure. Errors: Unsatisfiable with the reason, in words, where it cannot be said.
+/// Translates a goal where it means the same in both: equal truth on every trace that begins with this start, and no
+/// error in the release's evaluator. Pure. Errors: Unsatisfiable with the reason why it cannot be expressed.
 Result<ReleaseGoal> release_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge);
 
 }  // namespace unietp

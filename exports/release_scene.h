@@ -11,15 +11,15 @@
 
 namespace unietp {
 
-/// A start as far as the paper's release can say it.
+/// A start scene as far as the paper's release can express it.
 struct ReleaseScene {
-  std::optional<std::string> record;         // an item of `sampled_scenes` as JSON; nullopt: their runner loads none
-  std::string file, file_text;               // that goes with it, by path in the export; "" when there is none
-  std::vector<std::string> not_said;         // for people
-  std::map<std::string, std::string> names;  // of our objects there, by id
+  std::optional<std::string> record;  // an item of `sampled_scenes` as JSON; nullopt: their runner cannot load it
+  std::string file, file_text;        // a file that belongs to it, by path in the export; "" for none
+  std::vector<std::string> not_said;  // what is missing, in words
+  std::map<std::string, std::string> names;  // names of our objects in it, by our id
 };
 
-/// `name` names the scene's own file. Errors: those of the writers in interchange/.
+/// `name`: of the scene's file. Errors: those of the writers in interchange/.
 Result<ReleaseScene> release_scene(const std::string& name, const Scene& start, const Knowledge& knowledge);
 
 }  // namespace unietp

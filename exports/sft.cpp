@@ -8,6 +8,7 @@
 #include "core/files.h"
 #include "core/png.h"
 #include "core/text.h"
+#include "exports/formats.h"
 #include "exports/sft_chat.h"
 #include "exports/whole_folder.h"
 #include "simulation/mode_rules.h"
@@ -21,14 +22,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kPicture = "<image>";  // stands for a picture in a text
 
-/// One task in one mode, ready to be written.
+/// The samples of one task in one mode.
 struct Samples {
   std::string lines, trl_lines;  // the second only with pictures
   std::vector<std::pair<std::string, std::string>> pictures;
   std::size_t count = 0;
 };
 
-/// A chat being put together in both forms: one text with marks for pictures, and a list of parts.
+/// A chat under construction in both forms: one text with <image> marks, and a list of parts.
 class Sample {
  public:
   explicit Sample(std::string id, bool with_pictures) : id_(std::move(id)), with_pictures_(with_pictures) {}
@@ -137,7 +138,7 @@ class Maker {
   bool pictures_;
 };
 
-/// As LLaMA-Factory finds its data: each file's columns and the names of its roles.
+/// dataset_info.json of LLaMA-Factory: each file's columns and the names of its roles.
 Json dataset_info(const std::vector<Mode>& modes, bool pictures) {
   Json info = Json::object();
   for (const Mode mode : modes) {
@@ -156,7 +157,7 @@ Json dataset_info(const std::vector<Mode>& modes, bool pictures) {
   return info;
 }
 
-/// Which modes are written and which are not; an error for one that was asked for and cannot be.
+/// Sets the modes to write and to leave out. Errors: Usage for a mode that was asked for and cannot be written.
 Result<Done> choose_modes(const fs::path& dataset, const SftOptions& options, SftExport& made) {
   const auto there = shown_modes(dataset);
   for (const Mode mode : options.modes.empty() ? there : options.modes) {
@@ -214,6 +215,54 @@ Result<SftExport> export_sft(const fs::path& dataset, const std::vector<Validati
   });
   if (!written) return written.error();
   return made;
+}
+
+namespace {
+
+SftOptions options_of(const ExportRequest& request) {
+  SftOptions options;
+  options.unit = request.value("unit") == "step" ? SftUnit::Step : SftUnit::Episode;
+  const auto observation = request.value("observation");
+  options.observation = observation == "both"    ? SftObservation::Both
+                        : observation == "image" ? SftObservation::Image
+                                                 : SftObservation::Boxes;
+  options.reasoning = request.has("reasoning");
+  if (request.has("modes")) {
+    for (const auto& name : request.options.at("modes")) options.modes.push_back(*mode_named(name));
+  }
+  options.threads = request.threads;
+  return options;
+}
+
+std::string names_of(const std::vector<Mode>& modes) {
+  std::vector<std::string> names;
+  names.reserve(modes.size());
+  for (const Mode mode : modes) names.emplace_back(name_of(mode));
+  return join(names, ", ");
+}
+
+Result<std::string> write_sft(const ExportRequest& request) {
+  const auto made = export_sft(request.dataset, request.backends, options_of(request), request.out);
+  if (!made) return made.error();
+  std::string summary =
+      std::to_string(made->samples) + " samples of " + names_of(made->modes) + " in " + request.out.string();
+  if (made->pictures > 0) summary += ", " + std::to_string(made->pictures) + " pictures";
+  if (!made->left_out.empty())
+    summary += "\n" + names_of(made->left_out) + " left out: it shows only pictures; use --observation image or both";
+  return summary;
+}
+
+}  // namespace
+
+ExportFormat sft_format() {
+  return {"sft",
+          "chats for supervised fine-tuning (TRL, LLaMA-Factory, ms-swift)",
+          {{"unit", "What a sample is", {"episode", "step"}, "episode"},
+           {"observation", "What the agent is shown", {"boxes", "image", "both"}, "boxes"},
+           {"modes", "Modes to write (default: all that the data set has)", {"M1", "M2", "M3"}, "", false, true},
+           {"reasoning", "Add a short rationale before each action", {}, "", true}},
+          true,
+          write_sft};
 }
 
 }  // namespace unietp

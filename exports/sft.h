@@ -10,7 +10,7 @@
 namespace unietp {
 
 enum class SftUnit { Episode, Step };              // a sample is a whole demonstration, or one step of it
-enum class SftObservation { Boxes, Image, Both };  // what a user's turn shows; M3 shows pictures alone
+enum class SftObservation { Boxes, Image, Both };  // in a user's turn; M3 always shows only pictures
 
 struct SftOptions {
   SftUnit unit = SftUnit::Episode;
@@ -23,7 +23,7 @@ struct SftOptions {
 struct SftExport {
   std::size_t samples = 0, pictures = 0;
   std::vector<Mode> modes;     // written
-  std::vector<Mode> left_out;  // cannot be shown without pictures
+  std::vector<Mode> left_out;  // need pictures
 };
 
 /// Writes a data set's demonstrations as chats for supervised fine-tuning: `<mode>.jsonl` for LLaMA-Factory, ms-swift

@@ -8,9 +8,9 @@
 
 namespace unietp {
 
-/// One exchange: what the agent is told before a step, and the step.
+/// One step of a conversation: the observation before it and the answer.
 struct SftTurn {
-  std::string outcome;         // of the action before; "" before the first
+  std::string outcome;         // result of the previous action; "" before the first
   std::string happened;        // this step with its outcome, for the history of later ones: "pick_up(mug_1): succeeded"
   std::string seen;            // boxes in words; "" when only pictures are shown
   std::string answer;          // the action as JSON
@@ -24,11 +24,11 @@ struct SftChat {
   std::vector<SftTurn> turns;
 };
 
-/// Deterministic. The demonstration of `mode` must be there. `boxes`: say what is in view in words.
+/// The task must have a demonstration of `mode`. `boxes`: describe what is in view in words. Deterministic.
 SftChat chat_of(const FinishedTask& task, Mode mode, const ValidationBackend& backend, bool boxes, bool reasoning);
 
-/// What an agent of a mode is told before it begins: its actions with what each needs, how to answer, and what it knows
-/// of the home.
+/// What an agent is told before it begins: its actions with their preconditions, the answer format, and what it may
+/// know of the home in advance.
 std::string system_prompt(const Scene& start, Mode mode, const Profile& profile, bool reasoning);
 
 }  // namespace unietp

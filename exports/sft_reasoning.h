@@ -10,19 +10,18 @@
 
 namespace unietp {
 
-/// What the agent of a demonstration can say of itself before a step: whether what it is about to handle is in view,
-/// what it holds, and what of the goal is still missing. Only things that it was told of or has seen are named by id;
-/// in M3 none is.
+/// Rationales of a demonstration: whether the object of the next action is in view, what the agent holds, and what is
+/// missing of the goal. Only objects that the agent was told about or has seen are named by id; in M3 none is.
 class SftReasoning {
  public:
   SftReasoning(const FinishedTask& task, Mode mode, const Knowledge& knowledge);
 
-  /// Before step `index`; steps in order, `before` the scene then.
+  /// The rationale before step `index`. Call it in order of the steps; `before` is the scene at that time.
   std::string before_step(std::size_t index, const Scene& before);
 
  private:
   std::string sight(std::size_t index, const Scene& before) const;
-  /// What the next other thing to be handled is, "" when there is none.
+  /// The next other object that will be handled; "" for none.
   std::string sought_after(std::size_t index, const Scene& before) const;
   std::string hand(const Scene& before) const;
   std::string target_of(const StepRecord& step) const;

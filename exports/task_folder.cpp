@@ -48,4 +48,8 @@ Result<ExportedTasks> write_task_folder(const fs::path& dataset, const std::vect
   return made;
 }
 
+std::string summary_of(const ExportedTasks& made, const fs::path& out) {
+  return std::to_string(made.said) + " tasks in " + out.string() + ", " + std::to_string(made.left_out) + " left out";
+}
+
 }  // namespace unietp

@@ -27,4 +27,7 @@ Result<ExportedTasks> write_task_folder(
     const std::filesystem::path& dataset, const std::vector<Mode>& modes, const std::filesystem::path& out,
     const SayTask& say, const std::function<Result<Done>(const std::filesystem::path& folder)>& finish = nullptr);
 
+/// "12 tasks in out/pddl, 3 left out"
+std::string summary_of(const ExportedTasks& made, const std::filesystem::path& out);
+
 }  // namespace unietp

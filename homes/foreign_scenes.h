@@ -13,10 +13,11 @@
 
 namespace unietp {
 
-/// The format of a scene file by the fields that only it has: one of scene_format_names(). nullopt: none of them.
+/// The format of a scene file, one of scene_format_names(), detected by fields that only this format has; nullopt for
+/// none.
 std::optional<std::string> scene_format_of(std::string_view text);
 
-/// One home of a simulator's own file, with an id that is a file's name and that no other home of the reading has.
+/// One home of a simulator's file. Its id can be a file name and is unique among the homes that were read together.
 struct ForeignHome {
   std::filesystem::path file;
   std::string format;  // of scene_format_names()
@@ -29,9 +30,9 @@ struct ForeignReading {
 };
 
 /// Reads the simulators' own scene files; plain or .gz, one home or several each. `format` is of scene_format_names(),
-/// or "auto" for what the file shows. `models`, when not empty, is a file with the categories and sizes of models that
-/// the scenes of Habitat and BEHAVIOR only name: for BEHAVIOR its inventory, for Habitat a table as read_scene_models
-/// takes it. Errors, of all files: Usage for an unknown format and a file without a home; those of read_maybe_gzip and
+/// or "auto" to detect it for each file. `models`, when not empty, is a file with the categories and sizes of models
+/// that scenes of Habitat and BEHAVIOR only name: the object inventory for BEHAVIOR, a table for read_scene_models for
+/// Habitat. Errors, of all files: Usage for an unknown format and a file without a home; those of read_maybe_gzip and
 /// of the format's reader.
 ForeignReading read_foreign_scenes(const std::string& format, const std::vector<std::filesystem::path>& files,
                                    const std::vector<Backend>& backends, const std::filesystem::path& models = {});

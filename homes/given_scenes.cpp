@@ -7,7 +7,7 @@
 #include "core/files.h"
 #include "core/limits.h"
 #include "core/text.h"
-#include "homes/wanted_homes.h"
+#include "homes/home_plans.h"
 #include "scene/scene_json.h"
 
 namespace unietp {
@@ -137,8 +137,8 @@ GivenScenes given_homes(const std::vector<fs::path>& paths_or_ids, const Resourc
     keep(std::move(found), given);
     return given;
   }
-  const Makings makings{resources.backends, resources.recipes};
-  const auto homes = benchmark_homes(makings, folders, false, ids);
+  const HomeInputs inputs{resources.backends, resources.recipes};
+  const auto homes = benchmark_homes(inputs, folders, false, ids);
   if (!homes) {
     auto error = homes.error();
     error.where = "--scenes";

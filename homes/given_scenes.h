@@ -10,12 +10,12 @@
 
 namespace unietp {
 
-/// The files that paths stand for: a file as it is, a folder for all *.scene.json and *.scene.json.gz in it, in order
-/// of name. Errors: Usage for a folder without any.
+/// Files as they are, and for each folder all *.scene.json and *.scene.json.gz in it, in order of name. Errors: Usage
+/// for a folder without any.
 std::vector<std::filesystem::path> scene_files_of(const std::vector<std::filesystem::path>& paths,
                                                   std::vector<Error>& errors);
 
-/// Homes that a run takes from files in place of drawing its own.
+/// Homes that a run uses instead of making its own.
 struct GivenScenes {
   std::vector<Scene> scenes;       // in order of id
   std::vector<std::string> names;  // of the same scenes: "<id> <sha256 of its JSON>", as the manifest records them
@@ -27,8 +27,8 @@ struct GivenScenes {
 /// knowledge base lacks.
 GivenScenes read_given_scenes(const std::vector<std::filesystem::path>& paths, const std::vector<Backend>& backends);
 
-/// As above, where a path that does not exist may be the id of a home of the benchmark, which is then made anew.
-/// Errors: also Usage for what is neither, with the nearest id.
+/// The same, where a path that does not exist may be the id of a home of the benchmark, which is then made. Errors:
+/// also Usage for what is neither, with the nearest id.
 GivenScenes given_homes(const std::vector<std::filesystem::path>& paths_or_ids, const Resources& resources,
                         const DataFolders& folders);
 

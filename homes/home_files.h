@@ -12,7 +12,7 @@
 
 namespace unietp {
 
-/// A home as a file has it: a scene of ours, or a simulator's own account that is still to be turned into one.
+/// A home as read from a file: a scene in our format, or one in a simulator's format that is not converted yet.
 struct HomeInFile {
   std::string id;
   std::variant<Scene, ForeignHome> content;
@@ -25,12 +25,12 @@ struct HomesReading {
   std::vector<Error> errors;      // empty when every file could be read
 };
 
-/// Reads scene files, ours and the simulators' own (their format is told from what they hold), and all scene files
+/// Reads scene files, ours and the simulators' (whose format is detected), and all scene files
 /// (*.scene.json, *.scene.json.gz) of folders. Errors: those of the readers; Usage for a folder without any scene file,
 /// and for a file that is in no known format.
 HomesReading read_homes(const std::vector<std::filesystem::path>& paths, const std::vector<Backend>& backends);
 
-/// The home as a scene, everything at the place that its file says. Errors: those of assemble.
+/// The home as a scene, with every object where its file places it. Errors: those of assemble.
 Result<Scene> scene_of(const HomeInFile& home, const std::vector<Backend>& backends);
 
 }  // namespace unietp

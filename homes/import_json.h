@@ -10,13 +10,13 @@
 
 namespace unietp {
 
-/// What became of one home: a file *.import.json of format `unietp-import/1` (data/schemas/import.schema.json).
+/// The report on one imported home: a file *.import.json of format `unietp-import/1` (data/schemas/import.schema.json).
 std::string import_to_json(const ForeignHome& home, const ImportReport& report);
 
 /// The counts of a report by name, in order.
 nlohmann::ordered_json counts_to_json(const ImportReport& report);
 
-/// How often each reason stands in the issues.
+/// Number of issues by reason.
 std::map<std::string, int> causes_of(const ImportReport& report);
 
 }  // namespace unietp

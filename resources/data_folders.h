@@ -5,13 +5,13 @@
 
 namespace unietp {
 
-/// Where the facts lie: a checkout, or a copy of its `data/` and `templates/` folders.
+/// The program's data: a checkout, an installation's share/unietp, or a copy of its `data/` and `templates/` folders.
 struct DataFolders {
   std::filesystem::path root;                         // holds data/ and templates/library/
-  std::filesystem::path cache;                        // compiled knowledge is kept here, named by its digest
-  std::vector<std::filesystem::path> overrides = {};  // the user's own facts, over data/akb/override.csv
+  std::filesystem::path cache;                        // for compiled knowledge, in files named by digest
+  std::vector<std::filesystem::path> overrides = {};  // the user's own facts, which win over data/akb/override.csv
   std::vector<std::filesystem::path> templates = {};  // the user's own, files or folders, beside the built-in ones
-  bool extended_library = false;                      // take the extended templates too
+  bool extended_library = false;                      // use the extended templates too
 
   std::filesystem::path tables() const { return root / "data" / "akb"; }
   std::filesystem::path profiles() const { return root / "data" / "simulators"; }
@@ -20,6 +20,7 @@ struct DataFolders {
   std::filesystem::path licences() const { return root / "data" / "licences.csv"; }
   std::filesystem::path library() const { return root / "templates" / "library"; }
   std::filesystem::path extended() const { return root / "templates" / "extended"; }  // need not exist
+  std::filesystem::path compiled() const { return root / "compiled"; }                // as installed; need not exist
 };
 
 }  // namespace unietp

@@ -53,29 +53,60 @@ SourcePos place_of(const fs::path& file, const std::string& name) {
   return {};
 }
 
+/// What a database is compiled from.
+struct KnowledgeInputs {
+  std::string tables;  // digest of tables and overrides
+  TemplateFiles templates;
+  std::string file_name;
+};
+
+struct InputsReading {
+  KnowledgeInputs inputs;
+  std::vector<Error> errors;
+};
+
+InputsReading read_inputs(const DataFolders& folders) {
+  const auto tables = digest_of_tables(folders.tables(), folders.overrides);
+  if (!tables) return {{}, {tables.error()}};
+  auto templates = built_in_templates(folders);
+  if (!templates.errors.empty()) return {{}, std::move(templates.errors)};
+  const auto digest = sha256(*tables + digest_of(templates.files, folders.root));
+  // The number of the format is part of the name, so that a newer program never reads an older one's file. The name
+  // also vouches for the templates, since a file is renamed into place only when it is complete.
+  return {{*tables, std::move(templates), "knowledge-5-" + digest.substr(0, 32) + ".sqlite"}, {}};
+}
+
+CompiledKnowledge compile_inputs(const fs::path& folder, const DataFolders& folders, const KnowledgeInputs& inputs) {
+  std::error_code code;
+  fs::create_directories(folder, code);
+  if (code) return {{}, {io_error(folder, "cannot make this folder for compiled knowledge: " + code.message())}};
+  const fs::path database = folder / inputs.file_name;
+  auto partial = database;
+  partial += "." + std::to_string(::getpid());
+  auto errors = compile_knowledge(folders.tables(), partial, folders.overrides);
+  if (!errors.empty()) return {{}, std::move(errors)};
+  if (const auto put = store_templates(partial, folders.root, inputs.templates.files); !put) return {{}, {put.error()}};
+  fs::rename(partial, database, code);
+  if (code) return {{}, {io_error(database, "cannot rename the compiled knowledge: " + code.message())}};
+  return {database, {}};
+}
+
 }  // namespace
 
 CompiledKnowledge compiled_knowledge(const DataFolders& folders) {
-  const auto tables = digest_of_tables(folders.tables(), folders.overrides);
-  if (!tables) return {{}, {tables.error()}};
-  const auto templates = built_in_templates(folders);
-  if (!templates.errors.empty()) return {{}, templates.errors};
-  const auto digest = sha256(*tables + digest_of(templates.files, folders.root));
-  // The format's number is part of the name, so that a newer program never reads an older one's compilation. The name
-  // alone vouches for the templates: the file is renamed into place when all of it is written.
-  const fs::path database = folders.cache / ("knowledge-5-" + digest.substr(0, 32) + ".sqlite");
-  if (const auto stored = digest_of_database(database); stored && *stored == *tables) return {database, {}};
-  std::error_code code;
-  fs::create_directories(folders.cache, code);
-  if (code) return {{}, {io_error(folders.cache, "cannot create the cache folder: " + code.message())}};
-  auto aside = database;
-  aside += "." + std::to_string(::getpid());
-  auto errors = compile_knowledge(folders.tables(), aside, folders.overrides);
+  auto [inputs, errors] = read_inputs(folders);
   if (!errors.empty()) return {{}, std::move(errors)};
-  if (const auto put = store_templates(aside, folders.root, templates.files); !put) return {{}, {put.error()}};
-  fs::rename(aside, database, code);
-  if (code) return {{}, {io_error(database, "cannot rename the compiled knowledge into place: " + code.message())}};
-  return {database, {}};
+  for (const auto& folder : {folders.compiled(), folders.cache}) {
+    const auto stored = digest_of_database(folder / inputs.file_name);
+    if (stored && *stored == inputs.tables) return {folder / inputs.file_name, {}};
+  }
+  return compile_inputs(folders.cache, folders, inputs);
+}
+
+CompiledKnowledge compile_knowledge_into(const fs::path& folder, const DataFolders& folders) {
+  auto [inputs, errors] = read_inputs(folders);
+  if (!errors.empty()) return {{}, std::move(errors)};
+  return compile_inputs(folder, folders, inputs);
 }
 
 BackendsReading load_backends(const DataFolders& folders) {

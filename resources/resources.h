@@ -15,24 +15,27 @@
 
 namespace unietp {
 
-/// A simulator as the stages see it: what is known of its categories and how it limits its agent.
+/// A simulator: the facts about its categories and the limits of its agent.
 struct Backend {
   Knowledge knowledge;
   Profile profile;
   NounTable nouns;  // of the knowledge base
 };
 
-/// The database that the tables and the built-in templates compile to, made when the cache lacks it. Safe when several
-/// processes start at once. Templates with errors are in it too: who reads them from there is told.
-/// Errors: those of compile_knowledge, all of them; Io when the cache folder cannot be written.
 struct CompiledKnowledge {
-  std::filesystem::path database;
-  std::vector<Error> errors;  // empty when sound
+  std::filesystem::path database;  // SQLite
+  std::vector<Error> errors;       // empty when sound
 };
+/// The database of the tables and the built-in templates. Its file name holds the digest of both. It is taken from
+/// `folders.compiled()`, which is only read, else from the cache, and compiled into the cache when neither has it. Safe
+/// for several processes at once. A template with errors is stored as it is; they are reported when it is loaded.
+/// Errors: those of compile_knowledge, all of them; Io when the cache folder cannot be written.
 CompiledKnowledge compiled_knowledge(const DataFolders& folders);
+/// The same, compiled into `folder` even when there is a database already.
+CompiledKnowledge compile_knowledge_into(const std::filesystem::path& folder, const DataFolders& folders);
 
-/// The four backends in the order of kSimulators; with the extended library their agents act by the profile `wide`.
-/// Errors: as above, and those of the profiles.
+/// The four backends in the order of kSimulators; with the extended library their agents have the profile `wide`.
+/// Errors: those of compiled_knowledge and of the profiles.
 struct BackendsReading {
   std::vector<Backend> backends;
   std::filesystem::path database;  // that they were read from
@@ -40,14 +43,14 @@ struct BackendsReading {
 };
 BackendsReading load_backends(const DataFolders& folders);
 
-/// Everything that the stages read. Immutable; shared by all threads.
+/// Everything that the stages of generation read. Immutable; shared by all threads.
 struct Resources {
   std::vector<Backend> backends;           // in the order of kSimulators
   std::vector<LayoutRecipe> recipes;       // likewise
   std::vector<Template> templates;         // the library's, the extended ones, the user's; each in order of file name
   std::vector<std::string> own;            // of the user's: "<name> <sha256 of its file>", as the manifest records them
   std::vector<BenchmarkLayout> benchmark;  // what the benchmark's homes are made from
-  std::vector<Scene> homes;                // that a run is to use (given_scenes.h); empty: it draws its own
+  std::vector<Scene> homes;                // for a run to use (given_scenes.h); empty: it makes its own
   std::string digest;                      // knowledge_digest of the folders
 
   const Backend& backend(Simulator simulator) const { return backends[static_cast<std::size_t>(simulator)]; }
@@ -61,12 +64,12 @@ struct ResourcesReading {
 ResourcesReading load_resources(const DataFolders& folders);
 
 /// SHA-256 over the names and bytes of tables, profiles, layout recipes and built-in templates, in order of path, and
-/// of the override files. A user's templates are named by the configuration: a data set made of them is proven without.
+/// of the override files. A user's own templates are not part of it; the configuration of a data set records them.
 /// Errors: Io.
 Result<std::string> knowledge_digest(const DataFolders& folders);
 
-/// A category that a template names itself (not through a placeholder) must be known to one of its simulators.
-/// Errors: Schema at the name's place in the template's file.
+/// Checks that each category that a template names itself (not through a placeholder) is known to one of its
+/// simulators. Errors: Schema at the name's place in the template's file.
 std::vector<Error> unknown_categories(const Template& source, const std::vector<Backend>& backends);
 
 }  // namespace unietp

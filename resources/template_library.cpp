@@ -15,7 +15,7 @@ void append(std::vector<T>& to, std::vector<T> more) {
   std::move(more.begin(), more.end(), std::back_inserter(to));
 }
 
-/// The option named templates once, so a name in place of a folder is told what it is now.
+/// Someone may give a name of a template here, which belongs to --template.
 Error no_such_folder(const fs::path& place, const std::vector<Template>& known) {
   const auto is_name = [&](const Template& source) { return source.name == place.string(); };
   const bool name = std::any_of(known.begin(), known.end(), is_name);

@@ -9,12 +9,11 @@
 
 namespace unietp {
 
-/// The files of the default and of the extended library, whether or not the latter is asked for; a checkout need not
-/// have one. Errors: Io.
+/// The files of the default library and of the extended one, which need not exist. Errors: Io.
 TemplateFiles built_in_templates(const DataFolders& folders);
 
 /// The templates that a command works with: the default library, the extended one when `folders` ask for it, and the
-/// user's own folders, which are read anew each time and so need no rebuild.
+/// user's own, which are read from their files each time.
 struct LibraryReading {
   std::vector<Template> templates;
   std::vector<std::string> own;  // of the user's: "<name> <sha256 of its file>"

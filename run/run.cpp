@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/version.h"
 #include "dataset/configuration_json.h"
-#include "dataset/manifest.h"
 #include "run/assemble.h"
 #include "run/block_crew.h"
 #include "run/run_folder.h"

@@ -186,7 +186,7 @@ TEST_F(AnnotateCommand, TheGrammarStandsInWhereTheModelFailsAndTheRecordSaysWhy)
   ChatServer server([&](const Received&) { return test::http("500 Internal Server Error", "oh"); });
   const auto ended = by_model(server.url, {"--llm-attempts", "2"});
   EXPECT_EQ(ended.code, 1);
-  EXPECT_THAT(ended.out, HasSubstr("the grammar stands in"));
+  EXPECT_THAT(ended.out, HasSubstr("the grammar wrote"));
   for (const auto& instruction : instructions()) {
     EXPECT_EQ(instruction["writer"], "grammar");
     EXPECT_THAT(instruction["why"].get<std::string>(), HasSubstr("status 500"));

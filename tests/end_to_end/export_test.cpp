@@ -74,5 +74,14 @@ TEST(ExportStarts, EachStartIsWrittenWhole) {
   EXPECT_EQ(bytes_below(out).size(), tasks.size() + 1);  // and left_out.jsonl
 }
 
+TEST(Export, AnOptionOfAnotherFormatIsRefused) {
+  const ScratchFolder folder;
+  const auto ended = run_program(
+      {"export", "--format", "pddl", "--unit", "step", small_data_set().string(), "--out", folder.at("pddl")});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("--unit"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder.at("pddl")));
+}
+
 }  // namespace
 }  // namespace unietp::testing

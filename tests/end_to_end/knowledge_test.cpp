@@ -149,13 +149,5 @@ TEST(Show, AsJsonListsTheFactsOfACategory) {
   EXPECT_GE(json_of(ask({"show", "ai2thor", "--json"}))["categories"].size(), 125U);
 }
 
-TEST(KnowledgeHelp, EverySubcommandTeachesWithAnExample) {
-  for (const std::string command : {"show", "stats", "why", "diff"}) {
-    const auto ended = ask({command, "--help"});
-    EXPECT_EQ(ended.code, 0);
-    EXPECT_THAT(ended.out, HasSubstr("  unietp knowledge " + command));
-  }
-}
-
 }  // namespace
 }  // namespace unietp

@@ -183,7 +183,7 @@ TEST_F(Pages, WhatIsJudgedInTheBrowserIsApplied) {
   }
   const auto ended = apply(file);
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("1 accepted, 1 rejected, 1 edited, 0 not taken over"));
+  EXPECT_THAT(ended.out, HasSubstr("1 accepted, 1 rejected, 1 edited, 0 not applied"));
   const auto left = tasks(data());
   ASSERT_EQ(left.size(), kCount - 1U);
   EXPECT_EQ(left[1]["id"], all[2]["id"]);
@@ -232,8 +232,8 @@ TEST_F(Pages, AnEditThatSaysSomethingElseIsRefusedByName) {
   const auto file = review({verdict(0, "edit", wrong), verdict(1, "accept")});
   const auto ended = apply(file);
   EXPECT_EQ(ended.code, 1);
-  EXPECT_THAT(ended.out, HasSubstr(tasks(made())[0]["id"].get<std::string>() + ": not taken over: \"" + wrong));
-  EXPECT_THAT(ended.out, HasSubstr("1 accepted, 0 rejected, 0 edited, 1 not taken over"));
+  EXPECT_THAT(ended.out, HasSubstr(tasks(made())[0]["id"].get<std::string>() + ": not applied: \"" + wrong));
+  EXPECT_THAT(ended.out, HasSubstr("1 accepted, 0 rejected, 0 edited, 1 not applied"));
   EXPECT_EQ(tasks(data())[0], tasks(made())[0]);
   EXPECT_EQ(apply(file, {"--accept-unchecked"}).code, 0);
   const auto instruction = tasks(data())[0]["instruction"];
@@ -251,7 +251,7 @@ TEST_F(Pages, AVerdictOnAnotherTextIsRefused) {
   const auto ended = apply(review({stale, nobody}));
   EXPECT_EQ(ended.code, 1);
   EXPECT_THAT(ended.out, HasSubstr("its text has changed"));
-  EXPECT_THAT(ended.out, HasSubstr("ai2thor-99999: not taken over: no such task"));
+  EXPECT_THAT(ended.out, HasSubstr("ai2thor-99999: not applied: no such task"));
   EXPECT_EQ(tasks(data()).size(), static_cast<std::size_t>(kCount));
   const auto bad = folder_.at("bad.json");
   ASSERT_TRUE(write_file(bad, "{\"format\": \"unietp-review/1\"}"));

@@ -96,7 +96,7 @@ TEST(ForeignScenes, AreDrawnAndMeasuredAsTheyAre) {
   std::vector<std::string> show{"scene", "show", houses, "--out", folder.at("home.svg")};
   const auto which = run_program(show);
   EXPECT_EQ(which.code, 2);
-  EXPECT_THAT(which.err, HasSubstr("say which home with --home; it has 2: "));
+  EXPECT_THAT(which.err, HasSubstr("choose a home with --home; it has 2: "));
   EXPECT_FALSE(fs::exists(folder.at("home.svg")));
   const auto id = import_into(folder.at("homes"), houses, {})["homes"][1]["id"].get<std::string>();
   show.insert(show.end(), {"--home", id});

@@ -204,13 +204,5 @@ TEST(BadScenes, AreToldAndLeaveNothing) {
   EXPECT_EQ(bytes_below(folder.path()), before);
 }
 
-TEST(SceneHelp, EveryCommandTeachesWithAnExample) {
-  for (const auto* command : {"export", "import", "list", "make", "show", "stats"}) {
-    const auto ended = run_program({"scene", command, "--help"});
-    EXPECT_EQ(ended.code, 0);
-    EXPECT_THAT(ended.out, HasSubstr("  unietp scene " + std::string(command)));
-  }
-}
-
 }  // namespace
 }  // namespace unietp

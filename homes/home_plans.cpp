@@ -1,4 +1,4 @@
-#include "homes/wanted_homes.h"
+#include "homes/home_plans.h"
 
 #include <algorithm>
 
@@ -22,14 +22,14 @@ Result<Scene> draw_home(const LayoutRecipe& recipe, const Backend& backend, cons
 
 }  // namespace
 
-MakingsReading load_makings(const DataFolders& folders) {
+HomeInputsReading load_home_inputs(const DataFolders& folders) {
   auto backends = load_backends(folders);
-  MakingsReading reading{{std::move(backends.backends), {}}, std::move(backends.errors)};
+  HomeInputsReading reading{{std::move(backends.backends), {}}, std::move(backends.errors)};
   if (!reading.errors.empty()) return reading;
-  for (const auto& backend : reading.makings.backends) {
+  for (const auto& backend : reading.inputs.backends) {
     auto recipe = load_recipe(folders.layouts(), backend.knowledge);
     if (recipe) {
-      reading.makings.recipes.push_back(std::move(*recipe));
+      reading.inputs.recipes.push_back(std::move(*recipe));
     } else {
       reading.errors.push_back(recipe.error());
     }
@@ -37,9 +37,9 @@ MakingsReading load_makings(const DataFolders& folders) {
   return reading;
 }
 
-std::vector<WantedHome> new_homes(const Makings& makings, Simulator simulator, const NewHomes& wanted) {
-  const auto& backend = makings.backends[static_cast<std::size_t>(simulator)];
-  const auto& recipe = makings.recipes[static_cast<std::size_t>(simulator)];
+std::vector<HomePlan> new_homes(const HomeInputs& inputs, Simulator simulator, const NewHomeOptions& wanted) {
+  const auto& backend = inputs.backends[static_cast<std::size_t>(simulator)];
+  const auto& recipe = inputs.recipes[static_cast<std::size_t>(simulator)];
   const bool sized = wanted.rooms > 0 || wanted.objects > 0;
   LayoutOptions size;
   if (wanted.rooms > 0) size.rooms = wanted.rooms;
@@ -47,7 +47,7 @@ std::vector<WantedHome> new_homes(const Makings& makings, Simulator simulator, c
   const auto seed = wanted.seed;
   const Rng pool = Rng(seed).fork("sized-layout", static_cast<std::uint64_t>(simulator));
 
-  std::vector<WantedHome> homes;
+  std::vector<HomePlan> homes;
   for (std::uint64_t n = 0; n < static_cast<std::uint64_t>(wanted.count); ++n) {
     const std::string id = std::string(name_of(simulator)) + (sized ? "-sized-" : "-training-") + std::to_string(seed) +
                            "-" + std::to_string(n);
@@ -62,8 +62,8 @@ std::vector<WantedHome> new_homes(const Makings& makings, Simulator simulator, c
   return homes;
 }
 
-Result<std::vector<WantedHome>> benchmark_homes(const Makings& makings, const DataFolders& folders, bool all,
-                                                const std::vector<std::string>& ids) {
+Result<std::vector<HomePlan>> benchmark_homes(const HomeInputs& inputs, const DataFolders& folders, bool all,
+                                              const std::vector<std::string>& ids) {
   const auto layouts = benchmark_layouts(folders.layouts());
   if (!layouts) return layouts.error();
   std::vector<std::string> known;
@@ -77,11 +77,11 @@ Result<std::vector<WantedHome>> benchmark_homes(const Makings& makings, const Da
                  "the benchmark has no home \"" + id + "\"" + (near.empty() ? "" : ", did you mean \"" + near + "\"") +
                      "; `unietp scene list` shows all"};
   }
-  std::vector<WantedHome> homes;
+  std::vector<HomePlan> homes;
   for (const auto& layout : *layouts) {
     if (!all && std::find(ids.begin(), ids.end(), layout.id) == ids.end()) continue;
-    const auto& backend = makings.backends[static_cast<std::size_t>(layout.simulator)];
-    const auto& recipe = makings.recipes[static_cast<std::size_t>(layout.simulator)];
+    const auto& backend = inputs.backends[static_cast<std::size_t>(layout.simulator)];
+    const auto& recipe = inputs.recipes[static_cast<std::size_t>(layout.simulator)];
     homes.push_back(
         {layout.id, [&, layout] { return benchmark_layout(layout, recipe, backend.knowledge, backend.profile); }});
   }

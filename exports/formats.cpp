@@ -1,0 +1,21 @@
+#include "exports/formats.h"
+
+namespace unietp {
+
+// One function per format, defined in the format's own file and called only here.
+ExportFormat sft_format();
+ExportFormat release_format();
+ExportFormat bddl_format();
+ExportFormat pddl_format();
+ExportFormat starts_format();
+
+std::vector<ExportFormat> export_formats() {
+  return {sft_format(), release_format(), bddl_format(), pddl_format(), starts_format()};
+}
+
+std::string ExportRequest::value(const std::string& option) const {
+  const auto found = options.find(option);
+  return found == options.end() || found->second.empty() ? "" : found->second.front();
+}
+
+}  // namespace unietp
