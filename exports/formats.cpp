@@ -7,10 +7,11 @@ ExportFormat sft_format();
 ExportFormat release_format();
 ExportFormat bddl_format();
 ExportFormat pddl_format();
+ExportFormat ltlf_format();
 ExportFormat starts_format();
 
 std::vector<ExportFormat> export_formats() {
-  return {sft_format(), release_format(), bddl_format(), pddl_format(), starts_format()};
+  return {sft_format(), release_format(), bddl_format(), pddl_format(), ltlf_format(), starts_format()};
 }
 
 std::string ExportRequest::value(const std::string& option) const {

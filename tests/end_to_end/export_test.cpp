@@ -5,9 +5,12 @@
 
 #include "core/files.h"
 #include "data_set.h"
+#include "logic/evaluate.h"
 #include "program.h"
+#include "record/task_record.h"
 #include "scene/scene_json.h"
 #include "schema_checker.h"
+#include "tests/exports/ltlf_reader.h"
 #include "tests/pddl/reader.h"
 
 namespace unietp::testing {
@@ -72,6 +75,54 @@ TEST(ExportStarts, EachStartIsWrittenWhole) {
     EXPECT_EQ(*scene, start_of(small_data_set(), task));
   }
   EXPECT_EQ(bytes_below(out).size(), tasks.size() + 1);  // and left_out.jsonl
+}
+
+LtlfTrace states_of(const nlohmann::ordered_json& states) {
+  LtlfTrace trace;
+  for (const auto& state : states) {
+    trace.emplace_back();
+    for (const auto& name : state) trace.back().insert(name.get<std::string>());
+  }
+  return trace;
+}
+
+/// Each formula is held against the data set's goal on every beginning of the demonstration, by a reader of the tests.
+TEST(ExportLtlf, EveryFormulaMeansItsGoalOnEveryPrefixOfTheDemonstration) {
+  const ScratchFolder folder;
+  const auto out = fs::path(folder.at("ltlf"));
+  const auto ended = run_program({"export", "--format", "ltlf", small_data_set().string(), "--out", out.string()});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  std::map<std::string, nlohmann::ordered_json> tasks;
+  for (const auto& task : json_lines(small_data_set() / "tasks.jsonl")) tasks[task["id"]] = task;
+  std::map<std::string, std::vector<Delta>> changes;
+  const auto shown = small_data_set() / "demonstrations" / "M1.jsonl";
+  int number = 0;
+  for (const auto& line : json_lines(shown)) {
+    const auto record = read_demonstration(shown.string(), ++number, line.dump());
+    ASSERT_TRUE(record) << format(record.error());
+    for (const auto& step : record->steps) changes[record->task].push_back(step.changes);
+  }
+  SchemaChecker checker;
+  const auto lines = json_lines(out / "goals.jsonl");
+  for (const auto& line : lines) {
+    SCOPED_TRACE(line.dump());
+    EXPECT_EQ(checker.check(line, "ltlf.schema.json"), "");
+    const std::string id = line["task"], formula = line["formula"];
+    const auto goal = parse_formula("goal", line["goal"].get<std::string>(), FormulaUse::Goal);
+    ASSERT_TRUE(goal);
+    const auto trace = states_of(line["traces"]["M1"]);
+    const auto start = start_of(small_data_set(), tasks.at(id));
+    ASSERT_EQ(trace.size(), changes[id].size() + 1);
+    for (std::size_t n = 0; n < trace.size(); ++n) {
+      const std::vector<Delta> before(changes[id].begin(), changes[id].begin() + static_cast<std::ptrdiff_t>(n));
+      EXPECT_EQ(ltlf_holds(formula, {trace.begin(), trace.begin() + static_cast<std::ptrdiff_t>(n) + 1}),
+                holds(*goal, to_logic(start, before, true)))
+          << "after " << n << " steps";
+    }
+    EXPECT_TRUE(ltlf_holds(formula, trace));
+  }
+  EXPECT_GE(2 * lines.size(), tasks.size());
+  EXPECT_EQ(lines.size() + json_lines(out / "left_out.jsonl").size(), tasks.size());
 }
 
 TEST(Export, AnOptionOfAnotherFormatIsRefused) {
