@@ -23,13 +23,18 @@ file(WRITE ${PROJECT_BINARY_DIR}/room_graph.txt "")
 # verifies tasks as fast as one with all rooms at -O3, and compiles in two thirds of the time.
 set(UNIETP_HOT_ROOMS logic scene simulation)
 
-function(add_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
-  foreach(below IN LISTS ROOM_DEPENDS)  # a room that UNIETP_ROOMS does not name is built all the same when one needs it
-    if(NOT TARGET unietp::${below})
-      add_subdirectory(${PROJECT_SOURCE_DIR}/${below} ${PROJECT_BINARY_DIR}/${below})
+# A room that UNIETP_ROOMS does not name is built all the same when another room or its tests need it.
+function(need_rooms)
+  foreach(room IN LISTS ARGN)
+    if(NOT TARGET unietp::${room})
+      add_subdirectory(${PROJECT_SOURCE_DIR}/${room} ${PROJECT_BINARY_DIR}/${room})
     endif()
   endforeach()
+endfunction()
+
+function(add_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
+  need_rooms(${ROOM_DEPENDS})
   add_library(unietp_${name} STATIC ${ROOM_SOURCES})
   add_library(unietp::${name} ALIAS unietp_${name})
   list(TRANSFORM ROOM_DEPENDS PREPEND unietp:: OUTPUT_VARIABLE rooms)
@@ -50,6 +55,10 @@ set(UNIETP_UPSTREAM "${PROJECT_SOURCE_DIR}/../shared/upstream" CACHE PATH
 # Tests find committed data through UNIETP_SOURCE_DIR and the optional real metadata through UNIETP_UPSTREAM_DIR.
 function(add_room_tests name)
   cmake_parse_arguments(T "SLOW" "" "SOURCES;LIBS" ${ARGN})
+  set(rooms ${T_LIBS})
+  list(FILTER rooms INCLUDE REGEX "^unietp::")
+  list(TRANSFORM rooms REPLACE "^unietp::" "")
+  need_rooms(${rooms})
   add_executable(${name}_tests ${T_SOURCES})
   set_target_properties(${name}_tests PROPERTIES UNITY_BUILD_BATCH_SIZE 8)  # names of helpers recur between test files
   target_link_libraries(${name}_tests PRIVATE ${T_LIBS} test_support GTest::gmock GTest::gtest_main)

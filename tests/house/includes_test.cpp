@@ -38,7 +38,6 @@ std::vector<std::string> sources_of(const std::string& room) {
 
 TEST(House, NoDeclaredArrowRunsUpwards) {
   const auto graph = declared();
-  EXPECT_GE(graph.rooms.size(), 12U);
   EXPECT_THAT(graph_problems(graph), IsEmpty());
 }
 
