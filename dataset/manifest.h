@@ -57,5 +57,4 @@ Result<std::map<std::string, FileEntry>> files_below(const std::filesystem::path
 Result<std::vector<SourceLicence>> sources_of(const RunConfiguration& configuration, const Resources& resources,
                                               const std::filesystem::path& table);
 
-
 }  // namespace unietp
