@@ -15,7 +15,7 @@ namespace unietp {
 namespace {
 
 constexpr double kSizeFactor = 1.4, kMassFactor = 3;
-constexpr double kThinnest_m = 0.001, kLongest_m = 20;  // of a model's box: a sheet of paper is flat upstream
+constexpr double kThinnestModel_m = 0.001, kLongestModel_m = 20;  // of a model's box: a sheet of paper is flat upstream
 
 /// To millimetres, so that files stay short.
 Vec3 millimetres(const Vec3& v) {
@@ -188,9 +188,9 @@ void TableBuilder::afford_by_archetype() {
 }
 
 void TableBuilder::model(Asset asset) {
-  const bool box = asset.size.minCoeff() >= 0 && asset.size.maxCoeff() > 0 && asset.size.maxCoeff() <= kLongest_m;
+  const bool box = asset.size.minCoeff() >= 0 && asset.size.maxCoeff() > 0 && asset.size.maxCoeff() <= kLongestModel_m;
   if (!box || !categories_.contains(asset.category)) return;
-  asset.size = millimetres(asset.size).cwiseMax(kThinnest_m);
+  asset.size = millimetres(asset.size).cwiseMax(kThinnestModel_m);
   assets_.try_emplace(asset.name, std::move(asset));
 }
 

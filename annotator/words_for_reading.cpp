@@ -10,14 +10,14 @@ namespace {
 using P = Predicate;
 
 /// Forms are separated by '|'; in a verb "_" stands for its object, and a "?" at the end marks what may be left out.
-struct Row {
+struct ReadingRow {
   Predicate predicate;
   std::string_view states, prepositions, symbols, verbs;
   std::string_view evidence;       // see words_for
   std::string_view evidence_only;  // see words_only_for
 };
 
-constexpr std::array<Row, kPredicateCount> kRows{{
+constexpr std::array<ReadingRow, kPredicateCount> kReadingRows{{
     {P::Open, "open", "", "", "open up|open", "open", "open. opened. opening."},
     {P::Closed, "closed|shut", "", "", "close|shut", "clos shut", "close. closed. closing. shut."},
     {P::PowerOn, "switched on|turned on", "", "", "turn on|switch on",
@@ -79,8 +79,8 @@ constexpr std::array<Row, kPredicateCount> kRows{{
 }};
 
 constexpr bool in_order_of_the_enum() {
-  for (std::size_t i = 0; i < kRows.size(); ++i) {
-    if (static_cast<std::size_t>(kRows[i].predicate) != i) return false;
+  for (std::size_t i = 0; i < kReadingRows.size(); ++i) {
+    if (static_cast<std::size_t>(kReadingRows[i].predicate) != i) return false;
   }
   return true;
 }
@@ -97,9 +97,9 @@ ReadForm form_of(std::string_view text, Predicate predicate) {
 }
 
 /// All forms of one column, those of more words first.
-std::vector<ReadForm> forms(std::string_view Row::*column) {
+std::vector<ReadForm> forms(std::string_view ReadingRow::*column) {
   std::vector<ReadForm> all;
-  for (const Row& row : kRows) {
+  for (const ReadingRow& row : kReadingRows) {
     for (std::string_view rest = row.*column; !rest.empty();) {
       const auto end = std::min(rest.find('|'), rest.size());
       all.push_back(form_of(rest.substr(0, end), row.predicate));
@@ -114,29 +114,29 @@ std::vector<ReadForm> forms(std::string_view Row::*column) {
 }  // namespace
 
 std::span<const ReadForm> state_forms() {
-  static const auto all = forms(&Row::states);
+  static const auto all = forms(&ReadingRow::states);
   return all;
 }
 
 std::span<const ReadForm> preposition_forms() {
-  static const auto all = forms(&Row::prepositions);
+  static const auto all = forms(&ReadingRow::prepositions);
   return all;
 }
 
 std::span<const ReadForm> symbol_forms() {
-  static const auto all = forms(&Row::symbols);
+  static const auto all = forms(&ReadingRow::symbols);
   return all;
 }
 
 std::span<const ReadForm> verb_forms() {
-  static const auto all = forms(&Row::verbs);
+  static const auto all = forms(&ReadingRow::verbs);
   return all;
 }
 
-std::string_view words_for(Predicate predicate) { return kRows[static_cast<std::size_t>(predicate)].evidence; }
+std::string_view words_for(Predicate predicate) { return kReadingRows[static_cast<std::size_t>(predicate)].evidence; }
 
 std::string_view words_only_for(Predicate predicate) {
-  return kRows[static_cast<std::size_t>(predicate)].evidence_only;
+  return kReadingRows[static_cast<std::size_t>(predicate)].evidence_only;
 }
 
 bool is_among(std::string_view word, std::string_view list) {

@@ -7,14 +7,14 @@ namespace {
 
 using P = Predicate;
 
-struct Row {
+struct WritingRow {
   Predicate predicate;
   std::string_view state;        // after "is", of one object
   std::string_view preposition;  // after "is", before the second object
   std::array<std::string_view, 5> verbs = {};
 };
 
-constexpr Row kRows[] = {
+constexpr WritingRow kWritingRows[] = {
     {P::Open, "open", "", {"open {s}", "open up {s}"}},
     {P::Closed, "closed", "", {"close {s}", "shut {s}"}},
     {P::PowerOn, "switched on", "", {"turn on {s}", "switch on {s}", "turn {s} on", "switch {s} on"}},
@@ -66,10 +66,10 @@ constexpr Row kRows[] = {
     {P::InRoom, "", "in", {"bring {s} into {o}", "take {s} to {o}"}},
 };
 
-const Row& row_of(Predicate predicate) {
+const WritingRow& row_of(Predicate predicate) {
   static const auto kTable = [] {
-    std::array<Row, kPredicateCount> table{};
-    for (const Row& row : kRows) table[static_cast<std::size_t>(row.predicate)] = row;
+    std::array<WritingRow, kPredicateCount> table{};
+    for (const WritingRow& row : kWritingRows) table[static_cast<std::size_t>(row.predicate)] = row;
     return table;
   }();
   return kTable[static_cast<std::size_t>(predicate)];
