@@ -2,7 +2,13 @@
 
 #include <algorithm>
 
+#include "simulation/feedback.h"
+
 namespace unietp {
+
+std::string blocker_of(const ActionResult& result) {
+  return result.detail.cause == FailureCause::JointBlocked ? result.detail.other.id : "";
+}
 
 Attempt::Attempt(Rehearsal& rehearsal, const Situation& situation, const Alternative& alternative,
                  const ExpertOptions& options)
@@ -73,7 +79,7 @@ bool Attempt::act(Action action) {
     return false;
   }
   const World back = world_;
-  const Outcome outcome = rehearsal_->step(world_, action);
+  const ActionResult outcome = rehearsal_->step(world_, action);
   if (outcome.success) {
     trace_.states.push_back(rehearsal_->facts(world_));
     trace_.entities.follow(rehearsal_->entities());
@@ -87,8 +93,8 @@ bool Attempt::act(Action action) {
     trouble_ = Trouble{RejectionReason::ActionFailed, action, Failure::None,
                        to_text(action) + " would break what has to be kept"};
   } else {
-    trouble_ =
-        Trouble{RejectionReason::ActionFailed, action, outcome.failure, to_text(action) + ": " + outcome.feedback};
+    trouble_ = Trouble{RejectionReason::ActionFailed, action, outcome.failure,
+                       to_text(action) + ": " + feedback_with_ids(outcome.detail), blocker_of(outcome)};
   }
   if (++failures_ > options_.max_failures) {
     give_up(std::move(action), RejectionReason::TooManyFailures, "the last of them " + trouble_->text);

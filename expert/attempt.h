@@ -14,6 +14,9 @@
 
 namespace unietp {
 
+/// Id of the object that the joint of a door or lid would hit; "" when the action failed otherwise.
+std::string blocker_of(const ActionResult& result);
+
 /// An execution of one alternative in a world of its own: does actions, records those that succeed, watches which
 /// moments have come, and takes back an action that would break a truth to keep. What went wrong last is remembered, so
 /// that a method can try another tool or place and the expert can choose otherwise next time.
@@ -45,6 +48,7 @@ class Attempt {
     Action action;
     Failure failure = Failure::None;
     std::string text;
+    std::string blocker = "";  // id of the object that a door or lid would hit, or ""
   };
   const std::optional<Trouble>& trouble() const { return trouble_; }
   int failures() const { return failures_; }

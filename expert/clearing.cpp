@@ -12,15 +12,6 @@ bool lacks_room(Failure failure) {
   return failure == Failure::NoFreePlace || failure == Failure::DidNotRest || failure == Failure::NoStandingPlace;
 }
 
-/// The feedback names it.
-std::string blocker_named_in(const std::string& feedback) {
-  constexpr std::string_view kBy = " is blocked by ";
-  const auto at = feedback.find(kBy);
-  if (at == std::string::npos) return "";
-  const auto begin = at + kBy.size();
-  return feedback.substr(begin, feedback.find('.', begin) - begin);
-}
-
 }  // namespace
 
 bool Methods::lacked_room(const Attempt& attempt) {
@@ -177,7 +168,7 @@ bool Methods::unblock(ActionType action, const std::string& id) {
   for (std::size_t cleared = 0; cleared < kMostCleared; ++cleared) {
     const auto& trouble = attempt_.trouble();
     if (!trouble || trouble->failure != Failure::Blocked || attempt_.exhausted()) return false;
-    const std::string blocker = blocker_named_in(trouble->text);
+    const std::string blocker = trouble->blocker;
     const Node* other = find(blocker);
     if (other == nullptr || !other->movable || blocker == id) break;
     if (!hold(blocker)) return false;
@@ -193,7 +184,7 @@ bool Methods::unblock(ActionType action, const std::string& id) {
 bool Methods::shut_in_the_way(ActionType action, const std::string& id) {
   const auto& trouble = attempt_.trouble();
   if (!trouble || trouble->failure != Failure::Blocked || attempt_.exhausted()) return false;
-  const std::string blocker = blocker_named_in(trouble->text);
+  const std::string blocker = trouble->blocker;
   const Node* other = find(blocker);
   const bool open = other != nullptr && !other->movable && is(blocker, Predicate::Open);
   if (!open || blocker == id || attempt_.world().linked(id, Predicate::Inside, blocker)) return false;
@@ -222,8 +213,8 @@ bool Methods::put_out_of_the_way(const std::string& id, const Action& action) {
     World trial = attempt_.world();
     const auto works = [&trial](const Action& step) { return trial.step(step).success; };
     if (!std::all_of(steps.begin(), steps.end(), works) || !works({ActionType::GoTo, action.args})) continue;
-    const Outcome outcome = trial.step(action);
-    if (outcome.failure != Failure::Blocked || blocker_named_in(outcome.feedback) == id) continue;
+    const ActionResult outcome = trial.step(action);
+    if (outcome.failure != Failure::Blocked || blocker_of(outcome) == id) continue;
     return std::all_of(steps.begin(), steps.end(), [this](const Action& step) { return attempt_.act(step); });
   }
   return false;

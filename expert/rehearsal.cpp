@@ -48,11 +48,11 @@ Facts Rehearsal::compared(Facts facts, const Scene& scene) const {
   return compared_.none() ? facts : with_comparisons(facts, scene, reader_, compared_);
 }
 
-Outcome Rehearsal::step(World& world, const Action& action) {
+ActionResult Rehearsal::step(World& world, const Action& action) {
   const MomentId before = world.moment();
-  Outcome outcome = world.step(action);
+  ActionResult result = world.step(action);
   read(before, world);
-  return outcome;
+  return result;
 }
 
 void Rehearsal::read(MomentId before, const World& world) {

@@ -42,7 +42,7 @@ class Rehearsal {
   std::optional<EntityIndex> find(std::string_view id) const { return reader_.find(id); }
 
   /// Does the action in a world that goes back to this start by steps of this rehearsal.
-  Outcome step(World& world, const Action& action);
+  ActionResult step(World& world, const Action& action);
   /// Takes in a world that came from the moment `before` by one step, whoever did it.
   void read(MomentId before, const World& world);
   /// What the logic sees in such a world.

@@ -32,21 +32,20 @@ bool is_dust(const std::string& coat) { return coat == "dust"; }
 
 }  // namespace
 
-Outcome pour_to(WorldState& state, std::size_t target) {
+ActionResult pour_to(WorldState& state, std::size_t target) {
   const auto hand = in_hand(state);
-  if (!hand) return failed(Failure::NotHolding, "Your hands are empty.");
-  const std::string vessel = state.node(*hand).id, into = state.node(target).id;
+  if (!hand) return failed(FailureCause::HandsEmpty);
   const auto substance = filling_of(state.node(*hand));
-  if (!substance) return failed(Failure::VesselEmpty, "There is nothing in " + vessel + " to pour.");
-  if (state.held(into)) return failed(Failure::InvalidArgument, into + " is in your hand.");
+  if (!substance) return failed(FailureCause::VesselEmpty, state.reference(*hand));
+  if (state.held(state.node(target).id)) return failed(FailureCause::InHand, state.reference(target));
   if (auto blocked = out_of_hands_way(state, target)) return *blocked;
   const bool drains = state.knowledge->effect(state.node(target).category, "drains", state.node(*hand).category) ||
                       state.knowledge->has(state.node(target).category, "drain");
   if (!drains) {
     if (!state.knowledge->has(state.node(target).category, "fillable"))
-      return failed(Failure::NotFillable, into + " cannot be filled.");
+      return failed(FailureCause::NotFillable, state.reference(target));
     if (state.node(target).states.has(Predicate::Filled))
-      return failed(Failure::AlreadyFull, into + " is full already.");
+      return failed(FailureCause::AlreadyFull, state.reference(target));
     state.edit_states(target).set({Predicate::Filled, *substance});
   }
   state.edit_states(*hand).set({Predicate::Empty, ""});
@@ -55,14 +54,14 @@ Outcome pour_to(WorldState& state, std::size_t target) {
   return succeeded();
 }
 
-Outcome use_up(WorldState& state, std::size_t i) {
+ActionResult use_up(WorldState& state, std::size_t i) {
   const std::string id = state.node(i).id;
   if (!state.knowledge->has(state.node(i).category, "consumable"))
-    return failed(Failure::NotConsumable, id + " cannot be used up.");
+    return failed(FailureCause::NotConsumable, state.reference(i));
   if (!state.held(id)) {
     if (auto blocked = out_of_hands_way(state, i)) return *blocked;
   }
-  if (state.node(i).states.has(Predicate::UsedUp)) return failed(Failure::NotConsumable, id + " is used up already.");
+  if (state.node(i).states.has(Predicate::UsedUp)) return failed(FailureCause::AlreadyUsedUp, state.reference(i));
   state.edit_states(i).set({Predicate::UsedUp, ""});
   if (!state.held(id)) {
     look_at(state, state.node(i).pose.position);
@@ -71,20 +70,18 @@ Outcome use_up(WorldState& state, std::size_t i) {
   return succeeded();
 }
 
-Outcome wipe(WorldState& state, std::size_t i) {
-  const std::string id = state.node(i).id;
+ActionResult wipe(WorldState& state, std::size_t i) {
   const auto hand = in_hand(state);
-  if (!hand) return failed(Failure::NotHolding, "You need something to wipe with in your hand.");
-  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand; put it down first.");
-  const std::string cloth = state.node(*hand).id;
+  if (!hand) return failed(FailureCause::NeedsCloth);
+  if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
   if (state.knowledge->effect(state.node(*hand).category, "wipes", state.node(i).category) == nullptr)
-    return failed(Failure::NoEffect, id + " cannot be wiped with " + cloth + ".");
+    return failed(FailureCause::CannotBeWiped, state.reference(i), state.reference(*hand));
   if (auto blocked = out_of_hands_way(state, i)) return *blocked;
   const auto coats = coats_of(state.node(i));
   const bool stained = state.node(i).states.has(Predicate::Dirty) ||
                        std::any_of(coats.begin(), coats.end(), [](const auto& coat) { return !is_dust(coat); });
   if (stained && state.node(*hand).states.has(Predicate::Dry))
-    return failed(Failure::NotReady, cloth + " is dry; soak it first.");
+    return failed(FailureCause::ClothDry, state.reference(*hand));
   state.edit_states(i).clear(Predicate::Covered);
   if (state.node(i).states.has(Predicate::Dirty)) state.edit_states(i).set({Predicate::Clean, ""});
   look_at(state, state.node(i).pose.position);
@@ -92,14 +89,12 @@ Outcome wipe(WorldState& state, std::size_t i) {
   return succeeded();
 }
 
-Outcome spread_to(WorldState& state, std::size_t i) {
-  const std::string id = state.node(i).id;
+ActionResult spread_to(WorldState& state, std::size_t i) {
   const auto hand = in_hand(state);
-  if (!hand) return failed(Failure::NotHolding, "You need something to spread in your hand.");
-  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand; put it down first.");
+  if (!hand) return failed(FailureCause::NeedsDispenser);
+  if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
   const Effect* effect = state.knowledge->effect(state.node(*hand).category, "dispenses", state.node(i).category);
-  if (effect == nullptr)
-    return failed(Failure::NoEffect, "Nothing comes out of " + state.node(*hand).id + " that covers " + id + ".");
+  if (effect == nullptr) return failed(FailureCause::DispensesNothing, state.reference(*hand), state.reference(i));
   if (auto blocked = out_of_hands_way(state, i)) return *blocked;
   state.edit_states(i).set({Predicate::Covered, effect->gives});
   look_at(state, state.node(i).pose.position);

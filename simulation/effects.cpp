@@ -53,19 +53,20 @@ bool needs(const Effect& effect, std::string_view need) {
 /// Runs one step of a composite action; keeps the first failure.
 class Steps {
  public:
-  explicit Steps(std::string name) : name_(std::move(name)) {}
+  explicit Steps(FailureReference tool) : tool_(std::move(tool)) {}
   template <class Step>
   void run(Step step) {
-    if (outcome_.success) outcome_ = step();
+    if (result_.success) result_ = step();
   }
-  Outcome outcome() const {
-    if (outcome_.success) return outcome_;
-    return failed(outcome_.failure, "Could not " + name_ + ": " + outcome_.feedback);
+  ActionResult result() const {
+    ActionResult result = result_;
+    if (!result.success) result.detail.tool = tool_;
+    return result;
   }
 
  private:
-  std::string name_;
-  Outcome outcome_ = succeeded();
+  FailureReference tool_;
+  ActionResult result_ = succeeded();
 };
 
 }  // namespace
@@ -87,22 +88,22 @@ void run_processes(WorldState& state, std::size_t tool, bool tap_runs) {
   }
 }
 
-Outcome switch_power(WorldState& state, std::size_t i, bool on) {
+ActionResult switch_power(WorldState& state, std::size_t i, bool on) {
   const Node& node = state.node(i);
   if (!node.states.has(Predicate::PowerOn) && !node.states.has(Predicate::PowerOff)) {
-    return failed(Failure::NotSwitchable, node.id + " cannot be turned on or off.");
+    return failed(FailureCause::NotSwitchable, state.reference(i));
   }
   if (!state.held(node.id)) {
     if (auto blocked = out_of_hands_way(state, i)) return *blocked;
   }
-  if (on && node.states.has(Predicate::PowerOn)) return failed(Failure::AlreadyOn, node.id + " is already on.");
-  if (!on && node.states.has(Predicate::PowerOff)) return failed(Failure::AlreadyOff, node.id + " is already off.");
+  if (on && node.states.has(Predicate::PowerOn)) return failed(FailureCause::AlreadyOn, state.reference(i));
+  if (!on && node.states.has(Predicate::PowerOff)) return failed(FailureCause::AlreadyOff, state.reference(i));
   if (on && state.profile->power_needs_closed && node.openable && node.archetype == Archetype::Cabinet &&
       node.states.has(Predicate::Open)) {
-    return failed(Failure::MustBeClosed, node.id + " must be closed before it is turned on.");
+    return failed(FailureCause::MustBeClosed, state.reference(i));
   }
   if (on && state.profile->power_needs_plug && node.states.has(Predicate::Unplugged))
-    return failed(Failure::NotPluggedIn, node.id + " is not plugged in.");
+    return failed(FailureCause::NotPluggedIn, state.reference(i));
   state.edit_states(i).set({on ? Predicate::PowerOn : Predicate::PowerOff, ""});
   if (!state.held(node.id)) {
     look_at(state, node.pose.position);
@@ -112,15 +113,13 @@ Outcome switch_power(WorldState& state, std::size_t i, bool on) {
   return succeeded();
 }
 
-Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect_name) {
-  const std::string tool_id = state.node(tool).id;
-  if (state.agent().held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
-  const std::string id = state.agent().held.front();
-  const std::size_t item = *state.index_of(id);
+ActionResult treat_with(WorldState& state, std::size_t tool, std::string_view effect_name) {
+  if (state.agent().held.empty()) return failed(FailureCause::HandsEmpty);
+  const std::size_t item = *state.index_of(state.agent().held.front());
   const Effect* effect = state.knowledge->effect(state.node(tool).category, effect_name, state.node(item).category);
   // A bottle that pours has to be held itself: that is another action.
   if (effect == nullptr || !offered(*state.profile, effect_name) || needs(*effect, "held")) {
-    return failed(Failure::NoEffect, id + " cannot be treated so with " + tool_id + ".");
+    return failed(FailureCause::ToolHasNoEffect, state.reference(item), state.reference(tool));
   }
   if (auto blocked = out_of_hands_way(state, tool)) return *blocked;
 
@@ -128,7 +127,7 @@ Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect_
   const bool inside = needs(*effect, "inside") || needs(*effect, "under_tap");
   const bool was_closed = closed();
   const bool switches = needs(*effect, "power_on") && state.node(tool).states.has(Predicate::PowerOff);
-  Steps steps("use " + tool_id);
+  Steps steps(state.reference(tool));
   if (inside && was_closed) steps.run([&] { return swing(state, tool, true); });
   steps.run([&] { return place(state, tool, inside, true); });
   if (needs(*effect, "closed") && state.node(tool).openable) steps.run([&] { return swing(state, tool, false); });
@@ -143,23 +142,22 @@ Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect_
   steps.run([&] { return closed() ? swing(state, tool, true) : succeeded(); });
   steps.run([&] { return pick_up(state, item); });
   if (was_closed) steps.run([&] { return swing(state, tool, false); });
-  return steps.outcome();
+  return steps.result();
 }
 
-Outcome slice(WorldState& state, std::size_t i) {
-  const std::string id = state.node(i).id;
-  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand; put it down first.");
+ActionResult slice(WorldState& state, std::size_t i) {
+  if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
   if (!state.profile->slicing || !state.knowledge->has(state.node(i).category, "sliceable")) {
-    return failed(Failure::NotSliceable, id + " cannot be sliced.");
+    return failed(FailureCause::NotSliceable, state.reference(i));
   }
-  if (state.agent().held.empty()) return failed(Failure::NoKnife, "You need something sharp in your hand.");
+  if (state.agent().held.empty()) return failed(FailureCause::NeedsKnife);
   const std::size_t knife = *state.index_of(state.agent().held.front());
   const Effect* effect = state.knowledge->effect(state.node(knife).category, "slices", state.node(i).category);
-  if (effect == nullptr) return failed(Failure::NoKnife, state.node(knife).id + " does not slice " + id + ".");
-  if (state.node(i).states.has(Predicate::Sliced)) return failed(Failure::NotSliceable, id + " is already sliced.");
+  if (effect == nullptr) return failed(FailureCause::DoesNotSlice, state.reference(knife), state.reference(i));
+  if (state.node(i).states.has(Predicate::Sliced)) return failed(FailureCause::AlreadySliced, state.reference(i));
   if (auto blocked = out_of_hands_way(state, i)) return *blocked;
   const Category* piece = state.knowledge->find(effect->gives);
-  if (piece == nullptr) return failed(Failure::NotSliceable, id + " cannot be sliced.");
+  if (piece == nullptr) return failed(FailureCause::NotSliceable, state.reference(i));
 
   // Cut along the longest level side into equal pieces. The first keeps the whole's identity, so that a goal can still
   // speak of it; the others are new. Together they fill the space of the whole, less the width of the blade.

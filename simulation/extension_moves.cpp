@@ -21,10 +21,9 @@ std::optional<std::size_t> seat_of(const WorldState& state) {
   return std::nullopt;
 }
 
-Outcome is_seated(const WorldState& state, std::size_t seat) {
+ActionResult is_seated(const WorldState& state, std::size_t seat) {
   const bool lies = state.node(seat).states.has(Predicate::LainOn);
-  return failed(Failure::Seated,
-                std::string("You ") + (lies ? "lie" : "sit") + " on " + state.node(seat).id + "; stand up first.");
+  return failed(lies ? FailureCause::LiesOn : FailureCause::SitsOn, state.reference(seat));
 }
 
 /// Nothing movable but the seat itself lies where the body would be. A table over a chair does not count: one pulls the
@@ -61,9 +60,8 @@ bool has_place_for(const WorldState& state, std::size_t seat, const Vec3& body) 
 }
 
 /// Not in the hand, and the hand gets at it.
-std::optional<Outcome> out_of_the_way(const WorldState& state, std::size_t i) {
-  const std::string& id = state.node(i).id;
-  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand; put it down first.");
+std::optional<ActionResult> out_of_the_way(const WorldState& state, std::size_t i) {
+  if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
   return out_of_hands_way(state, i);
 }
 
@@ -74,22 +72,20 @@ void turn_to_work(WorldState& state, std::size_t i) {
 
 }  // namespace
 
-std::optional<Outcome> keeps_seat(const WorldState& state, ActionType type) {
+std::optional<ActionResult> keeps_seat(const WorldState& state, ActionType type) {
   if (!state.profile->offers(ActionType::SitOn) && !state.profile->offers(ActionType::LieOn)) return std::nullopt;
   if (type == ActionType::StandUp || type == ActionType::LookUp || type == ActionType::LookDown) return std::nullopt;
   const auto seat = seat_of(state);
   return seat ? std::optional(is_seated(state, *seat)) : std::nullopt;
 }
 
-Outcome take_seat(WorldState& state, std::size_t i, Predicate as) {
+ActionResult take_seat(WorldState& state, std::size_t i, Predicate as) {
   const bool lies = as == Predicate::LainOn;
-  const std::string id = state.node(i).id;
   if (!state.knowledge->has(state.node(i).category, lies ? "lieable" : "sittable"))
-    return failed(Failure::NotASeat, std::string("One cannot ") + (lies ? "lie" : "sit") + " on " + id + ".");
+    return failed(lies ? FailureCause::CannotLieOn : FailureCause::CannotSitOn, state.reference(i));
   if (const auto seat = seat_of(state)) return is_seated(state, *seat);
   if (auto blocked = out_of_the_way(state, i)) return *blocked;
-  if (!has_place_for(state, i, lies ? kLier_m : kSitter_m))
-    return failed(Failure::NoFreePlace, "There is no free place on " + id + "; something lies there.");
+  if (!has_place_for(state, i, lies ? kLier_m : kSitter_m)) return failed(FailureCause::SeatTaken, state.reference(i));
   state.edit_states(i).set({as, ""});
   const Vec3 front = state.node(i).pose.rotation * -Vec3::UnitY();
   if (front.head<2>().norm() > 1e-9) state.edit_agent().yaw = std::atan2(front.y(), front.x());
@@ -98,50 +94,47 @@ Outcome take_seat(WorldState& state, std::size_t i, Predicate as) {
   return succeeded();
 }
 
-Outcome stand_up(WorldState& state) {
+ActionResult stand_up(WorldState& state) {
   const auto seat = seat_of(state);
-  if (!seat) return failed(Failure::NotSeated, "You stand already.");
+  if (!seat) return failed(FailureCause::NotSeated);
   state.edit_states(*seat).clear(Predicate::SatOn);
   state.edit_states(*seat).clear(Predicate::LainOn);
   return succeeded();
 }
 
-Outcome plug(WorldState& state, std::size_t i, bool in) {
-  const std::string id = state.node(i).id;
+ActionResult plug(WorldState& state, std::size_t i, bool in) {
   const bool plugged = state.node(i).states.has(Predicate::PluggedIn);
   if (!plugged && !state.node(i).states.has(Predicate::Unplugged))
-    return failed(Failure::NotPluggable, id + " has no plug.");
+    return failed(FailureCause::NoPlug, state.reference(i));
   if (auto blocked = out_of_the_way(state, i)) return *blocked;
-  if (in && plugged) return failed(Failure::AlreadyPluggedIn, id + " is already plugged in.");
-  if (!in && !plugged) return failed(Failure::AlreadyUnplugged, id + " is already unplugged.");
+  if (in && plugged) return failed(FailureCause::AlreadyPluggedIn, state.reference(i));
+  if (!in && !plugged) return failed(FailureCause::AlreadyUnplugged, state.reference(i));
   state.edit_states(i).set({in ? Predicate::PluggedIn : Predicate::Unplugged, ""});
   if (!in && state.node(i).states.has(Predicate::PowerOn)) state.edit_states(i).set({Predicate::PowerOff, ""});
   turn_to_work(state, i);
   return succeeded();
 }
 
-Outcome fold(WorldState& state, std::size_t i) {
-  const std::string id = state.node(i).id;
+ActionResult fold(WorldState& state, std::size_t i) {
   if (!state.knowledge->has(state.node(i).category, "foldable"))
-    return failed(Failure::NotFoldable, id + " cannot be folded.");
-  if (state.node(i).states.has(Predicate::Folded)) return failed(Failure::AlreadyFolded, id + " is folded already.");
+    return failed(FailureCause::NotFoldable, state.reference(i));
+  if (state.node(i).states.has(Predicate::Folded)) return failed(FailureCause::AlreadyFolded, state.reference(i));
   if (static_cast<int>(state.agent().held.size()) >= state.profile->hands) {
-    const bool itself = state.held(id);
-    return failed(Failure::HandsFull, itself ? "Put " + id + " down to fold it." : "Folding takes a free hand.");
+    if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDownToFold, state.reference(i));
+    return failed(FailureCause::FoldingTakesFreeHand);
   }
   if (auto blocked = out_of_the_way(state, i)) return *blocked;
   if (const auto group = state.group_of(i); group.size() > 1)
-    return failed(Failure::Blocked, state.node(group[1]).id + " lies on " + id + ".");
+    return failed(FailureCause::SomethingLiesOn, state.reference(group[1]), state.reference(i));
   state.edit_states(i).set({Predicate::Folded, ""});
   turn_to_work(state, i);
   return succeeded();
 }
 
-Outcome break_apart(WorldState& state, std::size_t i) {
-  const std::string id = state.node(i).id;
+ActionResult break_apart(WorldState& state, std::size_t i) {
   if (!state.knowledge->has(state.node(i).category, "breakable"))
-    return failed(Failure::NotBreakable, id + " cannot be broken.");
-  if (state.node(i).states.has(Predicate::Broken)) return failed(Failure::AlreadyBroken, id + " is broken already.");
+    return failed(FailureCause::NotBreakable, state.reference(i));
+  if (state.node(i).states.has(Predicate::Broken)) return failed(FailureCause::AlreadyBroken, state.reference(i));
   if (auto blocked = out_of_the_way(state, i)) return *blocked;
   state.edit_states(i).set({Predicate::Broken, ""});
   if (state.node(i).states.has(Predicate::Filled)) state.edit_states(i).set({Predicate::Empty, ""});

@@ -41,10 +41,10 @@ std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
   return best;
 }
 
-Outcome go_to(WorldState& state, const std::string& id) {
+ActionResult go_to(WorldState& state, const std::string& id) {
   if (const Room* room = find_room(state.scene(), id)) {
     const auto place = place_in_room(state, *room);
-    if (!place) return failed(Failure::NoStandingPlace, "There is no way to walk into " + id + ".");
+    if (!place) return failed(FailureCause::RoomUnreachable, reference_to(*room));
     Agent& agent = state.edit_agent();
     agent.position = *place;
     agent.pitch = 0;
@@ -52,24 +52,23 @@ Outcome go_to(WorldState& state, const std::string& id) {
     return succeeded();
   }
   const auto node = state.index_of(id);
-  if (!node) return failed(Failure::InvalidArgument, "There is no object or room " + id + ".");
-  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand.");
+  if (!node) return failed(FailureCause::NoSuchObjectOrRoom, unknown_name(id));
+  if (state.held(id)) return failed(FailureCause::InHand, state.reference(*node));
   // What a closed container hides cannot be seen from anywhere: the agent goes to the container.
   const std::size_t target = state.closed_around(*node).value_or(*node);
   const auto place = state.standing_place(target);
-  if (!place) return failed(Failure::NoStandingPlace, "There is no place to stand from which to reach " + id + ".");
+  if (!place) return failed(FailureCause::NoPlaceToStand, state.reference(*node));
   state.edit_agent().position = *place;
   look_at(state, state.node(target).pose.position);
   state.carry_along();
   return succeeded();
 }
 
-Outcome turn_to(WorldState& state, std::size_t node) {
-  if (state.held(state.node(node).id))
-    return failed(Failure::InvalidArgument, state.node(node).id + " is in your hand.");
+ActionResult turn_to(WorldState& state, std::size_t node) {
+  if (state.held(state.node(node).id)) return failed(FailureCause::InHand, state.reference(node));
   if (state.closed_around(node) ||
       !sees(state.scene(), state.physics(), *state.profile, state.agent().position, node)) {
-    return failed(Failure::NotVisible, state.node(node).id + " is not in sight from here.");
+    return failed(FailureCause::OutOfSight, state.reference(node));
   }
   look_at(state, state.node(node).pose.position);
   state.carry_along();

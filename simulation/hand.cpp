@@ -102,22 +102,23 @@ bool in_grasp(const WorldState& state, const std::vector<std::size_t>& group, co
 
 }  // namespace
 
-Outcome pick_up(WorldState& state, std::size_t i) {
+ActionResult pick_up(WorldState& state, std::size_t i) {
   const std::string id = state.node(i).id;
-  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is already in your hand.");
+  if (state.held(id)) return failed(FailureCause::AlreadyInHand, state.reference(i));
   if (!state.node(i).movable || !state.knowledge->has(state.node(i).category, "pickupable")) {
-    return failed(Failure::NotPickupable, id + " cannot be picked up.");
+    return failed(FailureCause::NotPickupable, state.reference(i));
   }
   if (state.node(i).states.has(Predicate::SatOn) || state.node(i).states.has(Predicate::LainOn))
-    return failed(Failure::Seated, "You sit on " + id + "; stand up first.");
+    return failed(state.node(i).states.has(Predicate::LainOn) ? FailureCause::LiesOn : FailureCause::SitsOn,
+                  state.reference(i));
   if (static_cast<int>(state.agent().held.size()) >= state.profile->hands) {
-    return failed(Failure::HandsFull, "You already hold " + state.agent().held.front() + ".");
+    return failed(FailureCause::HandsFull, state.reference(*state.index_of(state.agent().held.front())));
   }
   if (auto blocked = out_of_hands_way(state, i)) return *blocked;
   const std::vector<std::size_t> group = state.group_of(i);
   double mass = 0;
   for (const std::size_t member : group) mass += state.node(member).mass;
-  if (mass > state.profile->max_pick_mass_kg) return failed(Failure::TooHeavy, id + " is too heavy.");
+  if (mass > state.profile->max_pick_mass_kg) return failed(FailureCause::TooHeavy, state.reference(i));
 
   look_at(state, state.node(i).pose.position);
   const Bounds before = group_bounds(state, group);
@@ -137,29 +138,28 @@ Outcome pick_up(WorldState& state, std::size_t i) {
   return succeeded();
 }
 
-Outcome place(WorldState& state, std::size_t target, bool inside, bool within_grasp) {
-  const std::string target_id = state.node(target).id;
-  if (state.agent().held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
+ActionResult place(WorldState& state, std::size_t target, bool inside, bool within_grasp) {
+  if (state.agent().held.empty()) return failed(FailureCause::HandsEmpty);
   const std::string id = state.agent().held.front();
   const std::size_t i = *state.index_of(id);
   const std::vector<std::size_t> group = state.group_of(i);
   if (std::find(group.begin(), group.end(), target) != group.end()) {
-    return failed(Failure::InvalidArgument, target_id + " is in your hand.");
+    return failed(FailureCause::InHand, state.reference(target));
   }
   if (auto blocked = out_of_hands_way(state, target)) return *blocked;
   const Node& receptacle = state.node(target);
   if (inside && receptacle.openable && !receptacle.states.has(Predicate::Open)) {
-    return failed(Failure::ReceptacleClosed, target_id + " is closed.");
+    return failed(FailureCause::ReceptacleClosed, state.reference(target));
   }
   const bool attaches = !inside && state.profile->attaching &&
                         state.knowledge->effect(receptacle.category, "attaches", state.node(i).category) != nullptr;
   const Spots spots = spots_on(state, target, state.node(i).size, inside, group.size() == 1, attaches);
   if (!spots.offer.any_surface) {
-    return failed(Failure::NotAReceptacle,
-                  "Nothing can be put " + std::string(inside ? "inside " : "on ") + target_id + ".");
+    return failed(inside ? FailureCause::NoInside : FailureCause::NoSurface, state.reference(target));
   }
   if (!spots.offer.any_fit)
-    return failed(Failure::DoesNotFit, id + " does not fit " + (inside ? "into " : "on ") + target_id + ".");
+    return failed(inside ? FailureCause::DoesNotFitInto : FailureCause::DoesNotFitOn, state.reference(i),
+                  state.reference(target));
 
   int settles = 0;
   const std::size_t before = state.mark();
@@ -205,9 +205,8 @@ Outcome place(WorldState& state, std::size_t target, bool inside, bool within_gr
     state.back_to(before);
     if (rests_at(*pose)) return succeeded();
   }
-  if (settles > 0) return failed(Failure::DidNotRest, id + " did not come to rest there.");
-  return failed(Failure::NoFreePlace,
-                "There is no free place in reach " + std::string(inside ? "inside " : "on ") + target_id + ".");
+  if (settles > 0) return failed(FailureCause::DidNotRest, state.reference(i));
+  return failed(inside ? FailureCause::NoFreePlaceInside : FailureCause::NoFreePlaceOn, state.reference(target));
 }
 
 std::vector<Pose> free_spots(const WorldState& state, std::size_t i, std::size_t target, bool inside) {
@@ -235,12 +234,12 @@ bool any_sunk(const WorldState& state, const std::vector<std::size_t>& bodies) {
 
 }  // namespace
 
-Outcome drop(WorldState& state) {
-  if (state.agent().held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
+ActionResult drop(WorldState& state) {
+  if (state.agent().held.empty()) return failed(FailureCause::HandsEmpty);
   const std::string id = state.agent().held.front();
   const std::vector<std::size_t> group = state.group_of(*state.index_of(id));
   if (!free_at(state, group, Pose{Vec3::Zero(), Quat::Identity()}))
-    return failed(Failure::Blocked, "There is no room to let " + id + " fall here.");
+    return failed(FailureCause::NoRoomToFall, state.reference(group.front()));
   for (const std::size_t member : group) state.lay(member);
   const Bounds let_go = group_bounds(state, group);
   // Whatever lies below may be hit.
@@ -256,7 +255,7 @@ Outcome drop(WorldState& state) {
     return room_at(state.scene(), state.node(i).pose.position.head<2>()) != nullptr;
   });
   if (!settled.calm || !in_a_room || any_sunk(state, changed))
-    return failed(Failure::DidNotRest, id + " would not come to rest here.");
+    return failed(FailureCause::WouldNotRest, state.reference(group.front()));
   std::erase(state.edit_agent().held, id);
   const Bounds touched[] = {below, group_bounds(state, changed)};
   state.refresh(touched, changed);

@@ -11,24 +11,22 @@ constexpr double kHandStep_m = 0.2, kHandTurn_deg = 30;  // as the paper's relea
 constexpr double kNearest_m = 0.25, kFarthest_m = 0.85, kMostAside_m = 0.4;
 
 /// The body that what the hand holds would meet; with a message for the agent.
-std::optional<Outcome> held_meets(const WorldState& state) {
+std::optional<ActionResult> held_meets(const WorldState& state) {
   for (const std::string& id : state.agent().held) {
-    for (const std::size_t member : state.group_of(*state.index_of(id))) {
-      const Node& node = state.node(member);
-      const auto hit = state.physics().overlap(state.collider(member), node.pose, {});
-      if (!hit) continue;
-      const bool thing = hit->is_node();
-      return failed(Failure::Blocked, id + " would hit " + (thing ? state.node(hit->index()).id : "a wall") + ".");
+    const auto held = state.index_of(id);
+    for (const std::size_t member : state.group_of(*held)) {
+      const auto hit = state.physics().overlap(state.collider(member), state.node(member).pose, {});
+      if (hit) return failed(FailureCause::HeldWouldHit, state.reference(*held), state.reference_to_body(*hit));
     }
   }
   return std::nullopt;
 }
 
-Outcome with_hand(WorldState& state, const HandPose& hand) {
-  if (state.agent().held.empty()) return failed(Failure::NotHolding, "Your hands are empty.");
+ActionResult with_hand(WorldState& state, const HandPose& hand) {
+  if (state.agent().held.empty()) return failed(FailureCause::HandsEmpty);
   const bool in_reach = hand.ahead_m >= kNearest_m - 1e-9 && hand.ahead_m <= kFarthest_m + 1e-9 &&
                         std::abs(hand.left_m) <= kMostAside_m + 1e-9;
-  if (!in_reach) return failed(Failure::Blocked, "Your arm does not reach further that way.");
+  if (!in_reach) return failed(FailureCause::ArmAtLimit);
   state.set_hand(hand);
   state.carry_along();
   if (auto blocked = held_meets(state)) return *blocked;
@@ -37,14 +35,14 @@ Outcome with_hand(WorldState& state, const HandPose& hand) {
 
 }  // namespace
 
-Outcome move_hand(WorldState& state, double ahead, double left) {
+ActionResult move_hand(WorldState& state, double ahead, double left) {
   HandPose hand = state.hand();
   hand.ahead_m += ahead * kHandStep_m;
   hand.left_m += left * kHandStep_m;
   return with_hand(state, hand);
 }
 
-Outcome rotate_hand(WorldState& state) {
+ActionResult rotate_hand(WorldState& state) {
   HandPose hand = state.hand();
   hand.turn = std::remainder(hand.turn + kHandTurn_deg * std::numbers::pi / 180, 2 * std::numbers::pi);
   return with_hand(state, hand);

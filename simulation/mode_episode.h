@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/command.h"
+#include "simulation/feedback.h"
 #include "simulation/mode_rules.h"
 #include "simulation/world.h"
 
@@ -25,7 +26,8 @@ class ModeEpisode {
   ModeEpisode(World start, Mode mode) : world_(std::move(start)), mode_(mode) {}
 
   /// An unknown action, a wrong number or kind of arguments, what the mode does not offer or let name: all failed steps
-  /// with a sentence. In M3 no sentence holds an id. After the end nothing happens and nothing counts.
+  /// with a sentence. In M2 and M3 no sentence holds an id of the scene. After the end nothing happens and nothing
+  /// counts.
   Outcome step(const Command& command);
   /// Stopped, or a limit of the mode is reached.
   bool over() const;
@@ -41,12 +43,11 @@ class ModeEpisode {
   std::optional<Command> said(const Action& action) const;
 
  private:
-  std::variant<Action, Outcome> action_of(const Command& command) const;
-  std::optional<Outcome> refused(const ActionInfo& about, const std::string& id) const;
+  std::variant<Action, FailureDetail> action_of(const Command& command) const;
+  std::optional<FailureCause> refused(const ActionInfo& about, const std::string& id) const;
   const VisibleObject* in_view(std::string_view id) const;
   bool was_seen(std::string_view id) const;  // before some step
   const VisibleObject* best_match(const PixelBox& box) const;
-  Outcome told(Outcome outcome) const;
 
   World world_;
   Mode mode_;

@@ -48,8 +48,8 @@ const MomentTree::Step& MomentTree::step(MomentId at, const Action& action) {
   if (!fresh) return step;
   if (at != here_) go(at);
   step.next = at;
-  step.outcome = perform(state_, action);
-  if (!step.outcome.success) {
+  step.result = perform(state_, action);
+  if (!step.result.success) {
     state_.back_to(0);
     return step;
   }

@@ -22,7 +22,7 @@ class MomentTree {
   MomentTree(WorldState start, Viewer viewer);
 
   struct Step {
-    Outcome outcome;
+    ActionResult result;
     Delta changes;
     MomentId next;
   };

@@ -3,13 +3,13 @@
 namespace unietp {
 namespace {
 
-Outcome wrong_arguments(const ActionInfo& action) {
-  const char* wants = action.argument == ActionArgument::None ? "no argument" : "one argument";
-  return failed(Failure::InvalidArgument, std::string(action.name) + " takes " + wants + ".");
+ActionResult wrong_arguments(const ActionInfo& action) {
+  const bool none = action.argument == ActionArgument::None;
+  return failed(none ? FailureCause::TakesNoArgument : FailureCause::TakesOneArgument, in_words(action.name));
 }
 
 /// Actions of the body and the hand, which name no object.
-Outcome perform_alone(WorldState& state, ActionType type) {
+ActionResult perform_alone(WorldState& state, ActionType type) {
   switch (type) {
     case ActionType::MoveForward:
     case ActionType::MoveBackward:
@@ -39,14 +39,14 @@ Outcome perform_alone(WorldState& state, ActionType type) {
     case ActionType::StandUp:
       return stand_up(state);
     default:
-      return failed(Failure::InvalidAction, std::string(info(type).name) + " needs an object.");
+      return failed(FailureCause::TakesOneArgument, in_words(info(type).name));
   }
 }
 
 /// A freezer may be known to freeze a thing without being known to cool it.
-Outcome cool_with(WorldState& state, std::size_t tool) {
+ActionResult cool_with(WorldState& state, std::size_t tool) {
   const std::size_t before = state.mark();
-  const Outcome cooled = treat_with(state, tool, "cools");
+  const ActionResult cooled = treat_with(state, tool, "cools");
   if (cooled.failure != Failure::NoEffect) return cooled;
   state.back_to(before);
   return treat_with(state, tool, "freezes");
@@ -54,12 +54,11 @@ Outcome cool_with(WorldState& state, std::size_t tool) {
 
 }  // namespace
 
-Outcome perform(WorldState& state, const Action& action) {
-  if (state.stopped()) return failed(Failure::InvalidAction, "The episode has ended.");
+ActionResult perform(WorldState& state, const Action& action) {
+  if (state.stopped()) return failed(FailureCause::EpisodeEnded);
   const ActionInfo& about = info(action.type);
   if (!state.profile->offers(action.type)) {
-    return failed(Failure::NotOffered,
-                  std::string(name_of(state.scene().simulator)) + " does not offer " + std::string(about.name) + ".");
+    return failed(FailureCause::ActionNotOffered, in_words(name_of(state.scene().simulator)), in_words(about.name));
   }
   if (action.args.size() != (about.argument == ActionArgument::None ? 0u : 1u)) return wrong_arguments(about);
   if (action.type == ActionType::Stop) {
@@ -72,7 +71,7 @@ Outcome perform(WorldState& state, const Action& action) {
   if (action.type == ActionType::GoTo) return go_to(state, action.args.front());
   if (about.argument == ActionArgument::None) return perform_alone(state, action.type);
   const auto node = state.index_of(action.args.front());
-  if (!node) return failed(Failure::InvalidArgument, "There is no object " + action.args.front() + ".");
+  if (!node) return failed(FailureCause::NoSuchObject, unknown_name(action.args.front()));
   switch (action.type) {
     case ActionType::TurnTo:
       return turn_to(state, *node);
@@ -127,7 +126,7 @@ Outcome perform(WorldState& state, const Action& action) {
     case ActionType::Break:
       return break_apart(state, *node);
     default:
-      return failed(Failure::InvalidAction, std::string(about.name) + " is not an action on an object.");
+      return failed(FailureCause::TakesNoArgument, in_words(about.name));
   }
 }
 

@@ -38,10 +38,6 @@ std::vector<std::size_t> riders(const WorldState& state, std::size_t node, const
   return riding;
 }
 
-std::string name_of_body(const WorldState& state, BodyId body) {
-  return body.is_node() ? state.node(body.index()).id : body == kFloor ? "the floor" : "a wall";
-}
-
 }  // namespace
 
 std::optional<BodyId> in_the_way(const PhysicsWorld& world, const Node& node, const Shape& shape, double to,
@@ -54,16 +50,15 @@ std::optional<BodyId> in_the_way(const PhysicsWorld& world, const Node& node, co
   return std::nullopt;
 }
 
-Outcome swing(WorldState& state, std::size_t i, bool open) {
-  const std::string id = state.node(i).id;
-  if (!state.node(i).openable) return failed(Failure::NotOpenable, id + " cannot be opened or closed.");
-  if (state.held(id)) return failed(Failure::InvalidArgument, id + " is in your hand; put it down first.");
+ActionResult swing(WorldState& state, std::size_t i, bool open) {
+  if (!state.node(i).openable) return failed(FailureCause::NotOpenable, state.reference(i));
+  if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
   if (auto blocked = out_of_hands_way(state, i)) return *blocked;
   const bool is_open = state.node(i).states.has(Predicate::Open);
-  if (open && is_open) return failed(Failure::AlreadyOpen, id + " is already open.");
-  if (!open && !is_open) return failed(Failure::AlreadyClosed, id + " is already closed.");
+  if (open && is_open) return failed(FailureCause::AlreadyOpen, state.reference(i));
+  if (!open && !is_open) return failed(FailureCause::AlreadyClosed, state.reference(i));
   if (open && state.profile->open_needs_power_off && state.node(i).states.has(Predicate::PowerOn)) {
-    return failed(Failure::AlreadyOn, id + " is running; turn it off first.");
+    return failed(FailureCause::StillRunning, state.reference(i));
   }
 
   const Shape& shape = state.collider(i).shape;  // the same at every opening
@@ -73,9 +68,9 @@ Outcome swing(WorldState& state, std::size_t i, bool open) {
     std::vector<BodyId> ignore{BodyId::node(i)};
     for (const std::size_t rider : riding) ignore.push_back(BodyId::node(rider));
     if (const auto hit = in_the_way(state.physics(), state.node(i), shape, to, ignore))
-      return failed(Failure::Blocked, id + " is blocked by " + name_of_body(state, *hit) + ".");
+      return failed(FailureCause::JointBlocked, state.reference(i), state.reference_to_body(*hit));
     if (in_door_way(state.node(i), state.agent().position, *state.profile)) {
-      return failed(Failure::Blocked, "You stand in the way of " + id + ".");
+      return failed(FailureCause::AgentInTheWay, state.reference(i));
     }
   }
 

@@ -59,12 +59,12 @@ Result<World> World::create(Scene start, const Knowledge& knowledge, const Profi
   return World(std::make_shared<MomentTree>(std::move(*state), std::move(viewer)));
 }
 
-Outcome World::step(const Action& action) {
+ActionResult World::step(const Action& action) {
   const MomentTree::Step& done = tree_->step(moment_, action);
   moment_ = done.next;
   changes_ = &done.changes;
   if (shown_ != nullptr && !done.changes.empty()) not_yet_shown_.push_back(changes_);
-  return done.outcome;
+  return done.result;
 }
 
 const Delta& World::changes() const {

@@ -13,8 +13,8 @@
 #include "scene/scene.h"
 #include "scene/trace.h"
 #include "scene/visible_object.h"
+#include "simulation/action_result.h"
 #include "simulation/moment_id.h"
-#include "simulation/outcome.h"
 #include "simulation/profile.h"
 
 namespace unietp {
@@ -23,7 +23,7 @@ struct KnownStart;
 
 class MomentTree;
 
-/// An episode in progress: a value that steps. Start scene in, action in, outcome and changes out; `scene()` is the USG
+/// An episode in progress: a value that steps. Start scene in, action in, result and changes out; `scene()` is the USG
 /// after it. A failed action changes nothing. Relations are read from physics, never set. Deterministic: equal starts
 /// and equal actions give equal scenes, bit for bit. A copy costs next to nothing and is independent (a search may
 /// branch); copies remember together what was done already, so they belong to one thread. Knowledge and profile must
@@ -40,7 +40,7 @@ class World {
   World& operator=(World&&) noexcept;
   ~World();
 
-  Outcome step(const Action& action);
+  ActionResult step(const Action& action);
   /// What the last step changed: `difference` of the scenes before and after it.
   const Delta& changes() const;
   /// The whole scene; the reference tells of this moment until `scene()` is asked again.

@@ -116,6 +116,16 @@ std::vector<std::size_t> WorldState::group_of(std::size_t i) const {
   return group;
 }
 
+FailureReference WorldState::reference(std::size_t i) const {
+  const Category* category = knowledge->find(node(i).category);
+  return {node(i).id, "the " + (category != nullptr ? category->display : "object")};
+}
+
+FailureReference WorldState::reference_to_body(BodyId body) const {
+  if (body.is_node()) return reference(body.index());
+  return in_words(body == kFloor ? "the floor" : "a wall");
+}
+
 std::vector<std::size_t> WorldState::in_hand() const {
   std::vector<std::size_t> all;
   for (const std::string& id : agent().held) {
@@ -148,20 +158,19 @@ Scene WorldState::whole_scene() const {
   return scene;
 }
 
-std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t node) {
+std::optional<ActionResult> out_of_hands_way(const WorldState& state, std::size_t node) {
   return out_of_hands_way(state, node, state.agent().position);
 }
 
-std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t node, const Vec2& place) {
-  const std::string& id = state.node(node).id;
+std::optional<ActionResult> out_of_hands_way(const WorldState& state, std::size_t node, const Vec2& place) {
   if (const auto container = state.closed_around(node)) {
-    return failed(Failure::InsideClosed, id + " is inside " + state.node(*container).id + ", which is closed.");
+    return failed(FailureCause::InsideClosed, state.reference(node), state.reference(*container));
   }
   if (reach_distance(state.node(node), place, *state.profile) > state.profile->reach_m) {
-    return failed(Failure::TooFar, id + " is out of reach; go to it first.");
+    return failed(FailureCause::OutOfReach, state.reference(node));
   }
   if (!sees(state.scene(), state.physics(), *state.profile, place, node)) {
-    return failed(Failure::NotVisible, id + " is not in sight from here.");
+    return failed(FailureCause::OutOfSight, state.reference(node));
   }
   return std::nullopt;
 }

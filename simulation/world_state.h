@@ -16,11 +16,11 @@
 #include "scene/node_index.h"
 #include "scene/scene.h"
 #include "scene/trace.h"
+#include "simulation/action_result.h"
 #include "simulation/digest.h"
 #include "simulation/floods.h"
 #include "simulation/known_start.h"
 #include "simulation/link_table.h"
-#include "simulation/outcome.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
 #include "simulation/relations.h"
@@ -91,6 +91,10 @@ class WorldState {
   /// Where things are in the list.
   const NodeIndex& places() const { return places_; }
   bool held(std::string_view id) const;
+  /// How feedback may refer to a node: by its id, or as "the" and its category's name.
+  FailureReference reference(std::size_t i) const;
+  /// The same for a body: a node, the floor or a wall.
+  FailureReference reference_to_body(BodyId body) const;
   bool linked(std::size_t from, Predicate relation, std::size_t to) const;
   const std::vector<Link>& links(std::size_t i) const { return links_.of(i); }
   /// What lies on or in a node, directly. Sorted.
@@ -183,55 +187,52 @@ class WorldState {
   mutable std::unordered_map<Digest, StandingCells, DigestHash> standing_;  // by all that decides them
 };
 
-inline Outcome succeeded() { return {true, Failure::None, ""}; }
-inline Outcome failed(Failure failure, std::string feedback) { return {false, failure, std::move(feedback)}; }
-
 /// Does the action; a failed one may leave changes in the log that are to be taken back.
-Outcome perform(WorldState& state, const Action& action);
+ActionResult perform(WorldState& state, const Action& action);
 
 /// Why the agent cannot act on a node from where it stands (closed container, reach, sight), or nullopt.
-std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t node);
+std::optional<ActionResult> out_of_hands_way(const WorldState& state, std::size_t node);
 /// The same from another place.
-std::optional<Outcome> out_of_hands_way(const WorldState& state, std::size_t node, const Vec2& place);
+std::optional<ActionResult> out_of_hands_way(const WorldState& state, std::size_t node, const Vec2& place);
 /// The free cell of a room that the agent can walk to and that is nearest to the middle of its floor.
 std::optional<Vec2> place_in_room(const WorldState& state, const Room& room);
 /// Turns the agent's head and body towards a point.
 void look_at(WorldState& state, const Vec3& point);
 
 // The actions, one function each.
-Outcome go_to(WorldState& state, const std::string& id);
-Outcome turn_to(WorldState& state, std::size_t node);
-Outcome pick_up(WorldState& state, std::size_t node);
+ActionResult go_to(WorldState& state, const std::string& id);
+ActionResult turn_to(WorldState& state, std::size_t node);
+ActionResult pick_up(WorldState& state, std::size_t node);
 /// `within_grasp`: only where the hand can take it back from where the agent stands.
-Outcome place(WorldState& state, std::size_t target, bool inside, bool within_grasp = false);
+ActionResult place(WorldState& state, std::size_t target, bool inside, bool within_grasp = false);
 /// Poses at which `place` could let go of a thing, were it held and they in reach: those that meet nothing.
 std::vector<Pose> free_spots(const WorldState& state, std::size_t thing, std::size_t target, bool inside);
-Outcome swing(WorldState& state, std::size_t node, bool open);
-Outcome switch_power(WorldState& state, std::size_t node, bool on);
-Outcome slice(WorldState& state, std::size_t node);
+ActionResult swing(WorldState& state, std::size_t node, bool open);
+ActionResult switch_power(WorldState& state, std::size_t node, bool on);
+ActionResult slice(WorldState& state, std::size_t node);
 /// The held thing falls from the hand and lies where it comes to rest.
-Outcome drop(WorldState& state);
+ActionResult drop(WorldState& state);
 /// A step, a turn or a tilt of the camera (agent_moves.h).
-Outcome move_body(WorldState& state, ActionType type);
-Outcome reset_head(WorldState& state);
+ActionResult move_body(WorldState& state, ActionType type);
+ActionResult reset_head(WorldState& state);
 /// Moves or turns the hand that holds something; what it holds must meet nothing.
-Outcome move_hand(WorldState& state, double ahead, double left);
-Outcome rotate_hand(WorldState& state);
-Outcome pour_to(WorldState& state, std::size_t target);
-Outcome use_up(WorldState& state, std::size_t node);
-Outcome wipe(WorldState& state, std::size_t node);
-Outcome spread_to(WorldState& state, std::size_t node);
+ActionResult move_hand(WorldState& state, double ahead, double left);
+ActionResult rotate_hand(WorldState& state);
+ActionResult pour_to(WorldState& state, std::size_t target);
+ActionResult use_up(WorldState& state, std::size_t node);
+ActionResult wipe(WorldState& state, std::size_t node);
+ActionResult spread_to(WorldState& state, std::size_t node);
 /// soak_with and the composite actions ..._with: the atomic steps they stand for, each with all its checks.
-Outcome treat_with(WorldState& state, std::size_t tool, std::string_view effect);
+ActionResult treat_with(WorldState& state, std::size_t tool, std::string_view effect);
 
 /// sit_on and lie_on: `as` is SatOn or LainOn. The body stays at its place beside the seat and faces as the seat does.
-Outcome take_seat(WorldState& state, std::size_t node, Predicate as);
-Outcome stand_up(WorldState& state);
+ActionResult take_seat(WorldState& state, std::size_t node, Predicate as);
+ActionResult stand_up(WorldState& state);
 /// Why the body cannot walk or turn (it sits or lies), or nullopt.
-std::optional<Outcome> keeps_seat(const WorldState& state, ActionType type);
-Outcome plug(WorldState& state, std::size_t node, bool in);
-Outcome fold(WorldState& state, std::size_t node);
-Outcome break_apart(WorldState& state, std::size_t node);
+std::optional<ActionResult> keeps_seat(const WorldState& state, ActionType type);
+ActionResult plug(WorldState& state, std::size_t node, bool in);
+ActionResult fold(WorldState& state, std::size_t node);
+ActionResult break_apart(WorldState& state, std::size_t node);
 
 /// What a tool does by itself to what lies in or on it, as things are now: effects whose needs are met. `tap_runs`:
 /// water flows into it.

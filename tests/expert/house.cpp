@@ -256,8 +256,8 @@ std::string replay(const Formula& goal, const Scene& start, const Demonstration&
   std::vector<Delta> changes;
   for (const DemonstrationStep& step : demonstration.steps) {
     const Scene before = world->scene();
-    const Outcome outcome = world->step(step.action);
-    if (!outcome.success) return to_text(step.action) + " failed: " + outcome.feedback;
+    const ActionResult outcome = world->step(step.action);
+    if (!outcome.success) return to_text(step.action) + " failed: " + feedback_with_ids(outcome.detail);
     changes.push_back(difference(before, world->scene()));
     if (changes.back() != step.changes) return to_text(step.action) + " changes something else than recorded";
   }

@@ -21,7 +21,7 @@ Demonstration done(const Scene& start, const Knowledge& knowledge, const Profile
     const Scene before = world->scene();
     DemonstrationStep step;
     step.action = action;
-    step.outcome = world->step(action);
+    step.outcome = outcome_in(Mode::M1, world->step(action));
     EXPECT_TRUE(step.outcome.success) << to_text(action) << ": " << step.outcome.feedback;
     step.changes = difference(before, world->scene());
     demonstration.steps.push_back(std::move(step));

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "simulation/feedback.h"
 #include "simulation/world.h"
 #include "tests/simulation/action_rows.h"
 #include "tests/simulation/kitchen.h"
@@ -30,8 +31,8 @@ class ActionTable : public ::testing::TestWithParam<std::tuple<Simulator, Action
   World start_of(const ActionRow& row) {
     World world = world_of(testing::wide_kitchen(simulator_));
     for (const Action& action : row.before) {
-      const Outcome outcome = world.step(action);
-      EXPECT_TRUE(outcome.success) << to_text(action) << ": " << outcome.feedback;
+      const ActionResult outcome = world.step(action);
+      EXPECT_TRUE(outcome.success) << to_text(action) << ": " << feedback_with_ids(outcome.detail);
     }
     if (!row.alter) return world;
     Scene scene = world.scene();
@@ -44,10 +45,10 @@ class ActionTable : public ::testing::TestWithParam<std::tuple<Simulator, Action
   void expect_failure(World& world, const Action& action, Failure failure) {
     const Scene before = world.scene();
     const bool stopped = world.stopped();
-    const Outcome outcome = world.step(action);
+    const ActionResult outcome = world.step(action);
     EXPECT_FALSE(outcome.success);
-    EXPECT_EQ(name_of(outcome.failure), name_of(failure)) << outcome.feedback;
-    EXPECT_FALSE(outcome.feedback.empty());
+    EXPECT_EQ(name_of(outcome.failure), name_of(failure)) << feedback_with_ids(outcome.detail);
+    EXPECT_NE(outcome.detail.cause, FailureCause::None);
     EXPECT_TRUE(world.scene() == before) << "a failure changed something";
     EXPECT_EQ(world.stopped(), stopped);
   }
@@ -72,9 +73,9 @@ TEST_P(ActionTable, EveryRowGoesAsItsNeedsAre) {
       continue;
     }
     const Scene before = world.scene();
-    const Outcome outcome = world.step(action_of(row));
-    EXPECT_TRUE(outcome.success) << outcome.feedback;
-    EXPECT_TRUE(outcome.feedback.empty());
+    const ActionResult outcome = world.step(action_of(row));
+    EXPECT_TRUE(outcome.success) << feedback_with_ids(outcome.detail);
+    EXPECT_EQ(outcome.detail.cause, FailureCause::None);
     EXPECT_TRUE(row.effect ? row.effect(world.scene()) : !(world.scene() == before)) << "no effect";
   }
   for (const auto list : {all_actions(), extension_actions()}) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "simulation/feedback.h"
 #include "simulation/world.h"
 #include "tests/simulation/kitchen.h"
 
@@ -22,17 +23,17 @@ class Acting : public ::testing::Test {
   }
   World start() { return start(testing::full_kitchen(simulator_)); }
   void expect(World& world, ActionType type, const std::string& id = "") {
-    const Outcome outcome = world.step(action(type, id));
+    const ActionResult outcome = world.step(action(type, id));
     EXPECT_TRUE(outcome.success) << to_text(action(type, id)) << ": " << name_of(outcome.failure) << ": "
-                                 << outcome.feedback;
+                                 << feedback_with_ids(outcome.detail);
   }
   /// A failure names its kind, says something, and changes nothing.
   void expect_failure(World& world, ActionType type, const std::string& id, Failure failure) {
     const Scene before = world.scene();
-    const Outcome outcome = world.step(action(type, id));
+    const ActionResult outcome = world.step(action(type, id));
     EXPECT_FALSE(outcome.success) << to_text(action(type, id));
-    EXPECT_EQ(outcome.failure, failure) << name_of(outcome.failure) << ": " << outcome.feedback;
-    EXPECT_FALSE(outcome.feedback.empty());
+    EXPECT_EQ(outcome.failure, failure) << name_of(outcome.failure) << ": " << feedback_with_ids(outcome.detail);
+    EXPECT_NE(outcome.detail.cause, FailureCause::None);
     EXPECT_TRUE(world.scene() == before);
   }
   void take(World& world, const std::string& id) {
@@ -138,7 +139,7 @@ TEST_F(InAi2thor, AHandThatWouldPushItsMugIntoTheFridgeStaysWhereItIs) {
   take(world, "mug_1");
   expect(world, ActionType::GoTo, "fridge_1");
   int moves = 0;
-  Outcome last;
+  ActionResult last;
   do {
     last = world.step({ActionType::MoveHandForward, {}});
     ++moves;

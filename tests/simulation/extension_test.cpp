@@ -1,6 +1,7 @@
 // What only the profile `wide` offers: sitting, lying, plugs, folding, breaking, attaching.
 #include <gtest/gtest.h>
 
+#include "simulation/feedback.h"
 #include "simulation/world.h"
 #include "tests/simulation/kitchen.h"
 
@@ -19,15 +20,15 @@ class Wide : public ::testing::Test {
     return std::move(*world);
   }
   void expect(World& world, ActionType type, const std::string& id = "") {
-    const Outcome outcome = world.step(action(type, id));
-    EXPECT_TRUE(outcome.success) << to_text(action(type, id)) << ": " << outcome.feedback;
+    const ActionResult outcome = world.step(action(type, id));
+    EXPECT_TRUE(outcome.success) << to_text(action(type, id)) << ": " << feedback_with_ids(outcome.detail);
   }
   void expect_failure(World& world, ActionType type, const std::string& id, Failure failure) {
     const Scene before = world.scene();
-    const Outcome outcome = world.step(action(type, id));
+    const ActionResult outcome = world.step(action(type, id));
     EXPECT_FALSE(outcome.success) << to_text(action(type, id));
-    EXPECT_EQ(name_of(outcome.failure), name_of(failure)) << outcome.feedback;
-    EXPECT_FALSE(outcome.feedback.empty());
+    EXPECT_EQ(name_of(outcome.failure), name_of(failure)) << feedback_with_ids(outcome.detail);
+    EXPECT_NE(outcome.detail.cause, FailureCause::None);
     EXPECT_TRUE(world.scene() == before);
   }
   static Action action(ActionType type, const std::string& id) {

@@ -1,5 +1,6 @@
 #include "tests/simulation/kitchen.h"
 
+#include <cctype>
 #include <numbers>
 
 namespace unietp::testing {
@@ -7,10 +8,21 @@ namespace {
 
 const Source kCurated{"curated", 1};
 
+/// "WineBottle" as "wine bottle".
+std::string in_words(const std::string& name) {
+  std::string words;
+  for (const char letter : name) {
+    const bool capital = std::isupper(static_cast<unsigned char>(letter)) != 0;
+    if (capital && !words.empty()) words += ' ';
+    words += capital ? static_cast<char>(std::tolower(static_cast<unsigned char>(letter))) : letter;
+  }
+  return words;
+}
+
 Category category(std::string name, bool movable, Archetype archetype, Vec3 size, double mass) {
   Category c;
   c.name = std::move(name);
-  c.display = c.plural = c.name;
+  c.display = c.plural = in_words(c.name);
   c.movable = movable;
   c.archetype = archetype;
   c.size = size;

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "simulation/feedback.h"
 #include "simulation/world.h"
 #include "tests/simulation/kitchen.h"
 #include "tests/support/committed_knowledge.h"
@@ -89,12 +90,12 @@ TEST_P(KnowledgeInPhysics, WhatTheTablesPlaceABodyCanPlace) {
   for (const Placement& row : rows) {
     auto world = World::create(bare_room(knowledge, row, 1.0), knowledge, *profile);
     ASSERT_TRUE(world) << format(world.error());
-    Outcome outcome = world->step({ActionType::GoTo, {"receptacle"}});
+    ActionResult outcome = world->step({ActionType::GoTo, {"receptacle"}});
     if (outcome.success) {
       outcome = world->step({row.relation == "on" ? ActionType::PlaceOn : ActionType::PlaceIn, {"receptacle"}});
     }
     EXPECT_TRUE(outcome.success) << row.object << " " << row.relation << " " << row.receptacle << ": "
-                                 << outcome.feedback;
+                                 << feedback_with_ids(outcome.detail);
   }
   EXPECT_GT(rows.size(), 600U);
 }

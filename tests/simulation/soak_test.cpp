@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/rng.h"
+#include "simulation/feedback.h"
 #include "simulation/relations.h"
 #include "simulation/solids.h"
 #include "simulation/view.h"
@@ -114,11 +115,12 @@ TEST(Soak, RandomActionsNeverBreakTheWorld) {
       const Scene before = world.scene();
       const bool with_body = rng.chance(0.2);
       const Action action = with_body ? Action{rng.pick(alone)->type, {}} : Action{rng.pick(on_things)->type, {id}};
-      const Outcome outcome = world.step(action);
+      const ActionResult outcome = world.step(action);
       ++steps;
       SCOPED_TRACE(std::string(name_of(simulator)) + " " + to_text(action));
       if (!outcome.success) {
-        ASSERT_TRUE(world.scene() == before) << "a failed action changed something: " << outcome.feedback;
+        ASSERT_TRUE(world.scene() == before)
+            << "a failed action changed something: " << feedback_with_ids(outcome.detail);
         continue;
       }
       ++succeeded;

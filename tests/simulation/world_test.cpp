@@ -1,4 +1,5 @@
 #include "simulation/world.h"
+#include "simulation/feedback.h"
 
 #include <gtest/gtest.h>
 
@@ -21,17 +22,17 @@ class InTheKitchen : public ::testing::Test {
     return std::move(*world);
   }
   void expect(World& world, ActionType type, const std::string& id = "") {
-    const Outcome outcome = world.step(action(type, id));
+    const ActionResult outcome = world.step(action(type, id));
     EXPECT_TRUE(outcome.success) << to_text(action(type, id)) << ": " << name_of(outcome.failure) << ": "
-                                 << outcome.feedback;
+                                 << feedback_with_ids(outcome.detail);
   }
   /// A failure names its kind, says something, and changes nothing.
   void expect_failure(World& world, ActionType type, const std::string& id, Failure failure) {
     const Scene before = world.scene();
-    const Outcome outcome = world.step(action(type, id));
+    const ActionResult outcome = world.step(action(type, id));
     EXPECT_FALSE(outcome.success) << to_text(action(type, id));
-    EXPECT_EQ(outcome.failure, failure) << name_of(outcome.failure) << ": " << outcome.feedback;
-    EXPECT_FALSE(outcome.feedback.empty());
+    EXPECT_EQ(outcome.failure, failure) << name_of(outcome.failure) << ": " << feedback_with_ids(outcome.detail);
+    EXPECT_NE(outcome.detail.cause, FailureCause::None);
     EXPECT_TRUE(world.scene() == before);
   }
   static Action action(ActionType type, const std::string& id) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/rng.h"
+#include "simulation/feedback.h"
 #include "simulation/relations.h"
 #include "simulation/world.h"
 #include "symbolic/perform.h"
@@ -167,7 +168,7 @@ TEST(Twins, PhysicsAndSymbolsAgreeOnWhatActionsNeedAndDo) {
             world.step({action, alone ? std::vector<std::string>{} : std::vector<std::string>{target}});
         if (!outcome.success && !is_symbolic(outcome.failure)) continue;
         const auto failure = perform(before.setting, before.world, {action, alone ? kNobody : id});
-        SCOPED_TRACE(std::string(info(action).name) + "(" + target + ") " + outcome.feedback);
+        SCOPED_TRACE(std::string(info(action).name) + "(" + target + ") " + feedback_with_ids(outcome.detail));
         if (!outcome.success) {
           EXPECT_EQ(name_of(failure), name_of(outcome.failure));
           ++refused;
