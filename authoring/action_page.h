@@ -8,7 +8,7 @@
 namespace unietp {
 
 /// The page docs/action-table.md: which simulator offers which action in which mode and profile, what each needs, and
-/// how the simulators limit their agents. `plain` and `wide` are the two profiles of the four simulators in their
+/// the limits of the simulators' agents. `plain` and `wide` are the two profiles of the four simulators in their
 /// order.
 std::string action_page(const std::vector<Profile>& plain, const std::vector<Profile>& wide);
 

@@ -9,9 +9,11 @@
 namespace unietp {
 namespace {
 
-class Interview {
+/// The dialog on a terminal.
+class TemplateDialog {
  public:
-  Interview(TemplateDraft draft, std::istream& in, std::ostream& out) : draft_(std::move(draft)), in_(in), out_(out) {}
+  TemplateDialog(TemplateDraft draft, std::istream& in, std::ostream& out)
+      : draft_(std::move(draft)), in_(in), out_(out) {}
 
   Result<TemplateDraft> run(const std::set<std::string>& given) {
     out_ << "A template, section by section; `unietp template vocabulary` lists every word. An empty line ends an "
@@ -31,7 +33,7 @@ class Interview {
       wanted.clear();
       out_ << "\n";
       for (const auto& [problem, section] : problems) {
-        if (section.empty()) return problem.error;  // of the name, which is not asked for
+        if (section.empty()) return problem.error;  // about the name, which is not asked for
         out_ << problem_text(problem, text, false);
         wanted.insert(section);
       }
@@ -106,7 +108,7 @@ class Interview {
 
 Result<TemplateDraft> ask_template(TemplateDraft draft, const std::set<std::string>& given, std::istream& in,
                                    std::ostream& out) {
-  return Interview(std::move(draft), in, out).run(given);
+  return TemplateDialog(std::move(draft), in, out).run(given);
 }
 
 }  // namespace unietp

@@ -8,10 +8,9 @@
 
 namespace unietp {
 
-/// Asks for the sections that are not in `given`, one question at a time, and again for those whose answers are wrong,
-/// with what is wrong. A question that takes several answers ends with an empty line; one that may be left out is left
-/// out by it. Reads lines from `in`, writes questions to `out`.
-/// Errors: Usage when `in` ends before the template is sound.
+/// Asks for the sections that are not in `given`, one question at a time, and again for those with errors, which it
+/// prints. An empty line ends a question that takes several answers and skips an optional one. Reads lines from `in`,
+/// writes questions to `out`. Errors: Usage when `in` ends before the template is valid.
 Result<TemplateDraft> ask_template(TemplateDraft draft, const std::set<std::string>& given, std::istream& in,
                                    std::ostream& out);
 

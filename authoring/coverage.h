@@ -14,10 +14,11 @@ struct CoverageCell {
   bool claimed = false;                        // by the template's `simulators`
   int candidates = 0, accepted = 0;            // 0 of 0 when nothing was tried
   std::string example;                         // instruction of the first proven task, or ""
-  std::vector<TemplateTrial::Reason> reasons;  // why the others were given up, the most frequent first
+  std::vector<TemplateTrial::Reason> reasons;  // why the others were rejected, the most frequent first
   std::array<int, kModes.size()> steps{};      // of the proven tasks' demonstrations, summed by mode
 };
 
+/// A template on all simulators.
 struct CoverageRow {
   std::string name;
   Split split = Split::Atomic;
@@ -25,7 +26,8 @@ struct CoverageRow {
   std::array<CoverageCell, kSimulators.size()> cells;
 };
 
-/// What the templates speak of and where; nothing is tried yet. In the order of `positions` in Resources::templates.
+/// Predicates and claimed simulators of templates, before any trial. In the order of `positions` in
+/// Resources::templates.
 std::vector<CoverageRow> coverage_of(const Resources& resources, const std::vector<std::size_t>& positions);
 
 /// The claimed cells, each as (row, position in kSimulators), in order.
@@ -44,8 +46,8 @@ std::vector<PredicateUse> predicate_uses(const std::vector<CoverageRow>& rows);
 /// "7/10" for a claimed cell that was tried, "yes" for one that was not, "" for one that is not claimed.
 std::string to_text(const CoverageCell& cell);
 
-/// A page in Markdown: the table, what stands in the way of each empty cell, what the expert did not show, what the
-/// gates refused, and the predicates.
+/// A page in Markdown: the table, the reasons for each empty cell, what the expert failed on, what the gates rejected,
+/// and the predicates.
 std::string coverage_page(const std::vector<CoverageRow>& rows, const std::vector<Mode>& modes, int tries,
                           std::uint64_t seed);
 

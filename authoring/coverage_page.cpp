@@ -52,7 +52,7 @@ std::string predicates_of(const std::vector<CoverageRow>& rows) {
   return text;
 }
 
-/// What passed no gate, by reason: gates on symbols (generator) and on geometry (grounding).
+/// Candidates that a gate rejected, by reason: symbolic gates (generator) and geometric ones (grounding).
 std::string gates_of(const std::vector<CoverageRow>& rows) {
   std::map<std::pair<std::string_view, std::string_view>, std::array<int, kSimulators.size()>> refused;
   for (const auto& row : rows) {

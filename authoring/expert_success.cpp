@@ -11,7 +11,7 @@ std::string percent(const ExpertSuccess& success) {
   return std::to_string(static_cast<int>(std::floor(100 * success.share()))) + " %";
 }
 
-/// The feedback that a detail ends with, without the objects that it names, in brackets; "" when it has none.
+/// The feedback at the end of a rejection's detail, with "…" for ids, in brackets; "" when it has none.
 std::string feedback_in(const std::string& detail) {
   const auto last = detail.rfind(": ");
   if (last == std::string::npos || detail.compare(last + 2, 1, "(") == 0) return "";  // none, or a formula

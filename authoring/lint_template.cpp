@@ -9,7 +9,7 @@
 namespace unietp {
 namespace {
 
-constexpr int kTried = 12;  // bindings that are drawn before a simulator is doubted
+constexpr int kTried = 12;  // bindings that are sampled before a warning
 
 /// A section of a file that can be read; nullptr when it was left out.
 const Sexpr* section_of(const Sexpr& file, std::string_view name) {
@@ -26,7 +26,7 @@ std::string written(const DomainConstraint& constraint) {
 }
 
 /// The first constraint without which there would be a binding, or "".
-std::string constraint_in_the_way(const Template& source, const Knowledge& knowledge) {
+std::string blocking_constraint(const Template& source, const Knowledge& knowledge) {
   for (std::size_t i = 0; i < source.constraints.size(); ++i) {
     auto without = source;
     without.constraints.erase(without.constraints.begin() + static_cast<std::ptrdiff_t>(i));
@@ -36,10 +36,10 @@ std::string constraint_in_the_way(const Template& source, const Knowledge& knowl
 }
 
 /// Why a claimed simulator makes no task of the template; "" when it makes some.
-std::string doubt(const Template& source, const Knowledge& knowledge) {
+std::string reason_for_no_task(const Template& source, const Knowledge& knowledge) {
   const std::string simulator(name_of(knowledge.simulator()));
   if (enumerate_bindings(source, knowledge, 1).empty()) {
-    const auto culprit = constraint_in_the_way(source, knowledge);
+    const auto culprit = blocking_constraint(source, knowledge);
     return simulator + " has no categories that can be bound to all placeholders" +
            (culprit.empty() ? "" : "; without " + culprit + " it would have");
   }
@@ -77,7 +77,7 @@ LintedFile lint_template(const std::string& path, std::string text, const std::v
   }
   const auto* claims = section_of(*file, "simulators");
   for (std::size_t i = 0; i < source.simulators.size(); ++i) {
-    auto why = doubt(source, backends[static_cast<std::size_t>(source.simulators[i])].knowledge);
+    auto why = reason_for_no_task(source, backends[static_cast<std::size_t>(source.simulators[i])].knowledge);
     if (why.empty()) continue;
     warn(claims == nullptr ? file->children[1].pos : claims->children[i + 1].pos, std::move(why));
   }

@@ -8,17 +8,17 @@
 
 namespace unietp {
 
-/// What is to say of one template file.
+/// One template file and its problems.
 struct LintedFile {
   std::string path, text;
-  std::string name;                   // of the template; "" when the file is refused
+  std::string name;                   // of the template; "" when the file has errors
   std::vector<LintProblem> problems;  // errors in order of position, then warnings
 };
 
-/// Reads a template's text and looks at what it asks for. Errors: those of parse_template and unknown_categories.
-/// Warnings, for a file without errors: a phrasing that does not say a count or "all" that the goal has
-/// (phrasing_counts.h); a claimed simulator that has no categories for the placeholders, with the constraint that takes
-/// the last away; one on which no goal of some bindings can be asked for, with the reason. Deterministic.
+/// Reads a template's text and checks what it asks for. Errors: those of parse_template and unknown_categories.
+/// Warnings, for a file without errors: a phrasing that lacks a count or an "all" of the goal (phrasing_counts.h); a
+/// claimed simulator that has no categories for the placeholders, with the constraint that rules out the last ones; one
+/// on which the goals of all sampled bindings are impossible, with the reason. Deterministic.
 LintedFile lint_template(const std::string& path, std::string text, const std::vector<Backend>& backends);
 
 }  // namespace unietp

@@ -8,11 +8,11 @@ namespace unietp {
 namespace {
 
 constexpr std::size_t kWidest = 110;  // bytes of a source line that are shown
-constexpr std::size_t kBefore = 60;   // of these, before the place
+constexpr std::size_t kBefore = 60;   // of these, before the position
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80; }
 
-/// Each byte that would move the cursor becomes one column wide.
+/// The text with one column per byte: tabs and control characters replaced.
 std::string printable(std::string_view text) {
   std::string out(text);
   for (char& c : out) {

@@ -7,21 +7,21 @@
 
 namespace unietp {
 
-/// Something that lint has to say of a file: an error, or a warning about what is accepted and yet doubtful.
+/// An error in a file, or a warning about something that is accepted but likely a mistake.
 struct LintProblem {
   Error error;
   bool warning = false;
   bool operator==(const LintProblem&) const = default;
 };
 
-/// The message, and below it the line of the source with a caret under the place:
+/// The message, and below it the line of the source with a caret under the position:
 ///
 ///   mug.template:4:10: parse error: unknown operator or predicate 'opn'; did you mean 'open'?
 ///      4 |   (goal (opn ?a))
 ///        |          ^
 ///
-/// Only the message when the place is not in `source`. A long line is cut around the place; what cannot be printed
-/// becomes a dot. With `colour` the severity and the caret are coloured for a terminal.
+/// Only the message when the position is not in `source`. A long line is cut around the position; unprintable bytes
+/// become dots. With `colour` the severity and the caret are coloured for a terminal.
 std::string problem_text(const LintProblem& problem, std::string_view source, bool colour);
 
 /// Line `number` (from 1) of a text without its end; "" when there is none.

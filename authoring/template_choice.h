@@ -8,11 +8,11 @@
 
 namespace unietp {
 
-/// A template and all that it takes to try it.
+/// A template and everything needed to try it.
 struct TemplateChoice {
   Resources resources;
   std::size_t position = 0;   // of the template, in resources.templates
-  std::vector<Error> errors;  // empty when sound
+  std::vector<Error> errors;  // empty when valid
 
   Binding binding;                    // what was given for its placeholders
   std::vector<Simulator> simulators;  // to try it on
@@ -20,8 +20,8 @@ struct TemplateChoice {
   const Template& source() const { return resources.templates[position]; }
 };
 
-/// The template of that name, or that a file holds: a file of a library, or one of the user's own, which need not lie
-/// in any folder of templates. Errors: those of load_resources; Usage for an unknown name, with the nearest one.
+/// The template of that name, or the one in a file, which may lie outside of any folder of templates. Errors: those of
+/// load_resources; Usage for an unknown name, with the nearest one.
 TemplateChoice choose_template(const DataFolders& folders, const std::string& name_or_file);
 
 /// The same with `--bind` and `--simulator` read: without simulators, those of simulators_for. Errors, besides: those

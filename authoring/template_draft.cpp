@@ -10,7 +10,7 @@
 namespace unietp {
 namespace {
 
-/// A formula laid out for its place; as it is when its brackets do not match.
+/// A formula, laid out; unchanged when its brackets do not match.
 std::string laid_out_text(const std::string& text) {
   const auto expression = read_sexpr("", text);
   return expression ? laid_out(*expression, 4) : text;
@@ -27,7 +27,7 @@ std::vector<std::string> each(std::vector<std::string> items, std::string (*chan
 
 std::string quoted_text(const std::string& text) { return quoted_string(text); }
 
-/// The items of a section as they stand in the file.
+/// The items of a section as written in the file.
 std::vector<std::string> items_of(const TemplateDraft& draft, std::string_view section) {
   if (section == "name") {
     return {quoted_string(draft.title.empty() ? replace_all(draft.name, "-", " ") : draft.title)};
@@ -109,7 +109,7 @@ std::vector<DraftProblem> draft_problems(const TemplateDraft& draft, const std::
       if (!read) problems.push_back({{{Error::Kind::Parse, name, {}, read.error().message}, false}, name});
     }
   }
-  if (!problems.empty()) return problems;  // in the whole, a bracket that is missing seems to be missing at its end
+  if (!problems.empty()) return problems;  // a missing bracket would be reported at the end of the whole file
   for (const auto& error : parse_template(file, text).errors) {
     std::string section;
     for (int line = 1; line <= error.pos.line; ++line) {

@@ -10,7 +10,7 @@
 
 namespace unietp {
 
-/// What goes into the sections of a new template, each as it would be written there.
+/// The contents of the sections of a new template, each as it is written there.
 struct TemplateDraft {
   std::string name;   // "open-one"
   std::string title;  // "open one <A>"; "" for the name in words
@@ -28,15 +28,16 @@ struct TemplateDraft {
 /// The sections of a template as a draft, under another name.
 TemplateDraft draft_like(const Template& source, std::string name);
 
-/// The file: each section below a comment that says what it is for, formulas laid out. What a draft does not say and
-/// may be left out stands there as a comment.
+/// The file: each section below a comment that explains it, formulas laid out. Optional sections that a draft lacks are
+/// there as comments.
 std::string draft_text(const TemplateDraft& draft);
 
-/// What is wrong with the draft, with the section where it stands; empty when draft_text(draft) is a template.
+/// A problem of a draft and its section.
 struct DraftProblem {
   LintProblem problem;
   std::string section;  // "goal"; "" for the name
 };
+/// Empty when draft_text(draft) is a valid template. `file`: its name in the messages.
 std::vector<DraftProblem> draft_problems(const TemplateDraft& draft, const std::string& file);
 
 }  // namespace unietp

@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-/// A name that the grammar takes for a noun and that no other word contains.
+/// A noun for a placeholder that is part of no other word.
 std::string stand_in(std::size_t index) {
   std::string letters;
   for (++index; index > 0; index /= 26) letters += static_cast<char>('a' + index % 26);
@@ -23,9 +23,9 @@ bool stands_for(const Parameter& parameter, const char* what) {
   return parameter.affordances == std::vector<std::string>{what};
 }
 
-/// A knowledge base that knows nothing but the placeholders.
+/// A knowledge base whose categories are the placeholders.
 Knowledge of_placeholders(const Template& source) {
-  Category spare;  // names the rooms, colours and materials
+  Category spare;  // its rooms, colours and materials
   spare.name = spare.display = "spare";
   spare.plural = "spares";
   spare.source = {"curated", 1};

@@ -7,8 +7,8 @@
 
 namespace unietp {
 
-/// The goal in the grammar's English, with placeholders for names: "Make sure that two <A> are inside a <C>." As for an
-/// instruction, the words are read back and mean the goal. nullopt when the grammar has no words for it.
+/// The goal in the grammar's English, with placeholders for nouns: "Make sure that two <A> are inside a <C>." As for an
+/// instruction, the text is read back and must mean the goal. nullopt when the grammar has no words for it.
 std::optional<std::string> goal_in_words(const Template& source);
 
 /// A start constraint of an enforceable shape: "at least 2 <A>, each dirty and on no <B>".

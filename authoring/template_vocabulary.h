@@ -14,16 +14,16 @@ struct VocabularyWord {
   std::string meaning;  // one line for people
 };
 
-/// A branch of the tree of words.
+/// A group of words, with subgroups.
 struct VocabularyGroup {
   std::string name;   // "constraints", for programs
   std::string title;  // "Constraints", for people
-  std::string says;   // where these words stand
+  std::string says;   // where these words are used
   std::vector<VocabularyWord> words;
   std::vector<VocabularyGroup> groups;
 };
 
-/// Every word that a template may use, each from the table that its reader looks it up in, so that none is forgotten.
+/// Every word that a template may use, from the same tables as its reader.
 std::vector<VocabularyGroup> template_vocabulary();
 
 /// {"format": "unietp-vocabulary/1", "groups": [{name, title, says, words: [{word, usage, meaning}], groups: […]}]}

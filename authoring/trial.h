@@ -9,13 +9,14 @@
 
 namespace unietp {
 
+/// How long a trial runs.
 struct TrialOptions {
   int tries = 10;                           // candidates
   int enough = 0;                           // proven tasks after which no further one is tried; 0: all tries are made
   const std::atomic<bool>* stop = nullptr;  // set from outside: end before the next candidate
 };
 
-/// What becomes of candidates of one template on one simulator.
+/// The tasks and rejections of candidates of one template on one simulator.
 struct TemplateTrial {
   int candidates = 0;
   std::vector<Task> tasks;  // the proven ones, in order of attempt
@@ -25,12 +26,12 @@ struct TemplateTrial {
     std::string example;                    // the detail of the first of them
     std::vector<std::string> details = {};  // of all of them, in order of attempt
   };
-  std::vector<Reason> reasons;  // why the others were given up; the most frequent first, then by name
+  std::vector<Reason> reasons;  // why the others were rejected; the most frequent first, then by name
 };
 
-/// Takes one template through all stages again and again: candidate k in the k-th home of the pool, beginning anew
-/// after the last. `configuration` names the seed. Deterministic: the candidates depend on the seed, the homes, the
-/// template and the simulator, not on what else the library holds.
+/// Takes candidates of one template through all stages: candidate k in the k-th home of the pool, starting over after
+/// the last. `configuration` names the seed. Deterministic: the candidates depend on the seed, the homes, the
+/// template and the simulator, not on the other templates.
 TemplateTrial try_template(const RunConfiguration& configuration, const Resources& resources, LayoutPool& layouts,
                            std::size_t position, Simulator simulator, const TrialOptions& options);
 

@@ -11,7 +11,7 @@
 namespace unietp {
 namespace {
 
-constexpr std::size_t kMostLookedAt = 200;  // categories put in the place of one
+constexpr std::size_t kMostChecked = 200;  // alternative categories that are checked for one placeholder
 
 bool passes(const Template& source, const Knowledge& knowledge, const Binding& binding) {
   return std::holds_alternative<Specification>(propose(source, knowledge, binding));
@@ -63,15 +63,15 @@ std::string fact_behind(const GateRefusal& refusal, const Template& source, cons
   return "";
 }
 
-/// What could stand in place of one placeholder's category so that everything is passed.
+/// Categories that, bound to one placeholder, make the binding pass all gates.
 OtherCategories alternative_for(const Parameter& parameter, const Template& source, const Knowledge& knowledge,
                                 const Binding& binding) {
   auto others = binding;
   std::erase_if(others, [&](const auto& one) { return one.first == parameter.name; });
   OtherCategories found{parameter.name, {}};
-  std::size_t looked_at = 0;
+  std::size_t checked = 0;
   for (const auto& category : candidates_for(parameter, source.constraints, others, knowledge)) {
-    if (looked_at++ == kMostLookedAt) break;
+    if (checked++ == kMostChecked) break;
     Binding trial;
     for (const auto& each : source.parameters) {
       const auto* kept = each.name == parameter.name ? &category : bound_to(others, each.name);

@@ -11,22 +11,22 @@
 
 namespace unietp {
 
-/// Categories that could take the place of what a placeholder is bound to, the others kept.
+/// Categories that could replace the one bound to a placeholder, with the others kept.
 struct OtherCategories {
   std::string placeholder;
-  std::vector<std::string> categories;  // sorted; with each all gates are passed
+  std::vector<std::string> categories;  // sorted; each passes all gates
 };
 
-/// What the generator's gates say of a binding.
+/// The result of the generator's gates for a binding.
 struct BindingVerdict {
   Binding binding;                     // that was asked about: the given one, completed when it left something open
-  std::optional<GateRefusal> refusal;  // of the first gate that refuses; nullopt: all are passed
-  std::string fact;                    // what the knowledge base says or lacks about it, or ""
+  std::optional<GateRefusal> refusal;  // of the first gate that rejects it; nullopt: it passes all
+  std::string fact;                    // the fact of the knowledge base behind the rejection, or ""
   std::vector<OtherCategories> alternatives;  // of a refused binding; placeholders without any are left out
 };
 
-/// Sends a binding through the gates, and looks for what else could be bound. Placeholders that it leaves open are
-/// filled with what goes with the rest, when there is something. Deterministic.
+/// Checks a binding by the gates and finds alternatives for rejected categories. Placeholders that it leaves open are
+/// filled with categories that fit the others, if there are any. Deterministic.
 BindingVerdict why_not(const Template& source, const Knowledge& knowledge, const Binding& given);
 
 }  // namespace unietp

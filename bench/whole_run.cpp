@@ -71,7 +71,8 @@ Cost measured(const std::string& what, const std::function<bool()>& work) {
 
 DataFolders committed() { return {UNIETP_SOURCE_DIR, fs::temp_directory_path() / "unietp-bench-cache"}; }
 
-bool told(const Error& error) {
+/// Prints the error; returns false.
+bool print_error(const Error& error) {
   std::printf("  %s\n", format(error).c_str());
   return false;
 }
@@ -79,7 +80,7 @@ bool told(const Error& error) {
 /// Makes a data set and prints its yield and the share of each stage in what all threads spent.
 bool make(const RunConfiguration& configuration, const fs::path& out, int threads) {
   const auto reading = load_resources(committed());
-  if (!reading.errors.empty()) return told(reading.errors.front());
+  if (!reading.errors.empty()) return print_error(reading.errors.front());
   StageCosts costs;
   RunOptions options;
   options.out = out;
@@ -88,7 +89,7 @@ bool make(const RunConfiguration& configuration, const fs::path& out, int thread
   options.costs = &costs;
   const double start = processor_seconds();
   const auto report = run_generation(configuration, reading.resources, options);
-  if (!report) return told(report.error());
+  if (!report) return print_error(report.error());
   const double seconds = processor_seconds() - start;
   std::printf("  %d of %d tasks from %d candidates (yield %.0f %%), %.1f tasks a second of processor time\n",
               report->tasks, report->asked, report->candidates, 100.0 * report->tasks / report->candidates,
@@ -108,9 +109,9 @@ bool make(const RunConfiguration& configuration, const fs::path& out, int thread
 
 bool prove(const fs::path& folder, const std::vector<fs::path>& against, int threads) {
   const auto reading = load_backends(committed());
-  if (!reading.errors.empty()) return told(reading.errors.front());
+  if (!reading.errors.empty()) return print_error(reading.errors.front());
   const auto digest = knowledge_digest(committed());
-  if (!digest) return told(digest.error());
+  if (!digest) return print_error(digest.error());
   std::vector<ValidationBackend> backends;
   for (const auto& backend : reading.backends) backends.push_back({&backend.knowledge, &backend.profile});
   ValidationOptions options;
@@ -122,14 +123,14 @@ bool prove(const fs::path& folder, const std::vector<fs::path>& against, int thr
   const auto report = validate_dataset(folder, backends, *digest, options);
   std::printf("  %d of %d proven, %d demonstrations, %d steps, %d spoilt plans\n", report.counts.proven,
               report.counts.tasks, report.counts.demonstrations, report.counts.steps, report.counts.spoilt_plans);
-  for (const Problem& problem : report.problems) (void)told(problem.error);
+  for (const Problem& problem : report.problems) (void)print_error(problem.error);
   return report.sound();
 }
 
 int run(const Options& options) {
   auto benchmark = read_configuration(committed().runs() / "benchmark.json");
   auto training = read_configuration(committed().runs() / "training.json");
-  if (!benchmark || !training) return told(benchmark ? training.error() : benchmark.error()) ? 0 : 2;
+  if (!benchmark || !training) return print_error(benchmark ? training.error() : benchmark.error()) ? 0 : 2;
   if (options.count > 0) {
     benchmark->quotas = {};
     benchmark->count = training->count = options.count;

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "authoring/settle_binding.h"
+#include "authoring/binding_request.h"
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
@@ -61,7 +61,7 @@ Exit generate(GenerateOptions& options, const CommandLine& program) {
   if (!options.binding.empty()) {
     const BindingRequest request{options.binding, options.count_given, !options.splits.empty(),
                                  !options.simulators.empty() || !options.scenes.empty()};
-    const auto refused = settle_binding(request, reading.resources, options.configuration);
+    const auto refused = apply_binding_request(request, reading.resources, options.configuration);
     if (!refused) return refuse(refused.error());
     std::printf("%s", refused->c_str());
     if (!refused->empty()) return Exit::Wrong;

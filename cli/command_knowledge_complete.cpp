@@ -130,7 +130,7 @@ Exit complete(const KnowledgeCompleteOptions& options, const CommandLine& progra
   auto plan = plan_completion(program.folders.tables(), endpoint, completion, &*cache, errors);
   if (!errors.empty()) return refuse(errors);
   if (options.llm.dry_run) {
-    for (const auto& request : plan.requests) print_line(shown(request));
+    for (const auto& request : plan.requests) print_line(display_text(request));
     print_line(std::to_string(plan.requests.size()) + " requests; nothing was sent");
     return Exit::Ok;
   }
@@ -142,14 +142,14 @@ Exit complete(const KnowledgeCompleteOptions& options, const CommandLine& progra
   const auto report = complete_knowledge(program.folders.tables(), endpoint, completion, &*cache, plan);
   progress.wipe();
   if (!report) return refuse(report.error());
-  if (cache->trouble()) (void)refuse(*cache->trouble());
+  if (cache->failure()) (void)refuse(*cache->failure());
   if (options.json) {
     print_line(json_of(plan, *report, options).dump(2));
   } else {
     print_report(plan, *report, options);
   }
   if (report->stopped) return Exit::Interrupted;
-  return report->failures.empty() && !cache->trouble() ? Exit::Ok : Exit::Wrong;
+  return report->failures.empty() && !cache->failure() ? Exit::Ok : Exit::Wrong;
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ Exit dry_run(const std::filesystem::path& folder, const Resources& resources, co
              const LlmChoice& llm) {
   const auto requests = prompts_for(folder, resources, options);
   if (!requests) return refuse(requests.error());
-  for (const auto& request : with_parameters(*requests, llm)) print_line(shown(request));
+  for (const auto& request : with_parameters(*requests, llm)) print_line(display_text(request));
   print_line(std::to_string(requests->size()) +
              " requests, then one for each text that passes the word checks; nothing was sent");
   return Exit::Ok;
@@ -74,13 +74,13 @@ Exit with_server(const std::filesystem::path& folder, const std::filesystem::pat
   const auto report = annotate_dataset(folder, out, resources, options);
   progress.wipe();
   if (!report) return refuse(report.error());
-  if (cache->trouble()) (void)refuse(*cache->trouble());
+  if (cache->failure()) (void)refuse(*cache->failure());
   print_report(*report);
   print_line("requests   " + std::to_string(totals.asked) + " asked, " + std::to_string(totals.cached) +
              " from the cache, " + std::to_string(totals.failed) + " without an answer");
   print_line(cost_line(totals, llm.price));
   if (program.interrupted != nullptr && program.interrupted->load()) return Exit::Interrupted;
-  return totals.failed == 0 && !cache->trouble() ? Exit::Ok : Exit::Wrong;
+  return totals.failed == 0 && !cache->failure() ? Exit::Ok : Exit::Wrong;
 }
 
 Exit with_batch(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,

@@ -19,7 +19,7 @@ namespace unietp {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kLongestPoll_s = 0.1;  // how late a stop may be noticed
+constexpr double kLongestPoll_s = 0.1;  // longest delay until a stop is noticed
 
 Clock::duration duration_of(double seconds) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::clamp(seconds, 0.0, 1e8)));
@@ -28,23 +28,24 @@ Clock::duration duration_of(double seconds) {
 Error io_error(const std::string& message) { return {Error::Kind::Io, "language model", {}, message}; }
 
 /// A request that is not answered yet.
-struct Open {
-  std::size_t request = 0;  // the first of its equals
+struct PendingRequest {
+  std::size_t request = 0;  // the first of several equal ones
   std::string digest;
   int attempts = 0;
-  bool in_words = false;      // asked without response_format
-  bool refused_form = false;  // the server answered 400 or 422 while asked with it
+  bool in_words = false;      // sent without response_format
+  bool refused_form = false;  // the server answered 400 or 422 to response_format
   double wait_s = 0;
   Rng rng{0};
   LlmAnswer spent;  // tokens of attempts whose answers could not be used
   Clock::time_point not_before{};
-  bool under_way = false;
+  bool in_progress = false;
 };
 
-class Asking {
+/// Sends the requests of one call, with retries, and collects their answers.
+class RequestLoop {
  public:
-  Asking(const LlmEndpoint& endpoint, const std::vector<LlmRequest>& requests, const LlmOptions& options,
-         LlmCache* cache)
+  RequestLoop(const LlmEndpoint& endpoint, const std::vector<LlmRequest>& requests, const LlmOptions& options,
+              LlmCache* cache)
       : endpoint_(endpoint),
         requests_(requests),
         options_(options),
@@ -54,21 +55,21 @@ class Asking {
 
   std::vector<Result<LlmAnswer>> run() {
     const auto end = Clock::now() + duration_of(options_.total_s);
-    open_those_not_cached();
-    while (!open_.empty()) {
+    queue_uncached();
+    while (!pending_.empty()) {
       if (options_.stop != nullptr && *options_.stop) {
-        give_up("stopped before an answer arrived");
+        fail_pending("stopped before an answer arrived");
         break;
       }
       const auto now = Clock::now();
       if (now >= end) {
-        give_up("no answer within " + number_text(options_.total_s) + " s for all requests");
+        fail_pending("no answer within " + number_text(options_.total_s) + " s for all requests");
         break;
       }
-      start_those_ready(now);
+      start_ready(now);
       const double pause =
           std::min(kLongestPoll_s, std::chrono::duration<double>(std::min(next_event(), end) - now).count());
-      for (auto& ended : transport_.wait(std::max(pause, 0.001))) take(std::move(ended));
+      for (auto& ended : transport_.wait(std::max(pause, 0.001))) handle_answer(std::move(ended));
     }
     std::vector<Result<LlmAnswer>> all;
     all.reserve(answers_.size());
@@ -77,33 +78,33 @@ class Asking {
   }
 
  private:
-  void open_those_not_cached() {
+  void queue_uncached() {
     std::map<std::string, std::size_t> first;
     for (std::size_t i = 0; i < requests_.size(); ++i) {
       const auto digest = digest_of(endpoint_, requests_[i]);
       const auto [at, is_new] = first.emplace(digest, i);
-      equals_[at->second].push_back(i);
+      duplicates_[at->second].push_back(i);
       if (!is_new) continue;
-      Open request;
+      PendingRequest request;
       request.request = i;
       request.digest = digest;
       request.wait_s = options_.first_wait_s;
       request.rng = Rng(options_.seed).fork("llm wait", i);
-      open_.push_back(std::move(request));
+      pending_.push_back(std::move(request));
     }
     if (cache_ == nullptr) return;
-    for (const auto& request : std::vector<Open>(open_)) {
+    for (const auto& request : std::vector<PendingRequest>(pending_)) {
       auto kept = cache_->find(request.digest);
       if (kept && json_object_in(kept->text)) finish(request.request, std::move(*kept));
     }
   }
 
-  void start_those_ready(Clock::time_point now) {
+  void start_ready(Clock::time_point now) {
     if (now < all_not_before_) return;
-    for (auto& request : open_) {
-      if (transport_.under_way() >= std::max(1, options_.at_once)) return;
-      if (request.under_way || now < request.not_before) continue;
-      request.under_way = true;
+    for (auto& request : pending_) {
+      if (transport_.in_progress() >= std::max(1, options_.at_once)) return;
+      if (request.in_progress || now < request.not_before) continue;
+      request.in_progress = true;
       ++request.attempts;
       const bool in_words = request.in_words || server_wants_words_;
       request.in_words = in_words;
@@ -114,18 +115,19 @@ class Asking {
 
   Clock::time_point next_event() const {
     auto next = Clock::time_point::max();
-    for (const auto& request : open_) {
-      if (!request.under_way) next = std::min(next, std::max(request.not_before, all_not_before_));
+    for (const auto& request : pending_) {
+      if (!request.in_progress) next = std::min(next, std::max(request.not_before, all_not_before_));
     }
     return next;
   }
 
-  void take(HttpAnswer ended) {
-    const auto at = std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.request == ended.id; });
-    Open& request = *at;
-    request.under_way = false;
-    if (!ended.failure.empty()) return again(request, ended, io_error("no answer: " + ended.failure));
-    if (ended.status >= 200 && ended.status < 300) return take_completion(request, ended);
+  void handle_answer(HttpAnswer ended) {
+    const auto at =
+        std::find_if(pending_.begin(), pending_.end(), [&](const PendingRequest& o) { return o.request == ended.id; });
+    PendingRequest& request = *at;
+    request.in_progress = false;
+    if (!ended.failure.empty()) return retry(request, ended, io_error("no answer: " + ended.failure));
+    if (ended.status >= 200 && ended.status < 300) return handle_completion(request, ended);
     const bool refuses_form = (ended.status == 400 || ended.status == 422) && !request.in_words;
     if (refuses_form) {
       request.in_words = true;
@@ -134,37 +136,37 @@ class Asking {
       return;
     }
     auto message = "no answer: status " + std::to_string(ended.status);
-    const auto complaint = complaint_in(ended.body, endpoint_.key);
-    if (!complaint.empty()) message += ", \"" + complaint + "\"";
+    const auto message_of_server = error_message_in(ended.body, endpoint_.key);
+    if (!message_of_server.empty()) message += ", \"" + message_of_server + "\"";
     const bool passes = ended.status == 408 || ended.status == 425 || ended.status == 429 || ended.status >= 500;
-    if (passes) return again(request, ended, io_error(message));
+    if (passes) return retry(request, ended, io_error(message));
     finish(request.request, after(request, io_error(message)));
   }
 
-  void take_completion(Open& request, const HttpAnswer& ended) {
+  void handle_completion(PendingRequest& request, const HttpAnswer& ended) {
     auto read = read_completion(ended.body, endpoint_.key);
     if (!read) {
       const LlmAnswer usage = usage_in(ended.body);
       request.spent.prompt_tokens += usage.prompt_tokens;
       request.spent.completion_tokens += usage.completion_tokens;
       request.in_words = true;  // a server may ignore response_format
-      return again(request, ended, read.error());
+      return retry(request, ended, read.error());
     }
-    if (request.refused_form) server_wants_words_ = true;  // it was the form that it refused, not the request
+    if (request.refused_form) server_wants_words_ = true;  // the server rejected response_format, not the request
     read->prompt_tokens += request.spent.prompt_tokens;
     read->completion_tokens += request.spent.completion_tokens;
     read->attempts = request.attempts;
-    if (cache_ != nullptr) cache_->keep(request.digest, endpoint_.model, *read);
+    if (cache_ != nullptr) cache_->store(request.digest, endpoint_.model, *read);
     finish(request.request, std::move(*read));
   }
 
-  static Error after(const Open& request, Error reason) {
+  static Error after(const PendingRequest& request, Error reason) {
     reason.message += " after " + std::to_string(request.attempts) + (request.attempts == 1 ? " attempt" : " attempts");
     return reason;
   }
 
-  /// Waits and tries once more, or ends the request with the reason.
-  void again(Open& request, const HttpAnswer& ended, const Error& reason) {
+  /// Schedules another attempt, or ends the request with the reason.
+  void retry(PendingRequest& request, const HttpAnswer& ended, const Error& reason) {
     if (request.attempts >= options_.max_attempts) return finish(request.request, after(request, reason));
     const auto asked = retry_after_s(ended.retry_after, ended.date);
     const double wait = std::min(asked.value_or(request.wait_s * (1 + request.rng.unit())), options_.longest_wait_s);
@@ -174,16 +176,16 @@ class Asking {
   }
 
   void finish(std::size_t first, Result<LlmAnswer> answer) {
-    std::erase_if(open_, [&](const Open& o) { return o.request == first; });
-    for (const std::size_t i : equals_[first]) {
+    std::erase_if(pending_, [&](const PendingRequest& o) { return o.request == first; });
+    for (const std::size_t i : duplicates_[first]) {
       answers_[i] = answer;
       if (options_.on_answer) options_.on_answer(i, answer);
-      if (answer) answer->cached = true;  // for its equals, which cost nothing more
+      if (answer) answer->cached = true;  // for the equal requests, which cost nothing
     }
   }
 
-  void give_up(const std::string& reason) {
-    while (!open_.empty()) finish(open_.front().request, io_error(reason));
+  void fail_pending(const std::string& reason) {
+    while (!pending_.empty()) finish(pending_.front().request, io_error(reason));
   }
 
   const LlmEndpoint& endpoint_;
@@ -192,14 +194,14 @@ class Asking {
   LlmCache* cache_;
   std::vector<std::optional<Result<LlmAnswer>>> answers_;
   Transport transport_;
-  std::vector<Open> open_;                                  // in request order
-  std::map<std::size_t, std::vector<std::size_t>> equals_;  // by the first of them
+  std::vector<PendingRequest> pending_;                         // in request order
+  std::map<std::size_t, std::vector<std::size_t>> duplicates_;  // by the first of them
   Clock::time_point all_not_before_{};
   bool server_wants_words_ = false;
 };
 
-/// What no attempt could mend.
-std::optional<Error> wrong_with(const LlmEndpoint& endpoint) {
+/// An error that no retry can fix.
+std::optional<Error> endpoint_error(const LlmEndpoint& endpoint) {
   const auto usage = [](const std::string& message) {
     return Error{Error::Kind::Usage, "language model", {}, message};
   };
@@ -231,15 +233,15 @@ std::string digest_of(const LlmEndpoint& endpoint, const LlmRequest& request) {
   return sha256("unietp-llm/1 " + shape.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-std::string shown(const LlmRequest& request) {
+std::string display_text(const LlmRequest& request) {
   return "system:\n" + request.system + "\n\nuser:\n" + request.user + "\n\nform of the answer (" + request.name +
          "):\n" + request.schema + "\n";
 }
 
 std::vector<Result<LlmAnswer>> ask_all(const LlmEndpoint& endpoint, const std::vector<LlmRequest>& requests,
                                        const LlmOptions& options, LlmCache* cache) {
-  if (const auto wrong = wrong_with(endpoint)) return std::vector<Result<LlmAnswer>>(requests.size(), *wrong);
-  return Asking(endpoint, requests, options, cache).run();
+  if (const auto wrong = endpoint_error(endpoint)) return std::vector<Result<LlmAnswer>>(requests.size(), *wrong);
+  return RequestLoop(endpoint, requests, options, cache).run();
 }
 
 LlmTotals totals_of(const std::vector<Result<LlmAnswer>>& answers) {

@@ -16,10 +16,10 @@ using Pointer = Json::json_pointer;
 
 constexpr const char* kPath = "/v1/chat/completions";
 
-/// A cached answer costs nothing now: it was paid for when the batch ran.
+/// Marked as cached, since it was paid for when the batch ran.
 Result<LlmAnswer> answer_in(const Json& line) {
   const auto failed = [](const std::string& message) {
-    return Error{Error::Kind::Io, "batch answer", {}, plain_line(message, kLongestComplaint)};
+    return Error{Error::Kind::Io, "batch answer", {}, plain_line(message, kLongestErrorMessage)};
   };
   const Pointer body("/response/body");
   if (!line.contains(body) || !line.at(body).is_object()) {
@@ -29,7 +29,7 @@ Result<LlmAnswer> answer_in(const Json& line) {
   const Pointer status("/response/status_code");
   const auto text = line.at(body).dump(-1, ' ', false, Json::error_handler_t::replace);
   if (line.contains(status) && line.at(status) != 200)
-    return failed("status " + line.at(status).dump() + " " + complaint_in(text, ""));
+    return failed("status " + line.at(status).dump() + " " + error_message_in(text, ""));
   auto answer = read_completion(text, "");
   if (answer) answer->attempts = 1;
   return answer;
@@ -87,7 +87,7 @@ void read_batch_answers(std::string_view where, std::string_view text, BatchAnsw
     if (found == into.by_id.end()) {
       into.by_id.emplace(id, std::move(answer));
     } else if (answer && (!found->second || answer->text < found->second->text)) {
-      found->second = std::move(answer);  // whichever file is read first
+      found->second = std::move(answer);  // in any order of the files
     }
   }
 }

@@ -11,13 +11,13 @@
 
 namespace unietp {
 
-/// What a provider's batch service takes and gives: files of JSON lines, one request or answer a line, each answer with
+/// Files of a provider's batch service: JSON lines, one request or answer a line, each answer with
 /// the `custom_id` of its request. A request's id is its digest, so that equal requests are one and answers find their
 /// requests in any later run.
 inline constexpr std::size_t kBatchLines = 50'000;                  // requests in a file, the provider's limit
 inline constexpr std::size_t kBatchBytes = std::size_t{190} << 20;  // of a file; the provider's limit is 200 MB
 
-/// The endpoint that batch requests are digested with: they name a path and no host.
+/// The endpoint for the digests of batch requests, which name a path and no host.
 LlmEndpoint batch_endpoint(std::string model);
 
 /// One line, without its end. The key is no part of it.
@@ -33,9 +33,10 @@ std::vector<std::string> batch_files(const std::vector<std::string>& lines, std:
 /// Answers by request id, in whatever order and files they came. An answer wins over a failure for the same request.
 struct BatchAnswers {
   std::map<std::string, Result<LlmAnswer>> by_id;  // errors: Io, what the service says; Schema, no usable answer
-  std::map<std::string, int> failures;             // how often a request was given up
-  std::vector<Error> unreadable;                   // lines that are no answers, with file and line
+  std::map<std::string, int> failures;             // number of failures by request
+  std::vector<Error> unreadable;                   // lines that cannot be read, with file and line
 };
+/// Adds the answers of a file's text; `where` names it in errors.
 void read_batch_answers(std::string_view where, std::string_view text, BatchAnswers& into);
 
 }  // namespace unietp

@@ -35,8 +35,8 @@ Result<LlmCache> LlmCache::open(const std::filesystem::path& path) {
   }
 }
 
-void LlmCache::note(const std::exception& failure) {
-  if (!trouble_) trouble_ = io_error(path_, failure.what());
+void LlmCache::record_failure(const std::exception& exception) {
+  if (!failure_) failure_ = io_error(path_, exception.what());
 }
 
 std::optional<LlmAnswer> LlmCache::find(const std::string& digest) {
@@ -47,12 +47,12 @@ std::optional<LlmAnswer> LlmCache::find(const std::string& digest) {
     return LlmAnswer{std::string(query.text(0)), query.integer(1), query.integer(2), static_cast<int>(query.integer(3)),
                      true};
   } catch (const std::exception& failure) {
-    note(failure);
+    record_failure(failure);
     return std::nullopt;
   }
 }
 
-void LlmCache::keep(const std::string& digest, const std::string& model, const LlmAnswer& answer) {
+void LlmCache::store(const std::string& digest, const std::string& model, const LlmAnswer& answer) {
   try {
     auto insert = file_.prepare("INSERT OR IGNORE INTO answer VALUES(?,?,?,?,?,?)");
     insert.bind(1, std::string_view(digest));
@@ -63,7 +63,7 @@ void LlmCache::keep(const std::string& digest, const std::string& model, const L
     insert.bind(6, std::int64_t{answer.attempts});
     insert.step();
   } catch (const std::exception& failure) {
-    note(failure);
+    record_failure(failure);
   }
 }
 

@@ -10,8 +10,8 @@
 
 namespace unietp {
 
-/// Answers of language models in a SQLite file, by the digest of what shaped them. An answer that was kept survives a
-/// kill of the process. Several processes may use one file; one value is for one thread.
+/// Answers of language models in a SQLite file, by the digest of their request. A stored answer survives a kill of the
+/// process. Several processes may use one file; one value is for one thread.
 class LlmCache {
  public:
   /// Makes the file, and its folder, when it is not there. Errors: Io, also when the file is something else.
@@ -19,18 +19,18 @@ class LlmCache {
 
   /// The answer, marked as cached; nothing when there is none.
   std::optional<LlmAnswer> find(const std::string& digest);
-  /// Keeps an answer; a digest that is there keeps its first.
-  void keep(const std::string& digest, const std::string& model, const LlmAnswer& answer);
-  /// The first failure of find or keep (a full disk, say). Answers then still arrive, but may be asked again.
-  const std::optional<Error>& trouble() const { return trouble_; }
+  /// Stores an answer; an existing one of the digest is kept.
+  void store(const std::string& digest, const std::string& model, const LlmAnswer& answer);
+  /// The first failure of find or store (a full disk, say). Answers still arrive, but may be requested again.
+  const std::optional<Error>& failure() const { return failure_; }
 
  private:
   LlmCache(std::filesystem::path path, SqliteFile file) : path_(std::move(path)), file_(std::move(file)) {}
-  void note(const std::exception& failure);
+  void record_failure(const std::exception& exception);
 
   std::filesystem::path path_;
   SqliteFile file_;
-  std::optional<Error> trouble_;
+  std::optional<Error> failure_;
 };
 
 }  // namespace unietp

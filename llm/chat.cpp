@@ -20,7 +20,7 @@ std::int64_t count_at(const Json& json, const char* pointer) {
   return std::clamp<std::int64_t>(json.at(at).get<std::int64_t>(), 0, limits::kAnswerTokens);
 }
 
-/// A server may spell the key with escapes, so the strings are looked at after they are read.
+/// Checks parsed strings, since a server may write the key with escapes.
 bool repeats(const Json& json, std::string_view key) {
   if (key.empty()) return false;
   if (json.is_string()) return json.get_ref<const std::string&>().find(key) != std::string::npos;
@@ -82,11 +82,11 @@ LlmAnswer usage_in(std::string_view body) {
   return usage;
 }
 
-std::string complaint_in(std::string_view body, std::string_view key) {
+std::string error_message_in(std::string_view body, std::string_view key) {
   const Json outer = foreign_json(body);
   for (const char* place : {"/error/message", "/error", "/message", "/detail"}) {
     const auto message = text_at(outer, place);
-    if (!message.empty()) return plain_line(redacted(message, key), kLongestComplaint);
+    if (!message.empty()) return plain_line(redacted(message, key), kLongestErrorMessage);
   }
   return {};
 }

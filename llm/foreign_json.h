@@ -7,9 +7,9 @@
 
 namespace unietp {
 
-inline constexpr std::size_t kLongestComplaint = 200;  // bytes of a server's message that are shown
+inline constexpr std::size_t kLongestErrorMessage = 200;  // bytes of a server's message that are shown
 
-/// The JSON of a text that came from outside; discarded when it is none or nested over 64 deep.
+/// Parses JSON from a server; discarded when it is invalid or nested over 64 deep.
 nlohmann::json foreign_json(std::string_view text);
 
 /// The string at a JSON pointer; empty when there is none.

@@ -11,10 +11,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kMostStarts = 64;  // brackets of prose that are tried, so that no text takes long
+constexpr int kMostStarts = 64;  // opening brackets that are tried, to bound the time
 
-/// Walks JSON bytes and knows whether they stand in a string.
-class Strings {
+/// Tracks whether the current byte of a JSON text is inside a string.
+class StringTracker {
  public:
   bool inside(char c) {
     if (!in_string_) return in_string_ = c == '"';
@@ -34,7 +34,7 @@ class Strings {
 
 /// Bytes up to the bracket that closes the one in front; 0 when none does.
 std::size_t balanced_length(std::string_view text) {
-  Strings strings;
+  StringTracker strings;
   int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (strings.inside(text[i])) continue;
@@ -51,7 +51,7 @@ bool is_object(std::string_view text) {
 }  // namespace
 
 bool nested_too_deep(std::string_view json) {
-  Strings strings;
+  StringTracker strings;
   int now = 0;
   for (const char c : json) {
     if (strings.inside(c)) continue;

@@ -7,7 +7,7 @@
 namespace unietp {
 namespace {
 
-constexpr std::size_t kTelling = 8;  // bytes of a key that are too many to show
+constexpr std::size_t kTelling = 8;  // a part of a key this long, in bytes, is redacted
 
 /// Length of the longest part of `secret` that `text` begins with.
 std::size_t part_at_front(std::string_view text, std::string_view secret) {

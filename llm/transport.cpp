@@ -64,7 +64,7 @@ struct Transport::Impl {
   long attempt_ms;
   std::unique_ptr<curl_slist, ListEnd> headers;
   std::unique_ptr<CURLM, MultiEnd> multi;
-  std::map<CURL*, std::unique_ptr<Transfer>> transfers;  // found by handle, never iterated into an output
+  std::map<CURL*, std::unique_ptr<Transfer>> transfers;  // by handle; never iterated into output
 
   void add_header(const std::string& line) {
     curl_slist* longer = curl_slist_append(headers.get(), line.c_str());
@@ -75,12 +75,12 @@ struct Transport::Impl {
 };
 
 Transport::Transport(const LlmEndpoint& endpoint, double attempt_s) : impl_(std::make_unique<Impl>()) {
-  static std::once_flag started;  // libcurl's own set-up is not safe from two threads
+  static std::once_flag started;  // curl_global_init is not thread-safe
   std::call_once(started, [] { curl_global_init(CURL_GLOBAL_DEFAULT); });
   impl_->endpoint = endpoint;
   impl_->attempt_ms = milliseconds(attempt_s);
   impl_->add_header("Content-Type: application/json");
-  impl_->add_header("Expect:");  // no pause before long prompts
+  impl_->add_header("Expect:");  // no delay before long prompts
   if (!endpoint.key.empty()) impl_->add_header("Authorization: Bearer " + endpoint.key);
   impl_->multi.reset(curl_multi_init());
   if (impl_->multi == nullptr) throw std::runtime_error("libcurl: out of memory");
@@ -90,7 +90,7 @@ Transport::~Transport() {
   for (const auto& [easy, transfer] : impl_->transfers) curl_multi_remove_handle(impl_->multi.get(), easy);
 }
 
-int Transport::under_way() const { return static_cast<int>(impl_->transfers.size()); }
+int Transport::in_progress() const { return static_cast<int>(impl_->transfers.size()); }
 
 void Transport::start(std::size_t id, std::string body) {
   auto transfer = std::make_unique<Transfer>();
@@ -118,7 +118,7 @@ void Transport::start(std::size_t id, std::string body) {
 std::vector<HttpAnswer> Transport::wait(double seconds) {
   int running = 0;
   curl_multi_perform(impl_->multi.get(), &running);
-  const bool something_ended = running < under_way();
+  const bool something_ended = running < in_progress();
   if (!something_ended) {
     curl_multi_poll(impl_->multi.get(), nullptr, 0, static_cast<int>(milliseconds(seconds)), nullptr);
     curl_multi_perform(impl_->multi.get(), &running);
@@ -127,7 +127,7 @@ std::vector<HttpAnswer> Transport::wait(double seconds) {
   int left = 0;
   while (const CURLMsg* message = curl_multi_info_read(impl_->multi.get(), &left)) {
     CURL* easy = message->easy_handle;
-    const CURLcode code = message->data.result;  // read before the handle goes, and the message with it
+    const CURLcode code = message->data.result;  // read before the handle is removed, which frees the message
     const auto found = impl_->transfers.find(easy);
     auto& transfer = *found->second;
     curl_easy_getinfo(easy, CURLINFO_RESPONSE_CODE, &transfer.answer.status);

@@ -11,13 +11,13 @@ namespace unietp {
 /// How one HTTP attempt ended.
 struct HttpAnswer {
   std::size_t id = 0;
-  std::string failure;  // why there is no whole answer, without the key; "" when there is one
+  std::string failure;  // why there is no complete answer, without the key; "" when there is one
   long status = 0;
   std::string body, retry_after, date;
 };
 
-/// Sends POST requests side by side from one thread. Follows no redirects, so the key goes to the one host that was
-/// named. What is under way when this value goes is given up.
+/// Sends concurrent POST requests from one thread. Follows no redirects, so that the key is sent to one host only. The
+/// destructor abandons requests in progress.
 class Transport {
  public:
   /// attempt_s bounds each attempt, in seconds.
@@ -26,9 +26,11 @@ class Transport {
   Transport(const Transport&) = delete;
   Transport& operator=(const Transport&) = delete;
 
+  /// Sends a request; `id` returns in its answer.
   void start(std::size_t id, std::string body);
-  int under_way() const;
-  /// Waits until something ends, at most that long, and gives what ended.
+  /// Number of requests in progress.
+  int in_progress() const;
+  /// Waits at most that long until requests end, and returns those that ended.
   std::vector<HttpAnswer> wait(double seconds);
 
  private:

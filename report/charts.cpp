@@ -131,7 +131,7 @@ BarChart causes_chart(const DatasetStatistics& set) {
   return chart;
 }
 
-/// Templates that lost most candidates: what was kept, and at which stage the others ended.
+/// The templates with the most rejected candidates: accepted ones, and the stage that rejected the others.
 BarChart funnel_chart(const DatasetStatistics& set) {
   std::vector<const FunnelRow*> rows;
   for (const FunnelRow& row : set.funnel) rows.push_back(&row);

@@ -9,7 +9,8 @@
 
 namespace unietp {
 
-/// Bars that assets/report.js draws with Chart.js; the table of figure_table.h that has the same figures stands behind.
+/// Bars that assets/report.js draws with Chart.js; the table of figure_table.h with the same figures is shown on
+/// request.
 struct BarChart {
   std::string id, title, note;
   std::string table;  // id of the table
@@ -23,14 +24,17 @@ struct BarChart {
   bool horizontal = false, stacked = false, wide = false;
 };
 
+/// Charts under one heading of the page.
 struct ChartSection {
   std::string id, title, lead;
   std::vector<BarChart> charts;
 };
+/// All charts of a data set, in the order of the page.
 std::vector<ChartSection> chart_sections(const DatasetStatistics& statistics);
 
+/// As assets/report.js reads it.
 nlohmann::ordered_json to_json(const BarChart& chart);
-/// Pixels.
+/// Height on the page, pixels.
 int height_of(const BarChart& chart);
 
 }  // namespace unietp

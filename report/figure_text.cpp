@@ -7,7 +7,7 @@
 namespace unietp {
 namespace {
 
-/// Letters that a terminal shows, for texts of our tables.
+/// Columns that a text takes on a terminal.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));

@@ -7,15 +7,15 @@
 
 namespace unietp {
 
-/// A line of a goal as people read it, and how far it stands inside the lines above.
+/// A line of a goal in words, and its indentation.
 struct ProseLine {
   int depth = 0;
   std::string text;
   bool operator==(const ProseLine&) const = default;
 };
 
-/// A goal said word by word, as a logician reads it out: "for some mug a", "at the end: a is on b". Nothing is left out
-/// or taken together, and no instruction's wording enters it, so that people can hold an instruction against it.
+/// A goal operator by operator, as a logician would read it out: "for some mug a", "at the end: a is on b". Nothing is
+/// left out or summarized, and it shares no wording with instructions, so that people can compare the two.
 std::vector<ProseLine> goal_prose(const Formula& goal);
 
 /// "HandTowel", "coffee_table.n.01": "hand towel", "coffee table".

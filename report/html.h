@@ -7,13 +7,13 @@
 
 namespace unietp {
 
-/// Text as it may stand in an element or in a quoted attribute.
+/// Text escaped for an element or a quoted attribute.
 std::string escaped_html(std::string_view text);
-/// JSON as it may stand in a script element: no "<" is left in it, so that nothing in a text can end the element.
+/// JSON escaped for a script element: without "<", so that no text can end the element.
 std::string json_in_html(std::string json);
 
-/// A page that needs nothing but itself. Its policy lets no script run but its own and nothing be fetched, whatever a
-/// data set's texts say.
+/// A self-contained page. Its content security policy allows its own scripts only and no requests, whatever the texts
+/// of a data set contain.
 struct HtmlPage {
   std::string title;
   std::vector<std::string_view> styles;
@@ -21,6 +21,7 @@ struct HtmlPage {
   std::vector<std::pair<std::string, std::string>> data;  // id, text of script elements that are not run
   std::vector<std::string_view> scripts;                  // in order, run as one
 };
+/// The whole page.
 std::string to_html(const HtmlPage& page);
 
 }  // namespace unietp

@@ -35,8 +35,8 @@ std::string html_of(const FigureTable& table) {
   return html + "</tbody></table></div>";
 }
 
-/// What a chart shows, for those who do not see it.
-std::string spoken(const BarChart& chart) {
+/// Description of a chart for screen readers.
+std::string aria_label(const BarChart& chart) {
   std::string text = "Bar chart: " + chart.title + ".";
   for (const auto& series : chart.series) {
     if (series.values.empty()) continue;
@@ -52,7 +52,7 @@ std::string html_of(const BarChart& chart, const FigureTable& table) {
                      escaped_html(chart.title);
   if (!chart.note.empty()) html += "<span class=\"small\">" + escaped_html(chart.note) + "</span>";
   html += "</figcaption><div class=\"plot\" style=\"height:" + std::to_string(height_of(chart)) +
-          "px\"><canvas id=\"chart-" + chart.id + "\" role=\"img\" aria-label=\"" + escaped_html(spoken(chart)) +
+          "px\"><canvas id=\"chart-" + chart.id + "\" role=\"img\" aria-label=\"" + escaped_html(aria_label(chart)) +
           "\"></canvas></div>";
   return html + "<details><summary>Table</summary>" + html_of(table) + "</details></figure>";
 }
@@ -105,7 +105,7 @@ std::vector<std::size_t> example_tasks(const FinishedSet& set, std::size_t count
   for (std::size_t round = 0; chosen.size() < count; ++round) {
     std::size_t number = 0;
     for (const auto& [key, tasks] : groups) {
-      // Groups begin at different places, so that their first examples are not of the same homes and templates.
+      // Groups start at different offsets, so that their first examples differ in home and template.
       const std::size_t offset = tasks.size() * number++ / groups.size();
       if (round < tasks.size() && chosen.size() < count) chosen.push_back(tasks[(offset + round) % tasks.size()]);
     }

@@ -9,17 +9,18 @@
 
 namespace unietp {
 
-/// Positions in `set.tasks` of examples: of each simulator and split one after the other, spread over the file, until
-/// there are `count`. Deterministic.
+/// Positions in `set.tasks` of `count` examples: round-robin over simulators and splits, spread over the file.
+/// Deterministic.
 std::vector<std::size_t> example_tasks(const FinishedSet& set, std::size_t count);
 
+/// A task shown on the page.
 struct ReportExample {
   const TaskRecord* task = nullptr;
   std::vector<PlanCard> plans;
   StartPictures pictures;
 };
 
-/// One self-contained page: the figures of stats as charts with the tables behind them, and examples to page through.
+/// One self-contained page: the figures of `unietp stats` as charts and tables, and examples to page through.
 std::string report_page(const DatasetStatistics& statistics, const std::vector<ReportExample>& examples);
 
 }  // namespace unietp

@@ -8,15 +8,16 @@
 
 namespace unietp {
 
+/// The verdict of a reviewer.
 enum class Judgement { Accept, Reject, Edit };
 std::string_view name_of(Judgement judgement);  // "accept"
 
-/// What a person says of a task.
+/// A person's review of a task.
 struct Review {
   std::string task;
   Judgement judgement = Judgement::Accept;
   std::string instruction;  // that was judged
-  std::string text;         // the right wording; of an edit only
+  std::string text;         // the corrected instruction; of an edit only
   std::string comment;
   bool operator==(const Review&) const = default;
 };

@@ -17,9 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kChunk = 24;  // tasks that are packed together
+constexpr std::size_t kChunk = 24;  // tasks that are compressed together
 
-/// Elements of a drawing, each once, and drawings as runs of them: first, length, first, length, …
+/// The distinct elements of all drawings, and each drawing as runs of them: first, length, first, length, …
 class Drawings {
  public:
   Json add(const std::string& svg) {

@@ -88,7 +88,7 @@ Evenness evenness_of(const std::string& dimension, const Tally& tasks) {
   return even;
 }
 
-/// Rooms, objects and categories of each home, as its first task begins.
+/// Rooms, objects and categories of each home, in the start of its first task.
 Result<Done> count_homes(const FinishedSet& set, int threads, DatasetStatistics& statistics,
                          std::map<std::string, std::set<std::string>>& in_homes) {
   std::map<std::string, const TaskRecord*> first;  // of a home

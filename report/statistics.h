@@ -10,9 +10,10 @@
 
 namespace unietp {
 
+/// Counts by name.
 using Tally = std::map<std::string, int>;
 
-/// How often each whole number came.
+/// How often each integer occurred.
 struct Histogram {
   std::map<int, int> counts;
   void add(int value) { ++counts[value]; }
@@ -23,7 +24,7 @@ struct Histogram {
   int most() const;
 };
 
-/// What became of the candidates of one template.
+/// The candidates of one template: accepted ones, and causes of rejection.
 struct FunnelRow {
   std::string template_name;
   int accepted = 0;
@@ -31,24 +32,24 @@ struct FunnelRow {
   int candidates() const;
 };
 
-/// How evenly the tasks lie over the values of a dimension.
+/// How evenly the tasks are distributed over the values of a dimension.
 struct Evenness {
   std::string dimension;
   Tally tasks;            // by value
   double effective = 0;   // 1 / sum of squared shares, as in the manifest
-  double by_entropy = 0;  // exp of the entropy: as many equally frequent values would be as surprising
+  double by_entropy = 0;  // exp of the entropy: the number of equally frequent values with that entropy
   double variation = 0;   // standard deviation of the counts over their mean
 };
 
-/// How much of what a simulator's knowledge base has occurs.
+/// How many categories of a simulator's knowledge base occur.
 struct CategoryCoverage {
   std::string simulator;
   int known = 0;     // categories of the knowledge base
   int handled = 0;   // that some task's template is bound to
-  int in_homes = 0;  // that stand in some home; those handled are among them
+  int in_homes = 0;  // that are in some home, handled ones included
 };
 
-/// Figures of a finished data set. Every count is one of tasks, unless it says otherwise.
+/// Figures of a finished data set. Counts are of tasks unless stated otherwise.
 struct DatasetStatistics {
   std::string name;
   int tasks = 0;
@@ -64,7 +65,7 @@ struct DatasetStatistics {
   std::vector<FunnelRow> funnel;                  // templates with candidates, in order of name
   std::vector<CategoryCoverage> coverage;         // simulators that have tasks, in the order of kSimulators
   int homes = 0;
-  Histogram rooms, objects;        // of a home, in the start of its first task; objects that can be moved or not
+  Histogram rooms, objects;        // per home, in the start of its first task; movable and fixed objects
   std::vector<Evenness> evenness;  // in order of dimension's name
 
   int candidates() const;

@@ -11,7 +11,7 @@
 
 namespace unietp {
 
-/// A demonstration as people read it.
+/// A demonstration for display.
 struct PlanCard {
   struct Step {
     std::string text;  // "pick_up(mug_1)"
@@ -22,18 +22,19 @@ struct PlanCard {
   std::vector<Step> steps;
 };
 
-/// The demonstrations of each task, a plan a mode. Errors: those of read_demonstrations.
+/// The demonstrations of each task, one plan per mode. Errors: those of read_demonstrations.
 Result<std::vector<std::vector<PlanCard>>> plans_of(const FinishedSet& set, int threads);
 
 /// The start of a task as pictures.
 struct StartPictures {
   std::string svg;  // from above, without line ends
-  std::string png;  // what the agent sees, in few colours
+  std::string png;  // what the agent sees, with a reduced palette
 };
 /// `width`: of the PNG in pixels, at most the camera's. Deterministic. Errors: those of reading the scene.
 Result<StartPictures> pictures_of(const FinishedSet& set, const TaskRecord& task, const Profile& profile, int width);
 
-/// What assets/task.js shows beside id, simulator, split, template, instruction and drawing: goal, plans, view, …
+/// What assets/task.js shows in addition to id, simulator, split, template, instruction and drawing: goal, plans, view,
+/// …
 nlohmann::ordered_json card_json(const TaskRecord& task, const std::vector<PlanCard>& plans, const std::string& png);
 
 }  // namespace unietp

@@ -11,18 +11,18 @@
 
 namespace unietp {
 
-/// Slots of a block, and the ledger that has their candidates.
+/// Slots of a finished block, and the ledger that has their candidates.
 struct FilledBlock {
   int first = 0, slots = 0;
   Ledger* ledger = nullptr;
 };
 
-/// Adds the tasks of one block, and why its other candidates were given up. Blocks come in the order of the run.
+/// Adds the tasks of one block and the rejections of its other candidates. Blocks must come in the order of the run.
 /// Errors: Io.
 Result<Done> add_block(DatasetWriter& writer, const FilledBlock& block, int attempts);
 
 /// Writes the data set that the ledgers hold to an empty folder. `blocks` are all blocks of the run, in order; of
-/// `resources` only the knowledge and its digest are read. Equal ledgers give equal bytes, whoever filled them. Errors:
+/// `resources` only the knowledge and its digest are read. Equal ledgers give equal bytes. Errors:
 /// Io.
 Result<Done> assemble(const std::filesystem::path& folder, const RunConfiguration& configuration,
                       const Resources& resources, const std::filesystem::path& licences,

@@ -9,12 +9,12 @@
 namespace unietp {
 
 BlockRun::BlockRun(const RunConfiguration& configuration, const Resources& resources, const Block& block,
-                   Ledger& ledger, const BlockNews& news)
+                   Ledger& ledger, const BlockCallbacks& callbacks)
     : configuration_(configuration),
       resources_(resources),
       block_(block),
       ledger_(ledger),
-      news_(news),
+      callbacks_(callbacks),
       layouts_(configuration, resources, block.homes),
       planner_(configuration, resources, layouts_, block.slots),
       selection_(block.first(), block.slots.size()),
@@ -37,7 +37,7 @@ bool BlockRun::is_complete() const {
   return std::all_of(open.begin(), open.end(), was_tried_last);
 }
 
-void BlockRun::keep(CandidateRecord record, const StageCosts& costs) {
+void BlockRun::add_to_ledger(CandidateRecord record, const StageCosts& costs) {
   const auto added = ledger_.add(record, costs);
   const std::scoped_lock lock(mutex_);
   if (!added) {
@@ -46,7 +46,7 @@ void BlockRun::keep(CandidateRecord record, const StageCosts& costs) {
   }
   ++tried_;
   if (record.accepted) ++accepted_;
-  if (news_.tried) news_.tried(record.accepted);
+  if (callbacks_.on_candidate) callbacks_.on_candidate(record.accepted);
   rounds_[static_cast<std::size_t>(attempt_)].push_back(outline_of(std::move(record)));
 }
 
@@ -62,7 +62,7 @@ void BlockRun::draw_home(std::size_t which) {
       if (!kept) failure_ = kept.error();
     }
   }
-  news_.spent(costs);
+  callbacks_.on_costs(costs);
 }
 
 void BlockRun::try_plan(const CandidatePlan& plan) {
@@ -72,9 +72,9 @@ void BlockRun::try_plan(const CandidatePlan& plan) {
   StageTimer timer(&costs, Stage::Writing);
   auto record = record_of(made);
   timer.enter(Stage::Ledger);
-  keep(std::move(record), costs);
+  add_to_ledger(std::move(record), costs);
   timer.stop();
-  news_.spent(costs);
+  callbacks_.on_costs(costs);
 }
 
 void BlockRun::work(std::size_t piece) {
@@ -93,8 +93,8 @@ void BlockRun::end_round() {
 
 Result<std::size_t> BlockRun::next_batch() {
   if (failure_) return *failure_;
-  if (!begun_) {
-    begun_ = true;
+  if (!started_) {
+    started_ = true;
     auto outlines = ledger_.outlines(block_.first(), static_cast<int>(block_.slots.size()));
     if (!outlines) return outlines.error();
     for (auto& outline : *outlines) {
@@ -106,7 +106,7 @@ Result<std::size_t> BlockRun::next_batch() {
                          std::to_string(outline.attempt) + " of " + std::to_string(configuration_.attempts)};
       rounds_[static_cast<std::size_t>(outline.attempt)].push_back(std::move(outline));
     }
-    if (is_complete()) {  // by an earlier process: neither homes nor plans are needed again
+    if (is_complete()) {  // by an earlier process, so neither homes nor plans are needed
       selection_.offer_all(this->outlines());
       return std::size_t{0};
     }
@@ -119,13 +119,14 @@ Result<std::size_t> BlockRun::next_batch() {
   while (++attempt_ < configuration_.attempts) {
     const auto open = selection_.open_slots();
     if (open.empty()) break;
-    // Plans are made for all open slots, also those whose candidate an earlier process made: they count for the others.
+    // Plans are made for all open slots, also those whose candidate an earlier process made, since they count for the
+    // balance of the others.
     StageCosts costs;
     {
       const StageTimer timer(&costs, Stage::Planning);
       plans_ = planner_.round(open, attempt_, taken_);
     }
-    news_.spent(costs);
+    callbacks_.on_costs(costs);
     const Round& found = rounds_[static_cast<std::size_t>(attempt_)];
     std::erase_if(plans_, [&](const CandidatePlan& plan) {
       return std::any_of(found.begin(), found.end(), [&](const auto& one) { return one.slot == plan.slot; });

@@ -14,51 +14,52 @@
 
 namespace unietp {
 
-/// Whom a block tells what it does, from several threads; no part of it reaches the data set.
-struct BlockNews {
-  std::function<void(const StageCosts&)> spent;
-  std::function<void(bool accepted)> tried;  // a candidate, now
+/// Callbacks of a block while it is filled, called from several threads. They do not affect the data set.
+struct BlockCallbacks {
+  std::function<void(const StageCosts&)> on_costs;  // time spent since the last call
+  std::function<void(bool accepted)> on_candidate;  // a candidate is finished
 };
 
 /// Fills a block's slots in batches of work: first its homes, then attempt k of all open slots; after each attempt
-/// duplicates are turned away in slot order. The pieces of a batch may be done by any threads in any order, so neither
-/// threads nor a kill change what becomes of the block.
+/// duplicates are rejected in slot order. The pieces of a batch may be done by any threads in any order, so neither the
+/// number of threads nor a killed process changes the result.
 class BlockRun {
  public:
   /// All must outlive it.
   BlockRun(const RunConfiguration& configuration, const Resources& resources, const Block& block, Ledger& ledger,
-           const BlockNews& news);
+           const BlockCallbacks& callbacks);
 
-  /// Ends the batch before, all of whose pieces are done, and says how many the next one has; 0 when all slots are
-  /// filled or were tried as often as they may be. Goes on from what the ledger has. One thread at a time. Errors: Io
-  /// of the ledger.
+  /// Ends the previous batch, all of whose pieces are done, and gives the number of pieces of the next one; 0 when all
+  /// slots are filled or have used up their attempts. Continues from what the ledger has. One thread at a time. Errors:
+  /// Io of the ledger.
   Result<std::size_t> next_batch();
   /// Does one piece of the batch. Several threads at a time.
   void work(std::size_t piece);
 
+  /// The slots filled so far.
   const Selection& selection() const { return selection_; }
   /// Every candidate that the ledger has of the block, in order of attempt, then slot, without texts.
   std::vector<CandidateRecord> outlines() const;
-  /// Candidates of this process, and how many of them were accepted.
+  /// Candidates made by this process, and how many of them were accepted.
   int tried() const { return tried_; }
   int accepted() const { return accepted_; }
 
  private:
   using Round = std::vector<CandidateRecord>;  // of one attempt
 
-  /// All slots are filled, or were tried as often as they may be.
+  /// All slots are filled or have used up their attempts.
   bool is_complete() const;
-  /// Turns away what repeats another, in slot order.
+  /// Rejects what repeats another task, in slot order.
   void end_round();
   void draw_home(std::size_t which);
   void try_plan(const CandidatePlan& plan);
-  void keep(CandidateRecord record, const StageCosts& costs);
+  void add_to_ledger(CandidateRecord record, const StageCosts& costs);
 
   const RunConfiguration& configuration_;
   const Resources& resources_;
   const Block& block_;
   Ledger& ledger_;
-  const BlockNews& news_;
+  const BlockCallbacks& callbacks_;
   LayoutPool layouts_;
   CandidatePlanner planner_;
   Frequencies taken_;
@@ -66,10 +67,10 @@ class BlockRun {
   std::vector<Round> rounds_;                     // by attempt, each in slot order
   std::vector<std::pair<Simulator, int>> homes_;  // the first batch; plans need all homes
   std::vector<CandidatePlan> plans_;              // the batch, once an attempt has begun
-  bool begun_ = false;
-  int attempt_ = -1;  // under way
+  bool started_ = false;
+  int attempt_ = -1;  // current one; -1 while homes are made
 
-  std::mutex mutex_;  // guards the round under way and everything below
+  std::mutex mutex_;  // guards the current round and everything below
   int tried_ = 0, accepted_ = 0;
   std::optional<Error> failure_;
 };

@@ -8,7 +8,7 @@ namespace {
 
 std::size_t position(Simulator simulator) { return static_cast<std::size_t>(simulator); }
 
-/// How many new homes so many tasks of a simulator share, when the run has `all` of them.
+/// The number of new homes for `tasks` of the `all` tasks that the run has of a simulator.
 int homes_for(std::int64_t tasks, std::int64_t all) {
   constexpr std::int64_t kTasksAHome = 5, kFirst = 50, kTasksAHomeThen = 25;
   const auto up = [](std::int64_t a, std::int64_t b) { return (a + b - 1) / b; };
@@ -22,8 +22,8 @@ std::int64_t tasks_of(std::size_t simulator, const std::vector<TaskSlot>& slots)
                        [&](const TaskSlot& slot) { return position(slot.simulator) == simulator; });
 }
 
-/// How many homes there are of each simulator; empty when as many as wanted can be made.
-std::vector<int> homes_at_hand(const RunConfiguration& configuration, const Resources& resources) {
+/// The number of homes of each simulator; empty when any number can be made.
+std::vector<int> existing_homes(const RunConfiguration& configuration, const Resources& resources) {
   std::vector<int> counts(kSimulators.size(), 0);
   for (const Scene& home : resources.homes) ++counts[position(home.simulator)];
   if (!resources.homes.empty()) return counts;
@@ -36,11 +36,11 @@ std::vector<int> homes_at_hand(const RunConfiguration& configuration, const Reso
 
 std::vector<Block> blocks_of(const RunConfiguration& configuration, const Resources& resources,
                              const std::vector<TaskSlot>& slots) {
-  const auto at_hand = homes_at_hand(configuration, resources);
+  const auto existing = existing_homes(configuration, resources);
   const auto size = static_cast<std::size_t>(configuration.block);
   std::size_t count = (slots.size() + size - 1) / size;
   for (const Simulator simulator : configuration.simulators) {
-    if (!at_hand.empty()) count = std::min(count, std::max<std::size_t>(1, at_hand[position(simulator)]));
+    if (!existing.empty()) count = std::min(count, std::max<std::size_t>(1, existing[position(simulator)]));
   }
   std::vector<Block> blocks;
   BlockHomes used{};
@@ -50,8 +50,8 @@ std::vector<Block> blocks_of(const RunConfiguration& configuration, const Resour
                        slots.begin() + static_cast<std::ptrdiff_t>(slots.size() * (b + 1) / count));
     for (std::size_t s = 0; s < kSimulators.size(); ++s) {
       HomeRange& homes = block.homes[s];
-      if (!at_hand.empty()) {
-        const auto all = static_cast<std::size_t>(at_hand[s]);
+      if (!existing.empty()) {
+        const auto all = static_cast<std::size_t>(existing[s]);
         homes.first = static_cast<int>(all * b / count);
         homes.count = static_cast<int>(all * (b + 1) / count) - homes.first;
       } else {

@@ -16,18 +16,18 @@ struct HomeRange {
 };
 using BlockHomes = std::array<HomeRange, kSimulators.size()>;  // in the order of kSimulators
 
-/// A part of a run that depends on no other: slots that are filled in homes of their own, level in themselves. What a
-/// block becomes is the same whoever makes it and when. So blocks are what shards share out and what bounds memory;
-/// tasks of two blocks never repeat one another, since they share no home.
+/// A part of a run that depends on no other: slots that are filled in homes of their own and balanced among themselves.
+/// Its result does not depend on which process fills it or when, so shards are made of blocks, and memory is bounded by
+/// them. Tasks of two blocks never repeat one another, since the blocks share no home.
 struct Block {
   std::vector<TaskSlot> slots;  // consecutive, not empty
   BlockHomes homes;
   int first() const { return slots.front().index; }
 };
 
-/// The slots, in order, cut into blocks of about `configuration.block`; as many as leave each a home of every simulator
-/// when homes are given or the benchmark's. Of new homes there is one for each five tasks of a simulator's first fifty
-/// and one for each 25 more, so that making them does not dominate a large run. Deterministic.
+/// The slots, in order, cut into blocks of about `configuration.block`; with given homes or those of the benchmark, at
+/// most so many that each block has a home of every simulator. Of new homes there is one for every five tasks of a
+/// simulator's first fifty and one for every 25 more, so that making them does not dominate a large run. Deterministic.
 std::vector<Block> blocks_of(const RunConfiguration& configuration, const Resources& resources,
                              const std::vector<TaskSlot>& slots);
 

@@ -10,7 +10,7 @@
 namespace unietp {
 namespace {
 
-constexpr int kHomesLookedAt = 3;  // for one that offers a binding
+constexpr int kHomesTried = 3;  // for a slot, until one offers a binding
 
 std::string key(Simulator simulator, const std::string& name) { return std::string(name_of(simulator)) + "/" + name; }
 
@@ -32,7 +32,7 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
   auto& counts = counts_;
   const auto position = [&](int slot) { return static_cast<std::size_t>(slot - slots_.front().index); };
   const auto turn_of = [&](int slot) -> Turn& { return turns_[position(slot)]; };
-  for (const int slot : open) {  // who goes on with a template counts before anyone draws one
+  for (const int slot : open) {  // slots that keep a template count before any is drawn
     if (turn_of(slot).left > 0) counts.add({Dimension::Template, resources_.templates[turn_of(slot).source].name});
   }
   std::vector<CandidatePlan> plans;
@@ -48,7 +48,7 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
     }
     --turn.left;
     CandidatePlan plan{number, attempt, turn.source, 0, std::nullopt};
-    settle_home(plan, slot, counts, rng);
+    choose_home(plan, slot, counts, rng);
     count(plan, slot, counts);
     plans.push_back(std::move(plan));
   }
@@ -59,7 +59,7 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
 std::size_t CandidatePlanner::next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts,
                                             Rng rng) const {
   if (turn.tried.empty()) {
-    turn.tried.push_back(slot.templates[slot.dealt]);
+    turn.tried.push_back(slot.templates[slot.first_template]);
     return turn.tried.back();
   }
   std::vector<std::size_t> fresh;
@@ -77,23 +77,23 @@ std::size_t CandidatePlanner::next_template(const TaskSlot& slot, Turn& turn, co
   return turn.tried.back();
 }
 
-void CandidatePlanner::settle_home(CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts, const Rng& rng) {
+void CandidatePlanner::choose_home(CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts, const Rng& rng) {
   std::vector<int> homes;
   std::vector<double> weights;
   for (int home = 0; home < layouts_.size(slot.simulator); ++home) {
     const auto& layout = layouts_.layout(slot.simulator, home);
     if (!layout) continue;
     homes.push_back(home);
-    // A home that lacks what was asked for is the last to be looked at.
+    // A home that lacks the fixed categories is tried last.
     const double fit = offers_all(*layout, configuration_.binding) ? 1 : 1e-9;
-    // One without a task comes first, so that none is left over; one that has been tried in vain waits.
+    // Homes without a task are preferred, so that each gets one; homes with failed candidates are tried less often.
     const auto tried = tried_.find({slot.simulator, home});
     const double patience = 1.0 / (1 + (tried == tried_.end() ? 0 : tried->second));
     const double wanted = counts.weight(Dimension::Scene, layout->home.scene.id), wanted_more = wanted * wanted;
     weights.push_back(fit * wanted_more * wanted_more * wanted * patience * patience);
   }
   Rng draw = rng.fork("home", 0);
-  for (int look = 0; look < kHomesLookedAt && !homes.empty(); ++look) {
+  for (int look = 0; look < kHomesTried && !homes.empty(); ++look) {
     const auto drawn = draw.weighted(weights);
     plan.home = homes[drawn];
     plan.binding = draw_binding(plan, slot, counts, rng.fork("binding", static_cast<std::uint64_t>(look)));

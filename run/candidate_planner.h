@@ -11,29 +11,27 @@
 
 namespace unietp {
 
-/// What a candidate is going to be, settled before any of the dear stages begins.
+/// Template, home and binding of a candidate, chosen before the expensive stages run.
 struct CandidatePlan {
   int slot = 0, attempt = 0;
   std::size_t source = 0;          // position in Resources::templates
   int home = 0;                    // in the layout pool
-  std::optional<Binding> binding;  // nullopt: the homes looked at offer none
+  std::optional<Binding> binding;  // nullopt: none of the homes that were tried offers one
   bool operator==(const CandidatePlan&) const = default;
 };
 
-/// Settles templates, homes and categories so that the data set is level over templates, categories, receptacles, rooms
-/// and homes: each is drawn by inverse frequency among the tasks taken so far and the candidates planned before it in
-/// the same round. A slot keeps the template dealt to it for a few attempts, then takes one that it has not tried.
+/// Chooses templates, homes and categories so that the data set is balanced over templates, categories, receptacles,
+/// rooms and homes: each is drawn by inverse frequency among the tasks taken so far and the candidates planned before
+/// it in the same round. A slot keeps its first template for a few attempts, then takes one that it has not tried.
 ///
-/// Plans depend on the configuration and on what was asked of this planner before: equal rounds give equal plans,
-/// whatever the threads do between them.
+/// Plans depend on the configuration and on the earlier rounds only: equal rounds give equal plans for any threads.
 class CandidatePlanner {
  public:
   /// The slots (a block's: numbered one after the other) and what they were planned from must outlive it.
   CandidatePlanner(const RunConfiguration& configuration, const Resources& resources, LayoutPool& layouts,
                    const std::vector<TaskSlot>& slots);
 
-  /// One candidate for each open slot, in their order (ascending). Rounds come in order of attempt, and none is left
-  /// out.
+  /// One candidate for each open slot, in ascending order. Rounds must be asked for in order of attempt, without gaps.
   std::vector<CandidatePlan> round(const std::vector<int>& open, int attempt, const Frequencies& taken);
 
   /// The frequencies as the last round left them, its candidates included.
@@ -42,17 +40,17 @@ class CandidatePlanner {
   static constexpr int kAttemptsPerTemplate = 3;
 
  private:
-  /// Where a slot stands among its templates.
+  /// The template that a slot currently uses, and those that it has used.
   struct Turn {
     std::size_t source = 0;
-    int left = 0;                    // attempts with it
-    std::vector<std::size_t> tried;  // before it, and it
+    int left = 0;                    // further attempts with it
+    std::vector<std::size_t> tried;  // templates, the current one included
   };
   /// Category -> the kinds of room that have it, as Frequencies names them -> what share of it.
   using RoomTypes = std::map<std::string, std::map<std::string, double>>;
 
   std::size_t next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts, Rng rng) const;
-  void settle_home(CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts, const Rng& rng);
+  void choose_home(CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts, const Rng& rng);
   std::optional<Binding> draw_binding(const CandidatePlan& plan, const TaskSlot& slot, const Frequencies& counts,
                                       Rng rng);
   void count(const CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts);

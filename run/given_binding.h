@@ -11,7 +11,7 @@
 namespace unietp {
 
 /// Reads `--bind A=Mug B=Fridge`: categories for some or all placeholders of the template, in the order of its
-/// parameters. Whether the categories exist is for the gates to say.
+/// parameters. Does not check that the categories exist; the gates do.
 /// Errors: Usage for text without '=', an unknown placeholder (with the nearest) and one that is given twice.
 Result<Binding> read_binding(const std::vector<std::string>& texts, const Template& source);
 

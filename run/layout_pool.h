@@ -15,15 +15,14 @@
 
 namespace unietp {
 
-/// A home and what can be asked about in it.
+/// A home and what tasks in it can be about.
 struct Layout {
   Home home;
   SceneOffer offer;  // categories: those that it has, or that can be put somewhere in it; and its room types
 };
 
-/// Homes of a run: given ones of Resources::homes, or else each is made when it is first asked for and then shared.
-/// Which thread makes it does not matter: a home depends on the configuration's source and seed, the simulator and its
-/// number only. Safe to use from several threads.
+/// Homes of a run: those of Resources::homes, or else each is made when it is first asked for and then shared. A home
+/// depends only on the configuration's source and seed, the simulator and its number. Safe to use from several threads.
 class LayoutPool {
  public:
   /// The homes of a block.
@@ -33,8 +32,8 @@ class LayoutPool {
 
   /// How many homes a simulator has here.
   int size(Simulator simulator) const { return static_cast<int>(of(simulator).size()); }
-  /// `index` in [0, size(simulator)). Errors: those of generate_layout, after a few tries. The reference lives as the
-  /// pool does.
+  /// `index` in [0, size(simulator)). Errors: those of generate_layout, after a few tries. The reference is
+  /// valid as long as the pool.
   const Result<Layout>& layout(Simulator simulator, int index);
 
  private:

@@ -7,13 +7,12 @@
 namespace unietp {
 namespace {
 
-// WAL with synchronous=NORMAL: a killed process loses nothing, and a commit costs no disk flush. The flushes when the
-// log is taken into the file, each 32 MB, make all threads wait. A candidate is some 25 KB: of pages of 8 KB no more is
-// written than it fills.
+// WAL with synchronous=NORMAL: a killed process loses nothing, and a commit needs no disk flush. A checkpoint, every
+// 32 MB, flushes and makes all threads wait. A candidate is about 25 KB, so pages of 8 KB waste little.
 constexpr const char* kPragmas =
     "PRAGMA page_size=8192; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA wal_autocheckpoint=4096;";
 
-/// The tables and, for people, a view of what became of each candidate; `to` is the database that they are made in.
+/// The tables and a view of the outcome of each candidate, for people; `to` is the database that they are made in.
 /// A cost is a JSON object of seconds by stage.
 std::string schema(const std::string& to) {
   return "CREATE TABLE IF NOT EXISTS " + to + ".run(identity TEXT NOT NULL);" + "CREATE TABLE IF NOT EXISTS " + to +

@@ -14,20 +14,20 @@
 
 namespace unietp {
 
-/// What a run has found so far, in one SQLite file that survives a kill: each candidate is one transaction. Safe to
-/// use from several threads, except to move. Every function may fail with Io, saying what SQLite said.
+/// The candidates and homes of a run so far, in one SQLite file that survives a kill: each candidate is one
+/// transaction. Safe to use from several threads, except to move. Every function may fail with Io and SQLite's message.
 class Ledger {
  public:
   /// Opens or makes the file. `identity` names the run (version, knowledge, configuration, seed): a file of another run
   /// is refused (Usage) with both named.
   static Result<Ledger> open(const std::filesystem::path& path, const std::string& identity);
-  /// One that is only read, as `copy_to` has made it. Errors: also Usage when it is of another run.
+  /// Opens a file that `copy_to` made, to read only. Errors: also Usage when it is of another run.
   static Result<Ledger> read_only(const std::filesystem::path& path, const std::string& identity);
-  /// Writes all of it to one new file, which is at rest, in order of slot and attempt. What candidates cost is no part
-  /// of a run's bytes, so it is left out unless asked for.
+  /// Writes everything to one new file, in order of slot and attempt. Costs differ between equal runs, so they are left
+  /// out unless asked for.
   Result<Done> copy_to(const std::filesystem::path& path, bool with_costs = false);
 
-  /// `costs`: what was spent on this candidate.
+  /// Adds a candidate. `costs`: the time spent on it.
   Result<Done> add(const CandidateRecord& record, const StageCosts& costs);
 
   /// Keeps the packed scene of a home unless it has it already.

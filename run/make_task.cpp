@@ -21,8 +21,8 @@ std::string task_id(const TaskSlot& slot) {
   return std::string(name_of(slot.simulator)) + "-" + digits;
 }
 
-/// The specification in the slot's split, or why there is none. `as_it_is`: what a template refers to must be among the
-/// home's furniture already; else grounding may still find a place for what lacks.
+/// The specification in the slot's split, or why there is none. `as_it_is`: the home must already contain the furniture
+/// that the template refers to; otherwise grounding may still find a place for what is missing.
 std::variant<Specification, Rejection> specify_once(const Template& source, const Layout& layout,
                                                     const Knowledge& knowledge, const std::optional<Binding>& binding,
                                                     Split split, bool as_it_is, const Rng& rng) {
@@ -37,7 +37,7 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
   const auto* plain = std::get_if<Specification>(&filled);
   if (as_it_is && plain->split == Split::InstanceGrounding && !can_refer(*plain, knowledge, layout.offer))
     return Rejection{RejectionReason::NoReferringConstraint, to_text(*binding)};
-  // What cannot be refined need not pass the gates, which cost more.
+  // Refinement is checked before the gates, which cost more.
   auto specified = std::optional(*plain);  // also one that its template has refined
   if (plain->split != split && split == Split::InstanceGrounding) {
     specified = refine_referring(*plain, knowledge, layout.offer, source.refinement, rng.fork("referring", 0));
@@ -50,12 +50,12 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
   return std::move(*specified);
 }
 
-/// Most categories cannot be referred to in every home, nor said in every style: a few further bindings, with what is
-/// `fixed`, are looked at before a candidate is given up.
+/// Most categories cannot be referred to in every home, nor worded in every style: a few further bindings, with the
+/// `fixed` categories, are tried before a candidate is rejected.
 std::variant<Specification, Rejection> specify(const Template& source, const Layout& layout, const Knowledge& knowledge,
                                                const std::optional<Binding>& planned, const Binding& fixed, Split split,
                                                const CategoryWeight& weight, const Rng& rng) {
-  constexpr std::uint64_t kBindings = 8;  // of those that 32 let through, 98 % are among the first 8
+  constexpr std::uint64_t kBindings = 8;  // of the candidates that 32 bindings save, 8 save 98 %
   auto specified = specify_once(source, layout, knowledge, planned, split, true, rng);
   for (std::uint64_t i = 1; i < kBindings; ++i) {
     const auto* why = std::get_if<Rejection>(&specified);
@@ -92,7 +92,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   const auto rejected = [&](Rejection why) {
     return RejectedCandidate{std::move(why), source.name, slot.simulator, slot.split, slot.index, plan.attempt};
   };
-  // One stream a stage and candidate: a stage that draws more moves nothing in the others.
+  // One random stream per stage and candidate: a stage that draws more numbers does not change the others.
   const auto item = candidate_number(slot.index, plan.attempt);
   const Rng root(configuration.seed);
 
@@ -122,7 +122,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   if (auto* why = std::get_if<Rejection>(&grounded)) return rejected(std::move(*why));
   auto& [episode, known] = std::get<Grounded>(grounded);
   Task task{task_id(slot), std::move(episode), {}, {}, {}, {}, configuration.seed, slot.index, plan.attempt};
-  task.episode.start.id = task.id;  // as its file will say; its text reads back to the same bits
+  task.episode.start.id = task.id;  // the id under which it is written
 
   timer.enter(Stage::Annotator);
   const Scene& start = task.episode.start;

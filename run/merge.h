@@ -9,7 +9,7 @@
 
 namespace unietp {
 
-/// Shards of one run, all of them, that were read from their folders.
+/// All shards of one run, as read from their folders.
 struct ShardSet {
   RunConfiguration configuration;
   std::string identity;
@@ -17,8 +17,8 @@ struct ShardSet {
   std::vector<ShardRecord> records;  // of the folders
 };
 
-/// Errors: those of read_shard; Usage when two shards are of different runs or numbers of shards, when one stands twice
-/// or is missing, naming it.
+/// Errors: those of read_shard; Usage when two shards are of different runs or numbers of shards, when one is given
+/// twice or missing, naming it.
 Result<ShardSet> read_shards(const std::vector<std::filesystem::path>& folders);
 
 /// Writes the data set of the run to `out`, all or nothing, with the bytes that one process would have written.

@@ -10,7 +10,7 @@
 #include "core/version.h"
 #include "dataset/configuration_json.h"
 #include "run/assemble.h"
-#include "run/block_crew.h"
+#include "run/fill_blocks.h"
 #include "run/run_folder.h"
 #include "run/shard_folder.h"
 
@@ -21,17 +21,17 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// What a run has come to so far: counts for the progress line, then the report. Safe to use from several threads.
-class Account {
+/// Counts of a run for the progress line and the report. Safe to use from several threads.
+class RunTotals {
  public:
-  Account(const RunOptions& options, int asked) : options_(options) { now_.asked = asked; }
+  RunTotals(const RunOptions& options, int asked) : options_(options) { now_.asked = asked; }
 
-  void spend(const StageCosts& costs) {
+  void add_costs(const StageCosts& costs) {
     const std::scoped_lock lock(mutex_);
     if (options_.costs != nullptr) options_.costs->add(costs);
   }
 
-  void candidate(bool accepted) {
+  void add_candidate(bool accepted) {
     const std::scoped_lock lock(mutex_);
     ++now_.candidates;
     if (accepted) ++now_.tasks, ++now_.tasks_now;
@@ -40,8 +40,8 @@ class Account {
     options_.progress(now_);
   }
 
-  /// A block has ended: what its ledger says replaces what was counted while it was filled.
-  void block(const Block& block, const BlockRun& run, int attempts, Ledger& ledger) {
+  /// A finished block: what its ledger says replaces what was counted while it was filled.
+  void add_block(const Block& block, const BlockRun& run, int attempts, Ledger& ledger) {
     const auto outlines = run.outlines();
     const int candidates = static_cast<int>(outlines.size()), tasks = run.selection().taken();
     const std::scoped_lock lock(mutex_);
@@ -84,18 +84,18 @@ std::vector<Block> share_of(std::vector<Block> blocks, const Shard& shard) {
   return own;
 }
 
-/// Aside first, then renamed, in place of what was there.
+/// Writes a copy under a temporary name and renames it over `path`.
 Result<Done> keep_ledger(Ledger& ledger, const std::filesystem::path& path) {
-  const auto aside = path.string() + ".tmp";
+  const auto temporary = path.string() + ".tmp";
   std::error_code code;
-  std::filesystem::remove(aside, code);
-  if (auto copied = ledger.copy_to(aside, true); !copied) return copied;
-  std::filesystem::rename(aside, path, code);
+  std::filesystem::remove(temporary, code);
+  if (auto copied = ledger.copy_to(temporary, true); !copied) return copied;
+  std::filesystem::rename(temporary, path, code);
   if (code) return Error{Error::Kind::Io, path.string(), {}, "cannot rename the ledger into place: " + code.message()};
   return Done{};
 }
 
-/// What is left to do when all blocks are done, of which `writer`, if there is one, has the tasks.
+/// After all blocks: finishes the data set of `writer`, or writes the shard, and renames the folder into place.
 Result<Done> publish(RunFolder& work, const RunConfiguration& configuration, const Resources& resources,
                      const RunOptions& options, const std::vector<Block>& blocks, Ledger& ledger,
                      std::optional<DatasetWriter>& writer) {
@@ -145,7 +145,7 @@ Result<RunReport> run_generation(const RunConfiguration& configuration, const Re
   auto ledger = Ledger::open(work->ledger(), identity_of(configuration, resources));
   if (!ledger) return ledger.error();
 
-  std::optional<DatasetWriter> writer;  // takes each block as it is done; a shard is written at the end
+  std::optional<DatasetWriter> writer;  // of a whole run, block by block; a shard is written at the end
   if (options.shard.is_whole()) {
     const auto folder = work->fresh_data_folder();
     if (!folder) return folder.error();
@@ -153,23 +153,23 @@ Result<RunReport> run_generation(const RunConfiguration& configuration, const Re
     if (!begun) return begun.error();
     writer.emplace(std::move(*begun));
   }
-  Account account(options, asked);
-  CrewOrders orders{options.threads, options.stop, {}, {}};
-  orders.news = {[&](const StageCosts& costs) { account.spend(costs); },
-                 [&](bool accepted) { account.candidate(accepted); }};
-  orders.done = [&](const Block& block, const BlockRun& run) -> Result<Done> {
+  RunTotals totals(options, asked);
+  FillOptions fill{options.threads, options.stop, {}, {}};
+  fill.callbacks = {[&](const StageCosts& costs) { totals.add_costs(costs); },
+                    [&](bool accepted) { totals.add_candidate(accepted); }};
+  fill.on_block = [&](const Block& block, const BlockRun& run) -> Result<Done> {
     StageCosts costs;
     StageTimer timer(&costs, Stage::Dataset);
-    account.block(block, run, configuration.attempts, *ledger);
+    totals.add_block(block, run, configuration.attempts, *ledger);
     const FilledBlock filled{block.first(), static_cast<int>(block.slots.size()), &*ledger};
     auto added = writer ? add_block(*writer, filled, configuration.attempts) : Result<Done>(Done{});
     timer.stop();
-    account.spend(costs);
+    totals.add_costs(costs);
     return added;
   };
-  const auto filled = fill_blocks(configuration, resources, blocks, *ledger, orders);
+  const auto filled = fill_blocks(configuration, resources, blocks, *ledger, fill);
   if (!filled) return filled.error();
-  auto report = account.report();
+  auto report = totals.report();
   if (!*filled) {
     report.interrupted = true;
     return report;

@@ -18,6 +18,7 @@
 
 namespace unietp {
 
+/// Counts for a progress line.
 struct RunProgress {
   int tasks = 0, asked = 0;  // accepted so far, wanted
   int candidates = 0;        // tried so far
@@ -25,7 +26,7 @@ struct RunProgress {
   int tasks_now = 0;         // accepted by this process, for the rate
 };
 
-/// How the work is done; no part of it reaches the data set.
+/// How the run is carried out. Does not affect the data set.
 struct RunOptions {
   std::filesystem::path out;
   std::filesystem::path licences;  // table of the sources' licences, for the manifest
@@ -33,17 +34,19 @@ struct RunOptions {
   bool resume = false;
   std::filesystem::path ledger;                      // a copy of the ledger, with what candidates cost; "" for none
   Shard shard;                                       // the part of the run that this process makes
-  const std::atomic<bool>* stop = nullptr;           // set from outside: finish the candidates under way, then return
+  const std::atomic<bool>* stop = nullptr;           // set from outside: finish the current candidates, then return
   std::function<void(const RunProgress&)> progress;  // called with a lock held; may be empty
-  StageCosts* costs = nullptr;                       // what the run spends is added to it
+  StageCosts* costs = nullptr;                       // the run's costs are added to it; may be null
 };
 
+/// A slot that has no task after its last attempt.
 struct UnfilledSlot {
   int slot = 0;
   std::string description;             // "logical task on habitat"
   std::optional<RejectionEntry> last;  // why its last candidate was given up
 };
 
+/// What a run, or a shard of it, has produced.
 struct RunReport {
   bool interrupted = false;  // nothing was written but the ledger
   int tasks = 0, asked = 0;  // of the shard

@@ -15,12 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Stands in the folder from just before the rename on, to tell a finished run from a stranger's folder of that name.
+// Marker file, written just before the rename: tells a finished run from an unrelated folder with the name of `out`.
 constexpr const char* kPublishing = "publishing";
 
 Error io(const fs::path& path, std::string message) { return {Error::Kind::Io, path.string(), {}, std::move(message)}; }
 
-/// The marker goes last, so that whoever comes after a kill midway knows what is left to do.
+/// Removes the marker last, so that the next process can tell what is left to do if this one is killed.
 void remove_marker_last(const fs::path& folder) {
   std::error_code code;
   for (auto it = fs::directory_iterator(folder, code); !code && it != fs::directory_iterator(); it.increment(code)) {

@@ -9,8 +9,8 @@ namespace unietp {
 /// A `Usage` error about a folder or file that was named on the command line.
 Error usage_error(const std::filesystem::path& path, std::string message);
 
-/// `<out>.partial`, held by one run at a time: the ledger lives in it, the data set grows in it, and becomes `<out>` by
-/// one rename. Leaving without `publish` keeps the folder for a later `--resume`.
+/// `<out>.partial`, locked by one run at a time: it holds the ledger and the growing data set, which becomes
+/// `<out>` by one rename. Destruction without `publish` keeps the folder for a later `--resume`.
 class RunFolder {
  public:
   /// Errors: Usage when `out` exists, when an unfinished run is there and `resume` is not asked for, or when another
@@ -18,9 +18,9 @@ class RunFolder {
   static Result<RunFolder> enter(const std::filesystem::path& out, bool resume);
   RunFolder(RunFolder&& other) noexcept;
   RunFolder& operator=(RunFolder&&) = delete;
-  ~RunFolder();  // lets go of the lock
+  ~RunFolder();  // releases the lock
 
-  /// A run was killed after it had published and before it had tidied up; `enter` did the rest.
+  /// An earlier process was killed after it had published the data set and before it had cleaned up; `enter` did that.
   bool already_published() const { return already_published_; }
   std::filesystem::path ledger() const { return folder_ / "ledger.sqlite"; }
   /// An empty folder for the data set. Errors: Io.

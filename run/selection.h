@@ -9,13 +9,14 @@
 
 namespace unietp {
 
-/// Which attempt fills each slot of a block, decided attempt by attempt and within one in slot order: the order of
-/// arrival never matters.
+/// Which attempt fills each slot of a block. Decided attempt by attempt, and within an attempt in slot order, so the
+/// order in which candidates are finished does not matter.
 class Selection {
  public:
   /// For the slots first, first + 1, …
   Selection(int first, std::size_t slots) : first_(first), chosen_(slots, -1), repeats_(slots) {}
 
+  /// Slots without a task, ascending.
   std::vector<int> open_slots() const;
   /// Takes an accepted candidate for its open slot unless it repeats a task already taken; says what it repeats.
   enum class Verdict { Taken, SameStart, SameText };
@@ -25,8 +26,9 @@ class Selection {
 
   /// Attempt that fills the slot, or -1.
   int chosen(int slot) const { return chosen_[at(slot)]; }
-  /// What a candidate repeated that was turned away; Taken for any other.
+  /// What a rejected candidate repeated; Taken for any other.
   Verdict verdict(int slot, int attempt) const;
+  /// Number of filled slots.
   int taken() const { return taken_; }
 
  private:

@@ -14,7 +14,7 @@ using Table = std::vector<std::vector<int>>;
 /// (a breadth-first augmenting path of the bipartite flow); false when there is no way.
 bool augment(Table& table, const std::vector<std::vector<bool>>& allowed, std::size_t row, std::vector<int>& lacking) {
   const std::size_t rows = table.size(), columns = lacking.size();
-  std::vector<std::optional<std::size_t>> row_of(columns), column_of(rows);  // how each was reached
+  std::vector<std::optional<std::size_t>> row_of(columns), column_of(rows);  // predecessors on the path
   std::vector<bool> seen_row(rows, false), seen_column(columns, false);
   std::vector<std::size_t> open{row};
   seen_row[row] = true;

@@ -9,7 +9,7 @@
 namespace unietp {
 namespace {
 
-/// A refinement takes any template that has none of its own; the other splits take their own.
+/// Refined splits use any template without a refinement of its own; the other splits use their own templates.
 bool fits(const Template& source, Simulator simulator, Split split) {
   const bool refined = split == Split::InstanceGrounding || split == Split::Linguistic;
   return ((refined && source.refinement.empty()) || split_of_tasks(source) == split) &&
@@ -64,7 +64,7 @@ Result<std::vector<Group>> groups_of(const RunConfiguration& configuration, cons
   return groups;
 }
 
-/// Simulators take turns, and so do the splits of each.
+/// Round-robin over the simulators, and over the splits of each.
 std::vector<TaskSlot> equal_shares(const RunConfiguration& configuration,
                                    const std::vector<std::vector<Group>>& groups) {
   std::vector<TaskSlot> slots;
@@ -113,23 +113,25 @@ Result<std::vector<TaskSlot>> by_quotas(const RunConfiguration& configuration, c
   return slots;
 }
 
-/// Each slot in turn takes the template dealt least often so far; among equals the one that fits fewest slots, since
-/// others have more chances to come, and then any.
-void deal_templates(std::vector<TaskSlot>& slots, std::size_t templates, Rng rng) {
-  std::vector<int> dealt(templates, 0), chances(templates, 0);
+/// Each slot in turn takes the template assigned least often so far; among equals the one that fits the fewest slots,
+/// since the others fit more of the slots that follow, and then a random one.
+void assign_first_templates(std::vector<TaskSlot>& slots, std::size_t templates, Rng rng) {
+  std::vector<int> assigned(templates, 0), slots_fitted(templates, 0);
   for (const auto& slot : slots) {
-    for (const auto source : slot.templates) ++chances[source];
+    for (const auto source : slot.templates) ++slots_fitted[source];
   }
   for (auto& slot : slots) {
     std::vector<std::size_t> least;  // positions in slot.templates
-    const auto rank = [&](std::size_t at) { return std::pair(dealt[slot.templates[at]], chances[slot.templates[at]]); };
+    const auto rank = [&](std::size_t at) {
+      return std::pair(assigned[slot.templates[at]], slots_fitted[slot.templates[at]]);
+    };
     for (std::size_t at = 0; at < slot.templates.size(); ++at) {
       if (!least.empty() && rank(at) > rank(least.front())) continue;
       if (!least.empty() && rank(at) < rank(least.front())) least.clear();
       least.push_back(at);
     }
-    slot.dealt = least[rng.below(least.size())];
-    ++dealt[slot.templates[slot.dealt]];
+    slot.first_template = least[rng.below(least.size())];
+    ++assigned[slot.templates[slot.first_template]];
   }
 }
 
@@ -160,7 +162,8 @@ Result<Done> check_homes(const RunConfiguration& configuration, const Resources&
   return Done{};
 }
 
-Result<std::vector<TaskSlot>> shared_out(const RunConfiguration& configuration, const Resources& resources) {
+Result<std::vector<TaskSlot>> slots_by_simulator_and_split(const RunConfiguration& configuration,
+                                                           const Resources& resources) {
   if (!configuration.quotas.empty()) return by_quotas(configuration, resources);
   std::vector<std::vector<Group>> groups;
   for (const auto simulator : configuration.simulators) {
@@ -176,8 +179,8 @@ Result<std::vector<TaskSlot>> shared_out(const RunConfiguration& configuration, 
 Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, const Resources& resources) {
   if (auto known = check_names(configuration, resources); !known) return known.error();
   if (auto there = check_homes(configuration, resources); !there) return there.error();
-  auto slots = shared_out(configuration, resources);
-  if (slots) deal_templates(*slots, resources.templates.size(), Rng(configuration.seed).fork("deal", 0));
+  auto slots = slots_by_simulator_and_split(configuration, resources);
+  if (slots) assign_first_templates(*slots, resources.templates.size(), Rng(configuration.seed).fork("deal", 0));
   return slots;
 }
 

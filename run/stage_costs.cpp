@@ -13,7 +13,7 @@ void StageCosts::add(const StageCosts& other) {
   for (std::size_t i = 0; i < kStageCount; ++i) seconds[i] += other.seconds[i];
 }
 
-void StageTimer::book() {
+void StageTimer::add_elapsed() {
   const auto now = Clock::now();
   if (costs_ != nullptr)
     costs_->seconds[static_cast<std::size_t>(stage_)] += std::chrono::duration<double>(now - start_).count();

@@ -6,8 +6,8 @@
 
 namespace unietp {
 
-/// What a run spends its time on: once for a home, once for a round of candidates, the stages that a candidate goes
-/// through, once for each of them, and once at the end.
+/// What a run spends its time on. Homes: once per home; Planning: once per round of candidates; Dataset: once at the
+/// end; the others: once per candidate.
 enum class Stage {
   Homes,
   Planning,
@@ -21,10 +21,12 @@ enum class Stage {
   Ledger,
   Dataset
 };
+/// Number of stages.
 inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::Dataset) + 1;
+/// "other_modes"; as in the ledger and in benchmarks.
 std::string_view name_of(Stage stage);
 
-/// Wall-clock seconds spent by stage, those of all threads together. For benchmarks and progress only; never reaches an
+/// Wall-clock seconds spent by stage, summed over threads. For benchmarks and progress only; never reaches an
 /// output.
 struct StageCosts {
   std::array<double, kStageCount> seconds{};
@@ -40,17 +42,17 @@ class StageTimer {
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;
   void enter(Stage stage) {
-    book();
+    add_elapsed();
     stage_ = stage;
   }
   void stop() {
-    book();
+    add_elapsed();
     costs_ = nullptr;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
-  void book();
+  void add_elapsed();
   StageCosts* costs_;
   Stage stage_;
   Clock::time_point start_;

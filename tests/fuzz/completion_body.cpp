@@ -41,7 +41,7 @@ std::size_t count_of(const CompletedFacts& f) {
 
 bool completion_body(std::string_view text) {
   static const Folder folder("completion");
-  require(complaint_in(text, kKey).find(kKey) == std::string::npos);
+  require(error_message_in(text, kKey).find(kKey) == std::string::npos);
   const auto read = read_completion(text, kKey);
   if (!read) {
     check_error(read.error());

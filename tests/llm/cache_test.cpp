@@ -100,7 +100,7 @@ TEST_F(LlmCacheTest, KeepsNoFailure) {
 TEST_F(LlmCacheTest, AnAnswerThatWasSpoiltInTheFileIsAskedAgain) {
   ChatServer server(answer_to);
   auto kept = cache();
-  kept.keep(digest_of(endpoint_of(server), question(0)), "tiny", {"no object", 1, 1, 1, false});
+  kept.store(digest_of(endpoint_of(server), question(0)), "tiny", {"no object", 1, 1, 1, false});
   const auto answers = ask_all(endpoint_of(server), {question(0)}, quick(), &kept);
   ASSERT_TRUE(answers[0]);
   EXPECT_EQ(answers[0]->text, text_for(0));

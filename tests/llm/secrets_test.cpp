@@ -30,7 +30,7 @@ TEST(Key, IsSentInOneHeader) {
   const auto received = server.received().at(0);
   EXPECT_THAT(received.head, HasSubstr(std::string("Authorization: Bearer ") + kKey));
   EXPECT_THAT(received.body, Not(HasSubstr(kKey)));
-  EXPECT_THAT(shown(question(0)), Not(HasSubstr(kKey)));
+  EXPECT_THAT(display_text(question(0)), Not(HasSubstr(kKey)));
 }
 
 TEST(Key, IsNotSentWhenThereIsNone) {
@@ -81,7 +81,7 @@ TEST(Key, IsInNoErrorAndNoFileWhenTheServerRepeatsIt) {
       const auto got = ask_all(endpoint_of(server), {question(0)}, quick(), &*cache);
       ASSERT_FALSE(got[0]) << got[0]->text;
       EXPECT_THAT(format(got[0].error()), Not(HasSubstr(half)));
-      EXPECT_FALSE(cache->trouble());
+      EXPECT_FALSE(cache->failure());
     }
     for (const auto& entry : std::filesystem::directory_iterator(folder))
       EXPECT_THAT(*read_file(entry.path()), Not(HasSubstr(half)));

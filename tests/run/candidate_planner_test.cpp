@@ -110,7 +110,7 @@ TEST(CandidatePlanner, ASlotKeepsTheTemplateDealtToItForAWhileAndThenTriesAnothe
       now.insert(planner.round({0}, attempt++, {}).front().source);
     EXPECT_EQ(now.size(), 1U);
     if (turn == 0) {
-      EXPECT_EQ(*now.begin(), slots->front().templates[slots->front().dealt]);
+      EXPECT_EQ(*now.begin(), slots->front().templates[slots->front().first_template]);
     }
     EXPECT_TRUE(seen.insert(*now.begin()).second) << "a template comes again before all had their turn";
   }

@@ -82,7 +82,7 @@ TEST(PlanSlots, DealsTemplatesLevelWhereverTheirSlotsAllow) {
   const auto slots = plan_slots(configuration, three_templates());
   ASSERT_TRUE(slots) << format(slots.error());
   std::map<std::size_t, int> dealt;
-  for (const auto& slot : *slots) ++dealt[slot.templates[slot.dealt]];
+  for (const auto& slot : *slots) ++dealt[slot.templates[slot.first_template]];
   EXPECT_EQ(dealt[2], 9);  // of the 48, no more fit "c"
   EXPECT_NEAR(dealt[0], dealt[1], 1);
 }
@@ -95,7 +95,7 @@ TEST(PlanSlots, TheBenchmarkBeginsWithEachTemplateOfTheLibraryWhateverItsSeed) {
     const auto slots = plan_slots(*configuration, committed());
     ASSERT_TRUE(slots) << format(slots.error());
     std::vector<int> dealt(committed().templates.size(), 0);
-    for (const auto& slot : *slots) ++dealt[slot.templates[slot.dealt]];
+    for (const auto& slot : *slots) ++dealt[slot.templates[slot.first_template]];
     EXPECT_THAT(dealt, ::testing::Each(::testing::Ge(2))) << configuration->seed;
   }
 }

@@ -1,4 +1,4 @@
-#include "run/block_crew.h"
+#include "run/fill_blocks.h"
 
 #include <algorithm>
 #include <condition_variable>
@@ -12,21 +12,23 @@
 namespace unietp {
 namespace {
 
-class Crew {
+/// Threads that share the blocks of a run.
+class BlockWorkers {
  public:
-  Crew(const RunConfiguration& configuration, const Resources& resources, const std::vector<Block>& blocks,
-       Ledger& ledger, const CrewOrders& orders)
-      : configuration_(configuration), resources_(resources), blocks_(blocks), ledger_(ledger), orders_(orders) {}
+  BlockWorkers(const RunConfiguration& configuration, const Resources& resources, const std::vector<Block>& blocks,
+               Ledger& ledger, const FillOptions& options)
+      : configuration_(configuration), resources_(resources), blocks_(blocks), ledger_(ledger), options_(options) {}
 
-  Result<bool> work() {
-    run_on_threads(orders_.threads, [this] { take_part(); });
+  /// True when all blocks are filled, false when stopped from outside.
+  Result<bool> run() {
+    run_on_threads(options_.threads, [this] { work_loop(); });
     if (thrown_) std::rethrow_exception(thrown_);
     if (failure_) return *failure_;
     return is_done();
   }
 
  private:
-  /// A block under way and how much of its batch is given out and still to be done.
+  /// A block that is being filled, and how many pieces of its batch were handed out and are not finished.
   struct Active {
     std::size_t block = 0;
     std::unique_ptr<BlockRun> run;
@@ -34,20 +36,22 @@ class Crew {
   };
   using Lock = std::unique_lock<std::mutex>;
 
-  bool is_done() const { return handed_on_ == blocks_.size(); }
-  bool is_over() const { return thrown_ || failure_ || is_done() || (orders_.stop != nullptr && orders_.stop->load()); }
+  bool is_done() const { return reported_ == blocks_.size(); }
+  bool is_over() const {
+    return thrown_ || failure_ || is_done() || (options_.stop != nullptr && options_.stop->load());
+  }
 
-  void take_part() {
+  void work_loop() {
     Lock lock(mutex_);
     while (!is_over()) {
-      if (!hand_on(lock) && !do_piece(lock) && !begin_block(lock)) changed_.wait(lock);
+      if (!report_block(lock) && !do_piece(lock) && !start_block(lock)) changed_.wait(lock);
     }
     changed_.notify_all();
   }
 
-  /// Without the lock; a broken invariant is carried to the caller's thread.
+  /// Runs work without the lock; an exception is rethrown in the thread that called `work`.
   template <class Work>
-  void outside(Lock& lock, const Work& work) {
+  void unlocked(Lock& lock, const Work& work) {
     lock.unlock();
     std::exception_ptr thrown;
     try {
@@ -60,21 +64,21 @@ class Crew {
     changed_.notify_all();
   }
 
-  /// The next block in order, when it is done.
-  bool hand_on(Lock& lock) {
-    const auto next = finished_.find(handed_on_);
-    if (handing_on_ || next == finished_.end()) return false;
-    handing_on_ = true;
+  /// Reports the next block in order if it is finished; false when there is none.
+  bool report_block(Lock& lock) {
+    const auto next = finished_.find(reported_);
+    if (reporting_ || next == finished_.end()) return false;
+    reporting_ = true;
     auto run = std::move(next->second);
     finished_.erase(next);
     std::optional<Error> error;
-    outside(lock, [&] {
-      if (auto done = orders_.done(blocks_[handed_on_], *run); !done) error = done.error();
+    unlocked(lock, [&] {
+      if (auto done = options_.on_block(blocks_[reported_], *run); !done) error = done.error();
       run.reset();
     });
     if (error) failure_ = error;
-    handing_on_ = false;
-    ++handed_on_;
+    reporting_ = false;
+    ++reported_;
     return true;
   }
 
@@ -84,28 +88,29 @@ class Crew {
     if (found == active_.end()) return false;
     Active& active = **found;
     const std::size_t piece = active.given++;
-    outside(lock, [&] { active.run->work(piece); });
+    unlocked(lock, [&] { active.run->work(piece); });
     if (--active.left == 0 && !is_over()) advance(active, lock);
     return true;
   }
 
-  bool begin_block(Lock& lock) {
-    const std::size_t most = 2 + static_cast<std::size_t>(orders_.threads) / 8;  // their homes are in memory
-    if (begun_ == blocks_.size() || active_.size() >= most) return false;
+  bool start_block(Lock& lock) {
+    const std::size_t most = 2 + static_cast<std::size_t>(options_.threads) / 8;  // their homes are in memory
+    if (started_ == blocks_.size() || active_.size() >= most) return false;
     Active& active = *active_.emplace_back(std::make_unique<Active>());
-    active.block = begun_++;
-    outside(lock, [&] {
-      active.run = std::make_unique<BlockRun>(configuration_, resources_, blocks_[active.block], ledger_, orders_.news);
+    active.block = started_++;
+    unlocked(lock, [&] {
+      active.run =
+          std::make_unique<BlockRun>(configuration_, resources_, blocks_[active.block], ledger_, options_.callbacks);
     });
     if (!is_over()) advance(active, lock);
     return true;
   }
 
-  /// The block's next batch is given out, or it is done.
+  /// Makes the block's next batch available, or marks the block as finished.
   void advance(Active& active, Lock& lock) {
     std::optional<Error> error;
     std::size_t pieces = 0;
-    outside(lock, [&] {
+    unlocked(lock, [&] {
       if (const auto batch = active.run->next_batch()) {
         pieces = *batch;
       } else {
@@ -125,14 +130,14 @@ class Crew {
   const Resources& resources_;
   const std::vector<Block>& blocks_;
   Ledger& ledger_;
-  const CrewOrders& orders_;
+  const FillOptions& options_;
 
   std::mutex mutex_;  // guards all below
   std::condition_variable changed_;
   std::vector<std::unique_ptr<Active>> active_;                // in the order of the blocks
-  std::map<std::size_t, std::unique_ptr<BlockRun>> finished_;  // not handed on yet
-  std::size_t begun_ = 0, handed_on_ = 0;
-  bool handing_on_ = false;
+  std::map<std::size_t, std::unique_ptr<BlockRun>> finished_;  // not reported yet
+  std::size_t started_ = 0, reported_ = 0;
+  bool reporting_ = false;
   std::optional<Error> failure_;
   std::exception_ptr thrown_;
 };
@@ -140,8 +145,8 @@ class Crew {
 }  // namespace
 
 Result<bool> fill_blocks(const RunConfiguration& configuration, const Resources& resources,
-                         const std::vector<Block>& blocks, Ledger& ledger, const CrewOrders& orders) {
-  return Crew(configuration, resources, blocks, ledger, orders).work();
+                         const std::vector<Block>& blocks, Ledger& ledger, const FillOptions& options) {
+  return BlockWorkers(configuration, resources, blocks, ledger, options).run();
 }
 
 }  // namespace unietp
