@@ -7,7 +7,7 @@
 namespace unietp {
 
 std::optional<Command> clearly_said(const ModeEpisode& episode, const Action& action) {
-  auto command = episode.said(action);
+  auto command = episode.command_for(action);
   if (!command) return std::nullopt;
   const bool clear = std::all_of(command->args.begin(), command->args.end(), [](const Argument& argument) {
     return !argument.box || shows_clearly(*argument.box);

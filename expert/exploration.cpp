@@ -86,8 +86,8 @@ class Search {
   }
   void begin_with(const std::string& place, double cost) {
     const Action action{ActionType::GoTo, {place}};
-    if (!episode_.said(action)) return;
-    if (auto agent = world_.led_to(world_.agent(), action)) add({std::move(*agent), cost, 0, action});
+    if (!episode_.command_for(action)) return;
+    if (auto agent = world_.agent_after(world_.agent(), action)) add({std::move(*agent), cost, 0, action});
   }
   void begin_nearby() {
     const auto movable = [](const Node& node) { return node.movable; };
@@ -102,7 +102,7 @@ class Search {
   void go_on(std::size_t at, ActionType type) {
     const Action action{type, {}};
     const Agent from = poses_[at].agent;
-    if (auto agent = world_.led_to(from, action)) add({std::move(*agent), poses_[at].cost + 1, at, action});
+    if (auto agent = world_.agent_after(from, action)) add({std::move(*agent), poses_[at].cost + 1, at, action});
   }
   bool shows(const Agent& agent) const {
     if (standing_ == Standing::InReach && !world_.in_reach_from(agent.position, target_.id)) return false;

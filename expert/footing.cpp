@@ -75,7 +75,7 @@ class FootingSearch {
     if (!object_) poses_.next();                           // one has to come to the room first
     for (const std::string& id : beginnings(world_, about_)) {
       const Action go{ActionType::GoTo, {id}};
-      if (auto agent = world_.led_to(world_.agent(), go)) add({std::move(*agent), 1, 0, go});
+      if (auto agent = world_.agent_after(world_.agent(), go)) add({std::move(*agent), 1, 0, go});
     }
     while (trials_ < (drops() ? kMostDrops : kMostTrials)) {
       const auto at = poses_.next();
@@ -98,7 +98,8 @@ class FootingSearch {
   void expand(std::size_t at) {
     const auto step = [&](ActionType type) {
       const ReachedPose from = poses_[at];
-      if (auto agent = world_.led_to(from.agent, {type, {}})) add({std::move(*agent), from.cost + 1, at, {type, {}}});
+      if (auto agent = world_.agent_after(from.agent, {type, {}}))
+        add({std::move(*agent), from.cost + 1, at, {type, {}}});
     };
     for (const ActionType type : kFlatMoves) step(type);
     if (!drops()) return;

@@ -67,9 +67,9 @@ Home prepare_home(Scene scene, const Profile& profile) {
   }
   home.solids = PlacementChecker::shared(std::move(solids));
   Walk walk = walk_in(scene, profile);
-  Ripple steps(walk.grid, walk.grid.cell_at(scene.agent.position));
+  DistanceField steps(walk.grid, walk.grid.cell_at(scene.agent.position));
   steps.finish();
-  walk.steps = std::make_shared<const Ripple>(std::move(steps));
+  walk.steps = std::make_shared<const DistanceField>(std::move(steps));
   home.walk = std::make_shared<const Walk>(std::move(walk));
   home.unreached = unreached_room(scene, *home.walk);
   home.now.states.push_back(home.reader.read(scene));

@@ -300,7 +300,7 @@ bool Reach::swings(std::size_t index) const {
   const auto swept = sweep_of(node);
   auto ignore = loose_near(scene_, world_, swept.value_or(world_.bounds(body)), 0, index);
   ignore.push_back(body);
-  return !in_the_way(world_, node, shape, node.opening < 0.5 ? 1 : 0, ignore);
+  return !joint_obstacle(world_, node, shape, node.opening < 0.5 ? 1 : 0, ignore);
 }
 
 std::vector<std::size_t> Reach::shut_around(std::size_t index) const {

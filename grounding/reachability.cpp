@@ -21,7 +21,7 @@ bool reached_from_the_front(const Scene& scene, const PhysicsWorld& world, const
     if (!walk.reached.has(cell.x, cell.y)) continue;
     const Vec2 at = grid.centre(cell);
     if (reach_distance(node, at, profile) > profile.reach_m - kReachReserve_m) continue;
-    if (in_door_way(node, at, profile)) continue;
+    if (in_door_sweep(node, at, profile)) continue;
     if (sees(scene, world, profile, at, index)) return true;
   }
   return false;

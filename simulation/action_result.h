@@ -34,7 +34,9 @@ struct ActionResult {
   Failure failure = Failure::None;  // that of the detail's cause
   FailureDetail detail;             // of a failure
 };
+/// A success, without detail.
 ActionResult succeeded();
+/// A failure of the kind that the cause belongs to.
 ActionResult failed(FailureDetail detail);
 ActionResult failed(FailureCause cause, FailureReference object = {}, FailureReference other = {});
 

@@ -7,7 +7,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kLookAhead_m = 0.05;  // a step is checked at points this far apart
+constexpr double kLookAhead_m = 0.05;  // spacing of the points at which a step is checked
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 

@@ -15,11 +15,10 @@ struct BodyMove {
   int turn_left = 0;
   int tilt_down = 0;
 };
-/// nullopt for actions that are none of these.
+/// nullopt for other actions.
 std::optional<BodyMove> move_of(ActionType type);
 
-/// The agent after a move. The body goes in a straight line over free floor; nullopt when something is in its way, or
-/// the camera tilts no further.
+/// The agent after a move in a straight line; nullopt when the floor is not free or the camera is at its limit.
 std::optional<Agent> moved(const Agent& agent, const BodyMove& move, const NavigationGrid& grid,
                            const Profile& profile);
 /// The agent turned, and its camera tilted, towards a point in W.

@@ -9,9 +9,9 @@
 
 namespace unietp {
 
-/// Which bodies may be where, seen from above: a grid of square cells, each with the numbers of those whose bounds
-/// touch it. Homes are flat, so two dimensions tell nearly all apart. What lies outside the grid counts to its border.
-/// Copies share the cells that have not changed since.
+/// Spatial index of bodies in the floor plane: a grid of square cells, each with the numbers of the bodies whose bounds
+/// touch it. Homes are flat, so two dimensions separate nearly all bodies. What lies outside the grid is in its border
+/// cells. Copies share unchanged cells.
 class BodyGrid {
  public:
   BodyGrid() = default;
@@ -20,7 +20,7 @@ class BodyGrid {
 
   void insert(std::uint32_t number, const Bounds& bounds);
   void erase(std::uint32_t number, const Bounds& bounds);
-  /// Numbers in the cells that the bounds touch; one may come more than once.
+  /// Numbers in the cells that the bounds touch; may repeat a number.
   template <class Visit>
   void visit(const Bounds& bounds, Visit visit) const {
     const Range range = range_of(bounds);
@@ -30,8 +30,8 @@ class BodyGrid {
       }
     }
   }
-  /// The cells that a segment crosses, in order. `visit(numbers, share of the way at which the cell is entered)` says
-  /// whether to go on.
+  /// The cells that a segment crosses, in order. `visit(numbers, fraction of the segment at which the cell is entered)`
+  /// returns whether to continue.
   template <class Visit>
   void along(const Vec3& from, const Vec3& way, Visit visit) const;
 

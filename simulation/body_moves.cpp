@@ -1,7 +1,7 @@
 #include "simulation/agent_moves.h"
 #include "simulation/world_state.h"
 
-// What the agent does with its body alone: steps, turns, tilts of the camera.
+// Actions of the body: steps, turns, tilts of the camera.
 namespace unietp {
 
 ActionResult move_body(WorldState& state, ActionType type) {

@@ -16,19 +16,20 @@ struct Camera {
   double focal = 1;                                                           // pixels
   bool operator==(const Camera&) const = default;
 
-  /// Direction from `at` through a point of the image; a way of length t along it lies t metres deep.
+  /// Direction from `at` through a point of the image; the point at t times it has a depth of t metres.
   Vec3 ray(double x, double y) const {
     return ahead + ((x - width / 2.0) / focal) * right + ((y - height / 2.0) / focal) * down;
   }
   double depth(const Vec3& point) const { return (point - at).dot(ahead); }
-  /// Where a point is seen, also outside of the image; nullopt when it lies behind the camera.
+  /// Pixel coordinates of a point, which may lie outside of the image; nullopt when it is behind the camera.
   std::optional<Vec2> pixel(const Vec3& point) const;
-  /// The box around all of what the image shows up to a depth, metres.
+  /// Bounds of the view frustum up to a depth, metres.
   Bounds shown_up_to(double depth_m) const;
-  /// Whether a ball may be seen: it reaches into the pyramid of what the image shows, or nearly so.
+  /// Whether a sphere may be in the image: conservative test against the view frustum.
   bool may_show(const Vec3& centre, double radius) const;
 };
 
+/// The camera of an agent at its present position, yaw and pitch.
 Camera camera_of(const Agent& agent, const Profile& profile);
 
 }  // namespace unietp

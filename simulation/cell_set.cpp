@@ -8,9 +8,9 @@
 namespace unietp {
 namespace {
 
-/// The bits of `open` that hang together with one of `some`, which are among them.
+/// The bits of `open` that are connected to one of `some`, a subset of `open`.
 std::uint64_t spread(std::uint64_t some, std::uint64_t open) {
-  some |= open & ~(open + some);  // a carry runs from the lowest to the upper end of what hangs together
+  some |= open & ~(open + some);  // the carry runs to the upper end of each connected run
   std::uint64_t down = open;
   for (int by = 1; by < 64; by *= 2) {
     some |= down & (some >> by);
@@ -19,7 +19,7 @@ std::uint64_t spread(std::uint64_t some, std::uint64_t open) {
   return some;
 }
 
-/// Words of a row, both included; none while it is empty.
+/// A range of words of a row, both ends included; empty at first.
 struct Stretch {
   std::size_t from = 1, to = 0;
   bool empty() const { return from > to; }
@@ -30,7 +30,7 @@ struct Stretch {
   }
 };
 
-/// The same along a row, of which only the bits of some words are new. What it came to.
+/// The same along a row of which only the words `fresh` changed. Returns the words that it changed.
 Stretch spread(std::span<std::uint64_t> some, std::span<const std::uint64_t> open, Stretch fresh) {
   for (std::size_t w = fresh.from; w < some.size(); ++w) {
     const std::uint64_t carry = w == 0 ? 0 : some[w - 1] >> 63;
@@ -63,7 +63,7 @@ CellSet::CellSet(int width, int height)
 int CellSet::count(int y, int from, int to) const {
   int found = 0;
   for (int x = from; x <= to;) {
-    const int end = std::min(to + 1, (x / kWord + 1) * kWord);  // of the cells that share a word
+    const int end = std::min(to + 1, (x / kWord + 1) * kWord);  // of the cells in one word
     const std::uint64_t all = ~std::uint64_t{0} >> (kWord - (end - x));
     found += std::popcount((bits_[word(x, y)] >> (x % kWord)) & all);
     x = end;
@@ -86,9 +86,10 @@ CellSet CellSet::connected_to(int x, int y) const {
   CellSet found(width_, height_);
   if (!has(x, y)) return found;
   found.set(x, y, true);
-  std::vector<Stretch> fresh(static_cast<std::size_t>(height_));  // of each row what has not been spread yet
+  std::vector<Stretch> fresh(
+      static_cast<std::size_t>(height_));  // by row: words that have not been spread to the neighbouring rows
   fresh[static_cast<std::size_t>(y)].take_in(static_cast<std::size_t>(x) / kWord);
-  std::vector<int> due{y};  // rows of which something is fresh
+  std::vector<int> due{y};  // rows with fresh words
   while (!due.empty()) {
     const int row = due.back();
     due.pop_back();
@@ -113,7 +114,7 @@ CellSet CellSet::connected_to(int x, int y) const {
 }
 
 CellSet::Window CellSet::around_differences(const CellSet& other) const {
-  constexpr int kAround = 5;  // a way around a door that opened is about so wide
+  constexpr int kAround = 5;  // about the width of a detour around an open door
   Window found{width_, 0, height_, 0};
   for (int y = 0; y < height_; ++y) {
     for (std::size_t w = word(0, y); w < word(0, y) + words_; ++w) {
@@ -133,7 +134,7 @@ CellSet::Window CellSet::around_differences(const CellSet& other) const {
 CellSet CellSet::connected_to(int x, int y, const CellSet& before, const CellSet& reached) const {
   if (!has(x, y) || !reached.has(x, y)) return connected_to(x, y);
   if (bits_ == before.bits_) return reached;
-  constexpr int kWorthwhile = 8;  // a flood takes whole words
+  constexpr int kWorthwhile = 8;  // minimum width for which the local search is faster
   const Window around = around_differences(before);
   const int wide = around.high_x - around.low_x, high = around.high_y - around.low_y;
   if (wide * high > width_ * height_ / kWorthwhile) return connected_to(x, y);
@@ -153,8 +154,8 @@ CellSet CellSet::connected_to(int x, int y, const CellSet& before, const CellSet
     return true;
   });
   if (from_x < 0) return connected_to(x, y);
-  // If all that was reached here still hangs together here, ways through here are as good as before. If nothing that
-  // was there before is reached anew, no way leads farther than before.
+  // If the cells of the window that were reached are still connected in it, paths through the window remain. If no cell
+  // that was free but not reached is reached now, no path leads farther than before.
   const CellSet now = here.connected_to(from_x - around.low_x, from_y - around.low_y);
   CellSet found = reached;
   const bool as_before = each([&](int i, int j) {

@@ -6,14 +6,14 @@
 
 namespace unietp {
 
-/// Cells of a grid, a bit each: a copy and a flood of a whole street cost microseconds.
+/// A set of grid cells, one bit per cell: copies and flood fills of a whole street take microseconds.
 class CellSet {
  public:
   CellSet() = default;
-  /// None of the grid's cells.
+  /// The empty set on a grid.
   CellSet(int width, int height);
 
-  /// False for what lies outside of the grid.
+  /// False for cells outside of the grid.
   bool has(int x, int y) const {
     if (x < 0 || y < 0 || x >= width_ || y >= height_) return false;
     return ((bits_[word(x, y)] >> (x % kWord)) & 1U) != 0;
@@ -24,15 +24,14 @@ class CellSet {
     std::uint64_t& bits = bits_[word(x, y)];
     bits = there ? bits | bit : bits & ~bit;
   }
-  /// How many of a row's cells it has from `from` to `to`, both included and in the grid.
+  /// Number of cells of a row between columns `from` and `to`, both included and in the grid.
   int count(int y, int from, int to) const;
-  /// Whether it has all of these that another set of the same grid has.
+  /// Whether it contains all cells of that range that another set of the same grid contains.
   bool covers(const CellSet& other, int y, int from, int to) const;
-  /// The cells that one gets to from that one by steps to the four neighbours, it among them, without leaving the set;
-  /// none when the set does not have it.
+  /// The 4-connected component of the set that contains the cell; empty when the set does not contain it.
   CellSet connected_to(int x, int y) const;
-  /// The same, by what is known of another set of the same grid: `reached` is what it has connected to that cell. Where
-  /// little differs, and that in one place, only a look around there is taken.
+  /// The same, computed from another set of the same grid whose component of that cell is `reached`. When the sets
+  /// differ in one small region, only that region is searched.
   CellSet connected_to(int x, int y, const CellSet& before, const CellSet& reached) const;
   bool operator==(const CellSet&) const = default;
 
@@ -41,7 +40,7 @@ class CellSet {
   struct Window {  // columns and rows, from low to before high
     int low_x = 0, high_x = 0, low_y = 0, high_y = 0;
   };
-  /// All cells that the two do not both have or lack, and some around them.
+  /// A window around all cells in which the two differ, with a margin.
   Window around_differences(const CellSet& other) const;
   std::size_t word(int x, int y) const {
     return static_cast<std::size_t>(y) * words_ + static_cast<std::size_t>(x) / kWord;

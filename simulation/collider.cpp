@@ -65,7 +65,7 @@ std::vector<Convex> Collider::placed(const Pose& pose) const {
   return all;
 }
 
-std::shared_ptr<const Collider> ColliderBook::of(const Node& node) {
+std::shared_ptr<const Collider> ColliderCache::of(const Node& node) {
   std::string key;
   const auto form = static_cast<std::uint64_t>(node.archetype) * 2 + (node.openable ? 1 : 0);
   append_bytes(key, &form, sizeof form);

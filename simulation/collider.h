@@ -21,7 +21,7 @@ struct Convex {
   Bounds bounds;
 };
 
-/// A shape at one joint position, as physics collides it. Made once and shared by all bodies that look alike.
+/// A shape at one joint position, as used in collision tests. Shared by all bodies with the same shape.
 struct Collider {
   Collider(Shape of, double opening);
 
@@ -36,12 +36,13 @@ struct Collider {
   std::vector<Convex> placed(const Pose& pose) const;
 };
 
-/// Bodies' bounds are larger than the bodies by this much, so that what touches is met.
+/// Margin of bodies' bounds, so that touching bodies are found.
 inline constexpr double kSkin_m = 0.001;
 
-/// Colliders by what they look like, so that things that are alike are made once. Not for several threads at once.
-class ColliderBook {
+/// Cache of colliders by shape. Not thread-safe.
+class ColliderCache {
  public:
+  /// The collider of a node at its present opening.
   std::shared_ptr<const Collider> of(const Node& node);
 
  private:

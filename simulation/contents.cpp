@@ -2,7 +2,7 @@
 
 #include "simulation/world_state.h"
 
-// What is poured, spread, wiped off and used up.
+// Actions on contents and substances: pouring, spreading, wiping, using up.
 namespace unietp {
 namespace {
 
@@ -27,7 +27,7 @@ std::vector<std::string> coats_of(const Node& node) {
   return coats;
 }
 
-/// Dust comes off with a dry cloth; everything else wants a wet one (BEHAVIOR's removers: dust dry, stains with water).
+/// Dust comes off with a dry cloth; everything else needs a wet one (BEHAVIOR's removers: dust dry, stains with water).
 bool is_dust(const std::string& coat) { return coat == "dust"; }
 
 }  // namespace
@@ -38,7 +38,7 @@ ActionResult pour_to(WorldState& state, std::size_t target) {
   const auto substance = filling_of(state.node(*hand));
   if (!substance) return failed(FailureCause::VesselEmpty, state.reference(*hand));
   if (state.held(state.node(target).id)) return failed(FailureCause::InHand, state.reference(target));
-  if (auto blocked = out_of_hands_way(state, target)) return *blocked;
+  if (auto blocked = access_failure(state, target)) return *blocked;
   const bool drains = state.knowledge->effect(state.node(target).category, "drains", state.node(*hand).category) ||
                       state.knowledge->has(state.node(target).category, "drain");
   if (!drains) {
@@ -59,7 +59,7 @@ ActionResult use_up(WorldState& state, std::size_t i) {
   if (!state.knowledge->has(state.node(i).category, "consumable"))
     return failed(FailureCause::NotConsumable, state.reference(i));
   if (!state.held(id)) {
-    if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+    if (auto blocked = access_failure(state, i)) return *blocked;
   }
   if (state.node(i).states.has(Predicate::UsedUp)) return failed(FailureCause::AlreadyUsedUp, state.reference(i));
   state.edit_states(i).set({Predicate::UsedUp, ""});
@@ -76,7 +76,7 @@ ActionResult wipe(WorldState& state, std::size_t i) {
   if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
   if (state.knowledge->effect(state.node(*hand).category, "wipes", state.node(i).category) == nullptr)
     return failed(FailureCause::CannotBeWiped, state.reference(i), state.reference(*hand));
-  if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  if (auto blocked = access_failure(state, i)) return *blocked;
   const auto coats = coats_of(state.node(i));
   const bool stained = state.node(i).states.has(Predicate::Dirty) ||
                        std::any_of(coats.begin(), coats.end(), [](const auto& coat) { return !is_dust(coat); });
@@ -95,7 +95,7 @@ ActionResult spread_to(WorldState& state, std::size_t i) {
   if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
   const Effect* effect = state.knowledge->effect(state.node(*hand).category, "dispenses", state.node(i).category);
   if (effect == nullptr) return failed(FailureCause::DispensesNothing, state.reference(*hand), state.reference(i));
-  if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  if (auto blocked = access_failure(state, i)) return *blocked;
   state.edit_states(i).set({Predicate::Covered, effect->gives});
   look_at(state, state.node(i).pose.position);
   state.carry_along();

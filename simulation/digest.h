@@ -6,8 +6,8 @@
 
 namespace unietp {
 
-/// 128 bits that stand for a content: two contents that occur in one run have the same only if they are the same
-/// (a chance of 1 in 10^20 for a million of them). Sums of digests stand for sets.
+/// A 128-bit hash: different contents of one run have different digests (with a probability of error of 1 in 10^20 for
+/// a million of them). A sum of digests is the digest of a multiset.
 struct Digest {
   std::uint64_t a = 0, b = 0;
   bool operator==(const Digest&) const = default;
@@ -23,7 +23,7 @@ struct Digest {
   }
 };
 
-/// Takes words in order. Two lanes of the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+/// Hashes a sequence of words. Two lanes of the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
 class Digester {
  public:
   Digester& add(std::uint64_t word) {
@@ -56,6 +56,7 @@ class Digester {
   std::uint64_t a_ = 0x243f6a8885a308d3ULL, b_ = 0x13198a2e03707344ULL;
 };
 
+/// For unordered containers.
 struct DigestHash {
   std::size_t operator()(const Digest& digest) const { return digest.a; }
 };

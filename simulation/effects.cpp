@@ -7,7 +7,7 @@
 namespace unietp {
 namespace {
 
-/// What an effect of the knowledge base does to its target.
+/// The states that an effect of the knowledge base gives its target.
 struct Rule {
   std::string_view effect;
   std::vector<Predicate> sets;
@@ -50,7 +50,7 @@ bool needs(const Effect& effect, std::string_view need) {
   return std::find(effect.needs.begin(), effect.needs.end(), need) != effect.needs.end();
 }
 
-/// Runs one step of a composite action; keeps the first failure.
+/// Runs the steps of a composite action up to the first failure.
 class Steps {
  public:
   explicit Steps(FailureReference tool) : tool_(std::move(tool)) {}
@@ -94,7 +94,7 @@ ActionResult switch_power(WorldState& state, std::size_t i, bool on) {
     return failed(FailureCause::NotSwitchable, state.reference(i));
   }
   if (!state.held(node.id)) {
-    if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+    if (auto blocked = access_failure(state, i)) return *blocked;
   }
   if (on && node.states.has(Predicate::PowerOn)) return failed(FailureCause::AlreadyOn, state.reference(i));
   if (!on && node.states.has(Predicate::PowerOff)) return failed(FailureCause::AlreadyOff, state.reference(i));
@@ -117,11 +117,11 @@ ActionResult treat_with(WorldState& state, std::size_t tool, std::string_view ef
   if (state.agent().held.empty()) return failed(FailureCause::HandsEmpty);
   const std::size_t item = *state.index_of(state.agent().held.front());
   const Effect* effect = state.knowledge->effect(state.node(tool).category, effect_name, state.node(item).category);
-  // A bottle that pours has to be held itself: that is another action.
+  // Effects of a held tool (a bottle that pours) belong to other actions.
   if (effect == nullptr || !offered(*state.profile, effect_name) || needs(*effect, "held")) {
     return failed(FailureCause::ToolHasNoEffect, state.reference(item), state.reference(tool));
   }
-  if (auto blocked = out_of_hands_way(state, tool)) return *blocked;
+  if (auto blocked = access_failure(state, tool)) return *blocked;
 
   const auto closed = [&] { return state.node(tool).openable && !state.node(tool).states.has(Predicate::Open); };
   const bool inside = needs(*effect, "inside") || needs(*effect, "under_tap");
@@ -155,12 +155,12 @@ ActionResult slice(WorldState& state, std::size_t i) {
   const Effect* effect = state.knowledge->effect(state.node(knife).category, "slices", state.node(i).category);
   if (effect == nullptr) return failed(FailureCause::DoesNotSlice, state.reference(knife), state.reference(i));
   if (state.node(i).states.has(Predicate::Sliced)) return failed(FailureCause::AlreadySliced, state.reference(i));
-  if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  if (auto blocked = access_failure(state, i)) return *blocked;
   const Category* piece = state.knowledge->find(effect->gives);
   if (piece == nullptr) return failed(FailureCause::NotSliceable, state.reference(i));
 
-  // Cut along the longest level side into equal pieces. The first keeps the whole's identity, so that a goal can still
-  // speak of it; the others are new. Together they fill the space of the whole, less the width of the blade.
+  // Cut along the longest horizontal side into equal pieces. The first keeps the id of the whole, so that a goal can
+  // still refer to it; the others are new. Together they fill the space of the whole, less the width of the blade.
   constexpr double kBlade_m = 0.001;
   const int pieces = std::max(2, effect->amount);
   const Node whole = state.node(i);

@@ -3,13 +3,13 @@
 
 #include "simulation/world_state.h"
 
-// What only the profile `wide` offers: sitting, lying, plugs, folding and breaking.
+// Actions of the profile `wide` only: sitting, lying, plugs, folding and breaking.
 namespace unietp {
 namespace {
 
 constexpr double kSpotPitch_m = 0.05;
 constexpr double kAboveSeat_m = 0.01;
-// A body's place on a seat and on a bed: width, depth and height of what must be free. Curated.
+// Free space that a body needs on a seat and on a bed: width, depth and height. Curated.
 const Vec3 kSitter_m(0.3, 0.3, 0.5);
 const Vec3 kLier_m(1.4, 0.4, 0.3);
 
@@ -26,8 +26,8 @@ ActionResult is_seated(const WorldState& state, std::size_t seat) {
   return failed(lies ? FailureCause::LiesOn : FailureCause::SitsOn, state.reference(seat));
 }
 
-/// Nothing movable but the seat itself lies where the body would be. A table over a chair does not count: one pulls the
-/// chair out.
+/// Whether no movable object other than the seat is in the body's space. Furniture is ignored, since a chair can be
+/// pulled out from under a table.
 bool free_for_body(const WorldState& state, std::size_t seat, const Pose& pose, const Vec3& size) {
   Shape body;
   body.parts.push_back({Part::Kind::Box, {}, size, -1});
@@ -45,7 +45,7 @@ bool has_place_for(const WorldState& state, std::size_t seat, const Vec3& body) 
     const Pose frame = node.pose * joint_motion(shape, surface.joint, node.opening);
     for (const bool across : {false, true}) {
       Vec3 size = across ? Vec3(body.y(), body.x(), body.z()) : body;
-      size.head<2>() = size.head<2>().cwiseMin(2 * surface.half);  // a stool is narrower than its sitter
+      size.head<2>() = size.head<2>().cwiseMin(2 * surface.half);  // a seat may be narrower than the body
       const Vec2 room = surface.half - size.head<2>() / 2;
       const int nx = static_cast<int>(room.x() / kSpotPitch_m), ny = static_cast<int>(room.y() / kSpotPitch_m);
       for (int x = -nx; x <= nx; ++x) {
@@ -59,10 +59,10 @@ bool has_place_for(const WorldState& state, std::size_t seat, const Vec3& body) 
   return false;
 }
 
-/// Not in the hand, and the hand gets at it.
-std::optional<ActionResult> out_of_the_way(const WorldState& state, std::size_t i) {
+/// Why the agent cannot act on a node by hand, or nullopt; held objects count as a failure.
+std::optional<ActionResult> manual_access_failure(const WorldState& state, std::size_t i) {
   if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
-  return out_of_hands_way(state, i);
+  return access_failure(state, i);
 }
 
 void turn_to_work(WorldState& state, std::size_t i) {
@@ -72,7 +72,7 @@ void turn_to_work(WorldState& state, std::size_t i) {
 
 }  // namespace
 
-std::optional<ActionResult> keeps_seat(const WorldState& state, ActionType type) {
+std::optional<ActionResult> seated_failure(const WorldState& state, ActionType type) {
   if (!state.profile->offers(ActionType::SitOn) && !state.profile->offers(ActionType::LieOn)) return std::nullopt;
   if (type == ActionType::StandUp || type == ActionType::LookUp || type == ActionType::LookDown) return std::nullopt;
   const auto seat = seat_of(state);
@@ -84,7 +84,7 @@ ActionResult take_seat(WorldState& state, std::size_t i, Predicate as) {
   if (!state.knowledge->has(state.node(i).category, lies ? "lieable" : "sittable"))
     return failed(lies ? FailureCause::CannotLieOn : FailureCause::CannotSitOn, state.reference(i));
   if (const auto seat = seat_of(state)) return is_seated(state, *seat);
-  if (auto blocked = out_of_the_way(state, i)) return *blocked;
+  if (auto blocked = manual_access_failure(state, i)) return *blocked;
   if (!has_place_for(state, i, lies ? kLier_m : kSitter_m)) return failed(FailureCause::SeatTaken, state.reference(i));
   state.edit_states(i).set({as, ""});
   const Vec3 front = state.node(i).pose.rotation * -Vec3::UnitY();
@@ -106,7 +106,7 @@ ActionResult plug(WorldState& state, std::size_t i, bool in) {
   const bool plugged = state.node(i).states.has(Predicate::PluggedIn);
   if (!plugged && !state.node(i).states.has(Predicate::Unplugged))
     return failed(FailureCause::NoPlug, state.reference(i));
-  if (auto blocked = out_of_the_way(state, i)) return *blocked;
+  if (auto blocked = manual_access_failure(state, i)) return *blocked;
   if (in && plugged) return failed(FailureCause::AlreadyPluggedIn, state.reference(i));
   if (!in && !plugged) return failed(FailureCause::AlreadyUnplugged, state.reference(i));
   state.edit_states(i).set({in ? Predicate::PluggedIn : Predicate::Unplugged, ""});
@@ -123,7 +123,7 @@ ActionResult fold(WorldState& state, std::size_t i) {
     if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDownToFold, state.reference(i));
     return failed(FailureCause::FoldingTakesFreeHand);
   }
-  if (auto blocked = out_of_the_way(state, i)) return *blocked;
+  if (auto blocked = manual_access_failure(state, i)) return *blocked;
   if (const auto group = state.group_of(i); group.size() > 1)
     return failed(FailureCause::SomethingLiesOn, state.reference(group[1]), state.reference(i));
   state.edit_states(i).set({Predicate::Folded, ""});
@@ -135,7 +135,7 @@ ActionResult break_apart(WorldState& state, std::size_t i) {
   if (!state.knowledge->has(state.node(i).category, "breakable"))
     return failed(FailureCause::NotBreakable, state.reference(i));
   if (state.node(i).states.has(Predicate::Broken)) return failed(FailureCause::AlreadyBroken, state.reference(i));
-  if (auto blocked = out_of_the_way(state, i)) return *blocked;
+  if (auto blocked = manual_access_failure(state, i)) return *blocked;
   state.edit_states(i).set({Predicate::Broken, ""});
   if (state.node(i).states.has(Predicate::Filled)) state.edit_states(i).set({Predicate::Empty, ""});
   turn_to_work(state, i);

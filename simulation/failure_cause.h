@@ -100,6 +100,7 @@ enum class FailureCause : std::uint8_t {
   NotBreakable,
   AlreadyBroken,
 };
+/// Number of causes, None included.
 inline constexpr std::size_t kFailureCauseCount = static_cast<std::size_t>(FailureCause::AlreadyBroken) + 1;
 
 /// One row of the table of causes.
@@ -108,6 +109,7 @@ struct FailureCauseInfo {
   Failure failure;            // the kind that files record
   std::string_view sentence;  // in English; {object} and {other} stand for what the failure refers to
 };
+/// The row of a cause.
 const FailureCauseInfo& info(FailureCause cause);
 
 }  // namespace unietp

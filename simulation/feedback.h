@@ -14,6 +14,7 @@ struct FailureWithoutIds {
   FailureCause cause = FailureCause::None;
   std::string object, other, tool;  // phrases, "" where there is none
 };
+/// Keeps the phrases and drops the ids.
 FailureWithoutIds without_ids(const FailureDetail& failure);
 
 /// For agents that know all ids (M1): "mug_1 is out of reach; go to it first."

@@ -21,8 +21,7 @@ std::optional<Vec2> place_in_room(const WorldState& state, const Room& room) {
   const int left = std::max(0, from.x), right = std::min(grid.width() - 1, to.x);
   if (left > right) return std::nullopt;
   const int centre = std::clamp(grid.cell_at(middle).x, left, right);
-  // In each row from the middle outwards, as long as there may be a nearer one. Of two at one distance the first in the
-  // order of rows and columns is taken.
+  // Each row is searched from the middle outwards until no cell can be nearer. Ties by row, then column.
   const auto look_along = [&](int y, int x, int step) {
     for (; x >= left && x <= right; x += step) {
       const Vec2 at = grid.centre({x, y});
@@ -54,7 +53,7 @@ ActionResult go_to(WorldState& state, const std::string& id) {
   const auto node = state.index_of(id);
   if (!node) return failed(FailureCause::NoSuchObjectOrRoom, unknown_name(id));
   if (state.held(id)) return failed(FailureCause::InHand, state.reference(*node));
-  // What a closed container hides cannot be seen from anywhere: the agent goes to the container.
+  // For an object in a closed container the agent goes to the container.
   const std::size_t target = state.closed_around(*node).value_or(*node);
   const auto place = state.standing_place(target);
   if (!place) return failed(FailureCause::NoPlaceToStand, state.reference(*node));

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "simulation/navigation.h"
-#include "simulation/ripple.h"
+#include "simulation/distance_field.h"
 
 namespace unietp {
 namespace {
@@ -13,10 +13,10 @@ constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}
 }  // namespace
 
 std::vector<NavigationGrid::Cell> NavigationGrid::path(Cell from, Cell to) const {
-  Ripple ripple(*this, to);
+  DistanceField field(*this, to);
   std::vector<Cell> cells;
-  if (!free(from) || ripple.fewest_to(from, from) < 0) return cells;
-  const auto at = [&](Cell c) { return ripple.found(c); };
+  if (!free(from) || field.fewest_to(from, from) < 0) return cells;
+  const auto at = [&](Cell c) { return field.found(c); };
   cells.push_back(from);
   while (at(cells.back()) > 0) {
     for (const auto& d : kNeighbours) {

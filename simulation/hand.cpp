@@ -6,11 +6,12 @@
 namespace unietp {
 namespace {
 
-constexpr int kMostSettles = 6;           // free spots on which it is tried to rest before giving up
-constexpr std::size_t kMostHidden = 200;  // free spots that are passed over because the hand could not take it back
-constexpr double kTouching_m = 0.003;     // bodies nearer than this may be leaning on one another
-constexpr double kSunk_m = 0.003;         // resting contacts sink by up to this much
-constexpr double kKnocked_m = 0.05;       // neighbours that move farther than this have been knocked over
+constexpr int kMostSettles = 6;  // free spots that are tried before giving up
+constexpr std::size_t kMostHidden =
+    200;                               // free spots that are postponed because the object could not be picked up there
+constexpr double kTouching_m = 0.003;  // bodies nearer than this may support one another
+constexpr double kSunk_m = 0.003;      // resting contacts sink by up to this much
+constexpr double kKnocked_m = 0.05;    // neighbours that move farther than this have been knocked over
 
 Bounds group_bounds(const WorldState& state, const std::vector<std::size_t>& group) {
   Bounds all = state.physics().bounds(BodyId::node(group.front()));
@@ -36,7 +37,7 @@ std::vector<BodyId> neighbours(const WorldState& state, const Bounds& bounds, co
   return found;
 }
 
-/// Moves bodies and nodes to where they settled; gives the farthest that one of `watched` moved.
+/// Moves bodies and nodes to their settled poses; returns the largest displacement of those in `watched`.
 double apply(WorldState& state, const Settled& settled, const std::vector<BodyId>& watched) {
   double farthest = 0;
   for (const SettledBody& body : settled.bodies) {
@@ -59,8 +60,8 @@ struct Spots {
   Offer offer;
 };
 
-/// What can be attached to a thing can be set on its head, also where nothing else can be put: a camera on a tripod.
-void add_head(Shape& shape, const Vec3& size) {
+/// Adds a top surface for attached objects where nothing else can be placed: a camera on a tripod.
+void add_top(Shape& shape, const Vec3& size) {
   const bool open =
       std::any_of(shape.surfaces.begin(), shape.surfaces.end(), [](const Surface& s) { return s.cavity < 0; });
   constexpr double kClearance_m = 2.0;
@@ -71,7 +72,7 @@ Spots spots_on(const WorldState& state, std::size_t target, const Vec3& size, bo
   Spots result;
   const Node& receptacle = state.node(target);
   Shape shape = state.collider(target).shape;
-  if (attaches) add_head(shape, receptacle.size);
+  if (attaches) add_top(shape, receptacle.size);
   const Vec2 agent = state.agent().position;
   result.offer = for_each_spot(receptacle, shape, size, inside, alone, [&](const Pose& pose) {
     if (arm_length(pose.position, agent, *state.profile) <= state.profile->reach_m)
@@ -90,7 +91,7 @@ bool free_at(const WorldState& state, const std::vector<std::size_t>& group, con
   });
 }
 
-/// Whether the hand could take a thing back from a pose, from where the agent stands.
+/// Whether the agent could pick the object up from a pose without moving.
 bool in_grasp(const WorldState& state, const std::vector<std::size_t>& group, const Pose& pose) {
   const Vec2& place = state.agent().position;
   Node thing = state.node(group.front());
@@ -114,7 +115,7 @@ ActionResult pick_up(WorldState& state, std::size_t i) {
   if (static_cast<int>(state.agent().held.size()) >= state.profile->hands) {
     return failed(FailureCause::HandsFull, state.reference(*state.index_of(state.agent().held.front())));
   }
-  if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  if (auto blocked = access_failure(state, i)) return *blocked;
   const std::vector<std::size_t> group = state.group_of(i);
   double mass = 0;
   for (const std::size_t member : group) mass += state.node(member).mass;
@@ -146,7 +147,7 @@ ActionResult place(WorldState& state, std::size_t target, bool inside, bool with
   if (std::find(group.begin(), group.end(), target) != group.end()) {
     return failed(FailureCause::InHand, state.reference(target));
   }
-  if (auto blocked = out_of_hands_way(state, target)) return *blocked;
+  if (auto blocked = access_failure(state, target)) return *blocked;
   const Node& receptacle = state.node(target);
   if (inside && receptacle.openable && !receptacle.states.has(Predicate::Open)) {
     return failed(FailureCause::ReceptacleClosed, state.reference(target));
@@ -183,12 +184,12 @@ ActionResult place(WorldState& state, std::size_t target, bool inside, bool with
     const Bounds touched[] = {let_go, group_bounds(state, changed)};
     state.refresh(touched, changed);
     if (!state.linked(i, inside ? Predicate::Inside : Predicate::On, target)) return false;
-    if (within_grasp && out_of_hands_way(state, i)) return false;
+    if (within_grasp && access_failure(state, i)) return false;
     if (attaches) state.attach(i, target);
     run_processes(state, target);
     return true;
   };
-  // Behind the near wall of a basin a thing is out of sight, so such spots come last.
+  // Spots where the object would be out of sight, such as behind the near wall of a basin, come last.
   std::vector<const Pose*> hidden;
   for (const FreeSpot& spot : spots.spots) {
     if (settles == kMostSettles) break;
@@ -223,7 +224,7 @@ std::vector<Pose> free_spots(const WorldState& state, std::size_t i, std::size_t
 
 namespace {
 
-/// A body that came to rest while it was still in another: a fall may end so, a placing does not.
+/// Whether a body came to rest overlapping another one, which can happen after a fall.
 bool any_sunk(const WorldState& state, const std::vector<std::size_t>& bodies) {
   return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t i) {
     const BodyId self[] = {BodyId::node(i)};
@@ -242,7 +243,7 @@ ActionResult drop(WorldState& state) {
     return failed(FailureCause::NoRoomToFall, state.reference(group.front()));
   for (const std::size_t member : group) state.lay(member);
   const Bounds let_go = group_bounds(state, group);
-  // Whatever lies below may be hit.
+  // Anything below may be hit.
   Bounds below = let_go;
   below.low.z() = 0;
   const auto hit = neighbours(state, below, group);

@@ -3,15 +3,15 @@
 
 #include "simulation/world_state.h"
 
-// What the agent does with the hand that holds something: moves it about, turns it, lets go.
+// Actions of the hand with a held object: moving and turning it.
 namespace unietp {
 namespace {
 
 constexpr double kHandStep_m = 0.2, kHandTurn_deg = 30;  // as the paper's released runner moves it in AI2-THOR
 constexpr double kNearest_m = 0.25, kFarthest_m = 0.85, kMostAside_m = 0.4;
 
-/// The body that what the hand holds would meet; with a message for the agent.
-std::optional<ActionResult> held_meets(const WorldState& state) {
+/// The failure when a held object overlaps something, or nullopt.
+std::optional<ActionResult> held_collision(const WorldState& state) {
   for (const std::string& id : state.agent().held) {
     const auto held = state.index_of(id);
     for (const std::size_t member : state.group_of(*held)) {
@@ -29,7 +29,7 @@ ActionResult with_hand(WorldState& state, const HandPose& hand) {
   if (!in_reach) return failed(FailureCause::ArmAtLimit);
   state.set_hand(hand);
   state.carry_along();
-  if (auto blocked = held_meets(state)) return *blocked;
+  if (auto blocked = held_collision(state)) return *blocked;
   return succeeded();
 }
 

@@ -13,13 +13,13 @@
 
 namespace unietp {
 
-/// A scene in the logic, without comparisons.
+/// The logical facts of a scene, without comparisons.
 struct ReadScene {
   FactReader reader;  // that read it
   Facts facts;
 };
 
-/// What is known of a start scene already, so that a world of it need not work it out again.
+/// What has already been computed for a start scene, so that World::create need not compute it again.
 struct KnownStart {
   PhysicsWorld physics;              // as physics_of gives it
   std::optional<LinkTable> links{};  // of the nodes, while the agent holds nothing

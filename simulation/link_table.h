@@ -11,12 +11,11 @@
 
 namespace unietp {
 
-/// The links of the nodes of a scene, and the other way round which nodes each one carries. Copies share what has not
-/// changed since.
+/// The links of the nodes of a scene, and the inverse: which nodes each one carries. Copies share unchanged parts.
 class LinkTable {
  public:
   LinkTable() = default;
-  /// As physics shows them.
+  /// Read from physics.
   LinkTable(const Scene& scene, const PhysicsWorld& physics);
 
   std::size_t size() const { return links_.size(); }
@@ -25,12 +24,12 @@ class LinkTable {
   /// What lies on or in a node, directly. Sorted.
   const std::vector<std::uint32_t>& carried(std::size_t node) const { return carried_[node]; }
 
-  /// All of them as edges, and in_room of the agent; sorted.
+  /// All links as edges, with in_room of the agent; sorted.
   std::vector<Edge> edges(const Scene& scene) const;
 
-  /// Nodes at the end, without links and carrying nothing, until there are so many; or fewer of such nodes.
+  /// Adds or removes nodes at the end, which have no links and carry nothing.
   void resize(std::size_t nodes);
-  /// Gives the node other links, sorted ones, and takes the present ones away in `links`.
+  /// Swaps the node's links with `links`, which must be sorted.
   void exchange(std::size_t node, std::vector<Link>& links);
   void set(std::size_t node, std::vector<Link> links) { exchange(node, links); }
 

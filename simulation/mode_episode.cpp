@@ -31,7 +31,7 @@ const std::vector<VisibleObject>& ModeEpisode::visible() const {
 const VisibleObject* ModeEpisode::in_view(std::string_view id) const { return find_in(visible(), id); }
 
 bool ModeEpisode::was_seen(std::string_view id) const {
-  return std::any_of(looked_at_.rbegin(), looked_at_.rend(),
+  return std::any_of(moments_seen_.rbegin(), moments_seen_.rend(),
                      [&](MomentId moment) { return world_.at(moment).shows(id); });
 }
 
@@ -47,7 +47,7 @@ const VisibleObject* ModeEpisode::best_match(const PixelBox& box) const {
   return best;
 }
 
-std::optional<FailureCause> ModeEpisode::refused(const ActionInfo& about, const std::string& id) const {
+std::optional<FailureCause> ModeEpisode::refusal_cause(const ActionInfo& about, const std::string& id) const {
   const Node* node = mode_ == Mode::M2 ? world_.find(id) : nullptr;
   if (node == nullptr || !node->movable || world_.holds(id)) return std::nullopt;
   if (about.type == ActionType::GoTo) {
@@ -75,7 +75,7 @@ std::variant<Action, FailureDetail> ModeEpisode::action_of(const Command& comman
       if (!room) return refusal(FailureCause::NamedById, in_words(name_of(mode_)));
     }
     if (!argument.box) {
-      if (const auto cause = refused(about, argument.id)) return refusal(*cause);
+      if (const auto cause = refusal_cause(about, argument.id)) return refusal(*cause);
       action.args.push_back(argument.id);
       continue;
     }
@@ -83,13 +83,13 @@ std::variant<Action, FailureDetail> ModeEpisode::action_of(const Command& comman
     if (object == nullptr) return refusal(FailureCause::NoObjectAtBox);
     action.args.push_back(object->id);
   }
-  return action;  // too few or too many arguments are for the world to refuse
+  return action;  // the world checks the number of arguments
 }
 
 Outcome ModeEpisode::step(const Command& command) {
   if (over()) return outcome_in(mode_, failed(FailureCause::EpisodeEnded));
-  if (mode_ == Mode::M2 && (looked_at_.empty() || looked_at_.back() != world_.moment()))
-    looked_at_.push_back(world_.moment());
+  if (mode_ == Mode::M2 && (moments_seen_.empty() || moments_seen_.back() != world_.moment()))
+    moments_seen_.push_back(world_.moment());
   const auto action = action_of(command);
   const auto* refusal = std::get_if<FailureDetail>(&action);
   const ActionResult result = refusal != nullptr ? failed(*refusal) : world_.step(std::get<Action>(action));
@@ -98,7 +98,7 @@ Outcome ModeEpisode::step(const Command& command) {
   return outcome_in(mode_, result);
 }
 
-std::optional<Command> ModeEpisode::said(const Action& action) const {
+std::optional<Command> ModeEpisode::command_for(const Action& action) const {
   Command command = by_ids(action);
   if (mode_ == Mode::M3) {
     for (Argument& argument : command.args) {

@@ -17,7 +17,7 @@ std::string key_of(const Action& action) {
 }  // namespace
 
 MomentTree::MomentTree(WorldState start, Viewer viewer) : state_(std::move(start)), viewer_(std::move(viewer)) {
-  moments_.emplace_back();  // moments are told apart by what they gained since the start, which gained nothing
+  moments_.emplace_back();  // digests of moments are relative to the start
   known_.emplace(Digest{}, MomentId());
 }
 
@@ -55,8 +55,8 @@ const MomentTree::Step& MomentTree::step(MomentId at, const Action& action) {
   }
   WorldState::Change change = state_.change();
   Digest digest = moments_[at.index()].digest;
-  digest += change.gained;
-  step.changes = std::move(change.seen);
+  digest += change.digest_difference;
+  step.changes = std::move(change.delta);
   std::vector<Edit> log = state_.take_log();
   const auto [known, is_new] = known_.try_emplace(digest, MomentId(moments_.size()));
   step.next = known->second;
@@ -70,7 +70,7 @@ const MomentTree::Step& MomentTree::step(MomentId at, const Action& action) {
     moment.stopped = state_.stopped();
     here_ = step.next;
   } else {
-    state_.undo(log);  // the way to a moment is the one by which it was reached first
+    state_.undo(log);  // a moment keeps the path by which it was reached first
   }
   return step;
 }

@@ -14,9 +14,9 @@
 
 namespace unietp {
 
-/// All that has happened from one start, in every branch that was tried: a tree of moments, of which one is laid out as
-/// a WorldState. Moments that are alike in all that can change are one moment, however they were reached, and a step
-/// that was done once is not done again: mutants of a plan are mostly the plan itself.
+/// All states reached from one start, in every branch that was tried: a tree of moments, one of which is the current
+/// WorldState. Equal states are one moment, however they were reached, and the result of each step is remembered, since
+/// the mutants of a plan mostly repeat the plan.
 class MomentTree {
  public:
   MomentTree(WorldState start, Viewer viewer);
@@ -26,28 +26,28 @@ class MomentTree {
     Delta changes;
     MomentId next;
   };
-  /// What the action comes to at that moment. The reference stays valid.
+  /// The result of the action at that moment. The reference stays valid.
   const Step& step(MomentId at, const Action& action);
-  /// The state at that moment, until another one is asked for.
+  /// The state at that moment; valid until another moment is asked for.
   const WorldState& at(MomentId moment);
   bool stopped(MomentId moment) const { return moments_[moment.index()].stopped; }
   const Profile& profile() const { return *state_.profile; }
   const std::vector<VisibleObject>& visible(MomentId moment, double sight_m);
-  /// Whether the view within the profile's sight has the object.
+  /// Whether the object is visible within the profile's limit of sight.
   bool shows(MomentId moment, std::string_view id);
-  /// A workplace for looking at the state that is laid out.
+  /// Renders views of the current state.
   Viewer& viewer() { return viewer_; }
 
  private:
   struct Moment {
     MomentId parent;
     std::uint32_t depth = 0;
-    std::vector<Edit> log;  // between the parent and here
+    std::vector<Edit> log;  // from the parent to this moment
     Digest digest;
     bool stopped = false;
     std::unordered_map<std::string, Step> steps;                     // by the action's text
-    std::unordered_map<double, std::vector<VisibleObject>> visible;  // by how far the agent sees
-    std::unordered_map<std::string, bool> shown;                     // by id, as far as asked for
+    std::unordered_map<double, std::vector<VisibleObject>> visible;  // by limit of sight, metres
+    std::unordered_map<std::string, bool> shown;                     // by id; only those that were asked for
   };
   void go(MomentId to);
 

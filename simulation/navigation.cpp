@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kDoorway_m = 0.2;  // to either side of an opening's line
 
-Digest digest_of(std::size_t node, const std::vector<Shadow>& shadows) {
+Digest digest_of(std::size_t node, const std::vector<FloorFootprint>& shadows) {
   if (shadows.empty()) return {};
   Digester digester;
   digester.add(std::uint64_t{node});
-  for (const Shadow& shadow : shadows) {
+  for (const FloorFootprint& shadow : shadows) {
     for (const Vec2& part : {shadow.centre, shadow.along, shadow.half}) digester.add(part.x()).add(part.y());
   }
   return digester.digest();
@@ -28,7 +28,7 @@ Digest digest_of(std::size_t node, const std::vector<Shadow>& shadows) {
 NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
     : body_radius_(profile.body_radius_m),
       body_height_(profile.body_height_m),
-      shadows_(std::vector<std::vector<Shadow>>(scene.nodes.size())) {
+      footprints_(std::vector<std::vector<FloorFootprint>>(scene.nodes.size())) {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Room& room : scene.rooms) {
     const Bounds bounds = room_bounds(room, 0);
@@ -55,11 +55,11 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
       std::size_t passed = 0;
       for (int x = std::max(0, from.x); x <= std::min(width_ - 1, to.x); ++x) {
         while (passed < crossings.size() && crossings[passed] <= centre({x, y}).x()) ++passed;
-        if ((crossings.size() - passed) % 2 == 1) open_floor({x, y});  // as `contains` tells
+        if ((crossings.size() - passed) % 2 == 1) open_floor({x, y});  // as in `contains`
       }
     }
   }
-  // Some files draw rooms up to their walls' inner faces: then the doorway lies between them.
+  // In some files rooms end at the inner faces of their walls, and the doorway lies between them.
   for (const Opening& opening : scene.openings) {
     const Vec2 along = opening.to - opening.from;
     const double length = along.norm();
@@ -76,7 +76,7 @@ NavigationGrid::NavigationGrid(const Scene& scene, const Profile& profile)
     }
   }
   for (const WallPiece& piece : walls_of(scene)) {
-    if (const auto f = shadow_of_box(piece.pose, piece.size, body_height_)) count(*f, 1);
+    if (const auto f = footprint_of_box(piece.pose, piece.size, body_height_)) count(*f, 1);
   }
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
@@ -91,7 +91,7 @@ void NavigationGrid::open_floor(Cell cell) {
   free_.set(cell.x, cell.y, true);
 }
 
-void NavigationGrid::count(const Shadow& f, int by) {
+void NavigationGrid::count(const FloorFootprint& f, int by) {
   const Vec2 &u = f.along, v(-f.along.y(), f.along.x());
   const Vec2 reach = u.cwiseAbs() * f.half.x() + v.cwiseAbs() * f.half.y() + Vec2::Constant(body_radius_);
   const Cell from = cell_at(f.centre - reach), to = cell_at(f.centre + reach);
@@ -115,12 +115,12 @@ void NavigationGrid::count(const Shadow& f, int by) {
 }
 
 void NavigationGrid::update(std::size_t i, const Node* node, const Shape* shape) {
-  while (i >= shadows_.size()) shadows_.emplace_back();
-  std::vector<Shadow> shadow;
-  if (node != nullptr) shadow = shadow_of(*node, *shape, body_height_);
-  if (shadow == shadows_[i]) return;
-  std::vector<Shadow> gone = shadows_[i];
-  for (const Shadow& f : shadow) {  // of a door that opens the cupboard stays
+  while (i >= footprints_.size()) footprints_.emplace_back();
+  std::vector<FloorFootprint> shadow;
+  if (node != nullptr) shadow = footprint_of(*node, *shape, body_height_);
+  if (shadow == footprints_[i]) return;
+  std::vector<FloorFootprint> gone = footprints_[i];
+  for (const FloorFootprint& f : shadow) {  // e.g. the body of a cupboard whose door opens
     const auto before = std::find(gone.begin(), gone.end(), f);
     if (before == gone.end()) {
       count(f, 1);
@@ -128,10 +128,10 @@ void NavigationGrid::update(std::size_t i, const Node* node, const Shape* shape)
       gone.erase(before);
     }
   }
-  for (const Shadow& f : gone) count(f, -1);
-  digest_ -= digest_of(i, shadows_[i]);
+  for (const FloorFootprint& f : gone) count(f, -1);
+  digest_ -= digest_of(i, footprints_[i]);
   digest_ += digest_of(i, shadow);
-  shadows_.edit(i) = std::move(shadow);
+  footprints_.edit(i) = std::move(shadow);
 }
 
 std::optional<NavigationGrid::Cell> NavigationGrid::nearest_free(const Vec2& point) const {

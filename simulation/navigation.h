@@ -10,8 +10,8 @@
 #include "scene/scene.h"
 #include "simulation/cell_set.h"
 #include "simulation/digest.h"
+#include "simulation/footprint.h"
 #include "simulation/profile.h"
-#include "simulation/shadow.h"
 
 namespace unietp {
 
@@ -26,9 +26,9 @@ class NavigationGrid {
   };
 
   NavigationGrid(const Scene& scene, const Profile& profile);
-  /// Node i is now as given, with that shape; or, with nullptr, no longer there. The same as a new grid.
+  /// Replaces node i, or removes it when `node` is nullptr. Equal to a newly built grid.
   void update(std::size_t i, const Node* node, const Shape* shape);
-  /// Of all that is counted: grids of one home with the same one have the same free cells.
+  /// Of all blockers: grids of one home with equal digests have equal free cells.
   const Digest& digest() const { return digest_; }
 
   bool free(Cell cell) const { return free_.has(cell.x, cell.y); }
@@ -41,9 +41,10 @@ class NavigationGrid {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// Where the body can walk to by steps to the four neighbours, `from` among it; nowhere when that is not free.
+  /// The cells that the body can walk to by steps to the four neighbours, `from` included; empty when `from` is not
+  /// free.
   CellSet reached_from(Cell from) const { return free_.connected_to(from.x, from.y); }
-  /// The same, at less cost, for a grid that differs from `before` in few places; `reached`: from there in that one.
+  /// The same, faster for a grid that differs little from `before`; `reached`: the cells reached from `from` there.
   CellSet reached_from(Cell from, const NavigationGrid& before, const CellSet& reached) const {
     return free_.connected_to(from.x, from.y, before.free_, reached);
   }
@@ -51,13 +52,13 @@ class NavigationGrid {
   std::optional<Cell> nearest_free(const Vec2& point) const;
   /// Cells of a shortest walk, both ends included; empty when there is none.
   std::vector<Cell> path(Cell from, Cell to) const;
-  /// A walk as a person would draw it: the shortest path pulled straight wherever a straight line stays on free cells.
+  /// The shortest path, straightened wherever a straight line stays on free cells.
   /// Both points included; empty when there is no way.
   std::vector<Vec2> walk(const Vec2& from, const Vec2& to) const;
 
  private:
   void open_floor(Cell cell);
-  void count(const Shadow& shadow, int by);
+  void count(const FloorFootprint& shadow, int by);
   int width_ = 0, height_ = 0;
   Vec2 origin_ = Vec2::Zero();
   double body_radius_ = 0, body_height_ = 0;
@@ -68,9 +69,9 @@ class NavigationGrid {
   }
   std::size_t stretches_ = 0;     // a row
   SharedList<Stretch> blockers_;  // by cell, in stretches of a row: solids over it, and 1 outside of all rooms
-  SharedList<std::vector<Shadow>> shadows_;  // by node: what of it is counted
-  CellSet free_;                             // those that nothing blocks
-  Digest digest_;                            // the sum over nodes
+  SharedList<std::vector<FloorFootprint>> footprints_;  // by node: what of it is counted
+  CellSet free_;                                        // those that nothing blocks
+  Digest digest_;                                       // the sum over nodes
 };
 
 }  // namespace unietp

@@ -25,7 +25,7 @@ struct OwnCamera {
   }
 };
 
-/// Which face of a box's axis the eye is before: 1 or -1, or 0 when it is between both.
+/// For each axis of a box the face on whose side the camera is: 1 or -1, or 0 when it is between both.
 std::array<int, 3> faces_seen(const Vec3& from, const Vec3& half) {
   std::array<int, 3> seen{};
   for (int i = 0; i < 3; ++i) seen[static_cast<std::size_t>(i)] = from[i] > half[i] ? 1 : from[i] < -half[i] ? -1 : 0;
@@ -42,7 +42,7 @@ void add_faces(Outline& outline, const OwnCamera& own, const std::array<int, 3>&
   }
 }
 
-/// Planes through the eye and each edge between a face that it sees and one that it does not.
+/// Planes through the camera and each edge between a visible and a hidden face.
 void add_sides(Outline& outline, const OwnCamera& own, const std::array<int, 3>& seen) {
   const Vec3 &half = outline.target.half, &from = outline.from;
   for (int i = 0; i < 3; ++i) {
@@ -60,7 +60,7 @@ void add_sides(Outline& outline, const OwnCamera& own, const std::array<int, 3>&
   }
 }
 
-/// The point of a ball or an upright cylinder, in its own frame, that lies farthest along a direction.
+/// The point of a sphere or an upright cylinder, in its own frame, that lies farthest along a direction.
 Vec3 farthest_along(const RayTarget& target, const Vec3& direction) {
   const double radius = target.half.x();
   if (target.kind == Part::Kind::Sphere) return radius * direction.normalized();
@@ -69,10 +69,10 @@ Vec3 farthest_along(const RayTarget& target, const Vec3& direction) {
   return {aside.x(), aside.y(), direction.z() < 0 ? -target.half.z() : target.half.z()};
 }
 
-/// Narrows the place in the image of a ball or a cylinder, given that of the box around it, along one axis: to where
-/// the plane through the eye and the line at this place just touches it. `side` is 1 for the right or lower end.
+/// The image coordinate of the tangent plane of a sphere or cylinder along one axis, by bisection between that of the
+/// inside and that of its box. `side` is 1 for the right or lower end.
 double touched_at(Outline& outline, const OwnCamera& own, bool down, int side, double inner, double outer) {
-  constexpr int kHalvings = 12;  // to a fraction of a pixel; what is left is on the outer side
+  constexpr int kHalvings = 12;  // to a fraction of a pixel; rounds outwards
   const Vec3& axis = down ? own.down : own.right;
   Vec3 touching = Vec3::Zero();
   for (int i = 0; i < kHalvings; ++i) {
@@ -93,7 +93,7 @@ double touched_at(Outline& outline, const OwnCamera& own, bool down, int side, d
   return outer;
 }
 
-/// From its corners: between which depths it lies, and which pixels it may show in.
+/// Sets the depth range and the pixels that it may cover, from its corners.
 void bound(Outline& outline, const OwnCamera& own) {
   constexpr double kNear_m = 0.02, kSlack_pixels = 1e-6;
   const Camera& camera = own.camera;
@@ -116,7 +116,7 @@ void bound(Outline& outline, const OwnCamera& own) {
     if (y > bottom) bottom = y, lowest = {x, y};
   }
   outline.cover = {0, 0, camera.width - 1, camera.height - 1};
-  if (outline.nearest < kNear_m) return;  // it reaches behind the eye
+  if (outline.nearest < kNear_m) return;  // it reaches behind the camera
   if (outline.round) {
     const double across = camera.width / 2.0, along = camera.height / 2.0;
     const double low_x = left - across, high_x = right - across, low_y = top - along, high_y = bottom - along;

@@ -12,7 +12,7 @@
 
 namespace unietp {
 
-/// The middles of a part's pixels: from `middle - half` to `middle + half`.
+/// The range of the centers of a rectangle's pixels: from `middle - half` to `middle + half`.
 struct PartOfImage {
   explicit PartOfImage(const PixelBox& box)
       : middle((box[0] + box[2] + 1) / 2.0, (box[1] + box[3] + 1) / 2.0),
@@ -25,7 +25,7 @@ struct OverImage {
   double a = 0, b = 0, c = 0;
 };
 
-/// So many of them, an even number, so that they are computed two at a time. Those that are not set are endless.
+/// N such functions, N even for vectorization. Those that are not set are infinite.
 template <int N>
 struct ManyOverImage {
   using Values = Eigen::Array<double, N, 1>;
@@ -35,7 +35,7 @@ struct ManyOverImage {
     const auto at = static_cast<Eigen::Index>(i);
     a[at] = one.a, b[at] = one.b, c[at] = one.c;
   }
-  /// The least of their least and the least of their greatest values in a part.
+  /// The minimum of their minima and the minimum of their maxima over a part of the image.
   [[gnu::always_inline]] std::pair<double, double> least_in(const PartOfImage& part) const {
     const Values middle = a * part.middle.x() + b * part.middle.y() + c;
     const Values reach = a.abs() * part.half.x() + b.abs() * part.half.y();
@@ -43,28 +43,28 @@ struct ManyOverImage {
   }
 };
 
-/// How a solid, or for a round one the box around it, lies in an image. A box is convex, so it shows exactly where none
-/// of its `sides` is negative, and there 1 / depth is the least of its `faces`.
+/// The projection of a solid, or of the box around a round one, onto an image. A box is convex, so it is visible
+/// exactly where none of its `sides` is negative, and there 1 / depth is the minimum of its `faces`.
 struct Outline {
   Outline(const Solid& solid, const Camera& camera)
       : owner(solid.owner), target(solid), from(target.to_own * (camera.at - target.centre)) {}
 
-  PixelBox cover{};                  // all pixels whose middles it may show in
+  PixelBox cover{};                  // bounds of the pixels that it may cover
   double nearest = 0, farthest = 0;  // depth, metres
   std::int32_t owner;
   bool round = false;
   std::uint8_t side_count = 0, face_count = 0;
   ManyOverImage<4> faces;
   ManyOverImage<6> sides;
-  std::array<Vec2, 4> extremes{};  // where its corners farthest left, up, right and down are seen
+  std::array<Vec2, 4> extremes{};  // pixels of its leftmost, highest, rightmost and lowest corners
   RayTarget target;
-  Vec3 from;  // the eye in the solid's frame
+  Vec3 from;  // the camera in the solid's frame
 
   /// Depth at which the ray through a pixel's middle enters it, bit for bit as Rays finds it; kNever when it misses.
   double depth_at(const Camera& camera, int x, int y) const;
 };
 
-/// nullopt for a solid that the image does not show, or from whose inside it is seen.
+/// nullopt for a solid outside of the image or around the camera.
 std::optional<Outline> outline_of(const Solid& solid, const Camera& camera);
 
 }  // namespace unietp

@@ -63,7 +63,7 @@ std::uint32_t number_of(std::string_view text) {
   return hash;
 }
 
-/// Furniture of no known colour or material.
+/// Default colour of furniture by archetype.
 Colour plain_paint(const Node& node) {
   switch (node.archetype) {
     case Archetype::Table:
@@ -83,7 +83,7 @@ Colour plain_paint(const Node& node) {
     default:
       break;
   }
-  // Small things stand out from what they lie on, by their kind.
+  // Small objects contrast with what they lie on, by category.
   constexpr std::array<std::array<double, 3>, 6> kSmall{
       {{206, 120, 84}, {120, 158, 110}, {104, 140, 186}, {214, 178, 92}, {168, 126, 170}, {196, 102, 112}}};
   return colour(kSmall[number_of(node.category) % kSmall.size()]);

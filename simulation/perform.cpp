@@ -8,7 +8,7 @@ ActionResult wrong_arguments(const ActionInfo& action) {
   return failed(none ? FailureCause::TakesNoArgument : FailureCause::TakesOneArgument, in_words(action.name));
 }
 
-/// Actions of the body and the hand, which name no object.
+/// Actions without an argument.
 ActionResult perform_alone(WorldState& state, ActionType type) {
   switch (type) {
     case ActionType::MoveForward:
@@ -21,7 +21,7 @@ ActionResult perform_alone(WorldState& state, ActionType type) {
     case ActionType::LookDown:
       return move_body(state, type);
     case ActionType::TurnBaseToLook:
-      return succeeded();  // this body's head does not turn on its own, so it looks where the base points already
+      return succeeded();  // the head does not turn independently of the base
     case ActionType::ResetHead:
       return reset_head(state);
     case ActionType::MoveHandForward:
@@ -43,7 +43,7 @@ ActionResult perform_alone(WorldState& state, ActionType type) {
   }
 }
 
-/// A freezer may be known to freeze a thing without being known to cool it.
+/// A freezer may have the effect `freezes` without `cools`.
 ActionResult cool_with(WorldState& state, std::size_t tool) {
   const std::size_t before = state.mark();
   const ActionResult cooled = treat_with(state, tool, "cools");
@@ -66,7 +66,7 @@ ActionResult perform(WorldState& state, const Action& action) {
     return succeeded();
   }
   if (about.group == ActionClass::Movement || action.type == ActionType::GoTo) {
-    if (auto seated = keeps_seat(state, action.type)) return *seated;
+    if (auto seated = seated_failure(state, action.type)) return *seated;
   }
   if (action.type == ActionType::GoTo) return go_to(state, action.args.front());
   if (about.argument == ActionArgument::None) return perform_alone(state, action.type);

@@ -14,11 +14,11 @@ namespace unietp {
 namespace {
 
 struct Body {
-  std::shared_ptr<const Collider> collider;  // nullptr: there is no such body. Shared by all that look alike.
+  std::shared_ptr<const Collider> collider;  // nullptr: no such body. Shared by bodies of equal shape.
   Pose pose;
   double mass = 0;
   Bounds bounds;
-  mutable std::shared_ptr<const std::vector<Convex>> placed;  // made when first asked for; copies share it
+  mutable std::shared_ptr<const std::vector<Convex>> placed;  // computed on demand; shared by copies
   const std::vector<Convex>& parts() const {
     if (placed == nullptr) placed = std::make_shared<const std::vector<Convex>>(collider->placed(pose));
     return *placed;
@@ -33,7 +33,7 @@ Bounds lowered(Bounds bounds, double by) {
   return bounds;
 }
 
-/// Of all the ways in which the solids touch, the one that points most upwards.
+/// Of the contacts between the solids the one whose normal points most upwards.
 std::optional<Touch> most_upward(const std::vector<Convex>& solids, const Body& other, double depth) {
   std::optional<Touch> best;
   for (const Convex& solid : solids) {
@@ -74,8 +74,8 @@ void append(std::string& bytes, const Body& body) {
 struct PhysicsWorld::Impl {
   SharedList<Body> things, walls;
   std::shared_ptr<const RoomFinder> floor = std::make_shared<RoomFinder>();
-  mutable std::optional<BodyGrid> grid;  // made at the first question
-  // What settles came to: plans are tried, shortened and mutated, and let the same things fall again and again.
+  mutable std::optional<BodyGrid> grid;  // built by the first query
+  // Cache of settling results, since variants of a plan repeat the same placements.
   mutable std::unordered_map<std::string, Rest> settled;
 
   SharedList<Body>& list_of(BodyId id) { return id.is_node() ? things : walls; }
@@ -254,7 +254,7 @@ Settled PhysicsWorld::settle(std::span<const BodyId> loose, const SettleOptions&
   if (loose.empty()) return {{}, true};
   Bounds region = impl_->at(loose.front()).bounds;
   for (const BodyId id : loose) region = merged(region, impl_->at(id).bounds);
-  region.low.z() = -1;  // whatever lies below can be fallen on
+  region.low.z() = -1;  // include everything below
 
   std::string key;
   const std::array numbers{static_cast<double>(loose.size()),

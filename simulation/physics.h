@@ -13,31 +13,34 @@
 
 namespace unietp {
 
+/// A contact of a body with another one.
 struct Contact {
   BodyId other;
   Vec3 normal = Vec3::UnitZ();  // from the other body to this one, W
   double gap = 0;               // metres, negative when they overlap
 };
 
+/// The first body that a ray meets.
 struct RayHit {
   BodyId body;
   double fraction = 1;  // of the way from start to end
 };
 
+/// A body's pose after `settle`.
 struct SettledBody {
   BodyId body;
   Pose pose;
 };
+/// Result of `settle`.
 struct Settled {
   std::vector<SettledBody> bodies;  // the loose ones, in the order given
   bool calm = false;                // all came to rest within max_steps
 };
 
-/// All solids of a scene for questions (what touches, what is hit) and for letting things come to rest. The world is
-/// only poses: settling runs in a fresh small dynamics world (Bullet, double precision) around the loose bodies and
-/// gives poses back, so equal worlds give equal results. Floor: the plane z = 0. What a question costs depends on what
-/// is near, not on the size of the world, and so does a copy but for a pointer for every 256 bodies. Not thread-safe;
-/// one world a thread.
+/// All solids of a scene, for queries (contacts, overlaps, rays) and for letting objects come to rest. The world has
+/// poses only: settling runs in a fresh small dynamics world (Bullet, double precision) around the loose bodies and
+/// returns poses, so equal worlds give equal results. Floor: the plane z = 0. The cost of a query depends on the bodies
+/// nearby, not on the size of the world; a copy costs a pointer per 256 bodies. Not thread-safe; one world per thread.
 class PhysicsWorld {
  public:
   PhysicsWorld();
@@ -46,8 +49,8 @@ class PhysicsWorld {
   PhysicsWorld& operator=(const PhysicsWorld&);
   PhysicsWorld& operator=(PhysicsWorld&&) noexcept;
   ~PhysicsWorld();
-  /// Works out beforehand what questions need. From then on several threads may copy this world, and the copies have in
-  /// common what none of them changes.
+  /// Computes in advance what queries need. Afterwards several threads may copy this world; the copies share what they
+  /// do not change.
   void prepare();
 
   /// Adds a body or replaces it. `mass` > 0 for bodies that may ever be loose.
@@ -57,12 +60,12 @@ class PhysicsWorld {
   void remove(BodyId id);
   bool has(BodyId id) const;
 
-  /// The rooms that the floor is divided into; none before.
+  /// Sets the rooms of `floor()`.
   void divide_floor(const std::vector<Room>& rooms);
-  /// Copies have it in common.
+  /// Shared by copies.
   const RoomFinder& floor() const;
 
-  /// What holds the body up, or would if it sank by `gap`: every body that it then overlaps, the floor included;
+  /// What supports the body, or would if it sank by `gap`: every body that it then overlaps, the floor included;
   /// several contacts with one body are merged into the one whose normal points most upwards. In order of BodyId, floor
   /// last.
   std::vector<Contact> contacts(BodyId id, double gap) const;

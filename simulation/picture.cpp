@@ -12,10 +12,10 @@ namespace unietp {
 namespace {
 
 constexpr double kEverywhere_m = 1000;
-constexpr double kShadow_m = 0.8;  // longer shadows only confuse
+constexpr double kShadow_m = 0.8;  // longest shadow
 const Vec3 kSun = Vec3(0.35, 0.2, 0.9).normalized();
 
-/// What a pixel shows: a solid's face, or the floor or the ceiling, or the open.
+/// What a pixel shows: a face of a solid, the floor, the ceiling or an opening.
 struct Spot {
   static constexpr std::int32_t kOpen = -1, kFloor = -2, kCeiling = -3;
   std::int32_t solid = kOpen;
@@ -73,7 +73,7 @@ class Painter {
     spots_[index(x, y)] = look(x, y);
   }
 
-  /// A ray through every fourth pixel; what is between four is filled.
+  /// Casts a ray through every fourth pixel and fills the squares between them.
   void find_spots() {
     constexpr int kStep = 4;
     const auto next = [](int at, int pixels) { return std::min(at + kStep, pixels - 1); };
@@ -83,7 +83,7 @@ class Painter {
     }
   }
 
-  /// Four corners that agree on a flat face give it to all between them; others are asked again half as far apart.
+  /// A square whose four corners show the same flat face shows it everywhere; others are subdivided.
   void fill(int x0, int y0, int x1, int y1) {
     for (const auto& [x, y] : {std::pair{x0, y0}, std::pair{x1, y0}, std::pair{x0, y1}, std::pair{x1, y1}}) find(x, y);
     const Spot corner = spots_[index(x0, y0)];
@@ -99,7 +99,7 @@ class Painter {
       }
       return;
     }
-    const double away = corner.depth * way(x0, y0).dot(corner.normal);  // of the face's plane from the eye
+    const double away = corner.depth * way(x0, y0).dot(corner.normal);  // distance of the face's plane from the camera
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
         if (known_[index(x, y)]) continue;
@@ -122,11 +122,11 @@ class Painter {
     }
     const Solid& solid = rays_.solids()[static_cast<std::size_t>(spot.solid)];
     if (solid.owner < 0) return kWallPaint;
-    constexpr double kDoor = 0.93;  // doors are a shade darker than what they close
+    constexpr double kDoor = 0.93;  // doors are slightly darker than the body
     return paints_[static_cast<std::size_t>(solid.owner)] * (solid.moves ? kDoor : 1);
   }
 
-  /// One answer for two by two pixels, where these show one face.
+  /// Computed once for two by two pixels that show one face.
   double light_at(int x, int y) {
     const int x0 = x & ~1, y0 = y & ~1;
     const bool same = spots_[index(x, y)].same_face(spots_[index(x0, y0)]);
@@ -135,7 +135,7 @@ class Painter {
     return light;
   }
 
-  /// A little from everywhere, more from the eye, most from above where nothing is in the way.
+  /// Ambient light, light from the camera, and sunlight where it is not blocked.
   double lit(int x, int y) const {
     const Spot& spot = spots_[index(x, y)];
     if (spot.solid == Spot::kOpen) return 1;
@@ -149,7 +149,7 @@ class Painter {
     return kAround + kEye * facing + (in_sun ? kAbove * above : 0);
   }
 
-  /// Dark where one object ends before another, less so where it folds.
+  /// Darkens outlines of objects, and less so edges between faces.
   double rim_at(int x, int y) const {
     const Spot& here = spots_[index(x, y)];
     constexpr double kEnd = 0.5, kFold = 0.82;
@@ -167,7 +167,7 @@ class Painter {
     }
     return rim;
   }
-  /// Of a spot; walls, floor, ceiling and the open are owners of their own.
+  /// Owner of a spot; walls, floor, ceiling and openings have numbers of their own.
   std::int32_t owner(const Spot& spot) const {
     if (spot.solid < 0) return spot.solid - 1;
     return rays_.solids()[static_cast<std::size_t>(spot.solid)].owner;
@@ -178,9 +178,9 @@ class Painter {
   const Rays& rays_;
   std::vector<Colour> paints_;  // of the nodes
   std::vector<Spot> spots_;
-  std::vector<std::uint8_t> known_;  // pixels whose spot is
-  std::vector<float> lights_;        // negative: not asked for
-  const Room* room_ = nullptr;       // of the last piece of floor: the next is mostly in the same
+  std::vector<std::uint8_t> known_;  // by pixel: whether its spot is known
+  std::vector<float> lights_;        // negative: not computed
+  const Room* room_ = nullptr;       // of the last floor pixel; neighbouring ones are mostly in the same
 };
 
 }  // namespace

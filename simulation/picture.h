@@ -16,20 +16,20 @@ struct Picture {
   std::vector<std::uint8_t> rgb;
 };
 
-/// Which node each pixel shows, rows from the top; -1 for walls, floor, ceiling and the open.
+/// Which node each pixel shows, rows from the top; -1 for walls, floor, ceiling and openings.
 struct Segmentation {
   int width = 0, height = 0;
   std::vector<std::int32_t> node;
 };
 
-/// One ray through the middle of every pixel, without a limit of sight. `rays` is a workplace, as in view.h.
+/// One ray through the middle of every pixel, without a limit of sight. `rays` is scratch space.
 Segmentation segmentation_of(const Scene& scene, const Profile& profile, Rays& rays);
 
-/// What the agent sees: every object in its colour, or that of its material, lit from above with short shadows, rims
-/// drawn dark. Rays through every fourth pixel, more where four of them do not agree on a face. Deterministic.
+/// What the agent sees: every object in its colour, or that of its material, lit from above with short shadows, with
+/// dark edges. Rays through every fourth pixel, more where four of them do not agree on a face. Deterministic.
 Picture picture_of(const Scene& scene, const Profile& profile, Rays& rays);
 
-/// A line of one pixel around a box [x0, y0, x1, y1], both ends included, as World::visible gives them.
+/// Draws a line of one pixel around a box [x0, y0, x1, y1], both ends included, as World::visible gives them.
 void draw_box(Picture& picture, const std::array<int, 4>& box, const std::array<std::uint8_t, 3>& colour);
 
 }  // namespace unietp

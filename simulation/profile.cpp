@@ -27,7 +27,7 @@ class Fields {
   }
   void positive(const char* name, int& value) {
     if (const Json* field = find(name, &Json::is_number_integer, "a whole number")) {
-      const auto whole = field->get<double>();  // no int wraps round
+      const auto whole = field->get<double>();  // checked before the conversion to int
       if (!(whole > 0 && whole <= limits::kProfileCount))
         return fail(name, "must be greater than 0 and at most 100000");
       value = static_cast<int>(whole);
@@ -42,7 +42,7 @@ class Fields {
     }
   }
   void known(const char* name) { known_.insert(name); }
-  /// The fields of an object among these.
+  /// The fields of a nested object.
   std::optional<Fields> part(const char* name) {
     const Json* field = find(name, &Json::is_object, "an object");
     if (field == nullptr) return std::nullopt;
@@ -118,7 +118,7 @@ Result<Profile> load_profile(const std::filesystem::path& folder, Simulator simu
   fields.flag("temperature", p.temperature);
   auto wide = fields.part("wide");
   if (const auto error = fields.error()) return *error;
-  Profile w = p;  // read even when not asked for, so that an error in it is found
+  Profile w = p;  // always read, so that its errors are found
   w.actions = actions_of(simulator, ActionProfile::Wide);
   wide->flag("attaching", w.attaching);
   wide->flag("power_needs_plug", w.power_needs_plug);

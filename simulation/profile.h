@@ -10,8 +10,8 @@
 
 namespace unietp {
 
-/// What one simulator offers its agent (scene/action_table.h) and how it limits it: data/simulators/<name>.json, each
-/// number with its source there.
+/// The actions that a simulator offers its agent (scene/action_table.h), and its limits from
+/// data/simulators/<name>.json, which gives the source of each number.
 struct Profile {
   Simulator simulator = Simulator::Ai2thor;
   ActionSet actions = actions_of(Simulator::Ai2thor);
@@ -28,8 +28,8 @@ struct Profile {
   bool power_needs_closed = true;                           // an appliance with a door runs only when it is shut
   bool open_needs_power_off = true;                         // and does not open while it runs
   bool slicing = true, washing = true, temperature = true;  // the simulator has these effects
-  bool attaching = false;                                   // place_on attaches what the tables say attaches (`wide`)
-  bool power_needs_plug = false;                            // what has a plug runs only when it is plugged in (`wide`)
+  bool attaching = false;                                   // place_on attaches as the knowledge base says (`wide`)
+  bool power_needs_plug = false;                            // devices with a plug run only when plugged in (`wide`)
 
   bool offers(ActionType type) const { return actions[static_cast<std::size_t>(type)]; }
 };

@@ -6,9 +6,10 @@
 
 namespace unietp {
 
+/// Ray parameter of a miss.
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// A solid as the formulas want it: the way from W into its own frame.
+/// A solid with its transform from W into its own frame.
 struct RayTarget {
   explicit RayTarget(const Solid& solid);
   Eigen::Matrix3d to_own;

@@ -11,15 +11,15 @@
 namespace unietp {
 namespace {
 
-constexpr double kGrown_m = 0.002;  // thousands of times what single precision errs by within a home
+constexpr double kGrown_m = 0.002;  // thousands of times the error of single precision within a home
 
 RayEntry enter_from_w(const RayTarget& solid, const Vec3& from, const Vec3& direction) {
   return enter(solid, solid.to_own * (from - solid.centre), solid.to_own * direction);
 }
 
-/// One question: handed through Embree to the callback below.
-struct Question {
-  RTCIntersectContext context;  // first: Embree hands back its address
+/// A ray query, passed through Embree to the callback below.
+struct RayQuery {
+  RTCIntersectContext context;  // must be first: Embree passes its address back
   const Vec3* from = nullptr;
   const Vec3* direction = nullptr;
   double along = kNever;
@@ -36,14 +36,14 @@ void bounds_of_solid(const RTCBoundsFunctionArguments* asked) {
 
 void meet_solid(const RTCIntersectFunctionNArguments* asked) {
   if (asked->valid[0] == 0) return;
-  auto& question = *reinterpret_cast<Question*>(asked->context);
+  auto& question = *reinterpret_cast<RayQuery*>(asked->context);
   const RayTarget& solid = static_cast<const RayTarget*>(asked->geometryUserPtr)[asked->primID];
   const double along = enter_from_w(solid, *question.from, *question.direction).along;
   if (along > question.along || (along == question.along && asked->primID >= question.solid)) return;
   if (along == kNever) return;
   question.along = along;
   question.solid = asked->primID;
-  // Farther solids need not be asked; the reserve keeps those that single precision might put on the wrong side.
+  // Farther solids are skipped, with a margin for single precision.
   auto* ray = reinterpret_cast<RTCRayHit*>(asked->rayhit);
   ray->ray.tfar = std::min(ray->ray.tfar, static_cast<float>(along * 1.001 + kGrown_m));
 }
@@ -53,7 +53,7 @@ void meet_solid(const RTCIntersectFunctionNArguments* asked) {
 struct Rays::Impl {
   std::vector<Solid> solids;
   std::vector<RayTarget> ready;
-  RTCDevice device = nullptr;  // made with the first solids: it costs as much as a view
+  RTCDevice device = nullptr;  // created with the first solids, since it is as slow as a view
   RTCScene scene = nullptr;
 
   Impl() = default;
@@ -98,7 +98,7 @@ void Rays::build(std::vector<Solid> solids) {
 
 std::optional<SolidHit> Rays::first(const Vec3& from, const Vec3& direction, double farthest) const {
   if (impl_->scene == nullptr) return std::nullopt;
-  Question question;
+  RayQuery question;
   rtcInitIntersectContext(&question.context);
   question.from = &from;
   question.direction = &direction;

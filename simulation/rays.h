@@ -9,15 +9,16 @@
 
 namespace unietp {
 
+/// The first solid on a ray.
 struct SolidHit {
   double along = 0;             // in lengths of the ray's direction
   std::size_t solid = 0;        // position in the list that was built
   Vec3 normal = Vec3::UnitZ();  // outwards, unit, W
 };
 
-/// What a ray meets first. Embree finds the solids near the ray, in boxes grown by more than its single precision can
-/// err; where they are met is computed here in double precision. So equal solids and rays give equal bits, whatever
-/// the processor and the number of threads. A copy starts without solids. Not thread-safe; one a thread.
+/// Ray casting. Embree finds candidate solids by boxes with a margin for its single precision; the hits are computed
+/// here in double precision, so equal solids and rays give equal bits on every processor and for any number of threads.
+/// A copy starts without solids. Not thread-safe; one per thread.
 class Rays {
  public:
   Rays();
@@ -27,11 +28,11 @@ class Rays {
   Rays& operator=(Rays&&) noexcept;
   ~Rays();
 
-  /// Takes the place of the solids before. A few microseconds for each ten solids.
+  /// Replaces the solids. Takes a few microseconds per ten solids.
   void build(std::vector<Solid> solids);
   const std::vector<Solid>& solids() const;
   /// The nearest solid from outside at most `farthest` lengths of `direction` away, of equally near ones the first in
-  /// the list. One around `from` is looked through.
+  /// the list. Solids around `from` are ignored.
   std::optional<SolidHit> first(const Vec3& from, const Vec3& direction, double farthest) const;
 
  private:

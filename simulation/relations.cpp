@@ -13,9 +13,9 @@ namespace unietp {
 namespace {
 
 constexpr double kUpward = 0.7;      // cosine of about 45°
-constexpr double kSunk_m = 0.01;     // how far below a cavity's floor something may seem to lie
-constexpr double kOverhead_m = 2.0;  // `under`: how high above it something may be
-constexpr double kStickOut = 0.85;   // an object's lowest part must lie under this share of an open cavity's height
+constexpr double kSunk_m = 0.01;     // tolerance below a cavity's floor
+constexpr double kOverhead_m = 2.0;  // `under`: largest distance of what is above
+constexpr double kStickOut = 0.85;   // an object's lowest part must be below this fraction of an open cavity's height
 
 std::vector<Vec3> corners_of(const Node& node) {
   std::vector<Vec3> corners;
@@ -63,7 +63,7 @@ bool has(const std::vector<Link>& links, const Link& link) {
   return std::find(links.begin(), links.end(), link) != links.end();
 }
 
-/// In what it lies and on what, and, when something is over it that does neither, under what.
+/// Adds `inside`, `on`, and `under` for what is above it and neither holds nor supports it.
 void add_contacts(const Scene& scene, const PhysicsWorld& world, std::size_t i, const Bounds& bounds,
                   std::span<const BodyId> around, const std::optional<std::uint32_t>& room, std::vector<Link>& links) {
   const Node& node = scene.nodes[i];
@@ -115,11 +115,11 @@ void add_rooms(const Scene& scene, PhysicsWorld& world) {
 }  // namespace
 
 PhysicsWorld physics_of(const Scene& scene) {
-  ColliderBook colliders;
+  ColliderCache colliders;
   return physics_of(scene, colliders);
 }
 
-PhysicsWorld physics_of(const Scene& scene, ColliderBook& colliders) {
+PhysicsWorld physics_of(const Scene& scene, ColliderCache& colliders) {
   PhysicsWorld world;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
@@ -141,13 +141,13 @@ std::vector<Link> links_of(const Scene& scene, const PhysicsWorld& world, std::s
   std::vector<Link> links;
   if (!node.slice_of.empty()) links.push_back({Predicate::SliceOf, 0});
   const auto id = BodyId::node(i);
-  if (world.has(id)) {  // what is in the hand is at no place
+  if (world.has(id)) {  // held objects have no position
     const auto room = world.floor().at(node.pose.position.head<2>());
     if (room) links.push_back({Predicate::InRoom, *room});
     const Bounds bounds = world.bounds(id);
     std::vector<BodyId> around = world.near(bounds, kNextTo_m);
     std::erase_if(around, [&](BodyId other) { return other == id || !other.is_node(); });
-    if (!node.movable && bounds.low.z() < kTouch_m) {  // furniture stands where it was put; no need to ask contacts
+    if (!node.movable && bounds.low.z() < kTouch_m) {  // furniture does not move, so no contacts are needed
       if (room) links.push_back({Predicate::OnFloor, *room});
     } else {
       add_contacts(scene, world, i, bounds, around, room, links);
@@ -169,7 +169,7 @@ std::vector<std::size_t> affected_by(const PhysicsWorld& world, std::span<const 
   };
   for (const Bounds& bounds : touched) {
     add(bounds, kNextTo_m);
-    // What lies under something that moved is not near it; a column below covers the rays of `under`.
+    // `under` may affect objects far below, so the bounds are extended to the floor.
     Bounds column = bounds;
     column.low.z() -= kOverhead_m;
     add(column, 0);

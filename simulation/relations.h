@@ -14,29 +14,31 @@ namespace unietp {
 inline constexpr double kTouch_m = 0.004;  // bodies nearer than this touch
 inline constexpr double kNextTo_m = 0.2;   // next_to: largest gap between boxes at overlapping heights
 
-/// Walls of all rooms with gaps at the openings, and every node, as bodies: node i is body i. With a book, equal
-/// shapes are taken from it.
+/// Walls of all rooms with gaps at the openings, and every node, as bodies: node i is body i. With a cache, equal
+/// shapes share their colliders.
 PhysicsWorld physics_of(const Scene& scene);
-PhysicsWorld physics_of(const Scene& scene, ColliderBook& colliders);
+/// The same with a cache of colliders.
+PhysicsWorld physics_of(const Scene& scene, ColliderCache& colliders);
 
-/// A relation of one node without its names: `to` is the place of a node in Scene::nodes, or of a room in Scene::rooms
-/// (in_room, on_floor); of slice_of, which the node tells itself, 0.
+/// A relation of one node by positions instead of ids: `to` is the place of a node in Scene::nodes, or of a room in
+/// Scene::rooms (in_room, on_floor); of slice_of, which the node tells itself, 0.
 struct Link {
   Predicate relation = Predicate::On;
   std::uint32_t to = 0;
   auto operator<=>(const Link&) const = default;
 };
+/// A link with the ids of its ends.
 Edge edge_of(const Scene& scene, std::size_t from, const Link& link);
-/// Contact: what holds another up or has it inside.
+/// Whether the link is of support or containment.
 inline bool carries(const Link& link) { return link.relation == Predicate::On || link.relation == Predicate::Inside; }
 
-/// What physics shows of one node, sorted: on (contact from above: the contact's normal leans less than 45° from
-/// straight up, and not inside it), inside (the box's lowest part and the centre's footprint lie in the cavity; true of
-/// every enclosing cavity), on_floor (contact with the floor), in_room (floor polygon under the centre), under,
+/// The links of one node, read from physics, sorted: on (contact from above: the contact's normal leans less than 45°
+/// from straight up, and not inside it), inside (the box's lowest part and the centre's footprint lie in the cavity;
+/// true of every enclosing cavity), on_floor (contact with the floor), in_room (floor polygon under the centre), under,
 /// next_to, and slice_of from the node. A node without a body (it is in the hand) has only in_room and slice_of.
 std::vector<Link> links_of(const Scene& scene, const PhysicsWorld& world, std::size_t node);
 
-/// Places of the nodes whose links may be others after a change: those `changed` and those near the bounds, old and
+/// Positions of the nodes whose links a change may affect: those `changed` and those near the bounds, old and
 /// new, of what moved (`touched`). Sorted.
 std::vector<std::size_t> affected_by(const PhysicsWorld& world, std::span<const Bounds> touched,
                                      std::span<const std::size_t> changed);
@@ -53,10 +55,10 @@ std::vector<Edge> update_relations(const Scene& scene, std::span<const Edge> bef
 /// Those of read_relations that start at the given nodes, sorted.
 std::vector<Edge> relations_from(const Scene& scene, const PhysicsWorld& world, std::span<const std::size_t> nodes);
 
-/// Convenience for a scene at rest with nothing held.
+/// The same for a scene at rest with nothing held.
 std::vector<Edge> read_relations(const Scene& scene);
 
-/// Ids of everything that rests on or in `id`, directly or through others, in scene order.
+/// Ids of everything that rests on or in `id`, directly or indirectly, in scene order.
 std::vector<std::string> carried_by(const Scene& scene, std::string_view id);
 
 }  // namespace unietp

@@ -31,7 +31,7 @@ btTransform to_bullet(const Convex& part) {
                      to_bullet(part.centre));
 }
 
-/// Worlds are small and many: Bullet's default pools of 4096 entries would cost more than the work itself.
+/// Small memory pools: allocating Bullet's default pools of 4096 entries would take longer than the simulation.
 btDefaultCollisionConstructionInfo small_pools() {
   btDefaultCollisionConstructionInfo pools;
   pools.m_defaultMaxPersistentManifoldPoolSize = 32;
@@ -39,7 +39,7 @@ btDefaultCollisionConstructionInfo small_pools() {
   return pools;
 }
 
-/// A small dynamics world that owns what it steps.
+/// A small dynamics world that owns its bodies.
 class Dynamics {
  public:
   Dynamics() {
@@ -73,7 +73,7 @@ class Dynamics {
 
   void step(double seconds) { world_.stepSimulation(seconds, 0, seconds); }
 
-  /// Every body's middle lies over what carries it, and not near the edge.
+  /// Whether every body's center is above its support and not near its edge.
   bool well_supported(const std::vector<btRigidBody*>& moving);
 
  private:
@@ -103,7 +103,7 @@ class Dynamics {
     info.m_linearDamping = 0.04;
     info.m_angularDamping = 0.1;
     btRigidBody& body = bodies_.emplace_back(info);
-    if (mass > 0) body.setActivationState(DISABLE_DEACTIVATION);  // what is fixed need not be looked at again
+    if (mass > 0) body.setActivationState(DISABLE_DEACTIVATION);  // only moving bodies need updates
     world_.addRigidBody(&body);
     return body;
   }
@@ -121,9 +121,10 @@ class Dynamics {
   std::deque<btRigidBody> bodies_;
 };
 
-/// How far the point lies inside the convex hull of the others, seen from above; negative outside. Small lists only.
+/// Signed distance of a point from the edge of the convex hull of the others, seen from above; positive inside. For
+/// short lists.
 double inside_hull(const Vec2& point, const std::vector<Vec2>& corners) {
-  // The point is as far inside as the hull's support reaches past it in the direction where that is least.
+  // The minimum over directions of the hull's support function minus that of the point.
   constexpr int kDirections = 16;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kDirections; ++i) {
@@ -137,8 +138,8 @@ double inside_hull(const Vec2& point, const std::vector<Vec2>& corners) {
 }
 
 bool Dynamics::well_supported(const std::vector<btRigidBody*>& moving) {
-  constexpr double kEdge_m = 0.03;  // within this of an edge, verdicts after 0.1 s of calm were seen to be wrong
-  constexpr double kShare = 0.4;    // of the narrower half of what is narrow itself
+  constexpr double kEdge_m = 0.03;  // nearer to an edge, 0.1 s of calm was not enough in tests
+  constexpr double kShare = 0.4;    // fraction of the smaller half extent, for narrow bodies
   constexpr double kUpwards = 0.5;
   for (const btRigidBody* body : moving) {
     std::vector<Vec2> carried_at;
@@ -157,7 +158,7 @@ bool Dynamics::well_supported(const std::vector<btRigidBody*>& moving) {
     body->getAabb(low, high);
     const double narrow = std::min(high.x() - low.x(), high.y() - low.y()) / 2;
     const btVector3& middle = body->getCenterOfMassPosition();
-    const bool rolls = body->getRollingFriction() > 0;  // stands on a point or a line by its nature
+    const bool rolls = body->getRollingFriction() > 0;  // rests on a point or a line
     if (!rolls && inside_hull({middle.x(), middle.y()}, carried_at) < std::min(kEdge_m, kShare * narrow)) return false;
   }
   return true;

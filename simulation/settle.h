@@ -7,16 +7,17 @@
 
 namespace unietp {
 
+/// Time step and stopping criteria of a settling simulation.
 struct SettleOptions {
   double step_s = 1.0 / 240;
   int max_steps = 720;        // 3 s
-  int calm_steps = 12;        // 0.05 s of calm in a row ends it
-  int edge_calm_steps = 120;  // 0.5 s, when something rests with its middle near the edge of what carries it
+  int calm_steps = 12;        // ends after 0.05 s of calm
+  int edge_calm_steps = 120;  // 0.5 s, when something rests with its center near the edge of its support
   double calm_m_s = 0.01, calm_rad_s = 0.05;
   double surroundings_m = 0.3;  // fixed bodies farther than this from the loose ones are left out
 };
 
-/// A body as a settle sees it.
+/// A body in a settling simulation.
 struct SettlingBody {
   const Collider* collider = nullptr;
   Pose pose;
@@ -28,7 +29,7 @@ struct Rest {
   std::vector<Pose> poses;
   bool calm = false;
 };
-/// Of the fixed bodies only the parts near `region` take part. Deterministic.
+/// Only the parts of fixed bodies near `region` are simulated. Deterministic.
 Rest come_to_rest(const std::vector<SettlingBody>& fixed, const std::vector<SettlingBody>& loose, const Bounds& region,
                   const SettleOptions& options);
 

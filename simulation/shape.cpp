@@ -76,7 +76,7 @@ void seat(Builder& b) {
   b.surface(-h.x(), h.x(), -h.y(), h.y() - back, level, kOpenAbove_m);
 }
 
-/// A mattress on legs against a headboard: things lie on it, and flat ones under it.
+/// A mattress on legs with a headboard, and free space below.
 void bed(Builder& b) {
   const Vec3 h = b.half();
   const auto [back, height, gap, leg] = bed_dimensions(2 * h);
@@ -132,7 +132,7 @@ void cabinet(Builder& b, bool openable) {
   if (openable) doors(b, wall);
 }
 
-/// A chest: its top drawer slides, what is below is solid.
+/// A chest whose top drawer slides; the rest is solid.
 void drawers(Builder& b, bool openable) {
   const Vec3 h = b.half();
   const auto [wall, slot] = drawers_dimensions(2 * h);
@@ -170,7 +170,7 @@ void hollow_block(Builder& b, double wall, double floor_z, double top_z, bool cl
   b.box({-h.x() + wall, h.y() - wall, floor_z}, {h.x() - wall, h.y(), top_z});
   const Vec3 low(-h.x() + wall, -h.y() + wall, floor_z), high(h.x() - wall, h.y() - wall, top_z);
   const int hollow = b.cavity(low, high, closable, true);
-  // Small hollows have no room for an edge: the surface is the whole floor, less a millimetre.
+  // No margin in small hollows: the surface is the whole floor, less a millimetre.
   b.shape.surfaces.push_back({Vec3(0, 0, floor_z), Vec2(high.x(), high.y()) - Vec2::Constant(0.001),
                               closable ? top_z - floor_z : kOpenAbove_m, -1, hollow});
 }
@@ -286,7 +286,7 @@ int cavity_at(const Shape& shape, const Vec3& point, int joint) {
 }  // namespace
 
 Shape shape_of(const Node& node) {
-  constexpr double kLowest_m = 0.03;  // nothing is set down where there is less room above
+  constexpr double kLowest_m = 0.03;  // smallest clearance of a surface
   Shape shape = make_shape(node.archetype, node.size, node.openable);
   if (node.boards.empty()) return shape;
   shape.parts.clear();

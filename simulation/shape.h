@@ -35,7 +35,7 @@ struct Surface {
   int cavity = -1;  // index of the cavity it is the floor or a shelf of; -1: open, what rests here is `on`
 };
 
-/// A hollow that holds things: what lies in it is `inside`.
+/// A hollow space: what lies in it is `inside`.
 struct Cavity {
   Vec3 centre = Vec3::Zero(), half = Vec3::Zero();
   int joint = -1;           // slides with this joint (a drawer)
@@ -43,6 +43,7 @@ struct Cavity {
   bool open_above = false;  // things may stick out at the top
 };
 
+/// The geometry of an object, object frame.
 struct Shape {
   std::vector<Part> parts;
   std::vector<Joint> joints;

@@ -6,12 +6,12 @@
 
 namespace unietp {
 
-/// A convex solid in W that light does not pass.
+/// An opaque convex solid in W.
 struct Solid {
   Part::Kind kind = Part::Kind::Box;
   Pose pose;
   Vec3 size = Vec3::Zero();  // full extents, metres
-  std::int32_t owner = -1;   // position in Scene::nodes; negative: none's, a wall
+  std::int32_t owner = -1;   // position in Scene::nodes; negative for walls
   bool moves = false;        // a door, lid or drawer
 };
 

@@ -14,7 +14,7 @@
 namespace unietp {
 namespace {
 
-/// Square as seen from above, or nearly so, and without solids of its own.
+/// Whether a node is drawn round: nearly square from above and without boards.
 bool is_round(const Node& node) {
   constexpr double kLeast = 0.7;
   if (!node.boards.empty() || (node.archetype != Archetype::Plate && node.archetype != Archetype::Vessel)) return false;
@@ -23,7 +23,7 @@ bool is_round(const Node& node) {
   return least > kLeast * most && most < kLargest_m;
 }
 
-/// A disc, or a floor in a ring of staves.
+/// A disc, or a floor with a ring of boxes around it.
 std::vector<Part> round_parts(const Node& node) {
   const double radius = std::min(node.size.x(), node.size.y()) / 2, height = node.size.z();
   const auto disc = [&](double low, double high, double wide) {
@@ -73,7 +73,7 @@ std::vector<std::size_t> hidden_from_sight(const Scene& scene) {
 }
 
 double sight_radius(const Node& node) {
-  return node.opening > 0 ? node.size.norm() : node.size.norm() / 2;  // an open door is as wide as what it closes
+  return node.opening > 0 ? node.size.norm() : node.size.norm() / 2;  // an open door may be as wide as the body
 }
 
 void add_solids(const Node& node, std::int32_t owner, std::vector<Solid>& solids) {

@@ -8,11 +8,11 @@
 namespace unietp {
 namespace {
 
-constexpr double kLetGo_m = 0.002;     // an object is let go this far above the surface
-constexpr double kSpotPitch_m = 0.05;  // spots are tried on a grid this fine
+constexpr double kLetGo_m = 0.002;     // objects are released this far above the surface
+constexpr double kSpotPitch_m = 0.05;  // pitch of the grid of spots
 constexpr double kEasyHeight_m = 1.0;  // shelves near this height are tried first
 
-/// Ways to hold an object above a surface: upright along the surface's axes, or lying when it is too tall.
+/// Orientations of an object: upright along the surface's axes, or lying when it is too tall.
 std::vector<Quat> orientations(double clearance, const Vec3& size, bool alone) {
   const auto turn = [](double angle, const Vec3& axis) { return Quat(Eigen::AngleAxisd(angle, axis)); };
   constexpr double kQuarter = std::numbers::pi / 2;
@@ -40,7 +40,7 @@ Offer for_each_spot(const Node& receptacle, const Shape& shape, const Vec3& size
     for (const Quat& orientation : orientations(surface.clearance, size, alone)) {
       const Bounds extent = bounds_of({Vec3::Zero(), orientation}, size);
       const Vec2 room = surface.half - extent.high.head<2>();
-      // Inside, an object must fit whole; on top, its middle must rest well within the edge.
+      // In a cavity an object must fit completely; on a surface its center must be inside the edge.
       if (inside && room.minCoeff() < -1e-6) continue;
       if (!inside && (surface.half - 0.6 * extent.high.head<2>()).minCoeff() < 0) continue;
       offer.any_fit = true;

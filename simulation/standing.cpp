@@ -6,23 +6,23 @@
 #include <functional>
 #include <tuple>
 
-#include "simulation/shadow.h"
+#include "simulation/footprint.h"
 
 namespace unietp {
 namespace {
 
 constexpr double kReachReserve_m = 0.02;
-constexpr double kFrontWeight_m = 0.5;  // standing behind costs as much as standing this much farther away, twice
+constexpr double kFrontWeight_m = 0.5;  // standing behind an object costs as much as twice this distance
 constexpr double kAsideWeight = 2;
 constexpr std::size_t kMostChecked = 80;
 
-/// Distances of many points from one node: from the body's vertical segment at a point to the node's box.
+/// Distances from the body's vertical segment, at many points, to one node's box.
 class Reach {
  public:
   Reach(const Node& node, const Profile& profile) : half_(node.size / 2), height_(profile.body_height_m) {
     const Vec3 up = node.pose.rotation * Vec3::UnitZ();
     upright_ = std::abs(up.z()) > 1 - 1e-9;
-    if (upright_) {  // as most things are: a rectangle and an interval of heights
+    if (upright_) {  // the common case: a rectangle and a height interval
       const Vec3 x = node.pose.rotation * Vec3::UnitX();
       rectangle_ = {node.pose.position.head<2>(), x.head<2>(), half_.head<2>()};
       const double low = node.pose.position.z() - half_.z(), high = low + node.size.z();
@@ -32,7 +32,7 @@ class Reach {
     }
   }
 
-  /// Whether it is certainly more than `limit`, at a fraction of the cost; false says nothing.
+  /// Cheap test: true only if the distance is more than `limit`.
   bool beyond(const Vec2& at, double limit) const {
     constexpr double kSlack = 1e-9;
     if (!upright_) return false;
@@ -68,7 +68,7 @@ class Reach {
   Vec3 half_;
   double height_ = 0, above_ = 0;
   bool upright_ = false;
-  Shadow rectangle_;
+  FloorFootprint rectangle_;
   Pose to_node_;
 };
 
@@ -86,7 +86,7 @@ std::vector<Vec3> sight_points(const Node& node) {
       points.push_back(node.pose * local);
     }
   }
-  for (int i = 7; i >= 0; --i) {  // upper corners first: they are the likelier to be seen
+  for (int i = 7; i >= 0; --i) {  // upper corners first, since they are more likely visible
     const Vec3 side((i & 1) ? 1 : -1, (i & 2) ? 1 : -1, (i & 4) ? 1 : -1);
     points.push_back(node.pose * (kInside / 2 * side.cwiseProduct(node.size)));
   }
@@ -108,11 +108,11 @@ bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile,
   return sees(scene.nodes[node], BodyId::node(node), world, profile, at, ignore);
 }
 
-void StandingCells::look_farther(const StandingQuestion& asked, double limit_m) {
-  constexpr double kFirst_m = 0.75;  // as far from a thing on a table as most stand
+void StandingCells::look_farther(const StandingInputs& asked, double limit_m) {
+  constexpr double kFirst_m = 0.75;  // enough for most objects on tables
   const auto& [target, shape, grid, walk, profile] = asked;
   const double limit = std::min(limit_m, looked_m_ < 0 ? kFirst_m : 2 * looked_m_);
-  if (looked_m_ < 0) way_ = door_way(target, shape, profile);
+  if (looked_m_ < 0) way_ = door_sweep(target, shape, profile);
   const Reach reach(target, profile);
   const Vec3 front = target.pose.rotation * -Vec3::UnitY();
   const Pose to_target = inverse(target.pose);
@@ -131,7 +131,7 @@ void StandingCells::look_farther(const StandingQuestion& asked, double limit_m) 
       if (!target.movable && (at - middle).norm() > 1e-9) {
         cost += kFrontWeight_m * (1 - (at - middle).normalized().dot(front.head<2>()));
       }
-      if (target.openable && !target.movable) {  // where one can look into it once it is open: squarely before it
+      if (target.openable && !target.movable) {  // prefer positions in front, from which one can look inside
         const Vec3 local = to_target * Vec3(at.x(), at.y(), target.pose.position.z());
         const double aside = std::max(0.0, std::abs(local.x()) - target.size.x() / 2);
         cost += kAsideWeight * aside + (local.y() > -target.size.y() / 2 ? kAsideWeight : 0);
@@ -147,11 +147,11 @@ bool StandingCells::Candidate::operator>(const Candidate& other) const {
   return std::tie(cost, cell.y, cell.x) > std::tie(other.cost, other.cell.y, other.cell.x);
 }
 
-const Vec2* StandingCells::best(std::size_t k, const StandingQuestion& asked) {
+const Vec2* StandingCells::best(std::size_t k, const StandingInputs& asked) {
   if (k < best_.size()) return &best_[k];
   const double limit_m = asked.profile.reach_m - kReachReserve_m;
   while (best_.size() <= k) {
-    // A cell costs no less than it is away.
+    // The cost of a cell is at least its distance.
     while (looked_m_ < limit_m && (open_.empty() || open_.front().cost > looked_m_)) look_farther(asked, limit_m);
     if (open_.empty()) return nullptr;
     std::pop_heap(open_.begin(), open_.end(), std::greater<>());
@@ -162,7 +162,7 @@ const Vec2* StandingCells::best(std::size_t k, const StandingQuestion& asked) {
 }
 
 std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, std::size_t node,
-                                   const StandingQuestion& asked, StandingCells& cells) {
+                                   const StandingInputs& asked, StandingCells& cells) {
   for (std::size_t k = 0; k < kMostChecked; ++k) {
     const Vec2* at = cells.best(k, asked);
     if (at == nullptr) break;

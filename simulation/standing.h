@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "simulation/footprint.h"
 #include "simulation/navigation.h"
 #include "simulation/physics.h"
 #include "simulation/profile.h"
-#include "simulation/shadow.h"
 
 namespace unietp {
 
@@ -16,7 +16,7 @@ namespace unietp {
 /// node, metres.
 double reach_distance(const Node& node, const Vec2& at, const Profile& profile);
 
-/// Points that rays go to when it is asked whether a node can be seen: the box's centre, one inside each face and each
+/// Target points of the rays that test whether a node is visible: the box's centre and points inside each face and
 /// corner, W.
 std::vector<Vec3> sight_points(const Node& node);
 
@@ -24,11 +24,12 @@ std::vector<Vec3> sight_points(const Node& node);
 /// agent's hands.
 bool sees(const Node& thing, BodyId body, const PhysicsWorld& world, const Profile& profile, const Vec2& at,
           std::span<const BodyId> ignore = {});
+/// The same for a node of a scene.
 bool sees(const Scene& scene, const PhysicsWorld& world, const Profile& profile, const Vec2& at, std::size_t node,
           std::span<const BodyId> ignore = {});
 
-/// What decides where one can stand to reach a node.
-struct StandingQuestion {
+/// Inputs of the search for a place to stand.
+struct StandingInputs {
   const Node& target;
   const Shape& shape;  // its own
   const NavigationGrid& grid;
@@ -36,14 +37,14 @@ struct StandingQuestion {
   const Profile& profile;
 };
 
-/// The cells that the body can walk to from which a node is in reach, and, when it can be opened, out of its door's
-/// way; the best first: nearest to the front and to the object. What can be seen from them is another question, whose
-/// answer changes with every thing that is moved.
+/// The cells that the body can walk to from which a node is in reach, and, when it can be opened, outside of the sweep
+/// of its door; the best first: nearest to the front and to the object. Visibility is not included, since it changes
+/// with every object that is moved.
 class StandingCells {
  public:
-  /// The middle of the k-th best cell, or nullptr when there are not so many; valid until the next call. All calls ask
-  /// the same.
-  const Vec2* best(std::size_t k, const StandingQuestion& asked);
+  /// The center of the k-th best cell, or nullptr when there are fewer; valid until the next call. All calls must pass
+  /// the same inputs.
+  const Vec2* best(std::size_t k, const StandingInputs& asked);
 
  private:
   struct Candidate {
@@ -52,18 +53,19 @@ class StandingCells {
     Vec2 at;
     bool operator>(const Candidate& other) const;
   };
-  void look_farther(const StandingQuestion& asked, double limit_m);
+  void look_farther(const StandingInputs& asked, double limit_m);
 
-  std::vector<Shadow> way_;      // of the door
-  double looked_m_ = -1;         // how far from the node all cells have been looked at
-  std::vector<Candidate> open_;  // a heap: one of the first few mostly does, so the others need no order
-  std::vector<Vec2> best_;       // those that left it
+  std::vector<FloorFootprint> way_;  // of the door
+  double looked_m_ = -1;             // distance from the node up to which all cells were examined
+  std::vector<Candidate> open_;      // a heap, since mostly one of the first few is taken
+  std::vector<Vec2> best_;           // removed from the heap, in order
 };
 
 /// A place to stand from which the node is in reach and in sight: the best of the first 80 cells; nullopt when there is
 /// none. The cells must be the node's, as it is now.
 std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, std::size_t node,
-                                   const StandingQuestion& asked, StandingCells& cells);
+                                   const StandingInputs& asked, StandingCells& cells);
+/// The same without cached cells.
 std::optional<Vec2> standing_place(const Scene& scene, const PhysicsWorld& world, const NavigationGrid& grid,
                                    const CellSet& walk_from_agent, const Profile& profile, std::size_t node);
 

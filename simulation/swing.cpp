@@ -22,7 +22,7 @@ Shape moving_parts(const Shape& shape) {
   return moving;
 }
 
-/// What slides along: contents of cavities that move with a joint.
+/// Contents of cavities that move with a joint.
 std::vector<std::size_t> riders(const WorldState& state, std::size_t node, const Shape& shape) {
   std::vector<std::size_t> riding;
   const bool slides =
@@ -40,8 +40,8 @@ std::vector<std::size_t> riders(const WorldState& state, std::size_t node, const
 
 }  // namespace
 
-std::optional<BodyId> in_the_way(const PhysicsWorld& world, const Node& node, const Shape& shape, double to,
-                                 std::span<const BodyId> ignore) {
+std::optional<BodyId> joint_obstacle(const PhysicsWorld& world, const Node& node, const Shape& shape, double to,
+                                     std::span<const BodyId> ignore) {
   const Shape moving = moving_parts(shape);
   for (int step = 1; step <= kSweepSteps; ++step) {
     const double opening = node.opening + (to - node.opening) * step / kSweepSteps;
@@ -53,7 +53,7 @@ std::optional<BodyId> in_the_way(const PhysicsWorld& world, const Node& node, co
 ActionResult swing(WorldState& state, std::size_t i, bool open) {
   if (!state.node(i).openable) return failed(FailureCause::NotOpenable, state.reference(i));
   if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
-  if (auto blocked = out_of_hands_way(state, i)) return *blocked;
+  if (auto blocked = access_failure(state, i)) return *blocked;
   const bool is_open = state.node(i).states.has(Predicate::Open);
   if (open && is_open) return failed(FailureCause::AlreadyOpen, state.reference(i));
   if (!open && !is_open) return failed(FailureCause::AlreadyClosed, state.reference(i));
@@ -61,15 +61,15 @@ ActionResult swing(WorldState& state, std::size_t i, bool open) {
     return failed(FailureCause::StillRunning, state.reference(i));
   }
 
-  const Shape& shape = state.collider(i).shape;  // the same at every opening
+  const Shape& shape = state.collider(i).shape;  // independent of the opening
   const double from = state.node(i).opening, to = open ? 1.0 : 0.0;
   const std::vector<std::size_t> riding = riders(state, i, shape);
   if (!shape.joints.empty()) {
     std::vector<BodyId> ignore{BodyId::node(i)};
     for (const std::size_t rider : riding) ignore.push_back(BodyId::node(rider));
-    if (const auto hit = in_the_way(state.physics(), state.node(i), shape, to, ignore))
+    if (const auto hit = joint_obstacle(state.physics(), state.node(i), shape, to, ignore))
       return failed(FailureCause::JointBlocked, state.reference(i), state.reference_to_body(*hit));
-    if (in_door_way(state.node(i), state.agent().position, *state.profile)) {
+    if (in_door_sweep(state.node(i), state.agent().position, *state.profile)) {
       return failed(FailureCause::AgentInTheWay, state.reference(i));
     }
   }

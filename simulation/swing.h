@@ -8,9 +8,9 @@
 
 namespace unietp {
 
-/// What the doors, lids and drawers of a node would meet on their way from its present opening to another one; a little
-/// scraping is none. `ignore`: what is left out, the node itself too.
-std::optional<BodyId> in_the_way(const PhysicsWorld& world, const Node& node, const Shape& shape, double to,
-                                 std::span<const BodyId> ignore);
+/// What the doors, lids and drawers of a node would meet on their way from its present opening to another one; slight
+/// scraping is allowed. `ignore`: bodies that are left out; must contain the node itself.
+std::optional<BodyId> joint_obstacle(const PhysicsWorld& world, const Node& node, const Shape& shape, double to,
+                                     std::span<const BodyId> ignore);
 
 }  // namespace unietp

@@ -15,7 +15,7 @@ namespace {
 using Kind = Part::Kind;
 using Mat3 = Eigen::Matrix3d;
 
-constexpr double kUpright = 1 - 1e-9;  // |z of an axis| of what stands
+constexpr double kUpright = 1 - 1e-9;  // least |z| of an upright axis
 
 bool stands_upright(const Convex& solid) { return std::abs(solid.axes(2, 2)) > kUpright; }
 
@@ -63,7 +63,7 @@ std::optional<Touch> boxes(const Convex& a, const Convex& b) {
   return Touch{normal, -best};
 }
 
-/// The nearer of up and sideways for two solids that are the same all along z.
+/// The shallower of the vertical and the horizontal separation for two vertical prisms.
 std::optional<Touch> standing(const Convex& a, const Convex& b, double sideways_depth, const Vec2& sideways_normal) {
   const double rise = a.centre.z() - b.centre.z();
   const double depth = a.half.z() + b.half.z() - std::abs(rise);
@@ -98,7 +98,7 @@ std::optional<Touch> cylinders(const Convex& a, const Convex& b) {
   return standing(a, b, a.half.x() + b.half.x() - distance, away);
 }
 
-/// A ball against anything whose nearest point to the ball's middle is known in the other's frame.
+/// A sphere against a box, sphere or cylinder, by the nearest point in the other's frame.
 std::optional<Touch> ball_on(const Convex& ball, const Convex& other) {
   const double radius = ball.half.x();
   const Vec3 middle = other.axes.transpose() * (ball.centre - other.centre);
@@ -109,7 +109,7 @@ std::optional<Touch> ball_on(const Convex& ball, const Convex& other) {
     away = middle.norm() > 1e-12 ? Vec3(middle.normalized()) : Vec3::UnitZ();
   } else {
     const bool round = other.kind == Kind::Cylinder;
-    // In the plane through the cylinder's axis a cylinder is a box.
+    // In the plane through its axis a cylinder is a rectangle.
     const double across = middle.head<2>().norm();
     const Vec3 along = round && across > 1e-12 ? Vec3(middle.x() / across, middle.y() / across, 0) : Vec3::UnitX();
     const Vec3 local = round ? Vec3(across, 0, middle.z()) : middle;
@@ -148,7 +148,7 @@ struct Nearest : btDiscreteCollisionDetectorInterface::Result {
   }
 };
 
-/// Cylinders that lean.
+/// Tilted cylinders.
 std::optional<Touch> by_gjk(const Convex& a, const Convex& b) {
   const auto with = [](const Convex& solid, const auto& use) {
     const auto thin = [&](auto shape) {
@@ -178,7 +178,7 @@ std::optional<Touch> turned(std::optional<Touch> touch) {
   return touch;
 }
 
-/// The stretch of a segment within a slab of three pairs of planes: from `in` to `out`, shares of the way.
+/// Clips a segment to a box: from `in` to `out`, fractions of the segment. False when it misses.
 bool clip(const Vec3& from, const Vec3& way, const Vec3& low, const Vec3& high, double& in, double& out) {
   for (int i = 0; i < 3; ++i) {
     if (way[i] == 0) {

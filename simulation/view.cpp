@@ -35,21 +35,21 @@ struct Viewer::Body {
   }
 };
 
-struct Viewer::Look {
-  /// A node, with the part of the outlines that are its own.
+struct Viewer::CachedView {
+  /// A node and the range of its outlines.
   struct Seen {
     std::size_t node = 0;
     std::shared_ptr<const Body> body;
     std::uint32_t begin = 0, end = 0;
     PixelBox cover = kNowhere;
-    std::optional<PixelBox> box{};  // of what was asked for
+    std::optional<PixelBox> box{};  // of nodes whose box was computed
   };
 
   Camera camera;
   std::vector<Seen> asked, others;  // by node
-  std::vector<Outline> outlines;    // of all of them in order, then of walls
+  std::vector<Outline> outlines;    // of all nodes in order, then of walls
 
-  /// The node as this look saw it, if it looked the same.
+  /// The cached node, if its body is unchanged.
   static const Seen* find(const std::vector<Seen>& among, std::size_t node, const std::shared_ptr<const Body>& body) {
     const auto at = std::lower_bound(among.begin(), among.end(), node,
                                      [](const Seen& one, std::size_t wanted) { return one.node < wanted; });
@@ -59,7 +59,7 @@ struct Viewer::Look {
 
 namespace {
 
-/// A ball's place in the image, larger rather than smaller.
+/// Conservative image bounds of a sphere.
 struct Ball {
   double nearest = 0;
   PixelBox cover{};
@@ -70,8 +70,7 @@ struct Ball {
     cover = {0, 0, camera.width, camera.height};
     if (nearest < 0.02) return;
     const auto side = [&](double aside, int size, double sign) {
-      const double along =
-          aside + sign * radius;  // the box around the ball, seen at whichever depth takes it farther out
+      const double along = aside + sign * radius;  // at the depth that gives the larger bounds
       const double at = size / 2.0 + camera.focal * along / (sign * along > 0 ? nearest : deep + radius);
       return static_cast<int>(std::clamp(at + sign, -1.0, size + 1.0));
     };
@@ -110,7 +109,7 @@ struct Viewer::Walls {
     for (std::uint32_t i = 0; i < all.size(); ++i) places.insert(i, bounds[i]);
   }
 
-  /// Of those that may show no deeper than `farthest`, in order; most are in other rooms, behind the eye or aside.
+  /// Adds the outlines of the walls that may be visible up to a depth of `farthest`, in order.
   void add_outlines(const Camera& camera, double farthest, std::vector<Outline>& outlines) const {
     const auto add = [&](std::uint32_t i) {
       const Solid& wall = all[i];
@@ -118,7 +117,7 @@ struct Viewer::Walls {
       if (camera.depth(wall.pose.position) - radius > farthest || !camera.may_show(wall.pose.position, radius)) return;
       if (auto outline = outline_of(wall, camera)) outlines.push_back(*outline);
     };
-    constexpr std::size_t kFew = 128;  // they are looked at sooner than the near ones are found
+    constexpr std::size_t kFew = 128;  // for so few a linear scan is faster than the grid
     if (all.size() <= kFew) {
       for (std::uint32_t i = 0; i < all.size(); ++i) add(i);
       return;
@@ -145,10 +144,10 @@ const std::shared_ptr<const Viewer::Body>& Viewer::body_of(const Scene& scene, s
 }
 
 std::vector<std::size_t> ViewedScene::shown_within(const Camera& camera, double sight_m) const {
-  constexpr std::size_t kFew = 512;  // they are looked at sooner than the near ones are found
+  constexpr std::size_t kFew = 512;  // for so few a linear scan is faster than the grid
   constexpr double kAround_m = 0.05;
   if (near && sight_m < kEndless_m && scene.nodes.size() > kFew) {
-    // Bounds that meet both boxes meet what these have in common: so it is along each axis, and both hold the eye.
+    // Intersecting both boxes implies intersecting their common part, since both contain the camera.
     const Bounds shown = camera.shown_up_to(kEndless_m);
     const Vec3 sight = Vec3::Constant(sight_m), around = Vec3::Constant(kAround_m);
     return near({shown.low.cwiseMax(camera.at - sight) - around, shown.high.cwiseMin(camera.at + sight) + around});
@@ -168,15 +167,16 @@ ViewedScene viewed(const Scene& scene) {
 std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& eye, const Profile& profile,
                                         double sight_m) {
   const Scene& scene = around.scene;
-  auto look = std::make_shared<Look>();
+  auto look = std::make_shared<CachedView>();
   look->camera = camera_of(eye, profile);
   const Camera& camera = look->camera;
   const bool same_eye = last_ != nullptr && last_->camera == camera;
-  std::vector<PixelBox> changed;  // where the picture may differ from the last one
-  const auto see = [&](std::size_t i, std::vector<Look::Seen>& list, const std::vector<Look::Seen>* before) {
-    Look::Seen seen{i, body_of(scene, i)};
+  std::vector<PixelBox> changed;  // where the picture may differ from the cached one
+  const auto see = [&](std::size_t i, std::vector<CachedView::Seen>& list,
+                       const std::vector<CachedView::Seen>* before) {
+    CachedView::Seen seen{i, body_of(scene, i)};
     seen.begin = static_cast<std::uint32_t>(look->outlines.size());
-    const auto* known = before == nullptr ? nullptr : Look::find(*before, i, seen.body);
+    const auto* known = before == nullptr ? nullptr : CachedView::find(*before, i, seen.body);
     if (known != nullptr) {
       const auto own = std::span(last_->outlines).subspan(known->begin, known->end - known->begin);
       look->outlines.insert(look->outlines.end(), own.begin(), own.end());
@@ -200,7 +200,7 @@ std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& 
     see(i, look->asked, same_eye ? &last_->asked : nullptr);
     farthest = std::max(farthest, distance + sight_radius(scene.nodes[i]));
   }
-  // What lies behind all that is asked for hides nothing of it.
+  // Objects behind all requested ones hide nothing.
   for (const std::size_t i : around.shown_within(camera, farthest)) {
     const Node& node = scene.nodes[i];
     const double distance = (node.pose.position - camera.at).norm();
@@ -211,15 +211,15 @@ std::vector<VisibleObject> Viewer::view(const ViewedScene& around, const Agent& 
   if (same_eye) {
     for (const auto& [before, now] :
          {std::pair(&last_->asked, &look->asked), std::pair(&last_->others, &look->others)}) {
-      for (const Look::Seen& seen : *before) {
-        if (Look::find(*now, seen.node, seen.body) == nullptr) changed.push_back(seen.cover);
+      for (const CachedView::Seen& seen : *before) {
+        if (CachedView::find(*now, seen.node, seen.body) == nullptr) changed.push_back(seen.cover);
       }
     }
   }
 
   std::vector<VisibleObject> visible;
   VisibleBoxes boxes(camera, look->outlines);
-  for (Look::Seen& seen : look->asked) {
+  for (CachedView::Seen& seen : look->asked) {
     const auto touches = [&](const PixelBox& part) { return meet(part, seen.cover); };
     if (!same_eye || std::any_of(changed.begin(), changed.end(), touches))
       seen.box = boxes.of(static_cast<std::int32_t>(seen.node));

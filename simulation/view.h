@@ -13,36 +13,34 @@
 
 namespace unietp {
 
-inline constexpr double kEndless_m = 1000;  // farther than any home reaches
+inline constexpr double kEndless_m = 1000;  // larger than any home
 
-/// Enough of an object shows to be told from what is around it: at least 4 pixels each way and 36 in all.
+/// Whether a box is large enough to recognize an object: at least 4 pixels each way and 36 in all.
 bool shows_clearly(const PixelBox& box);
 
-/// What there is to look at.
+/// A scene with what is needed to render it.
 struct ViewedScene {
   const Scene& scene;
-  std::function<bool(std::size_t)> hidden{};  // whether no eye sees a node, as of hidden_from_sight; none: of no node
-  /// The nodes whose bodies reach into bounds, ascending; none: all that the scene has.
+  std::function<bool(std::size_t)> hidden{};  // whether a node is invisible (hidden_from_sight); null: none is
+  /// The nodes whose bodies reach into bounds, ascending; null: all nodes of the scene.
   std::function<std::vector<std::size_t>(const Bounds&)> near{};
 
   bool hides(std::size_t node) const { return hidden && hidden(node); }
-  /// The nodes of which a camera may show something and which reach nearer than so many metres along each axis, and
-  /// perhaps more; ascending.
+  /// A superset of the nodes that a camera may show within `sight_m` along each axis; ascending.
   std::vector<std::size_t> shown_within(const Camera& camera, double sight_m) const;
 };
 
-/// Of a scene as it was written down.
+/// Of a complete scene.
 ViewedScene viewed(const Scene& scene);
 
-/// A workplace for looking: it keeps the solids of what has not changed since the last look and, while the eye stays
-/// where it is, what they look like and the boxes of all that no change meets. What it held before does not matter to
-/// any result. Not thread-safe; copies share what they keep.
+/// Computes views and caches the solids of unchanged nodes and, while the camera does not move, their outlines and the
+/// boxes that no change affects. The cache never changes a result. Not thread-safe; copies share their cache.
 class Viewer {
  public:
   /// For scenes that have the rooms and openings of this one.
   explicit Viewer(const Scene& scene);
 
-  /// The objects whose box's centre is at most `sight_m` from the eye and of which the image shows a pixel, with the
+  /// The objects whose box's centre is at most `sight_m` from the camera and of which the image shows a pixel, with the
   /// box around those pixels: exactly what a ray through the middle of every pixel finds (segmentation_of), at the cost
   /// of a few hundred. Sorted by id. `eye`: place, yaw and pitch.
   std::vector<VisibleObject> view(const ViewedScene& around, const Agent& eye, const Profile& profile, double sight_m);
@@ -50,15 +48,15 @@ class Viewer {
   std::optional<PixelBox> box_of(const ViewedScene& around, std::size_t node, const Agent& eye, const Profile& profile);
 
  private:
-  struct Body;  // a node's solids, and what they were made of
-  struct Look;  // what a view was of, and what came of it
+  struct Body;        // a node's solids, and what they were made of
+  struct CachedView;  // the last view: its inputs and its result
   struct Walls;
   const std::shared_ptr<const Body>& body_of(const Scene& scene, std::size_t node);
 
-  // Shared by copies, and never changed: a branch of an episode keeps what its copies have in common.
+  // Immutable, so that copies can share them.
   std::vector<std::shared_ptr<const Body>> bodies_;
   std::shared_ptr<const Walls> walls_;
-  std::shared_ptr<const Look> last_;
+  std::shared_ptr<const CachedView> last_;
 };
 
 }  // namespace unietp

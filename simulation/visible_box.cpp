@@ -5,7 +5,7 @@
 namespace unietp {
 namespace {
 
-constexpr double kSlack = 1e-9;  // far more than the sums err by; what is nearer than this is left to the rays
+constexpr double kSlack = 1e-9;  // far above rounding errors; closer cases are decided by rays
 
 bool within(const PixelBox& inner, const PixelBox& outer) {
   return inner[0] >= outer[0] && inner[1] >= outer[1] && inner[2] <= outer[2] && inner[3] <= outer[3];
@@ -15,17 +15,17 @@ PixelBox common_part(const PixelBox& a, const PixelBox& b) {
   return {std::max(a[0], b[0]), std::max(a[1], b[1]), std::min(a[2], b[2]), std::min(a[3], b[3])};
 }
 
-/// What a part of the image has of a solid.
-struct Share {
-  bool any = true;                        // false: certainly nothing
+/// How a solid covers a part of the image.
+struct Coverage {
+  bool any = true;                        // false: certainly no pixel
   bool whole = true;                      // true: certainly every pixel
-  double nearest = 0, farthest = kNever;  // depth of what shows, between these
+  double nearest = 0, farthest = kNever;  // depth range of the visible part
 };
 
-/// `fills`: a box that is known to have every pixel.
-Share share_of(const Outline& outline, const PixelBox& part, const PartOfImage& middles, bool fills,
-               const Camera& camera) {
-  Share share;
+/// `fills`: the solid is known to cover every pixel.
+Coverage coverage_of(const Outline& outline, const PixelBox& part, const PartOfImage& middles, bool fills,
+                     const Camera& camera) {
+  Coverage share;
   if (!fills) {
     if (!meet(outline.cover, part)) return {false, false, 0, 0};
     share.whole = !outline.round && outline.side_count > 0;
@@ -37,7 +37,7 @@ Share share_of(const Outline& outline, const PixelBox& part, const PartOfImage& 
   if (outline.face_count > 0 && most < -kSlack) return {false, false, 0, 0};
   share.nearest = std::max(outline.nearest, most > kSlack ? 1 / most - kSlack : 0.0);
   if (!outline.round && least > kSlack) share.farthest = 1 / least + kSlack;
-  if (outline.round) {  // convex: it fills the part when it shows in all four corners
+  if (outline.round) {  // convex: it covers the part if it covers all four corners
     share.farthest = 0;
     for (const auto& [x, y] : {std::pair{part[0], part[1]}, std::pair{part[2], part[3]}, std::pair{part[0], part[3]},
                                std::pair{part[2], part[1]}}) {
@@ -49,8 +49,8 @@ Share share_of(const Outline& outline, const PixelBox& part, const PartOfImage& 
   return share;
 }
 
-/// Whether in each pixel of a part a box that fills it shows nearer than another solid could: one face of what lies
-/// behind is everywhere deeper than every face in front.
+/// Whether a box that covers a part is nearer than another solid in every pixel: one face of the solid behind is
+/// everywhere deeper than every face in front.
 bool certainly_before(const Outline& front, const Outline& behind, const PartOfImage& middles) {
   const auto &faces = front.faces, &other = behind.faces;
   for (Eigen::Index i = 0; i < behind.face_count; ++i) {
@@ -69,7 +69,7 @@ VisibleBoxes::VisibleBoxes(const Camera& camera, const std::vector<Outline>& out
   by_depth_.reserve(outlines.size());
   for (const Outline& one : outlines)
     by_depth_.push_back({one.nearest, one.cover, one.owner, static_cast<std::uint32_t>(by_depth_.size())});
-  std::sort(by_depth_.begin(), by_depth_.end(), [](const Brief& a, const Brief& b) {
+  std::sort(by_depth_.begin(), by_depth_.end(), [](const OutlineSummary& a, const OutlineSummary& b) {
     return std::pair(a.nearest, a.outline) < std::pair(b.nearest, b.outline);
   });
 }
@@ -80,7 +80,7 @@ std::optional<PixelBox> VisibleBoxes::of(std::int32_t owner) {
   probed_ = false;
   std::optional<PixelBox> cover;
   double farthest = 0;
-  for (const Brief& one : by_depth_) {
+  for (const OutlineSummary& one : by_depth_) {
     if (one.owner != owner) continue;
     cover = cover ? around(*cover, one.cover) : one.cover;
     farthest = std::max(farthest, outlines_[one.outline].farthest);
@@ -88,7 +88,7 @@ std::optional<PixelBox> VisibleBoxes::of(std::int32_t owner) {
   if (!cover) return std::nullopt;
   own_.clear();
   others_.clear();
-  for (const Brief& one : by_depth_) {
+  for (const OutlineSummary& one : by_depth_) {
     if (one.nearest > farthest) break;
     if (meet(one.cover, *cover)) (one.owner == owner ? own_ : others_).push_back({one.outline, false, one.nearest});
   }
@@ -96,8 +96,8 @@ std::optional<PixelBox> VisibleBoxes::of(std::int32_t owner) {
   return box_;
 }
 
-void VisibleBoxes::probe_corners(const Among& among) {
-  // Left, up, right, down: of all its solids the one that reaches farthest.
+void VisibleBoxes::probe_corners(const Ranges& among) {
+  // Left, up, right, down: of all its solids the most extreme one.
   for (std::size_t side = 0; side < 4; ++side) {
     const Outline* farthest = nullptr;
     const auto reach = [side](const Outline& outline) {
@@ -112,10 +112,10 @@ void VisibleBoxes::probe_corners(const Among& among) {
   }
 }
 
-void VisibleBoxes::probe(const Outline& outline, const Vec2& corner, const Among& among) {
+void VisibleBoxes::probe(const Outline& outline, const Vec2& corner, const Ranges& among) {
   const PixelBox& cover = outline.cover;
   const Vec2 middle = Vec2(cover[0] + cover[2] + 1, cover[1] + cover[3] + 1) / 2;
-  for (const double inwards : {0.7, 2.0}) {  // pixels: a corner may be sharper than one
+  for (const double inwards : {0.7, 2.0}) {  // pixels, since a corner may be narrower than a pixel
     const Vec2 at = corner + inwards * (middle - corner).normalized();
     const int x = static_cast<int>(std::clamp(at.x(), 1.0 * cover[0], 1.0 * cover[2]));
     const int y = static_cast<int>(std::clamp(at.y(), 1.0 * cover[1], 1.0 * cover[3]));
@@ -127,12 +127,12 @@ void VisibleBoxes::probe(const Outline& outline, const Vec2& corner, const Among
   }
 }
 
-void VisibleBoxes::explore(const PixelBox& whole, const Among& among) {
+void VisibleBoxes::explore(const PixelBox& whole, const Ranges& among) {
   const auto part = worth_exploring(whole, among);
   if (part) explore_part(*part, among);
 }
 
-std::optional<PixelBox> VisibleBoxes::worth_exploring(const PixelBox& part, const Among& among) const {
+std::optional<PixelBox> VisibleBoxes::worth_exploring(const PixelBox& part, const Ranges& among) const {
   std::optional<PixelBox> own;
   for (std::size_t k = among.own; k < among.own_end; ++k) {
     const Outline& outline = outlines_[own_[k].outline];
@@ -151,16 +151,16 @@ void VisibleBoxes::gather(Stack& stack, std::size_t begin, std::size_t end, cons
     const Shown above = stack[k];
     if (above.nearest > filled) continue;
     const Outline& outline = outlines_[above.outline];
-    const Share share = share_of(outline, part, middles, above.whole, camera_);
+    const Coverage share = coverage_of(outline, part, middles, above.whole, camera_);
     if (!share.any || share.nearest > filled) continue;
     if (share.whole) filled = std::min(filled, share.farthest);
     stack.push_back({above.outline, share.whole && !outline.round, share.nearest});
   }
 }
 
-void VisibleBoxes::explore_part(const PixelBox& part, const Among& among) {
-  // Those that have a share of the part, down to the depth of the first that fills it.
-  Among here{own_.size(), 0, others_.size(), 0};
+void VisibleBoxes::explore_part(const PixelBox& part, const Ranges& among) {
+  // Those that may be visible in the part, up to the depth of the first that covers it.
+  Ranges here{own_.size(), 0, others_.size(), 0};
   double filled = kNever;
   gather(own_, among.own, among.own_end, part, filled);
   gather(others_, among.others, among.others_end, part, filled);
@@ -176,14 +176,14 @@ void VisibleBoxes::explore_part(const PixelBox& part, const Among& among) {
   if (any_own && !any_other && filled < kNever) {
     box_ = box_ ? around(*box_, part) : part;
   } else if (any_own) {
-    if (!std::exchange(probed_, true)) probe_corners(here);  // of the whole that may show it
+    if (!std::exchange(probed_, true)) probe_corners(here);  // for the largest part
     cut(part, here);
   }
   own_.resize(here.own);
   others_.resize(here.others);
 }
 
-void VisibleBoxes::drop_hidden_behind_boxes(const PixelBox& part, Among& here) {
+void VisibleBoxes::drop_hidden_behind_boxes(const PixelBox& part, Ranges& here) {
   const PartOfImage middles(part);
   const auto drop = [&](const Shown& front, Stack& stack, std::size_t from) {
     if (!front.whole) return;
@@ -198,14 +198,14 @@ void VisibleBoxes::drop_hidden_behind_boxes(const PixelBox& part, Among& here) {
   here.others_end = others_.size();
 }
 
-void VisibleBoxes::cut(const PixelBox& part, const Among& among) {
+void VisibleBoxes::cut(const PixelBox& part, const Ranges& among) {
   const int wide = part[2] - part[0], high = part[3] - part[1];
   if (wide == 0 && high == 0) {
     if (!shows_owner(part[0], part[1], among)) return;
     box_ = box_ ? around(*box_, part) : part;
     return;
   }
-  if (box_ && meet(part, *box_)) {  // what is left of it on each side of what is known
+  if (box_ && meet(part, *box_)) {  // the remainders on each side of the known box
     const PixelBox known = *box_;
     const int left = std::max(part[0], known[0]), right = std::min(part[2], known[2]);
     if (part[0] < known[0]) explore({part[0], part[1], known[0] - 1, part[3]}, among);
@@ -219,13 +219,13 @@ void VisibleBoxes::cut(const PixelBox& part, const Among& among) {
   PixelBox low = part, far = part;
   low[axis + 2] = middle;
   far[axis] = middle + 1;
-  // The half that lies farther out of what is known first: it may spare the other.
+  // The half farther from the known box first, since it may make the other one unnecessary.
   const bool far_first = box_ && part[axis + 2] - (*box_)[axis + 2] > (*box_)[axis] - part[axis];
   explore(far_first ? far : low, among);
   explore(far_first ? low : far, among);
 }
 
-bool VisibleBoxes::shows_owner(int x, int y, const Among& among) const {
+bool VisibleBoxes::shows_owner(int x, int y, const Ranges& among) const {
   double first = kNever;
   std::uint32_t shown = 0;
   const PixelBox pixel{x, y, x, y};

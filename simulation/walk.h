@@ -2,16 +2,16 @@
 
 #include <memory>
 
+#include "simulation/distance_field.h"
 #include "simulation/navigation.h"
-#include "simulation/ripple.h"
 
 namespace unietp {
 
-/// Where a body can stand in a scene, and which of it the agent can walk to from where it stands.
+/// Where a body can stand in a scene, and the cells that the agent can walk to from its position.
 struct Walk {
   NavigationGrid grid;
   CellSet reached;
-  std::shared_ptr<const Ripple> steps{};  // from there, finished; only of a scene that many others grow out of
+  std::shared_ptr<const DistanceField> steps{};  // from there, complete; only of a home that many starts are made from
 };
 
 }  // namespace unietp

@@ -10,7 +10,7 @@ constexpr double kOnLine_m = 0.02;
 
 struct Interval {
   double from, to;
-  double low_z;  // the gap's height: wall continues above
+  double low_z;  // height of the gap; the wall continues above
 };
 
 WallPiece wall_piece(const Vec2& start, const Vec2& along, double from, double to, double low_z, double high_z,
@@ -20,7 +20,7 @@ WallPiece wall_piece(const Vec2& start, const Vec2& along, double from, double t
   return {upright(Vec3(middle.x(), middle.y(), (low_z + high_z) / 2), yaw), Vec3(to - from, thickness, high_z - low_z)};
 }
 
-/// Those that can be on a room's edges, in order: in a street few are.
+/// Openings near a room, in order.
 std::vector<const Opening*> openings_by(const Room& room, const Scene& scene) {
   Vec2 low = room.polygon.empty() ? Vec2(0, 0) : room.polygon.front(), high = low;
   for (const Vec2& corner : room.polygon) low = low.cwiseMin(corner), high = high.cwiseMax(corner);

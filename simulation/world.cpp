@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-/// Lowest and highest cell of the rectangle around a node from which an arm may get to it.
+/// Lowest and highest cell of the rectangle around a node from which it may be in reach.
 std::pair<NavigationGrid::Cell, NavigationGrid::Cell> cells_beside(const WorldState& state, const Node& node) {
   const Bounds bounds = bounds_of(node.pose, node.size);
   const Vec2 beside = Vec2::Constant(state.profile->reach_m);
@@ -63,7 +63,7 @@ ActionResult World::step(const Action& action) {
   const MomentTree::Step& done = tree_->step(moment_, action);
   moment_ = done.next;
   changes_ = &done.changes;
-  if (shown_ != nullptr && !done.changes.empty()) not_yet_shown_.push_back(changes_);
+  if (shown_ != nullptr && !done.changes.empty()) pending_changes_.push_back(changes_);
   return done.result;
 }
 
@@ -74,8 +74,8 @@ const Delta& World::changes() const {
 
 const Scene& World::scene() const {
   if (shown_ == nullptr) shown_ = std::make_unique<Scene>(tree_->at(moment_).whole_scene());
-  for (const Delta* change : not_yet_shown_) *shown_ = apply(std::move(*shown_), *change);
-  not_yet_shown_.clear();
+  for (const Delta* change : pending_changes_) *shown_ = apply(std::move(*shown_), *change);
+  pending_changes_.clear();
   return *shown_;
 }
 
@@ -97,13 +97,13 @@ std::optional<PixelBox> World::pictured_from(const Agent& eye, std::string_view 
   const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);
   if (!node) return std::nullopt;
-  // Most places are turned down here, before anything is gathered.
+  // Cheap test first: most positions fail it.
   const Node& target = state.node(*node);
   if (!camera_of(eye, *state.profile).may_show(target.pose.position, sight_radius(target))) return std::nullopt;
   return tree_->viewer().box_of(state.viewed(), *node, eye, *state.profile);
 }
 
-std::optional<Agent> World::led_to(const Agent& from, const Action& action) const {
+std::optional<Agent> World::agent_after(const Agent& from, const Action& action) const {
   const WorldState& state = tree_->at(moment_);
   if (!state.profile->offers(action.type)) return std::nullopt;
   if (action.type == ActionType::GoTo) {
@@ -222,13 +222,13 @@ double World::straight_distance(const Node& node) const {
 bool World::in_reach(std::string_view id) const {
   const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);
-  return node && !state.held(id) && !out_of_hands_way(state, *node);
+  return node && !state.held(id) && !access_failure(state, *node);
 }
 
 bool World::in_reach_from(const Vec2& place, std::string_view id) const {
   const WorldState& state = tree_->at(moment_);
   const auto node = state.index_of(id);
-  return node && !state.held(id) && !out_of_hands_way(state, *node, place);
+  return node && !state.held(id) && !access_failure(state, *node, place);
 }
 
 std::vector<Pose> World::free_spots(std::string_view id, bool inside) const {

@@ -23,16 +23,15 @@ struct KnownStart;
 
 class MomentTree;
 
-/// An episode in progress: a value that steps. Start scene in, action in, result and changes out; `scene()` is the USG
-/// after it. A failed action changes nothing. Relations are read from physics, never set. Deterministic: equal starts
-/// and equal actions give equal scenes, bit for bit. A copy costs next to nothing and is independent (a search may
-/// branch); copies remember together what was done already, so they belong to one thread. Knowledge and profile must
-/// outlive them.
+/// An episode in progress, as a value: takes actions, gives results and changes; `scene()` is the current USG. A failed
+/// action changes nothing. Relations are read from physics, never set. Deterministic: equal starts and equal actions
+/// give equal scenes, bit for bit. Copies are cheap and independent, so that a search may branch; they share a cache of
+/// steps, so all copies must stay on one thread. Knowledge and profile must outlive them.
 class World {
  public:
   /// Errors: Schema when the scene has a category that the knowledge lacks, or its agent stands nowhere.
   static Result<World> create(Scene start, const Knowledge& knowledge, const Profile& profile);
-  /// The same for a start of which something is known already.
+  /// The same with results that were computed before.
   static Result<World> create(Scene start, const Knowledge& knowledge, const Profile& profile, KnownStart known);
   World(const World&);
   World(World&&) noexcept;
@@ -40,29 +39,29 @@ class World {
   World& operator=(World&&) noexcept;
   ~World();
 
+  /// Performs an action. Fails as the table of causes says (simulation/failure_cause.h).
   ActionResult step(const Action& action);
   /// What the last step changed: `difference` of the scenes before and after it.
   const Delta& changes() const;
-  /// The whole scene; the reference tells of this moment until `scene()` is asked again.
+  /// The current scene; the reference stays as it is until the next call of `scene()`.
   const Scene& scene() const;
   const Profile& profile() const;
-  bool stopped() const;  // `stop` was done
+  bool stopped() const;  // `stop` was performed
+  /// Identifies the current state: copies of one world have equal ids exactly when their states are equal.
   MomentId moment() const { return moment_; }
-  /// The same start at another of its moments.
+  /// This world at another moment that it or a copy has been at.
   World at(MomentId moment) const;
 
-  /// What the camera shows now: objects nearer than the profile's sight of which a pixel is met first by its ray, by
-  /// id.
+  /// Objects in view: with a visible pixel and nearer than the profile's limit of sight. Sorted by id.
   const std::vector<VisibleObject>& visible() const;
-  /// The same without a limit of sight: every object of which the picture shows a pixel.
+  /// The same without the limit of sight.
   const std::vector<VisibleObject>& pictured() const;
-  /// Whether `visible` has the object, without the cost of the whole view.
+  /// Whether `visible` contains the object, without computing the whole view.
   bool shows(std::string_view id) const;
 
-  // Parts of the scene without the cost of the whole; what is returned is valid until a copy of this world is asked
-  // anything or steps.
+  // Parts of the scene without building the whole; references are valid until the next call on this world or a copy.
   const SharedList<Node>& nodes() const;
-  /// At which of them what is.
+  /// Positions of nodes in `nodes()` by id and by category.
   const NodeIndex& places() const;
   const Node* find(std::string_view id) const;
   const Agent& agent() const;
@@ -70,50 +69,51 @@ class World {
   const Room* find_room(std::string_view id) const;
   /// Whether the scene has the edge between two objects.
   bool linked(std::string_view from, Predicate relation, std::string_view to) const;
-  /// Objects to which one has the relation, by place in the scene.
+  /// Objects to which an object has the relation, in scene order.
   std::vector<std::string> linked_from(std::string_view from, Predicate relation) const;
-  /// What lies on or in an object, directly, by place in the scene.
+  /// What lies directly on or in an object, in scene order.
   std::vector<std::string> resting_at(std::string_view id) const;
-  /// Places in the scene of the nodes whose bounds come nearer than `gap` metres to some; what is held is nowhere.
+  /// Positions in `nodes()` of the nodes whose bounds are nearer than `gap` metres to the given ones; held objects are
+  /// left out.
   std::vector<std::size_t> places_near(const Bounds& bounds, double gap) const;
   /// The room that an object is in, or "".
   std::string room_of(std::string_view id) const;
 
-  // Questions that a planner may ask; none changes the world.
-  /// The body can stand somewhere with the object in reach and sight (as things are now: what is behind a closed door
-  /// is not in sight).
+  // Queries for planners; none changes the world.
+  /// Whether the agent can walk to a place with the object in reach and sight, in the current state: what is behind a
+  /// closed door is not in sight.
   bool can_stand_at(std::string_view id) const;
-  /// The box of one object in the picture from another place or in another direction; nullopt when it shows nothing of
-  /// it. What the agent holds stays out of the picture.
+  /// The box of an object in the picture from another position or direction; nullopt when no pixel of it is visible.
+  /// Held objects are not in the picture.
   std::optional<PixelBox> pictured_from(const Agent& eye, std::string_view id) const;
-  /// Where a step, turn, tilt or go_to would lead the body, if it stood elsewhere but could walk to where it stands
-  /// now; nullopt when the action would fail or moves no body.
-  std::optional<Agent> led_to(const Agent& from, const Action& action) const;
-  /// As go_to would choose it.
+  /// The agent after a step, turn, tilt or go_to from another position that is connected to the current one; nullopt
+  /// when the action would fail or does not move the body.
+  std::optional<Agent> agent_after(const Agent& from, const Action& action) const;
+  /// The place that go_to would choose.
   std::optional<Vec2> standing_place_for(std::string_view id) const;
-  /// Walking distance in metres to the nearest free cell beside the object's box; infinity when there is none. What no
-  /// walk of 40 m leads to counts as that far, or as far as it is straight ahead if that is more.
+  /// Walking distance in metres to the nearest free cell beside the object's box; infinity when there is none.
+  /// Distances above 40 m are not computed and count as 40 m, or as the straight distance if that is more.
   double walking_distance(std::string_view id) const;
-  /// No more than that, and found at once: what it would be if nothing stood in the way.
+  /// Lower bound of the walking distance, without obstacles; cheap.
   double straight_distance(const Node& node) const;
   bool in_reach(std::string_view id) const;
-  /// The same if the agent stood elsewhere.
+  /// The same from another position.
   bool in_reach_from(const Vec2& place, std::string_view id) const;
-  /// Poses at which place_on (place_in, with `inside`) could let go of what the hand holds over an object, were they in
-  /// reach: those at which it meets nothing. Empty for empty hands.
+  /// Collision-free poses at which place_on (place_in, with `inside`) could release the held object over an object, in
+  /// reach or not. Empty when nothing is held.
   std::vector<Pose> free_spots(std::string_view id, bool inside) const;
-  /// The same for a thing that lies elsewhere, as if it were held.
+  /// The same for an object that is not held.
   std::vector<Pose> free_spots_for(std::string_view thing, std::string_view id, bool inside) const;
   /// Id of the outermost closed container around the object, or "".
   std::string closed_around(std::string_view id) const;
 
  private:
   explicit World(std::shared_ptr<MomentTree> tree);
-  std::shared_ptr<MomentTree> tree_;  // of all copies, which are moments of it
+  std::shared_ptr<MomentTree> tree_;  // shared by all copies
   MomentId moment_;
   const Delta* changes_ = nullptr;
-  mutable std::unique_ptr<Scene> shown_;             // as of the last call of `scene()`
-  mutable std::vector<const Delta*> not_yet_shown_;  // what changed since then
+  mutable std::unique_ptr<Scene> shown_;               // as of the last call of `scene()`
+  mutable std::vector<const Delta*> pending_changes_;  // since then
 };
 
 }  // namespace unietp

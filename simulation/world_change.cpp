@@ -48,11 +48,11 @@ WorldState::Change WorldState::change() const {
   const AgentState* agent_before = nullptr;
   std::size_t old_count = count();
   for (const Edit& edit : log_) {
-    if (const auto* of_node = std::get_if<NodeWas>(&edit.what)) {
+    if (const auto* of_node = std::get_if<NodeEdit>(&edit.what)) {
       nodes_before.try_emplace(of_node->node, &of_node->value);
-    } else if (const auto* of_links = std::get_if<LinksWere>(&edit.what)) {
+    } else if (const auto* of_links = std::get_if<LinksEdit>(&edit.what)) {
       links_before.try_emplace(of_links->node, &of_links->value);
-    } else if (std::holds_alternative<Added>(edit.what)) {
+    } else if (std::holds_alternative<NodeAddition>(edit.what)) {
       --old_count;
     } else if (const auto* before = std::get_if<AgentState>(&edit.what)) {
       if (agent_before == nullptr) agent_before = before;
@@ -61,38 +61,38 @@ WorldState::Change WorldState::change() const {
   Change change;
   for (const auto& [i, before] : nodes_before) {
     if (i >= old_count || *before == node(i)) continue;
-    change.seen.nodes.push_back(node(i));
-    change.gained -= digest_of(i, *before);
-    change.gained += digest_of(i, node(i));
+    change.delta.nodes.push_back(node(i));
+    change.digest_difference -= digest_of(i, *before);
+    change.digest_difference += digest_of(i, node(i));
   }
   for (std::size_t i = old_count; i < count(); ++i) {
-    change.seen.nodes.push_back(node(i));
-    change.gained += digest_of(i, node(i));
-    if (!links_before.contains(i)) change.gained += digest_of(i, links(i));
+    change.delta.nodes.push_back(node(i));
+    change.digest_difference += digest_of(i, node(i));
+    if (!links_before.contains(i)) change.digest_difference += digest_of(i, links(i));
   }
   for (const auto& [i, before] : links_before) {
     if (i < old_count && *before == links(i)) continue;
-    if (i < old_count) change.gained -= digest_of(i, *before);
-    change.gained += digest_of(i, links(i));
+    if (i < old_count) change.digest_difference -= digest_of(i, *before);
+    change.digest_difference += digest_of(i, links(i));
     std::vector<Link> gone, fresh;
     std::set_difference(before->begin(), before->end(), links(i).begin(), links(i).end(), std::back_inserter(gone));
     std::set_difference(links(i).begin(), links(i).end(), before->begin(), before->end(), std::back_inserter(fresh));
-    for (const Link& link : gone) change.seen.edges_removed.push_back(edge_of(scene_, i, link));
-    for (const Link& link : fresh) change.seen.edges_added.push_back(edge_of(scene_, i, link));
+    for (const Link& link : gone) change.delta.edges_removed.push_back(edge_of(scene_, i, link));
+    for (const Link& link : fresh) change.delta.edges_added.push_back(edge_of(scene_, i, link));
   }
   const AgentState agent_now{agent(), hand_, stopped_};
   if (agent_before != nullptr && *agent_before != agent_now) {
-    change.gained -= digest_of(*agent_before);
-    change.gained += digest_of(agent_now);
-    if (agent_before->agent != agent()) change.seen.agent = agent();
+    change.digest_difference -= digest_of(*agent_before);
+    change.digest_difference += digest_of(agent_now);
+    if (agent_before->agent != agent()) change.delta.agent = agent();
     const auto from = physics_.floor().at(agent_before->agent.position);
     const auto to = physics_.floor().at(agent().position);
     const auto edge_to = [&](std::uint32_t room) { return Edge{Predicate::InRoom, "agent", scene_.rooms[room].id}; };
-    if (from != to && from) change.seen.edges_removed.push_back(edge_to(*from));
-    if (from != to && to) change.seen.edges_added.push_back(edge_to(*to));
+    if (from != to && from) change.delta.edges_removed.push_back(edge_to(*from));
+    if (from != to && to) change.delta.edges_added.push_back(edge_to(*to));
   }
-  std::sort(change.seen.edges_removed.begin(), change.seen.edges_removed.end());
-  std::sort(change.seen.edges_added.begin(), change.seen.edges_added.end());
+  std::sort(change.delta.edges_removed.begin(), change.delta.edges_removed.end());
+  std::sort(change.delta.edges_added.begin(), change.delta.edges_added.end());
   return change;
 }
 

@@ -16,7 +16,7 @@ bool looks_alike(const Node& a, const Node& b) {
 
 }  // namespace
 
-void WorldState::log_node(std::size_t i) { log(NodeWas{i, node(i)}); }
+void WorldState::log_node(std::size_t i) { log(NodeEdit{i, node(i)}); }
 void WorldState::log_agent() { log(AgentState{agent(), hand_, stopped_}); }
 
 Agent& WorldState::edit_agent() {
@@ -44,13 +44,13 @@ void WorldState::put_body(std::size_t i) {
   physics_.set(BodyId::node(i), colliders_[i], here.pose, here.movable ? here.mass : 0);
 }
 
-/// Brings the node's collider, its body and the grid in line with what it is now.
-void WorldState::follow(std::size_t i, const Node& before) {
+/// Updates the node's collider and body, and marks it for the grid.
+void WorldState::update_body(std::size_t i, const Node& before) {
   const Node& now = node(i);
   const bool moved = !(now.pose == before.pose), other = !looks_alike(now, before);
   if (!moved && !other) return;
   moved_.push_back(i);
-  if (other) colliders_.edit(i) = book_.of(now);
+  if (other) colliders_.edit(i) = colliders_made_.of(now);
   if (!physics_.has(BodyId::node(i))) return;
   if (other) {
     put_body(i);
@@ -75,15 +75,15 @@ void WorldState::set_opening(std::size_t i, double opening) {
 
 void WorldState::replace(std::size_t i, Node changed) {
   std::swap(scene_.nodes.edit(i), changed);
-  follow(i, changed);
-  log(NodeWas{i, std::move(changed)});
+  update_body(i, changed);
+  log(NodeEdit{i, std::move(changed)});
 }
 
 std::size_t WorldState::add(Node node) {
   const std::size_t i = count();
-  auto collider = book_.of(node);
-  take_in(std::move(node), std::move(collider));
-  log(Added{});
+  auto collider = colliders_made_.of(node);
+  append(std::move(node), std::move(collider));
+  log(NodeAddition{});
   lay(i);
   return i;
 }
@@ -91,13 +91,13 @@ std::size_t WorldState::add(Node node) {
 void WorldState::lift(std::size_t i) {
   physics_.remove(BodyId::node(i));
   moved_.push_back(i);
-  log(Lifted{i});
+  log(BodyToggle{i});
 }
 
 void WorldState::lay(std::size_t i) {
   put_body(i);
   moved_.push_back(i);
-  log(Lifted{i});
+  log(BodyToggle{i});
 }
 
 void WorldState::attach(std::size_t i, std::size_t to) {
@@ -105,7 +105,7 @@ void WorldState::attach(std::size_t i, std::size_t to) {
   links.push_back({Predicate::Attached, static_cast<std::uint32_t>(to)});
   sort_unique(links);
   links_.exchange(i, links);
-  log(LinksWere{i, std::move(links)});
+  log(LinksEdit{i, std::move(links)});
 }
 
 void WorldState::refresh(std::span<const Bounds> touched, std::span<const std::size_t> changed) {
@@ -115,7 +115,7 @@ void WorldState::refresh(std::span<const Bounds> touched, std::span<const std::s
     std::vector<Link> links = links_of(scene_, physics_, i);
     for (const Link& link : this->links(i)) {
       if (carries(link) && is_in_hand(i) && is_in_hand(link.to)) links.push_back(link);
-      // Attached stays what still lies on what it was attached to.
+      // An attached object stays attached while it lies on what it was attached to.
       const Link on{Predicate::On, link.to};
       if (link.relation == Predicate::Attached && std::find(links.begin(), links.end(), on) != links.end()) {
         links.push_back(link);
@@ -124,7 +124,7 @@ void WorldState::refresh(std::span<const Bounds> touched, std::span<const std::s
     sort_unique(links);
     if (links == this->links(i)) continue;
     links_.exchange(i, links);
-    log(LinksWere{i, std::move(links)});
+    log(LinksEdit{i, std::move(links)});
   }
 }
 
@@ -148,22 +148,22 @@ void WorldState::carry_along() {
 }
 
 void WorldState::exchange(Edit& edit) {
-  if (auto* of_node = std::get_if<NodeWas>(&edit.what)) {
+  if (auto* of_node = std::get_if<NodeEdit>(&edit.what)) {
     std::swap(scene_.nodes.edit(of_node->node), of_node->value);
-    follow(of_node->node, of_node->value);
-  } else if (auto* of_links = std::get_if<LinksWere>(&edit.what)) {
+    update_body(of_node->node, of_node->value);
+  } else if (auto* of_links = std::get_if<LinksEdit>(&edit.what)) {
     links_.exchange(of_links->node, of_links->value);
-  } else if (const auto* lifted = std::get_if<Lifted>(&edit.what)) {
+  } else if (const auto* lifted = std::get_if<BodyToggle>(&edit.what)) {
     moved_.push_back(lifted->node);
     if (physics_.has(BodyId::node(lifted->node))) {
       physics_.remove(BodyId::node(lifted->node));
     } else {
       put_body(lifted->node);
     }
-  } else if (auto* added = std::get_if<Added>(&edit.what)) {
+  } else if (auto* added = std::get_if<NodeAddition>(&edit.what)) {
     if (added->value) {
-      auto collider = book_.of(*added->value);
-      take_in(std::move(*added->value), std::move(collider));
+      auto collider = colliders_made_.of(*added->value);
+      append(std::move(*added->value), std::move(collider));
       added->value.reset();
     } else {
       places_.remove(count() - 1, scene_.nodes.back());

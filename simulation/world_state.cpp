@@ -15,7 +15,7 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
   state.physics_ = std::move(known.physics);
   if (known.walk != nullptr) {
     state.grid_ = known.walk->grid;
-    state.floods_ = Floods(std::move(known.walk));
+    state.floods_ = FloodCache(std::move(known.walk));
   }
   const EdgeSet edges = std::exchange(start.edges, {});
   state.scene_ = std::move(start);
@@ -35,7 +35,7 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
   } else {
     state.read_links(edges);
   }
-  // What is attached is nowhere but in the edges.
+  // Attachment is stored in the edges only.
   const auto attached = edges.partition_point([](const Edge& edge) { return edge.relation < Predicate::Attached; });
   for (auto place = attached; place != edges.end() && place->relation == Predicate::Attached; ++place) {
     const Edge& edge = *place;
@@ -46,7 +46,7 @@ Result<WorldState> WorldState::of(Scene start, const Knowledge& knowledge, const
   return state;
 }
 
-/// All links as physics shows them, and those of what the agent carries, which is nowhere but in the edges.
+/// All links from physics, and those of what the agent carries from the edges.
 void WorldState::read_links(const EdgeSet& edges) {
   links_.resize(count());
   std::vector<std::size_t> in_hand;
@@ -77,7 +77,7 @@ void WorldState::add_link(std::size_t i, const Link& link) {
   links_.set(i, std::move(links));
 }
 
-void WorldState::take_in(Node node, std::shared_ptr<const Collider> collider) {
+void WorldState::append(Node node, std::shared_ptr<const Collider> collider) {
   places_.add(count(), node);
   colliders_.push_back(std::move(collider));
   links_.resize(count() + 1);
@@ -158,11 +158,11 @@ Scene WorldState::whole_scene() const {
   return scene;
 }
 
-std::optional<ActionResult> out_of_hands_way(const WorldState& state, std::size_t node) {
-  return out_of_hands_way(state, node, state.agent().position);
+std::optional<ActionResult> access_failure(const WorldState& state, std::size_t node) {
+  return access_failure(state, node, state.agent().position);
 }
 
-std::optional<ActionResult> out_of_hands_way(const WorldState& state, std::size_t node, const Vec2& place) {
+std::optional<ActionResult> access_failure(const WorldState& state, std::size_t node, const Vec2& place) {
   if (const auto container = state.closed_around(node)) {
     return failed(FailureCause::InsideClosed, state.reference(node), state.reference(*container));
   }

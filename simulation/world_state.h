@@ -18,7 +18,7 @@
 #include "scene/trace.h"
 #include "simulation/action_result.h"
 #include "simulation/digest.h"
-#include "simulation/floods.h"
+#include "simulation/flood_cache.h"
 #include "simulation/known_start.h"
 #include "simulation/link_table.h"
 #include "simulation/physics.h"
@@ -29,7 +29,7 @@
 
 namespace unietp {
 
-/// Where the hand is, seen from the body: this far ahead and to the left, at the height of the hands, and turned.
+/// Pose of the hand relative to the body, at a fixed height.
 struct HandPose {
   double ahead_m = 0.45, left_m = 0, turn = 0;  // radians, counter-clockwise from above
   bool operator==(const HandPose&) const = default;
@@ -38,40 +38,43 @@ struct HandPose {
 /// The agent, its hand and whether it has said `stop`.
 struct AgentState {
   Agent agent;
-  HandPose hand;  // back in front of the body whenever something is picked up
+  HandPose hand;  // reset whenever something is picked up
   bool stopped = false;
   bool operator==(const AgentState&) const = default;
 };
 
-// One change to a state, as the value that was replaced: exchanging it with the present value takes the change back,
-// and exchanging again does it again.
-struct NodeWas {
+// One change to a state, as the value that was replaced: exchanging it with the current value undoes the change, and
+// exchanging again redoes it.
+/// A node was replaced.
+struct NodeEdit {
   std::size_t node = 0;
   Node value;
 };
-struct LinksWere {
+/// The links of a node were replaced.
+struct LinksEdit {
   std::size_t node = 0;
   std::vector<Link> value;
 };
-/// The node's body left or entered physics.
-struct Lifted {
+/// A node's body was removed from physics or put back.
+struct BodyToggle {
   std::size_t node = 0;
 };
-/// A node at the end; here while it is taken back.
-struct Added {
+/// A node was added at the end; has a value while the change is undone.
+struct NodeAddition {
   std::optional<Node> value;
 };
+/// One entry of the undo log.
 struct Edit {
-  std::variant<Lifted, NodeWas, LinksWere, Added, AgentState> what;
+  std::variant<BodyToggle, NodeEdit, LinksEdit, NodeAddition, AgentState> what;
 };
 
-/// The inside of World, shared by the files that implement its actions and by nobody else: one moment of an episode,
-/// held so that a step costs what it changes. Every change is logged and can be taken back. Relations are kept as links
-/// between places; the edges of `scene()` are not kept up to date.
+/// The implementation of World, used only by the files that implement actions: one state of an episode, with an undo
+/// log, so that a step costs what it changes. Relations are stored as links between positions; the edges of `scene()`
+/// are not kept up to date.
 class WorldState {
  public:
-  /// Reads all relations from physics, unless they are known; of the start's own edges only those that the agent
-  /// carries, and what is attached.
+  /// Reads all relations from physics, unless they are known. Of the start's edges it uses only those of what the agent
+  /// carries and those of attached objects.
   static Result<WorldState> of(Scene start, const Knowledge& knowledge, const Profile& profile, KnownStart known);
 
   const Knowledge* knowledge = nullptr;
@@ -88,7 +91,7 @@ class WorldState {
   const Collider& collider(std::size_t i) const { return *colliders_[i]; }
 
   std::optional<std::size_t> index_of(std::string_view id) const { return places_.find(id); }
-  /// Where things are in the list.
+  /// Positions of nodes by id and category.
   const NodeIndex& places() const { return places_; }
   bool held(std::string_view id) const;
   /// How feedback may refer to a node: by its id, or as "the" and its category's name.
@@ -97,7 +100,7 @@ class WorldState {
   FailureReference reference_to_body(BodyId body) const;
   bool linked(std::size_t from, Predicate relation, std::size_t to) const;
   const std::vector<Link>& links(std::size_t i) const { return links_.of(i); }
-  /// What lies on or in a node, directly. Sorted.
+  /// What lies directly on or in a node. Sorted.
   const std::vector<std::uint32_t>& carried(std::size_t i) const { return links_.carried(i); }
   /// The outermost closed container around a node, or nullopt.
   std::optional<std::size_t> closed_around(std::size_t i) const;
@@ -105,53 +108,53 @@ class WorldState {
   std::vector<std::size_t> group_of(std::size_t i) const;
   /// What the hands hold, with all that rests on or in it. Sorted.
   std::vector<std::size_t> in_hand() const;
-  /// What there is to look at; what the agent holds and what is inside something closed no eye sees. Valid until the
-  /// next change.
+  /// The scene for rendering, without what the agent holds or what is inside something closed. Valid until the next
+  /// change.
   ViewedScene viewed() const;
-  /// All edges, sorted: the scene as others see it.
+  /// The scene with all edges, sorted.
   Scene whole_scene() const;
 
-  /// Where the body can walk now.
+  /// Free cells in the current state.
   const NavigationGrid& grid() const;
-  /// Which cells the agent can walk to; valid until more is asked about ways.
+  /// Cells that the agent can walk to; valid until the next query about walking.
   const CellSet& walk() const;
   /// Where the agent stands, or the free cell nearest to that.
   NavigationGrid::Cell cell() const;
-  /// The fewest steps from the agent to a cell of a rectangle, as Ripple::fewest_to tells.
+  /// The fewest steps from the agent to a cell of a rectangle, as DistanceField::fewest_to tells.
   std::int32_t steps_to(NavigationGrid::Cell low, NavigationGrid::Cell high, std::int32_t most) const;
   /// Where the agent would stand to reach a node that it does not hold, as standing_place of simulation/standing.h.
   std::optional<Vec2> standing_place(std::size_t i) const;
 
-  // Changes. A position in the log marks a moment; going back to it takes back what came after.
+  // Changes. Each is logged; `back_to(mark)` undoes those after the mark.
   Agent& edit_agent();
   void set_hand(const HandPose& hand);
   void stop();
-  /// For states only: what has a part in physics has its own function.
+  /// For states only; pose, opening and shape have functions of their own.
   StateSet& edit_states(std::size_t i);
   void move(std::size_t i, const Pose& pose);
   void set_opening(std::size_t i, double opening);
   void replace(std::size_t i, Node node);
   std::size_t add(Node node);
-  /// Takes a node's body out of physics, into the hand; or puts it back where the node is.
+  /// Removes a node's body from physics (it is held), or puts it back at the node's pose.
   void lift(std::size_t i);
   void lay(std::size_t i);
-  /// Adds a link that physics does not show.
+  /// Adds an `attached` link, which cannot be read from physics.
   void attach(std::size_t i, std::size_t to);
-  /// Re-reads the links near what changed.
+  /// Reads the links of the changed nodes and of those near the bounds again.
   void refresh(std::span<const Bounds> touched, std::span<const std::size_t> changed);
-  /// Puts what the hands hold in front of the agent, with all that rests on or in it.
+  /// Moves held objects, with all that rests on or in them, to the hand's pose.
   void carry_along();
 
   std::size_t mark() const { return log_.size(); }
   void back_to(std::size_t mark);
 
-  /// What changed since the log began, as others see it, and what the state's digest gained by it.
+  /// What changed since the log was started, and the difference of the state's digest.
   struct Change {
-    Delta seen;
-    Digest gained;
+    Delta delta;
+    Digest digest_difference;
   };
   Change change() const;
-  /// Ends the log: what it held takes the state from before to now.
+  /// Takes the log out: its edits lead from the state at its start to the current one.
   std::vector<Edit> take_log();
   void redo(std::vector<Edit>& log);
   void undo(std::vector<Edit>& log);
@@ -167,50 +170,54 @@ class WorldState {
   void add_link(std::size_t i, const Link& link);
   void log_node(std::size_t i);
   void log_agent();
-  void follow(std::size_t i, const Node& before);
+  void update_body(std::size_t i, const Node& before);
   void put_body(std::size_t i);
-  void take_in(Node node, std::shared_ptr<const Collider> collider);
+  void append(Node node, std::shared_ptr<const Collider> collider);
 
   Scene scene_;
   HandPose hand_;
   bool stopped_ = false;
   PhysicsWorld physics_;  // node i is body i; what is in the hands is not in it
-  ColliderBook book_;
+  ColliderCache colliders_made_;
   SharedList<std::shared_ptr<const Collider>> colliders_;
   NodeIndex places_;
   LinkTable links_;
   std::vector<Edit> log_;
 
   mutable std::optional<NavigationGrid> grid_;
-  mutable std::vector<std::size_t> moved_;  // nodes that the grid has not seen to yet
-  mutable Floods floods_;
-  mutable std::unordered_map<Digest, StandingCells, DigestHash> standing_;  // by all that decides them
+  mutable std::vector<std::size_t> moved_;  // nodes that the grid is not updated for
+  mutable FloodCache floods_;
+  mutable std::unordered_map<Digest, StandingCells, DigestHash> standing_;  // by a digest of their inputs
 };
 
-/// Does the action; a failed one may leave changes in the log that are to be taken back.
+/// Performs the action; after a failure the caller must undo the changes in the log.
 ActionResult perform(WorldState& state, const Action& action);
 
-/// Why the agent cannot act on a node from where it stands (closed container, reach, sight), or nullopt.
-std::optional<ActionResult> out_of_hands_way(const WorldState& state, std::size_t node);
-/// The same from another place.
-std::optional<ActionResult> out_of_hands_way(const WorldState& state, std::size_t node, const Vec2& place);
+/// Why the agent cannot act on a node by hand from its position (closed container, reach, sight), or nullopt.
+std::optional<ActionResult> access_failure(const WorldState& state, std::size_t node);
+/// The same from another position.
+std::optional<ActionResult> access_failure(const WorldState& state, std::size_t node, const Vec2& place);
 /// The free cell of a room that the agent can walk to and that is nearest to the middle of its floor.
 std::optional<Vec2> place_in_room(const WorldState& state, const Room& room);
 /// Turns the agent's head and body towards a point.
 void look_at(WorldState& state, const Vec3& point);
 
-// The actions, one function each.
+// The actions, one function each. Each checks its needs in the order of the action table and changes the state on
+// success.
 ActionResult go_to(WorldState& state, const std::string& id);
 ActionResult turn_to(WorldState& state, std::size_t node);
 ActionResult pick_up(WorldState& state, std::size_t node);
-/// `within_grasp`: only where the hand can take it back from where the agent stands.
+/// place_on, or place_in with `inside`. `within_grasp`: only where the agent can pick it up again from its position.
 ActionResult place(WorldState& state, std::size_t target, bool inside, bool within_grasp = false);
-/// Poses at which `place` could let go of a thing, were it held and they in reach: those that meet nothing.
+/// Collision-free poses at which `place` could release an object, in reach or not.
 std::vector<Pose> free_spots(const WorldState& state, std::size_t thing, std::size_t target, bool inside);
+/// open or close.
 ActionResult swing(WorldState& state, std::size_t node, bool open);
+/// turn_on or turn_off.
 ActionResult switch_power(WorldState& state, std::size_t node, bool on);
+/// Replaces the node by its slices.
 ActionResult slice(WorldState& state, std::size_t node);
-/// The held thing falls from the hand and lies where it comes to rest.
+/// The held object falls and stays where it comes to rest.
 ActionResult drop(WorldState& state);
 /// A step, a turn or a tilt of the camera (agent_moves.h).
 ActionResult move_body(WorldState& state, ActionType type);
@@ -222,20 +229,19 @@ ActionResult pour_to(WorldState& state, std::size_t target);
 ActionResult use_up(WorldState& state, std::size_t node);
 ActionResult wipe(WorldState& state, std::size_t node);
 ActionResult spread_to(WorldState& state, std::size_t node);
-/// soak_with and the composite actions ..._with: the atomic steps they stand for, each with all its checks.
+/// soak_with and the composite actions: performs their atomic steps, each with all its checks.
 ActionResult treat_with(WorldState& state, std::size_t tool, std::string_view effect);
 
 /// sit_on and lie_on: `as` is SatOn or LainOn. The body stays at its place beside the seat and faces as the seat does.
 ActionResult take_seat(WorldState& state, std::size_t node, Predicate as);
 ActionResult stand_up(WorldState& state);
-/// Why the body cannot walk or turn (it sits or lies), or nullopt.
-std::optional<ActionResult> keeps_seat(const WorldState& state, ActionType type);
+/// Why the agent cannot walk or turn because it sits or lies, or nullopt.
+std::optional<ActionResult> seated_failure(const WorldState& state, ActionType type);
 ActionResult plug(WorldState& state, std::size_t node, bool in);
 ActionResult fold(WorldState& state, std::size_t node);
 ActionResult break_apart(WorldState& state, std::size_t node);
 
-/// What a tool does by itself to what lies in or on it, as things are now: effects whose needs are met. `tap_runs`:
-/// water flows into it.
+/// Applies the effects of a tool on what lies in or on it whose needs are met. `tap_runs`: water flows into it.
 void run_processes(WorldState& state, std::size_t tool, bool tap_runs = false);
 
 }  // namespace unietp

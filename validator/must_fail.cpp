@@ -41,7 +41,7 @@ struct Course {
   std::vector<Delta> changes;
 
   void act(const Action& action) {
-    const auto command = episode.said(action);
+    const auto command = episode.command_for(action);
     if (!command || !can_be_told(*command)) return;
     const auto before = episode.world().moment();
     (void)episode.step(*command);

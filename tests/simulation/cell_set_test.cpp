@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/rng.h"
-#include "simulation/ripple.h"
+#include "simulation/distance_field.h"
 #include "tests/simulation/kitchen.h"
 
 namespace unietp {
@@ -94,7 +94,7 @@ TEST(CellSet, WhatIsKnownOfAnotherSetChangesNothingForAnySeed) {
   EXPECT_GT(differ, 1000);
 }
 
-TEST(Ripple, TheFewestStepsToARectangleAreThoseOfAWholeSearchWhateverWasAskedBefore) {
+TEST(DistanceField, TheFewestStepsToARectangleAreThoseOfAWholeSearchWhateverWasAskedBefore) {
   const Scene scene = testing::kitchen();
   const NavigationGrid grid(scene, testing::kitchen_profile());
   const auto from = *grid.nearest_free(scene.agent.position);
@@ -102,7 +102,7 @@ TEST(Ripple, TheFewestStepsToARectangleAreThoseOfAWholeSearchWhateverWasAskedBef
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    Ripple ripple(grid, from);
+    DistanceField ripple(grid, from);
     for (int asked = 0; asked < 40; ++asked) {
       const auto draw = [&](int count) {
         return static_cast<int>(rng.below(static_cast<std::uint64_t>(count + 4))) - 2;

@@ -128,7 +128,8 @@ TEST_F(Feedback, InM2AndM3HoldsNoIdForAnyKindOfFailureAndAnyIds) {
       World world = setting.world_of(scene), odd = setting.world_of(renamed(scene, ids));
       for (const Mode mode : {Mode::M2, Mode::M3}) {
         ModeEpisode episode(world, mode), odd_episode(odd, mode);
-        const auto command = episode.said(action_of(row)), odd_command = odd_episode.said(action_of(row, ids));
+        const auto command = episode.command_for(action_of(row)),
+                   odd_command = odd_episode.command_for(action_of(row, ids));
         if (!command || !odd_command) continue;
         const Outcome outcome = episode.step(*command);
         EXPECT_EQ(odd_episode.step(*odd_command).feedback, outcome.feedback);

@@ -133,14 +133,14 @@ TEST_F(AnEpisode, NamesInM3NoIdInItsFeedback) {
 TEST_F(AnEpisode, SaysAnActionAsTheModeWantsIt) {
   const Action go{ActionType::GoTo, {"mug_1"}}, room{ActionType::GoTo, {"kitchen_1"}};
   ModeEpisode m1 = episode(Mode::M1), m2 = episode(Mode::M2), m3 = episode(Mode::M3);
-  EXPECT_EQ(m1.said(go), say("go_to", "mug_1"));
-  EXPECT_EQ(m2.said(go), std::nullopt);
-  EXPECT_EQ(m3.said(go), std::nullopt);
-  EXPECT_EQ(m3.said(room), say("go_to", "kitchen_1"));
+  EXPECT_EQ(m1.command_for(go), say("go_to", "mug_1"));
+  EXPECT_EQ(m2.command_for(go), std::nullopt);
+  EXPECT_EQ(m3.command_for(go), std::nullopt);
+  EXPECT_EQ(m3.command_for(room), say("go_to", "kitchen_1"));
   for (int turn = 0; turn < 12 && seen(m3, "fridge_1") == nullptr; ++turn) expect_done(m3, say("turn_left"));
   ASSERT_NE(seen(m3, "fridge_1"), nullptr);
-  EXPECT_EQ(m3.said({ActionType::GoTo, {"fridge_1"}}), say("go_to", seen(m3, "fridge_1")->box));
-  EXPECT_EQ(m2.said({ActionType::HeatWith, {"microwave_1"}}), std::nullopt);
+  EXPECT_EQ(m3.command_for({ActionType::GoTo, {"fridge_1"}}), say("go_to", seen(m3, "fridge_1")->box));
+  EXPECT_EQ(m2.command_for({ActionType::HeatWith, {"microwave_1"}}), std::nullopt);
 }
 
 TEST_F(AnEpisode, EndsAtTheLimitsOfItsModeOrWhenItIsStopped) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "simulation/floods.h"
+#include "simulation/flood_cache.h"
 #include "simulation/shape.h"
 #include "simulation/standing.h"
 #include "simulation/world.h"
@@ -40,7 +40,7 @@ TEST_F(Walking, AFloodIsFoundAgainAndIsRight) {
   const auto here = *grid.nearest_free(scene_.agent.position);
   const auto beside = NavigationGrid::Cell{here.x + 1, here.y};
   ASSERT_TRUE(grid.free(beside));
-  Floods floods;
+  FloodCache floods;
   const std::uint64_t first = floods.around(grid, here).number;
   EXPECT_EQ(floods.around(grid, beside).number, first);  // where one gets is the same
   EXPECT_EQ(floods.steps(grid, here, beside, beside), 1);
@@ -54,7 +54,7 @@ TEST_F(Walking, AFloodIsFoundAgainAndIsRight) {
 
 TEST_F(Walking, OnlyAFewFloodsAreKept) {
   NavigationGrid grid(scene_, profile_);
-  Floods floods;
+  FloodCache floods;
   const auto first = *grid.nearest_free(scene_.agent.position);
   const std::uint64_t number = floods.around(grid, first).number;
   for (double opening = 0; opening < 1; opening += 0.1) {
@@ -71,7 +71,7 @@ TEST_F(Walking, CellsToStandOnComeBestFirstAndEachOnce) {
   const auto walk = grid.reached_from(*grid.nearest_free(scene_.agent.position));
   const Node& mug = *find_node(scene_, "mug_1");
   const Shape shape = shape_of(mug);
-  const StandingQuestion asked{mug, shape, grid, walk, profile_};
+  const StandingInputs asked{mug, shape, grid, walk, profile_};
   StandingCells cells;
   double before = 0;
   std::size_t count = 0;
@@ -100,7 +100,7 @@ TEST_F(Walking, CellsToStandOnAreAllThatAreInReachAndOutOfTheDoorsWay) {
       for (int x = 0; x < grid.width(); ++x) {
         const Vec2 at = grid.centre({x, y});
         if (walk.has(x, y) && reach_distance(node, at, profile_) <= profile_.reach_m - kReserve_m &&
-            !in_door_way(node, at, profile_))
+            !in_door_sweep(node, at, profile_))
           wanted.emplace(at.x(), at.y());
       }
     }

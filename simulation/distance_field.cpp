@@ -1,4 +1,4 @@
-#include "simulation/ripple.h"
+#include "simulation/distance_field.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@ namespace unietp {
 
 using Cell = NavigationGrid::Cell;
 
-Ripple::Ripple(const NavigationGrid& grid, Cell from)
+DistanceField::DistanceField(const NavigationGrid& grid, Cell from)
     : from_(from),
       width_(grid.width()),
       height_(grid.height()),
@@ -19,7 +19,7 @@ Ripple::Ripple(const NavigationGrid& grid, Cell from)
   set(from, 0);
 }
 
-void Ripple::set(Cell cell, std::int32_t steps) {
+void DistanceField::set(Cell cell, std::int32_t steps) {
   std::uint32_t& place = places_[stretch(cell)];
   if (place == 0) {
     steps_.emplace_back().fill(kNoWay);
@@ -28,7 +28,7 @@ void Ripple::set(Cell cell, std::int32_t steps) {
   steps_[place - 1][static_cast<std::size_t>(cell.x) % kStretch] = static_cast<std::uint16_t>(steps);
 }
 
-void Ripple::go_on() {
+void DistanceField::go_on() {
   ++far_;
   for (const Cell& cell : front_) {
     for (const Cell& there :
@@ -43,11 +43,11 @@ void Ripple::go_on() {
   next_.clear();
 }
 
-void Ripple::finish() {
+void DistanceField::finish() {
   while (!ended()) go_on();
 }
 
-std::int32_t Ripple::fewest_found(Cell low, Cell high, std::int32_t most) const {
+std::int32_t DistanceField::fewest_found(Cell low, Cell high, std::int32_t most) const {
   const int left = std::max(0, low.x), right = std::min(width_ - 1, high.x) + 1;
   std::uint16_t fewest = kNoWay;
   for (int y = std::max(0, low.y); y <= std::min(height_ - 1, high.y); ++y) {
@@ -63,7 +63,7 @@ std::int32_t Ripple::fewest_found(Cell low, Cell high, std::int32_t most) const 
   return fewest == kNoWay || fewest > most ? -1 : fewest;
 }
 
-std::int32_t Ripple::fewest_to(Cell low, Cell high, std::int32_t most) {
+std::int32_t DistanceField::fewest_to(Cell low, Cell high, std::int32_t most) {
   std::int32_t fewest = fewest_found(low, high, most);
   const auto is_there = [&](const Cell& cell) {
     return cell.x >= low.x && cell.x <= high.x && cell.y >= low.y && cell.y <= high.y;

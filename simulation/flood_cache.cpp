@@ -1,4 +1,4 @@
-#include "simulation/floods.h"
+#include "simulation/flood_cache.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kMostKept = 8;
 
-/// Puts one more in the list, in the place of the oldest when it is full. `before`: how many were put in.
+/// Adds an entry, replacing the oldest when the list is full. `before`: the number of entries added so far.
 template <class T>
 T& keep(std::vector<T>& list, std::uint64_t before, T one) {
   if (list.size() < kMostKept) return list.emplace_back(std::move(one));
@@ -17,11 +17,11 @@ T& keep(std::vector<T>& list, std::uint64_t before, T one) {
 
 }  // namespace
 
-Floods::Floods(std::shared_ptr<const Walk> start) : start_(std::move(start)) {
+FloodCache::FloodCache(std::shared_ptr<const Walk> start) : start_(std::move(start)) {
   floods_.push_back({start_->grid.digest(), start_->reached, made_++});
 }
 
-const Flood& Floods::around(const NavigationGrid& grid, NavigationGrid::Cell cell) {
+const Flood& FloodCache::around(const NavigationGrid& grid, NavigationGrid::Cell cell) {
   const auto known = std::find_if(floods_.begin(), floods_.end(), [&](const Flood& flood) {
     return flood.grid == grid.digest() && flood.to.has(cell.x, cell.y);
   });
@@ -31,17 +31,17 @@ const Flood& Floods::around(const NavigationGrid& grid, NavigationGrid::Cell cel
   return keep(floods_, number, Flood{grid.digest(), std::move(to), number});
 }
 
-std::int32_t Floods::steps(const NavigationGrid& grid, NavigationGrid::Cell from, NavigationGrid::Cell low,
-                           NavigationGrid::Cell high, std::int32_t most) {
-  const Ripple* all = start_ != nullptr ? start_->steps.get() : nullptr;
+std::int32_t FloodCache::steps(const NavigationGrid& grid, NavigationGrid::Cell from, NavigationGrid::Cell low,
+                               NavigationGrid::Cell high, std::int32_t most) {
+  const DistanceField* all = start_ != nullptr ? start_->steps.get() : nullptr;
   if (all != nullptr && all->from() == from && start_->grid.digest() == grid.digest())
     return all->fewest_found(low, high, most);
   const auto known = std::find_if(ripples_.begin(), ripples_.end(), [&](const Steps& steps) {
     return steps.grid == grid.digest() && steps.ripple.from() == from;
   });
-  Ripple& ripple = known != ripples_.end()
-                       ? known->ripple
-                       : keep(ripples_, rippled_++, Steps{grid.digest(), Ripple(grid, from)}).ripple;
+  DistanceField& ripple = known != ripples_.end()
+                              ? known->ripple
+                              : keep(ripples_, rippled_++, Steps{grid.digest(), DistanceField(grid, from)}).ripple;
   return ripple.fewest_to(low, high, most);
 }
 
