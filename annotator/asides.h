@@ -5,10 +5,10 @@
 
 namespace unietp {
 
-/// Sentences that give some background and demand nothing; none names a thing of a home.
+/// Background sentences without a request; none names an object of a home.
 std::span<const std::string_view> backgrounds();
 
-/// What is said of a thing that the goal has nothing to do with: "Never mind" the bowl. Lower case.
+/// Openings of a remark on an object unrelated to the goal: "never mind" the bowl. Lower case.
 std::span<const std::string_view> never_minds();
 
 /// Openings of a long sentence with clauses inside clauses, before a command; words and commas with blanks between.

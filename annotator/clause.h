@@ -7,13 +7,13 @@
 
 namespace unietp {
 
-/// What a sentence of the controlled English says, free of its wording: the writer makes these from a goal and words
-/// them, the reader makes them from words and composes a goal.
+/// The meaning of a sentence of the controlled English, independent of its wording: the writer makes these from a goal
+/// and words them, the reader makes them from text and composes a goal.
 
 /// How a noun phrase picks its objects.
 enum class Determiner {
   New,      // a mug: some mug, the same throughout the text
-  Single,   // one mug, a single mug: as New, and said so beside a quantifier
+  Single,   // one mug, a single mug: as New; used next to a quantifier
   Another,  // another mug: New, and not any mug named before
   Known,    // that mug: the one named before
   The,      // the mug: Known when one mug was named before, else New
@@ -30,6 +30,7 @@ enum class Determiner {
 
 struct Complement;
 
+/// A reference to objects.
 struct NounPhrase {
   Determiner determiner = Determiner::New;
   int number = 0;
@@ -51,6 +52,7 @@ struct Complement {
   bool converse = false;           // of a relation: the object comes first, "where a plate is kept"
 };
 
+/// A statement or command about subjects.
 struct Clause {
   enum class Kind { Simple, And, Or, Compare };
   Kind kind = Kind::Simple;
@@ -65,7 +67,7 @@ struct Clause {
                                               // clause of a Final: "if a fridge is open, …"
 };
 
-/// One operator of a goal said as such, where no plainer clause says it: "at all times, if the mug is hot, then …".
+/// One operator of a goal, worded as such where no clause can express it: "at all times, if the mug is hot, then …".
 struct Proposition {
   Formula::Op op = Formula::Op::And;
   std::vector<NounPhrase> phrases;  // Atom: its subject. Equal: both sides. Quantifiers, Number: what is bound; the
@@ -77,6 +79,7 @@ struct Proposition {
   std::vector<Proposition> parts;             // the operands
 };
 
+/// A clause, or several, with a temporal relation.
 struct Requirement {
   enum class Kind {
     Choose,    // introduces the subject of clause 0, asks nothing
@@ -97,6 +100,7 @@ struct Requirement {
   std::vector<Proposition> stated;  // Stated: one
 };
 
+/// A whole text.
 using Message = std::vector<Requirement>;
 
 }  // namespace unietp

@@ -30,12 +30,12 @@ Formula expanded_negation(const Formula& f) {
   return result;
 }
 
-/// "not (some closed fridge)": of an `or`, what the rest is tied to.
+/// "not (some closed fridge)": the alternative of an `or` that acts as a condition of the rest.
 bool excludes(const Formula& f) {
   return f.op == Op::Forall && !f.domain.where.empty() && f.children[0].op == Op::Or && f.children[0].children.empty();
 }
 
-/// Something that has to be there, and of which nothing else is said: "if a fridge is open".
+/// An object that must exist, without further predicates: "if a fridge is open".
 bool only_given(const Formula& binder) {
   const auto free = free_variables(binder.children[0]);
   return !binder.domain.where.empty() && std::find(free.begin(), free.end(), binder.variable) == free.end();
@@ -115,7 +115,7 @@ class ClausePlanner {
   }
 
  private:
-  /// A clause whose subject is quantified, or, when the bound variable stands second, whose object is.
+  /// A clause whose subject is quantified, or whose object is when the bound variable is the second argument.
   Clause quantifier(const Formula& f) {
     Clause said;
     const Formula& body = f.children[0];

@@ -7,8 +7,8 @@
 
 namespace unietp {
 
-/// What one state formula says, as a clause: its free variables are in the scope of `phrases`, which keeps the first
-/// part that no clause says as its error. Deterministic.
+/// A state formula as a clause. Its free variables are in the scope of `phrases`, whose error is the first part that no
+/// clause can express. Deterministic.
 Clause planned_clause(const Formula& formula, PhrasePlanner& phrases);
 
 /// Joins clauses that say the same of several subjects: "put a mug and a bowl on a table".

@@ -41,8 +41,8 @@ bool speaks_of(const Clause& clause, const Domain& noun) {
                      [&](const Clause& part) { return speaks_of(part, noun); });
 }
 
-/// What is done to a thing wherever it stands: "open the drawer in the kitchen" is clear, "cook the egg on a table" is
-/// not.
+/// Whether an action is done to an object where it stands: "open the drawer in the kitchen" is clear, "cook the egg on
+/// a table" is not.
 bool is_done_in_place(Predicate predicate) {
   using P = Predicate;
   return predicate == P::Open || predicate == P::Closed || predicate == P::PowerOn || predicate == P::PowerOff ||
@@ -50,7 +50,7 @@ bool is_done_in_place(Predicate predicate) {
 }
 
 /// "turn it off" rather than "turn off it"; no long object before "up".
-std::string smooth(const std::string& pattern, const std::string& subject, const Complement& said) {
+std::string with_particle_order(const std::string& pattern, const std::string& subject, const Complement& said) {
   const auto parted = [](const std::string& words) {
     return words.find(' ') + 1 == words.find("{s}") && !words.ends_with("{s}") && words.find("{o}") == words.npos;
   };
@@ -271,7 +271,7 @@ std::optional<std::string> ClauseWriter::filled(const std::string& pattern, cons
   const bool bare = is_done_in_place(clause.complements[0].predicate) && pattern.ends_with(" {s}");
   const auto subjects = subjects_of(clause, {.bare = bare});
   if (!subjects) return std::nullopt;
-  std::string text = smooth(pattern, subjects->text, clause.complements[0]);
+  std::string text = with_particle_order(pattern, subjects->text, clause.complements[0]);
   text = replace_all(text, "{m}", replace_all(clause.complements[0].symbol, "_", " "));
   if (!clause.complements[0].object.empty()) {
     const auto object = naming_.phrase(clause.complements[0].object[0], place_of(clause));

@@ -15,7 +15,7 @@ namespace unietp {
 std::string listed(const std::vector<std::string>& parts, const char* word);
 
 /// Words clauses, without frame or full stop: as statements ("every fridge is closed") and as commands ("put a mug on a
-/// table"). Objects are named as the text goes. `nullopt`: the drawn words cannot say it without a second reading.
+/// table"). Objects are named as the text goes. `nullopt`: the drawn words would be ambiguous.
 class ClauseWriter {
  public:
   ClauseWriter(Naming& naming, Rng& rng) : naming_(naming), rng_(rng) {}

@@ -5,8 +5,8 @@
 
 namespace unietp {
 
-/// The formula that a proposition says. What it binds can be referred to within it alone; anything else that it speaks
-/// of was named before, or is the error of `references`.
+/// The formula of a proposition. Its variables can be referred to only inside it; everything else must have been named
+/// before, or is the error of `references`.
 Formula compose_proposition(const Proposition& said, References& references);
 
 }  // namespace unietp

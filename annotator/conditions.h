@@ -6,8 +6,8 @@
 
 namespace unietp {
 
-/// What start constraints say that there is, as conditions that are met: that there are fridges and that all are closed
-/// is that a fridge is closed, an `exists` of nothing but a domain with a `:where`.
+/// Conditions that follow from start constraints: from "there are fridges" and "all fridges are closed" it follows that
+/// a fridge is closed, as an `exists` of a domain with a `:where`.
 std::vector<Formula> conditions_of(const std::vector<Formula>& start);
 
 /// A goal without its conditions that the start meets: "if a fridge is closed, G" is G where a fridge is closed.

@@ -6,7 +6,7 @@
 
 namespace unietp {
 
-std::optional<Trace> telling_trace(const Formula& left, const Formula& right, int traces, Rng rng) {
+std::optional<Trace> distinguishing_trace(const Formula& left, const Formula& right, int traces, Rng rng) {
   for (int i = 0; i < traces; ++i) {
     Rng own = rng.fork("trace", static_cast<std::uint64_t>(i));
     TraceDraft draft({&left, &right}, own.fork("draft", 0));
@@ -16,18 +16,18 @@ std::optional<Trace> telling_trace(const Formula& left, const Formula& right, in
       case 0:
         break;
       case 1:
-        draft.press(first, true);
+        draft.enforce(first, true);
         break;
       case 2:
-        draft.press(second, false);
-        draft.press(first, true);
+        draft.enforce(second, false);
+        draft.enforce(first, true);
         break;
       case 3:
-        draft.press(first, true);
-        draft.press(second, false);
+        draft.enforce(first, true);
+        draft.enforce(second, false);
         break;
       default:
-        draft.press(first, true);
+        draft.enforce(first, true);
         for (std::uint64_t k = 1 + own.below(3); k > 0; --k) draft.nudge();
     }
     auto trace = draft.trace();
@@ -40,7 +40,7 @@ std::optional<Trace> telling_trace(const Formula& left, const Formula& right, in
 
 bool equivalent(const Formula& left, const Formula& right) {
   constexpr std::uint64_t kSeed = 6;
-  return same_meaning(left, right) || !telling_trace(left, right, kTracesCompared, Rng(kSeed));
+  return same_meaning(left, right) || !distinguishing_trace(left, right, kTracesCompared, Rng(kSeed));
 }
 
 }  // namespace unietp

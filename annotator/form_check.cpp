@@ -35,7 +35,7 @@ bool has_coordinates(const std::string& text) {
   return false;
 }
 
-/// Predicates and operators, each of which takes some words.
+/// Number of predicates and operators, each of which needs some words.
 std::size_t parts_of(const Formula& goal) {
   std::size_t parts = 1;
   for (const Formula& where : goal.domain.where) parts += parts_of(where);

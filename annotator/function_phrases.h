@@ -8,8 +8,8 @@
 
 namespace unietp {
 
-/// "something to drink from" means, in this task, the categories that could ever satisfy the goal: when the goal ranges
-/// over these alone, that is what the phrase says. nullopt: the phrases mean what they always do (every other style).
+/// In a task whose goal ranges over exactly those categories of "something to drink from" that could satisfy it, the
+/// phrase means these categories. nullopt: the phrases keep their usual meaning (all other styles).
 std::optional<NounTable> narrowed_for(const Specification& specification, const Knowledge& knowledge,
                                       const NounTable& usual);
 

@@ -7,7 +7,7 @@
 
 namespace unietp {
 
-/// What a goal speaks of, as far as single words can say it.
+/// The predicates, symbols, categories and operators of a goal that correspond to single words.
 struct GoalWords {
   std::set<Predicate> predicates;    // its states and relations, in the goal itself and in what is meant (`:where`)
   std::set<std::string> symbols;     // colours, materials, substances
@@ -18,6 +18,7 @@ struct GoalWords {
   bool order = false;                                       // before, until
   bool throughout = false, sometime = false;                // always; sometime
 };
+/// Those of the whole goal. Deterministic.
 GoalWords words_of_goal(const Formula& goal);
 
 }  // namespace unietp

@@ -9,7 +9,7 @@
 
 namespace unietp {
 
-/// A home as a writer is told of it: a line a room with its things, counted and in the words of the knowledge base.
+/// A description of a home for a writer: one line per room with its objects, counted, by display names.
 /// "kitchen: 2 mugs, fridge, counter top"
 std::string home_in_words(const Scene& scene, const NounTable& nouns);
 

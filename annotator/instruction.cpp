@@ -20,11 +20,11 @@ namespace unietp {
 namespace {
 
 constexpr int kDraws = 120;      // forms tried before the grammar gives up on a style
-constexpr int kPlainDraws = 30;  // of these without an opening "Choose a …"
-constexpr int kFreeDraws = 90;   // of these not operator by operator
+constexpr int kPlainDraws = 30;  // of these, draws without an opening "Choose a …"
+constexpr int kFreeDraws = 90;   // of these, draws that are not operator by operator
 
-/// What the text asks for, with the conditions that the start meets left out where the style says one.
-Formula meant(const Formula& read, const Specification& specification) {
+/// The goal of a text, in the style `condition` without the conditions that the start meets.
+Formula intended_goal(const Formula& read, const Specification& specification) {
   Formula all = expanded(read);
   return specification.style == Style::Condition ? without_conditions(all, specification.init) : all;
 }
@@ -33,7 +33,7 @@ Formula meant(const Formula& read, const Specification& specification) {
 bool reads_back(const std::string& text, const Specification& specification, const Formula& goal,
                 const NounTable& lexicon) {
   const auto read = parse_with(lexicon.behind_context(text), lexicon);
-  return read && same_expanded(meant(*read, specification), goal) && form_faults(text, specification).empty();
+  return read && same_expanded(intended_goal(*read, specification), goal) && form_faults(text, specification).empty();
 }
 
 std::vector<std::string> faults(const std::string& text, const Specification& specification, const NounTable& lexicon) {
@@ -41,7 +41,7 @@ std::vector<std::string> faults(const std::string& text, const Specification& sp
   const auto read = parse_with(lexicon.behind_context(text), lexicon);
   if (!read) {
     found.push_back(format(read.error()));
-  } else if (!same_expanded(meant(*read, specification), expanded(specification.goal))) {
+  } else if (!same_expanded(intended_goal(*read, specification), expanded(specification.goal))) {
     found.push_back("the text asks for " + to_text(normal_form(*read)) + ", the goal is " +
                     to_text(normal_form(specification.goal)));
   }
@@ -61,7 +61,7 @@ std::string with_capital(std::string text) {
   return text;
 }
 
-/// "Never mind the bowl.": of something that is around and that the goal has nothing to do with; "" when there is none.
+/// "Never mind the bowl.": a remark on an object of the scene that the goal does not involve; "" when there is none.
 std::string bystander(const Specification& specification, const Knowledge& knowledge,
                       const std::vector<std::string>& around, Rng& rng) {
   const auto own = categories_of(specification.goal);
@@ -76,9 +76,9 @@ std::string bystander(const Specification& specification, const Knowledge& knowl
   return with_capital(std::string(words[rng.below(words.size())])) + " the " + rng.pick(others) + ".";
 }
 
-/// Puts around a text what its style puts there. False when there is nothing to put.
-bool dress(std::string& text, Style style, const Specification& specification, const Knowledge& knowledge,
-           const std::vector<std::string>& around, Rng& rng) {
+/// Adds the sentences that a style adds around a text. False when there are none.
+bool add_style_frame(std::string& text, Style style, const Specification& specification, const Knowledge& knowledge,
+                     const std::vector<std::string>& around, Rng& rng) {
   if (style == Style::Context) {
     const std::string sentence = context_of(specification, knowledge, rng);
     text.insert(0, sentence + " ");
@@ -98,7 +98,7 @@ bool dress(std::string& text, Style style, const Specification& specification, c
   return true;
 }
 
-/// Words of the plan that are among the phrasings asked for; about half are.
+/// A wording of the plan from the set of phrasings asked for; about half of all wordings are.
 std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings phrasings,
                                   const Rng& rng) {
   constexpr std::uint64_t kWordings = 4;
@@ -146,7 +146,7 @@ Result<Instruction> write_instruction(const Specification& specification, const 
       if (!turn_to_style(*plan, style)) continue;
       auto text = worded(*plan, lexicon, style, options.phrasings, own);
       if (!text) continue;
-      if (!dress(*text, style, specification, knowledge, options.around, own)) break;
+      if (!add_style_frame(*text, style, specification, knowledge, options.around, own)) break;
       if (reads_back(*text, specification, goal, lexicon) &&
           style_fault(*text, style, specification.goal, options.around, lexicon).empty())
         return Instruction{std::move(*text), "grammar", style, {"form", "parses-back", "style"}, ""};

@@ -19,20 +19,22 @@ struct Instruction {
   std::string writer;               // "grammar", or "llm:<model>"
   Style style = Style::Direct;      // as asked, or direct after a fallback
   std::vector<std::string> checks;  // names of the checks that it passed
-  std::string why;                  // why the grammar wrote where another writer was asked; "" otherwise
+  std::string why;                  // why the grammar wrote it instead of the requested writer; "" otherwise
 };
 
+/// How an instruction is worded.
 struct WritingOptions {
   Phrasings phrasings = Phrasings::All;
   std::vector<std::string> around;  // categories in the start scene: what a text may name beside the goal (bystander)
 };
 
 /// Words a goal in English: every object, count, quantifier, order and referring constraint, and nothing else.
-/// Deterministic in rng. `nouns` is made of `knowledge`; without it, it is made for this text alone, which costs more
-/// than the writing. Errors: Unsatisfiable when the grammar has no words for a part of the goal (names the part), or
-/// none among the phrasings asked for.
+/// Deterministic in rng. `nouns`: the table of `knowledge`, which takes longer to make than a text. Errors:
+/// Unsatisfiable when the grammar has no words for a part of the goal (names the part), or none among the phrasings
+/// asked for.
 Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge,
                                       const NounTable& nouns, const WritingOptions& options, Rng rng);
+/// The same with a table of nouns made for this text and default options.
 Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge, Rng rng);
 
 /// Reads an instruction of the grammar back into a goal formula: an independent reading of the words with the knowledge
@@ -43,6 +45,7 @@ Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowle
 /// to mean the same. Empty when it passes, else what is wrong.
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge, const NounTable& nouns);
+/// The same with a table of nouns made for this text.
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge);
 

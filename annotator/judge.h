@@ -8,8 +8,8 @@
 
 namespace unietp {
 
-/// Asks a model what a text demands, as a goal formula over the scene's vocabulary. The request holds the text, the
-/// language and the names of things, and nothing of the goal. `complaint`: what was wrong with its last answer, or "".
+/// A request to a model for the goal formula of a text, over the scene's vocabulary. It contains the text, the language
+/// and the names of objects, and nothing of the goal. `complaint`: what was wrong with the last answer, or "".
 LlmRequest judging_request(const std::string& text, const WordingTask& task, const std::string& complaint);
 
 /// The formula of its answer. Errors: Schema, when there is none; Parse, when it is no goal.

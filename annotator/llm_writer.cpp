@@ -17,10 +17,10 @@
 namespace unietp {
 namespace {
 
-constexpr std::uint64_t kSamples = 3;  // wordings of the grammar that a prompt shows
-constexpr int kReadings = 2;           // tries of the judge to give a formula that can be read
+constexpr std::uint64_t kSamples = 3;  // example wordings in a prompt
+constexpr int kReadings = 2;           // attempts of the judge to give a valid formula
 
-/// One task on its way through the rounds.
+/// The state of one task over the rounds.
 struct Draft {
   WordingTask task;
   std::optional<NounTable> narrowed;
@@ -28,7 +28,7 @@ struct Draft {
   std::optional<Result<Instruction>> done;
   std::optional<Instruction> grammar;
   std::string text;       // of the round, "" when there is none to judge
-  std::string complaint;  // why the last text was refused
+  std::string complaint;  // why the last text was rejected
   bool judging = false;
   std::string reading_complaint;
 
@@ -96,8 +96,8 @@ class Rounds {
     draft.complaint = std::move(complaint);
   }
 
-  /// What never came ends the task; what came and is of no use is told to the model.
-  static bool lost(Draft& draft, const Result<LlmAnswer>& answer) {
+  /// Whether the answer is missing, which ends the task; unusable answers are reported to the model.
+  static bool is_unanswered(Draft& draft, const Result<LlmAnswer>& answer) {
     if (answer || answer.error().kind == Error::Kind::Schema) return false;
     fall_back(draft, answer.error().message);
     return true;
@@ -110,7 +110,7 @@ class Rounds {
     const auto answers = options_.ask(requests());
     for (std::size_t i = 0; i < open.size(); ++i) {
       Draft& draft = *open[i];
-      if (lost(draft, answers[i])) continue;
+      if (is_unanswered(draft, answers[i])) continue;
       const auto text = answers[i] ? worded(*answers[i]) : Result<std::string>(answers[i].error());
       if (!text) {
         refuse(draft, text.error().message);
@@ -154,7 +154,7 @@ class Rounds {
     const auto answers = options_.ask(requests);
     for (std::size_t i = 0; i < open.size(); ++i) {
       Draft& draft = *open[i];
-      if (lost(draft, answers[i])) continue;
+      if (is_unanswered(draft, answers[i])) continue;
       const auto read = answers[i] ? judged(*answers[i]) : Result<Formula>(answers[i].error());
       if (!read) {
         draft.reading_complaint = format(read.error());

@@ -4,7 +4,7 @@
 
 namespace unietp {
 
-/// A goal with everything in one place: bound variables renamed apart (v0, v1, …), negation pushed to the atoms, at-end
+/// Normal form of a goal: bound variables renamed apart (v0, v1, …), negation pushed to the atoms, at-end
 /// pushed to the atoms (domains are rigid over a trace, so it commutes with every connective and quantifier), `exists`
 /// pulled out of conjunctions, `forall` and `always` split over them, counts and comparisons in one of their equal
 /// forms (`>= 1` is `exists`, `= 0` is `forall not`). Equal in truth to `formula` on every trace.

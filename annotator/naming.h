@@ -18,21 +18,21 @@ struct Words {
   bool plural = false;
 };
 
-/// Where a noun phrase stands, as far as that limits its article.
+/// The context of a noun phrase that limits its determiner.
 struct Place {
   bool beside_every = false;  // "put every mug on …": a bare "a table" would have two readings
   bool beside_none = false;   // "no mug is on …": nothing new can be named
   bool inside_description = false;
   bool unique = false;   // the home has one only: "nearest to the sink"
   bool wanted = false;   // some such thing, not one that is there: "someone wants a hot potato"
-  bool bare = false;     // no place follows that the phrase could be torn apart by: "open the drawer in the kitchen"
+  bool bare = false;     // no place follows, so a place can describe the noun: "open the drawer in the kitchen"
   bool chosen = false;   // "choose a kitchen": there may be several
   bool outcome = false;  // of what will be so at the end: what describes it is so now
   bool exact = false;    // within a proposition: what is bound has one name, "some mug … the mug", and is never "it"
 };
 
-/// Names the objects of one text as it goes: which were named before, and by which words.
-/// `nullopt` from any member: this text cannot go on; try other words.
+/// Names the objects of one text from left to right, and records which were named before and how.
+/// `nullopt` from any member: this wording is impossible; the caller tries another one.
 class Naming {
  public:
   Naming(const Plan& plan, const NounTable& lexicon, Style style, Rng& rng)
@@ -45,7 +45,7 @@ class Naming {
   /// "clean", "on that table", "filled with water".
   std::optional<std::string> complement(const Complement& complement, Place place);
   bool was_named(const std::string& variable) const;
-  /// Whether such a thing is called by what it is for, when it is new.
+  /// Whether such an object is first named by its function.
   bool names_by_use(const Domain& noun) const { return !uses(noun).empty(); }
   /// Ends an alternative: what it named cannot be named again.
   std::size_t named_count() const { return named_.size(); }
@@ -70,7 +70,7 @@ class Naming {
   struct Description {
     std::string before;    // an adjective with a blank, or ""
     std::string is;        // what follows "that is", or ""
-    std::string directly;  // what follows at once, with a blank before it, or ""
+    std::string directly;  // what follows directly, with a leading blank, or ""
     bool of_two = false;   // "the larger of the two mugs"
     std::string tail(bool plural) const {
       return directly + (is.empty() ? "" : (plural ? " that are " : " that is ") + is);
@@ -89,7 +89,7 @@ class Naming {
   Style style_;
   Rng& rng_;
   std::vector<Named> named_;
-  std::map<std::string, NounTable::Name> chosen_;  // one name a category, the text through
+  std::map<std::string, NounTable::Name> chosen_;  // one name per category in a text
 };
 
 /// "two", "12"

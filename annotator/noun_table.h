@@ -18,15 +18,17 @@ struct Token {
   std::string text;
   int column = 0;  // 1-based, bytes
 };
+/// Words and punctuation marks in order.
 std::vector<Token> tokens_of(std::string_view text);
 /// Whether the words of `name` come in the text one after another.
 bool says(const std::vector<Token>& text, std::string_view name);
 
-/// How what was named by its use is named again, behind "that": "thing to drink from" for "something to drink from";
+/// How an object named by its function is named again, after "that": "thing to drink from" for "something to drink
+/// from";
 /// "" for what has no singular, as "leaves for a salad".
 std::string named_again(std::string_view use);
 
-/// "a mug", "an apple", "an hour glass", "a utensil": by how the word starts when spoken.
+/// "a mug", "an apple", "an hour glass", "a utensil": by pronunciation.
 std::string with_article(const std::string& noun);
 
 /// What the objects of a knowledge base are called: display names, plurals, synonyms, function phrases, room types.
@@ -46,19 +48,19 @@ class NounTable {
   /// Function phrases that mean exactly these categories ("something to drink from"), in order of text.
   std::vector<std::string> functions(const Domain& noun) const;
 
-  /// Every function phrase with what it means; `narrow` makes one mean less, where a goal rules the rest out.
+  /// Every function phrase with its categories; `narrow` restricts one to those that a goal allows.
   const std::map<std::string, Domain, std::less<>>& function_phrases() const { return functions_; }
   void narrow(const std::string& phrase, const Domain& noun);
 
   bool is_room_type(const std::string& category) const;
   bool is_colour(const std::string& word) const;
   bool is_material(const std::string& word) const;
-  /// The text behind what it begins with of context sentences of the alias table and of backgrounds (asides.h).
+  /// The text after its leading context sentences (alias table) and background sentences (asides.h).
   std::string_view behind_context(std::string_view text) const;
   /// Whether some category is called exactly this.
   bool is_name(const std::string& text) const;
 
-  /// What a noun at some place of a text may stand for.
+  /// The possible meanings of a noun at some position of a text.
   struct Reading {
     std::size_t length = 0;     // tokens; 0 when there is no noun
     std::vector<Domain> nouns;  // more than one: the name is ambiguous
@@ -68,7 +70,7 @@ class NounTable {
   /// A category that is itself called "slice of bread" keeps that name; what slicing makes is then "freshly cut".
   Reading noun_at(const std::vector<Token>& tokens, std::size_t at) const;
   Reading function_at(const std::vector<Token>& tokens, std::size_t at) const;
-  /// Of a function phrase, what stands behind "that" when it is named again.
+  /// The same for a function phrase that is named again, after "that".
   Reading function_again_at(const std::vector<Token>& tokens, std::size_t at) const;
 
  private:
@@ -84,7 +86,7 @@ class NounTable {
   static void narrow(Index& index, std::string_view words, const Domain& noun);
   static Reading longest(const Index& index, const std::vector<Token>& tokens, std::size_t at);
 
-  struct Names {  // never changed once made
+  struct Names {  // immutable
     std::map<std::string, Name, std::less<>> names;
     std::map<std::string, std::vector<Name>, std::less<>> synonyms;
     std::vector<std::string> room_types, colours, materials;  // sorted

@@ -31,7 +31,7 @@ void PhrasePlanner::fail(const Formula& part) {
   if (!error_) error_ = Error{Error::Kind::Unsatisfiable, "goal", {}, "the grammar has no words for " + to_text(part)};
 }
 
-bool PhrasePlanner::forgive() {
+bool PhrasePlanner::clear_error() {
   const bool failed = error_.has_value();
   error_.reset();
   return failed;

@@ -11,8 +11,8 @@
 
 namespace unietp {
 
-/// Plans what a text calls the objects of a goal: a variable by its noun and what describes it in the start, and what
-/// is said of it. The first part of the goal that it has no words for is kept as the error.
+/// Plans how a text refers to the objects of a goal, by noun and description in the start, and what it says about them.
+/// The first part of the goal without words is the error.
 class PhrasePlanner {
  public:
   using Scope = std::map<std::string, Domain>;
@@ -20,15 +20,16 @@ class PhrasePlanner {
   /// `start`: where it says that there are exactly two of something, a phrase may say "both".
   explicit PhrasePlanner(const std::vector<Formula>& start);
 
-  /// The variables that have one object throughout what is being said.
+  /// Variables that denote one object throughout the current clause.
   Scope& scope() { return scope_; }
   const Scope& scope() const { return scope_; }
 
   const std::optional<Error>& error() const { return error_; }
   void fail(const Formula& part);
-  /// Takes the error back. Whether there was one.
-  bool forgive();
+  /// Clears the error; returns whether there was one.
+  bool clear_error();
 
+  /// The phrase for a free variable, described by what `context` says of it.
   NounPhrase reference(const std::string& variable, const Formula& context);
   /// What a quantifier binds.
   NounPhrase quantified(const Formula& binder, Determiner determiner);

@@ -23,7 +23,7 @@ class Planner {
     if (options.conditions) conditions_ = conditions_of(start);
   }
 
-  /// All of it as one proposition.
+  /// The whole goal as one proposition.
   Result<Plan> exactly(const Formula& goal) {
     state(goal, {});
     if (phrases_.error()) return *phrases_.error();
@@ -51,13 +51,13 @@ class Planner {
       }
     }
     std::vector<Requirement> early, late;
-    std::vector<Formula> stated;  // what no clause says
+    std::vector<Formula> stated;  // what no clause expresses
     for (const Formula& part : others)
       if (!add_temporal(part, finals, part.op == Op::Always ? late : early)) stated.push_back(part);
     std::vector<Clause> clauses;
     for (const Formula& part : finals) {
       Clause said = planned_clause(part, phrases_);
-      if (phrases_.forgive()) {
+      if (phrases_.clear_error()) {
         stated.push_back(at_end(part));
       } else {
         clauses.push_back(std::move(said));
@@ -85,7 +85,7 @@ class Planner {
     plan_.message.push_back({Requirement::Kind::Stated, {std::move(named)}, false, {proposition_of(part, phrases_)}});
   }
 
-  /// Where it is said plainly: of something that is so, not of what it is not.
+  /// Adds a condition if it is a positive statement.
   void add_condition(const Formula& condition) {
     NounPhrase phrase;
     phrase.noun = condition.domain;
@@ -112,11 +112,12 @@ class Planner {
     return true;
   }
 
-  /// Says it with what belongs to it of `finals`. False, and nothing is changed, when no clause can.
+  /// Adds a temporal formula together with the `finals` that belong to it. False, without changes, when no clause can
+  /// express it.
   bool add_temporal(const Formula& f, std::vector<Formula>& finals, std::vector<Requirement>& out) {
     using Kind = Requirement::Kind;
     const auto say = [&](Kind kind, std::vector<Clause> clauses) {
-      if (phrases_.forgive()) return false;
+      if (phrases_.clear_error()) return false;
       out.push_back({kind, std::move(clauses), false, {}});
       return true;
     };
@@ -133,7 +134,7 @@ class Planner {
           return !(part == *undone) && mentions(part, f.children[0].terms[0].name);
         };
         if (undone == finals.end() || rng_.chance(0.3) || std::any_of(finals.begin(), finals.end(), meanwhile)) {
-          // What is taken out of an open fridge is said before the fridge is closed.
+          // Taking something out of a fridge comes before closing it.
           if (undone != finals.end()) std::rotate(undone, undone + 1, finals.end());
           return say(Kind::Sometime, {said(0)});
         }
@@ -144,7 +145,7 @@ class Planner {
       case Op::Before: {
         const bool apart = rng_.chance(0.25);
         std::vector<Clause> clauses{said(0), said(1)};
-        if (phrases_.forgive()) return false;
+        if (phrases_.clear_error()) return false;
         if (apart || !take(f.children[1], finals)) return say(Kind::Before, std::move(clauses));
         return say(take(f.children[0], finals) ? Kind::ThenKept : Kind::Then, std::move(clauses));
       }

@@ -10,7 +10,7 @@
 
 namespace unietp {
 
-/// What is to be said, in which order, before any word is chosen. Every noun phrase of a variable that is the same
+/// The content and order of a text, before words are chosen. Every noun phrase of a variable that is the same
 /// throughout the text is `New` and carries the variable: the wording decides between "a mug", "that mug" and "it".
 struct Plan {
   Message message;
@@ -18,8 +18,9 @@ struct Plan {
   std::vector<NounPhrase> conditions;                      // that the start meets: "a fridge is closed"
 };
 
+/// What a plan may contain.
 struct PlanOptions {
-  bool choosing = false;    // may open with "Choose a kitchen.", which clears up the scope of what follows
+  bool choosing = false;    // may start with "Choose a kitchen.", which fixes the scope of what follows
   bool conditions = false;  // fill in Plan::conditions
   bool exactly = false;     // operator by operator, as one proposition: any goal has such words
 };

@@ -18,10 +18,10 @@ Domain bare(Domain domain) {
   return domain;
 }
 
-/// Whether each part of a `:where` can be said by itself: no two speak of one thing bound there.
-bool falls_apart(const Formula& where) {
+/// Whether the parts of a `:where` are independent: no two share a variable that is bound there.
+bool is_separable(const Formula& where) {
   if (where.op == Op::And)
-    return !where.children.empty() && std::all_of(where.children.begin(), where.children.end(), falls_apart);
+    return !where.children.empty() && std::all_of(where.children.begin(), where.children.end(), is_separable);
   if (where.op != Op::Exists) return true;
   return where.children[0].op == Op::Atom && mentions(where.children[0], where.variable);
 }
@@ -123,12 +123,12 @@ class Speller {
     return said;
   }
 
-  /// By adjectives and places, when the reader takes them for just this.
+  /// Describes it by adjectives and places, if the reader reads them as exactly that.
   bool described(const Formula& f, NounPhrase& phrase) {
     if (phrases_.error()) return false;
-    if (!std::all_of(f.domain.where.begin(), f.domain.where.end(), falls_apart)) return false;
+    if (!std::all_of(f.domain.where.begin(), f.domain.where.end(), is_separable)) return false;
     phrase = phrases_.quantified(f, Determiner::New);
-    if (phrases_.forgive()) return false;
+    if (phrases_.clear_error()) return false;
     return std::all_of(phrase.modifiers.begin(), phrase.modifiers.end(), [](const Complement& modifier) {
       return modifier.object.empty() || modifier.object[0].determiner == Determiner::New ||
              modifier.object[0].determiner == Determiner::Any;
@@ -150,7 +150,7 @@ class Speller {
   PhrasePlanner& phrases_;
 };
 
-/// Nothing of the domain is there.
+/// Whether the formula says that nothing of a domain exists.
 bool is_missing(const Formula& f) {
   return f.op == Op::Forall && f.children[0].op == Op::Or && f.children[0].children.empty();
 }

@@ -9,8 +9,8 @@ namespace unietp {
 /// where that can be done ("some mug that is dirty"), else by a proposition of the start.
 Proposition proposition_of(const Formula& formula, PhrasePlanner& phrases);
 
-/// An `expanded` formula as a person would put it: one at-end in front of what it was pushed into, `imply` for an `or`
-/// with a negative alternative, "there is" for what is said not to be missing. Equal on every trace.
+/// An `expanded` formula in a form that reads well: one at-end in front of what it was pushed into, `imply` for an `or`
+/// with a negative alternative, `exists` instead of double negation. Equal on every trace.
 Formula gathered(const Formula& formula);
 
 }  // namespace unietp

@@ -5,8 +5,8 @@
 
 namespace unietp {
 
-/// The plural of a noun as the language has it: "bookshelves", "loaves of bread", "women", "pairs of scissors"; of what
-/// is plural or has no plural ("scissors", "series") the word itself. For names that no table gives a plural of.
+/// The plural of an English noun: "bookshelves", "loaves of bread", "women", "pairs of scissors"; for
+/// plurals and nouns without plural ("scissors", "series") the word itself. For names without a plural in the tables.
 std::string plural_of(std::string_view noun);
 
 }  // namespace unietp

@@ -10,8 +10,8 @@
 
 namespace unietp {
 
-/// Reads noun phrases and what is said of them, left to right, at a cursor over the words of a text. It knows English
-/// from its own tables, not from the writer's. The first word that does not fit is kept as the error.
+/// Reads noun phrases and predicates, left to right, at a cursor over the words of a text. Its tables of English are
+/// independent of the writer's. The first word that does not fit is the error.
 class PhraseReader {
  public:
   PhraseReader(const std::vector<Token>& tokens, const NounTable& lexicon) : tokens_(tokens), lexicon_(lexicon) {}
@@ -23,11 +23,13 @@ class PhraseReader {
   bool done() const { return at_ >= tokens_.size(); }
   const std::string& peek(std::size_t ahead = 0) const;
   int column() const { return done() ? end_column() : tokens_[at_].column; }
-  /// Takes the words when they all come next.
+  /// Consumes the words if they come next.
   bool accept(std::string_view words);
+  /// Whether the words come next.
   bool comes(std::string_view words) const;
-  /// Takes one of these, and says which; -1 when none comes.
+  /// Consumes one of these and returns its index; -1 when none comes next.
   int accept_one(std::initializer_list<std::string_view> choices);
+  /// Consumes the words; fails if they do not come next.
   void expect(std::string_view words);
   std::size_t position() const { return at_; }
   void go_back(std::size_t position) { at_ = position; }
@@ -46,7 +48,7 @@ class PhraseReader {
   void set_bare_places(bool bare) { bare_places_ = bare; }
   /// "clean and on that table", "either in a box or on a table"
   void complements(Clause& into);
-  /// Words up to a place where a clause can go on, joined by "_": "tomato_sauce".
+  /// Words up to where a clause can continue, joined by "_": "tomato_sauce".
   std::string symbol();
 
  private:

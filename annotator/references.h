@@ -18,11 +18,12 @@ struct Resolved {
   const NounPhrase* phrase = nullptr;
 };
 
-/// Where existential variables go: the text, or one alternative of an `or`.
+/// The existential variables of a text, or of one alternative of an `or`.
 struct Box {
   std::vector<std::pair<std::string, Domain>> variables;
   std::vector<Formula> distinct;
 };
+/// The body inside existential quantifiers for the box.
 Formula boxed(const Box& box, Formula body);
 
 /// The quantifier of a local slot around what is said of it.
@@ -30,8 +31,8 @@ Formula quantified(const Resolved& slot, Formula body);
 /// What a complement says of the subject; `object` is that of a relation.
 Formula said_of(const Complement& complement, const Term& subject, const Resolved* object);
 
-/// What the nouns and pronouns of a text stand for, from left to right. The first phrase that could mean two things or
-/// nothing is kept as the error.
+/// Resolves the nouns and pronouns of a text, from left to right. The first ambiguous or unresolved phrase is the
+/// error.
 class References {
  public:
   const std::optional<Error>& error() const { return error_; }
@@ -64,7 +65,7 @@ class References {
   Formula restriction(const Complement& modifier, const Term& subject);
 
   std::vector<Referent> referents_;
-  std::vector<Domain> hidden_;  // named, but not to be referred to
+  std::vector<Domain> hidden_;  // named, but cannot be referred to
   int count_ = 0;
   std::optional<Error> error_;
 };

@@ -8,7 +8,7 @@ namespace {
 
 using Op = Formula::Op;
 
-/// Left variables with the right variables that they stand for.
+/// Left variables with the corresponding right variables.
 using Pairing = std::vector<std::pair<std::string, std::string>>;
 
 std::string partner_of(const Pairing& pairing, const std::string& name) {
@@ -34,7 +34,7 @@ bool match_domains(const Domain& left, const Domain& right, Pairing& pairing) {
   return left.where.empty() || match(left.where[0], right.where[0], pairing);
 }
 
-/// Both are sequences without repeats, and for a fixed pairing `match` is an equivalence, so the first partner will do.
+/// Both are sequences without repeats, and for a fixed pairing `match` is an equivalence, so the first match is enough.
 bool match_all(const std::vector<Formula>& left, const std::vector<Formula>& right, Pairing& pairing) {
   if (left.size() != right.size()) return false;
   std::vector<bool> taken(right.size(), false);
@@ -57,7 +57,7 @@ Binders block(const Formula& f) {
   return binders;
 }
 
-/// Tries every way to pair the binders of two blocks, from `at` on.
+/// Tries all pairings of the binders of two blocks, from `at` on.
 bool match_blocks(const Binders& left, const Binders& right, std::size_t at, std::vector<bool>& taken,
                   Pairing& pairing) {
   if (at == left.size()) {

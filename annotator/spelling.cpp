@@ -14,7 +14,7 @@ namespace {
 constexpr std::array kDictionaries = {"en_US", "en_GB"};
 constexpr const char* kFolder = "/usr/share/hunspell/";
 
-/// Where words begin that belong to a name of the lexicon, and how many they are.
+/// By word: whether it belongs to a name of the lexicon.
 std::vector<bool> in_names(const std::vector<Token>& words, const NounTable& nouns) {
   std::vector<bool> known(words.size(), false);
   for (std::size_t i = 0; i < words.size();) {
@@ -32,7 +32,7 @@ bool is_word(const std::string& text) { return std::isalpha(static_cast<unsigned
 struct Spelling::Dictionaries {
   std::vector<std::unique_ptr<Hunspell>> all;
 
-  /// "ai" is a word to no dictionary, "AI" and "Monday" are: a text's words come in lower case.
+  /// Also tries capitals, since texts are in lower case and dictionaries have "AI" and "Monday".
   bool know(const std::string& word) {
     auto capital = word;
     capital[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(capital[0])));

@@ -9,8 +9,8 @@
 
 namespace unietp {
 
-/// The English dictionaries of Hunspell, American and British. Opening them takes some tenths of a second; asking is
-/// cheap. Not to be shared between threads.
+/// The English dictionaries of Hunspell, American and British. Opening them takes some tenths of a second, lookups are
+/// fast. Not thread-safe.
 class Spelling {
  public:
   /// Errors: Io when a dictionary is not installed, with the packages that hold them.
@@ -19,7 +19,7 @@ class Spelling {
   Spelling& operator=(Spelling&&) noexcept;
   ~Spelling();
 
-  /// Words of a text that neither a dictionary nor the lexicon of nouns has, each once, with what they may have meant:
+  /// Words of a text that are neither in a dictionary nor in the lexicon of nouns, each once, with a suggestion:
   /// "the word 'micorwave' is in no dictionary (microwave?)". Numbers and punctuation are left out.
   std::vector<std::string> faults(const std::string& text, const NounTable& nouns) const;
 

@@ -18,7 +18,7 @@ bool says_one_thing(const Requirement& requirement) {
 }
 
 /// First … then becomes before …, … .
-bool invert(Message& message) {
+bool make_inverted_order(Message& message) {
   bool turned = false;
   for (Requirement& requirement : message) {
     if (requirement.kind != Kind::Then && requirement.kind != Kind::ThenKept) continue;
@@ -29,7 +29,7 @@ bool invert(Message& message) {
 }
 
 /// "Put a mug into the box. Close the box." becomes "Close the box that you put a mug into."
-bool relate(Message& message) {
+bool make_relative_clause(Message& message) {
   for (std::size_t i = 0; i < message.size(); ++i) {
     if (!says_one_thing(message[i])) continue;
     const Complement put = message[i].clauses[0].complements[0];
@@ -49,8 +49,8 @@ bool relate(Message& message) {
   return false;
 }
 
-/// A state and a place of one thing become what someone wants.
-bool want(Message& message) {
+/// A state and a place of one object become a need: "someone wants a hot potato on a table".
+bool make_need(Message& message) {
   for (std::size_t i = 0; i < message.size(); ++i) {
     if (!says_one_thing(message[i]) || !message[i].clauses[0].complements[0].object.empty()) continue;
     for (std::size_t k = 0; k < message.size(); ++k) {
@@ -65,8 +65,8 @@ bool want(Message& message) {
   return false;
 }
 
-/// All of it in one sentence, tied to something that is so at the start.
-bool tie(Plan& plan) {
+/// Makes the whole text one conditional sentence, with a condition that the start meets.
+bool make_conditional(Plan& plan) {
   if (plan.conditions.empty()) return false;
   Clause all;
   all.kind = Clause::Kind::And;
@@ -84,7 +84,7 @@ struct Mark {
   Style style;
   std::string_view words;
 };
-/// What a text of the style says; one of several suffices.
+/// Expressions of a style, of which a text must have one.
 constexpr std::array kMarks = {
     Mark{Style::Distractor, "the whole time"},
     Mark{Style::Distractor, "at all times"},
@@ -112,8 +112,8 @@ std::vector<std::string> sentences_of(const std::string& text) {
   return sentences;
 }
 
-/// Sentences that name nothing, before one that does: two of them make a background, one gives the occasion.
-int idle_sentences(const std::string& text, const NounTable& lexicon) {
+/// Number of leading sentences that name no object: two make a background, one a context.
+int background_sentences(const std::string& text, const NounTable& lexicon) {
   int idle = 0;
   for (const std::string& sentence : sentences_of(text)) {
     const std::vector<Token> words = tokens_of(sentence);
@@ -157,10 +157,10 @@ std::string nesting_fault(const std::string& text) {
 }  // namespace
 
 bool turn_to_style(Plan& plan, Style style) {
-  if (style == Style::InvertedOrder) return invert(plan.message);
-  if (style == Style::RelativeClause) return relate(plan.message);
-  if (style == Style::ImplicitNeed) return want(plan.message);
-  if (style == Style::Condition) return tie(plan);
+  if (style == Style::InvertedOrder) return make_inverted_order(plan.message);
+  if (style == Style::RelativeClause) return make_relative_clause(plan.message);
+  if (style == Style::ImplicitNeed) return make_need(plan.message);
+  if (style == Style::Condition) return make_conditional(plan);
   return true;
 }
 
@@ -182,10 +182,10 @@ std::string style_fault(const std::string& text, Style style, const Formula& goa
     }
     return "";
   }
-  if (style == Style::Background && idle_sentences(text, lexicon) < 2)
+  if (style == Style::Background && background_sentences(text, lexicon) < 2)
     return "the background style begins with at least two sentences that name no thing";
   const bool known_context = lexicon.behind_context(text).size() < text.size();
-  if (style == Style::Context && !known_context && idle_sentences(text, lexicon) < 1)
+  if (style == Style::Context && !known_context && background_sentences(text, lexicon) < 1)
     return "the context style begins with a sentence that gives the occasion and names no thing";
   if (style == Style::Bystander) return bystander_fault(tokens, goal, around, lexicon);
   if (style == Style::NestedSyntax) return nesting_fault(text);

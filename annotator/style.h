@@ -9,13 +9,12 @@
 
 namespace unietp {
 
-/// Turns a plan so that it can be worded in a style that orders or joins what is said differently: InvertedOrder,
-/// RelativeClause, ImplicitNeed, Condition. False when the plan has nothing that could be said that way;
-/// another draw may.
+/// Changes a plan for a style that orders or joins its parts differently: InvertedOrder, RelativeClause, ImplicitNeed,
+/// Condition. False when no part of the plan fits the style; that of another draw may.
 bool turn_to_style(Plan& plan, Style style);
 
-/// What a text of this style lacks of the style, in words; "" when it keeps the style's promise. `around`: categories
-/// in the start scene, for what a text names beside the goal.
+/// The feature of the style that a text lacks, in words; "" when it has all. `around`: categories in the start scene,
+/// for objects that a text names in addition to the goal.
 std::string style_fault(const std::string& text, Style style, const Formula& goal,
                         const std::vector<std::string>& around, const NounTable& lexicon);
 

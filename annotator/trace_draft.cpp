@@ -14,7 +14,7 @@ using P = Predicate;
 
 constexpr EntityIndex kAgent(0);
 
-/// Of what has one of these states, the other is not true. Facts of the second are kept as the first's absence.
+/// Pairs of opposite states. A fact of the second is stored as the absence of the first.
 const std::vector<std::pair<P, P>>& excluding() {
   static const auto pairs = [] {
     std::vector<std::pair<P, P>> all;
@@ -49,7 +49,7 @@ TraceDraft::TraceDraft(const std::vector<const Formula*>& formulas, Rng rng) : r
   fill();
 }
 
-/// Which facts there are, which categories are rooms, and how many of a kind a count may ask for.
+/// Collects kinds of facts, room categories, and the largest number of a count.
 void TraceDraft::collect(const Formula& formula) {
   if (formula.op == Op::Atom) {
     const bool symbolic = !formula.terms.empty() && formula.terms.back().kind == Term::Kind::Symbol;
@@ -169,7 +169,7 @@ Trace TraceDraft::trace() const {
     }
     for (const auto& [one, other] : excluding()) {
       if (!kinds_.contains({one, ""})) continue;
-      for (EntityIndex e(3); e.index() < entities_.size(); ++e)  // what stands for other things has no such state
+      for (EntityIndex e(3); e.index() < entities_.size(); ++e)  // entities other than objects have no such states
         if (exists(e) && entities_[e].kind == Entity::Kind::Object && !states_[i].contains({one, e, kNone, ""}))
           facts.set(other, e);
     }

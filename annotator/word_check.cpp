@@ -21,14 +21,14 @@ bool is_number(std::string_view word) {
 
 /// A name of the lexicon in a text.
 struct NameInText : NounTable::Reading {
-  std::string word;  // itself, when it has no other
+  std::string word;  // itself, if it is a single word
 };
 
-/// The words of a text that are no part of a name of the lexicon, and the names.
-struct Sorted {
+/// The words of a text, split into names of the lexicon and other words.
+struct ClassifiedWords {
   Tokens plain;
   std::vector<NameInText> nouns;
-  std::set<std::string> of_names;  // words that stand in a name
+  std::set<std::string> of_names;  // words that are part of a name
 };
 
 /// "can you", "would like": words that are also the name of something.
@@ -39,8 +39,8 @@ bool is_helper(const Tokens& words, std::size_t i) {
   return false;
 }
 
-Sorted sorted(const Tokens& words, const NounTable& nouns) {
-  Sorted found;
+ClassifiedWords sorted(const Tokens& words, const NounTable& nouns) {
+  ClassifiedWords found;
   for (std::size_t i = 0; i < words.size();) {
     const auto function = nouns.function_at(words, i), again = nouns.function_again_at(words, i);
     const auto noun = nouns.noun_at(words, i);
@@ -69,7 +69,7 @@ bool names(const NounTable::Reading& noun, const std::set<std::string>& categori
   });
 }
 
-bool is_named(const std::string& category, const Sorted& text) {
+bool is_named(const std::string& category, const ClassifiedWords& text) {
   return std::any_of(text.nouns.begin(), text.nouns.end(), [&](const auto& noun) { return names(noun, {category}); });
 }
 
@@ -106,7 +106,7 @@ class Check {
     numbers();
     quantifiers();
     times();
-    slips();
+    misspelled_names();
     return std::move(faults_);
   }
 
@@ -121,12 +121,12 @@ class Check {
     for (const std::string& category : goal_.categories)
       if (!is_named(category, text_) && !by_function) lacks("what '" + shown(category) + "' is about");
     for (const auto& noun : text_.nouns)
-      if (!names(noun, goal_.categories) && !beside(noun) && !is_said_by(noun))
+      if (!names(noun, goal_.categories) && !allowed_by_style(noun) && !is_said_by(noun))
         exceeds("'" + shown(noun.nouns.front()) + "'");
   }
 
-  /// What these styles name beside the goal: something that is around, and what a condition is about.
-  bool beside(const NounTable::Reading& noun) const {
+  /// Whether the style may name it in addition to the goal: an unrelated object, or the subject of a condition.
+  bool allowed_by_style(const NounTable::Reading& noun) const {
     if (specification_.style == Style::Bystander) return true;
     if (specification_.style != Style::Condition) return false;
     std::set<std::string> started;
@@ -135,7 +135,7 @@ class Check {
     return names(noun, started);
   }
 
-  /// "on the floor of the kitchen", "switch it on": the name of something, and the word for what the goal asks for.
+  /// Whether the name is also a word for a predicate of the goal: "on the floor of the kitchen", "switch it on".
   bool is_said_by(const NameInText& noun) const {
     return !noun.word.empty() && std::any_of(goal_.predicates.begin(), goal_.predicates.end(),
                                              [&](P predicate) { return is_among(noun.word, words_for(predicate)); });
@@ -175,14 +175,14 @@ class Check {
       if (goal_.predicates.contains(other.predicate)) continue;
       const auto list = words_only_for(other.predicate);
       const auto word = std::find_if(text_.plain.begin(), text_.plain.end(), [&](const Token& w) {
-        return is_among(w.text, list) && !said_by_another(w.text) && !in_a_symbol(w.text);
+        return is_among(w.text, list) && !belongs_to_other_predicate(w.text) && !in_a_symbol(w.text);
       });
       if (word != text_.plain.end()) exceeds("'" + word->text + "'");
     }
   }
 
-  /// "pour out" says that it is empty, "pour in" that it is filled; "cut" is in several lists.
-  bool said_by_another(const std::string& word) const {
+  /// Whether the word is used for another predicate of the goal: "pour out" for empty, "pour in" for filled.
+  bool belongs_to_other_predicate(const std::string& word) const {
     return std::any_of(goal_.predicates.begin(), goal_.predicates.end(),
                        [&](P predicate) { return is_among(word, words_for(predicate)); }) ||
            text_.of_names.contains(word);
@@ -249,15 +249,15 @@ class Check {
       exceeds("that something holds the whole time");
   }
 
-  /// "Never mind" forbids nothing.
+  /// Whether "never" occurs other than in "never mind".
   bool says_never() const {
     for (std::size_t i = 0; i < words_.size(); ++i)
       if (words_[i].text == "never" && (i + 1 == words_.size() || words_[i + 1].text != "mind")) return true;
     return false;
   }
 
-  /// A name that is missing, and a word that is a letter off it. Other slips are in no dictionary (spelling.h).
-  void slips() {
+  /// Missing names with a word that differs by one letter. Other misspellings are found by the dictionary (spelling.h).
+  void misspelled_names() {
     for (const std::string& category : goal_.categories) {
       const auto* name = nouns_.display(category);
       if (name == nullptr || is_named(category, text_)) continue;
@@ -274,7 +274,7 @@ class Check {
   const Specification& specification_;
   GoalWords goal_;
   Tokens words_;
-  Sorted text_;
+  ClassifiedWords text_;
   std::vector<std::string> faults_;
 };
 

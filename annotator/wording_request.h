@@ -9,8 +9,8 @@
 
 namespace unietp {
 
-/// Asks a model for an instruction: template, goal as a formula and in words, facts of the scene, style and wordings of
-/// the grammar. `complaint`: why its last text was refused, or "".
+/// A request to a model for an instruction: template, goal as a formula and in words, facts of the scene, style and
+/// wordings of the grammar. `complaint`: why the last text was rejected, or "".
 LlmRequest wording_request(const WordingTask& task, const std::vector<std::string>& samples,
                            const std::string& complaint);
 

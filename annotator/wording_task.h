@@ -10,14 +10,14 @@
 
 namespace unietp {
 
-/// What a language model is told of a task whose instruction it is to write.
+/// What a language model gets of a task whose instruction it writes.
 struct WordingTask {
   Specification specification;
   const Knowledge* knowledge = nullptr;
   const NounTable* nouns = nullptr;     // of the knowledge base
   std::vector<std::string> categories;  // in the start scene, sorted: what a text may speak of
   std::string facts;                    // of the start scene, for people: "kitchen: fridge, 2 mugs (1 dirty)"
-  Rng rng{0};                           // of the grammar's text, which stands in when no other is right
+  Rng rng{0};                           // of the grammar's text, which is the fallback
 };
 
 }  // namespace unietp

@@ -70,7 +70,7 @@ BENCHMARK(check_words)->Arg(0)->Arg(40);
 /// Goals that no proof by structure joins: as many traces as a comparison takes at most.
 void compare_by_traces(benchmark::State& state) {
   const Formula& goal = material().tasks[static_cast<std::size_t>(state.range(0))].goal;
-  for (auto _ : state) benchmark::DoNotOptimize(telling_trace(goal, goal, kTracesCompared, Rng(1)));
+  for (auto _ : state) benchmark::DoNotOptimize(distinguishing_trace(goal, goal, kTracesCompared, Rng(1)));
   state.SetItemsProcessed(state.iterations() * kTracesCompared);
 }
 BENCHMARK(compare_by_traces)->Arg(0)->Arg(40)->Unit(benchmark::kMillisecond);

@@ -36,13 +36,13 @@ std::int32_t FloodCache::steps(const NavigationGrid& grid, NavigationGrid::Cell 
   const DistanceField* all = start_ != nullptr ? start_->steps.get() : nullptr;
   if (all != nullptr && all->from() == from && start_->grid.digest() == grid.digest())
     return all->fewest_found(low, high, most);
-  const auto known = std::find_if(ripples_.begin(), ripples_.end(), [&](const Steps& steps) {
-    return steps.grid == grid.digest() && steps.ripple.from() == from;
+  const auto known = std::find_if(fields_.begin(), fields_.end(), [&](const Steps& steps) {
+    return steps.grid == grid.digest() && steps.field.from() == from;
   });
-  DistanceField& ripple = known != ripples_.end()
-                              ? known->ripple
-                              : keep(ripples_, rippled_++, Steps{grid.digest(), DistanceField(grid, from)}).ripple;
-  return ripple.fewest_to(low, high, most);
+  DistanceField& field = known != fields_.end()
+                             ? known->field
+                             : keep(fields_, fields_made_++, Steps{grid.digest(), DistanceField(grid, from)}).field;
+  return field.fewest_to(low, high, most);
 }
 
 }  // namespace unietp

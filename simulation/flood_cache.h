@@ -33,12 +33,12 @@ class FloodCache {
  private:
   struct Steps {
     Digest grid;
-    DistanceField ripple;
+    DistanceField field;
   };
   std::shared_ptr<const Walk> start_;
   std::vector<Flood> floods_;
-  std::vector<Steps> ripples_;
-  std::uint64_t made_ = 0, rippled_ = 0;
+  std::vector<Steps> fields_;
+  std::uint64_t made_ = 0, fields_made_ = 0;
 };
 
 }  // namespace unietp

@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "simulation/navigation.h"
 #include "simulation/distance_field.h"
+#include "simulation/navigation.h"
 
 namespace unietp {
 namespace {

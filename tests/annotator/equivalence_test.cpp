@@ -17,7 +17,7 @@ Formula goal(const char* text) {
 }
 
 bool told_apart(const char* left, const char* right) {
-  return telling_trace(goal(left), goal(right), kTracesCompared, Rng(1)).has_value();
+  return distinguishing_trace(goal(left), goal(right), kTracesCompared, Rng(1)).has_value();
 }
 
 TEST(Equivalent, LooksThroughNamesOrderAndCountIdentities) {
@@ -71,7 +71,7 @@ TEST(Equivalent, TellsNearMissesApart) {
 TEST(Equivalent, ATellingTraceTells) {
   const Formula left = goal("(exists (?a - Mug) (at-end (hot ?a)))"),
                 right = goal("(forall (?a - Mug) (at-end (hot ?a)))");
-  const auto trace = telling_trace(left, right, kTracesCompared, Rng(3));
+  const auto trace = distinguishing_trace(left, right, kTracesCompared, Rng(3));
   ASSERT_TRUE(trace);
   EXPECT_NE(holds(left, *trace), holds(right, *trace));
 }
@@ -85,7 +85,7 @@ TEST(Equivalent, WhatIsProvenEqualIsNeverToldApart) {
     for (const Formula& right : {expanded(left), testing_support::rewritten(left, rng)}) {
       if (!same_meaning(left, right)) continue;
       ++proven;
-      EXPECT_FALSE(telling_trace(left, right, 200, Rng(seed))) << to_text(left) << "\n" << to_text(right);
+      EXPECT_FALSE(distinguishing_trace(left, right, 200, Rng(seed))) << to_text(left) << "\n" << to_text(right);
     }
   }
   EXPECT_GT(proven, 300);

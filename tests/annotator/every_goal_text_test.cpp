@@ -46,7 +46,7 @@ void expect_reads_back(const Formula& goal, const Knowledge& knowledge, std::uin
   const auto read = parse_instruction(text, knowledge);
   ASSERT_TRUE(read) << format(read.error());
   EXPECT_TRUE(same_meaning(*read, goal)) << to_text(*read) << "\n" << to_text(goal);
-  EXPECT_FALSE(telling_trace(*read, goal, 20, Rng(seed))) << to_text(*read) << "\n" << to_text(goal);
+  EXPECT_FALSE(distinguishing_trace(*read, goal, 20, Rng(seed))) << to_text(*read) << "\n" << to_text(goal);
 }
 
 TEST(EveryGoal, HasWordsThatReadBackAsIt) {
