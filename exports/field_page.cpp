@@ -96,7 +96,7 @@ std::string table(const Json& schema) {
 std::string section(const std::string& name, const Json& schema) {
   std::string text =
       "\n## " + name + "\n\n" + schema.value("title", "") + ". " + schema.value("description", "") + "\n";
-  text += table(schema);
+  if (schema.contains("type") || schema.contains("$ref")) text += table(schema);  // else it only has definitions
   for (const auto& [definition, part] : part_of(schema, "$defs").items()) {
     text += "\n### " + name + ": " + definition + "\n";
     const auto about = part.value("description", "");
