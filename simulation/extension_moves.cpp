@@ -70,15 +70,6 @@ void turn_to_work(WorldState& state, std::size_t i) {
   state.carry_along();
 }
 
-}  // namespace
-
-std::optional<ActionResult> seated_failure(const WorldState& state, ActionType type) {
-  if (!state.profile->offers(ActionType::SitOn) && !state.profile->offers(ActionType::LieOn)) return std::nullopt;
-  if (type == ActionType::StandUp || type == ActionType::LookUp || type == ActionType::LookDown) return std::nullopt;
-  const auto seat = seat_of(state);
-  return seat ? std::optional(is_seated(state, *seat)) : std::nullopt;
-}
-
 ActionResult take_seat(WorldState& state, std::size_t i, Predicate as) {
   const bool lies = as == Predicate::LainOn;
   if (!state.knowledge->has(state.node(i).category, lies ? "lieable" : "sittable"))
@@ -91,14 +82,6 @@ ActionResult take_seat(WorldState& state, std::size_t i, Predicate as) {
   if (front.head<2>().norm() > 1e-9) state.edit_agent().yaw = std::atan2(front.y(), front.x());
   state.edit_agent().pitch = 0;
   state.carry_along();
-  return succeeded();
-}
-
-ActionResult stand_up(WorldState& state) {
-  const auto seat = seat_of(state);
-  if (!seat) return failed(FailureCause::NotSeated);
-  state.edit_states(*seat).clear(Predicate::SatOn);
-  state.edit_states(*seat).clear(Predicate::LainOn);
   return succeeded();
 }
 
@@ -140,6 +123,42 @@ ActionResult break_apart(WorldState& state, std::size_t i) {
   if (state.node(i).states.has(Predicate::Filled)) state.edit_states(i).set({Predicate::Empty, ""});
   turn_to_work(state, i);
   return succeeded();
+}
+
+}  // namespace
+
+std::optional<ActionResult> seated_failure(const WorldState& state, ActionType type) {
+  if (!state.profile->offers(ActionType::SitOn) && !state.profile->offers(ActionType::LieOn)) return std::nullopt;
+  if (type == ActionType::StandUp || type == ActionType::LookUp || type == ActionType::LookDown) return std::nullopt;
+  const auto seat = seat_of(state);
+  return seat ? std::optional(is_seated(state, *seat)) : std::nullopt;
+}
+
+ActionResult stand_up(WorldState& state) {
+  const auto seat = seat_of(state);
+  if (!seat) return failed(FailureCause::NotSeated);
+  state.edit_states(*seat).clear(Predicate::SatOn);
+  state.edit_states(*seat).clear(Predicate::LainOn);
+  return succeeded();
+}
+
+ActionResult perform_extension(WorldState& state, ActionType type, std::size_t node) {
+  switch (type) {
+    case ActionType::SitOn:
+      return take_seat(state, node, Predicate::SatOn);
+    case ActionType::LieOn:
+      return take_seat(state, node, Predicate::LainOn);
+    case ActionType::PlugIn:
+      return plug(state, node, true);
+    case ActionType::Unplug:
+      return plug(state, node, false);
+    case ActionType::Fold:
+      return fold(state, node);
+    case ActionType::Break:
+      return break_apart(state, node);
+    default:
+      return failed(FailureCause::TakesNoArgument, in_words(info(type).name));
+  }
 }
 
 }  // namespace unietp

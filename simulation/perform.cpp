@@ -113,20 +113,8 @@ ActionResult perform(WorldState& state, const Action& action) {
       return treat_with(state, *node, "burns");
     case ActionType::FillWith:
       return treat_with(state, *node, "fills");
-    case ActionType::SitOn:
-      return take_seat(state, *node, Predicate::SatOn);
-    case ActionType::LieOn:
-      return take_seat(state, *node, Predicate::LainOn);
-    case ActionType::PlugIn:
-      return plug(state, *node, true);
-    case ActionType::Unplug:
-      return plug(state, *node, false);
-    case ActionType::Fold:
-      return fold(state, *node);
-    case ActionType::Break:
-      return break_apart(state, *node);
     default:
-      return failed(FailureCause::TakesNoArgument, in_words(about.name));
+      return perform_extension(state, action.type, *node);
   }
 }
 

@@ -232,14 +232,12 @@ ActionResult spread_to(WorldState& state, std::size_t node);
 /// soak_with and the composite actions: performs their atomic steps, each with all its checks.
 ActionResult treat_with(WorldState& state, std::size_t tool, std::string_view effect);
 
-/// sit_on and lie_on: `as` is SatOn or LainOn. The body stays at its place beside the seat and faces as the seat does.
-ActionResult take_seat(WorldState& state, std::size_t node, Predicate as);
+/// The actions of the profile `wide` on an object. Who sits or lies stays at its place beside the seat and faces as the
+/// seat does.
+ActionResult perform_extension(WorldState& state, ActionType type, std::size_t node);
 ActionResult stand_up(WorldState& state);
 /// Why the agent cannot walk or turn because it sits or lies, or nullopt.
 std::optional<ActionResult> seated_failure(const WorldState& state, ActionType type);
-ActionResult plug(WorldState& state, std::size_t node, bool in);
-ActionResult fold(WorldState& state, std::size_t node);
-ActionResult break_apart(WorldState& state, std::size_t node);
 
 /// Applies the effects of a tool on what lies in or on it whose needs are met. `tap_runs`: water flows into it.
 void run_processes(WorldState& state, std::size_t tool, bool tap_runs = false);
