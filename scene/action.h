@@ -61,8 +61,9 @@ enum class ActionType : std::uint8_t {
   Unplug,
   Fold,
   Break,
+  Read,
 };
-inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionType::Break) + 1;
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionType::Read) + 1;
 
 enum class ActionArgument : std::uint8_t { None, Object, ObjectOrRoom, Tool };
 enum class ActionClass : std::uint8_t { Movement, Reach, Manipulation, Composite, Control };
@@ -208,6 +209,7 @@ enum class Failure : std::uint8_t {
   AlreadyFolded,
   NotBreakable,
   AlreadyBroken,
+  NotReadable,
   NotInView,  // the rules of a mode refuse it; the world was not asked
   NotSeenYet,
   NoObjectThere,

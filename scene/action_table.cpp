@@ -99,6 +99,7 @@ constexpr std::array kFolding{
     need(NeedKind::Unloaded, F::Blocked)};
 constexpr std::array kBreaking{has("breakable", F::NotBreakable), is_not(P::Broken, F::AlreadyBroken), kPutDown,
                                kReach};
+constexpr std::array kReading{has("readable", F::NotReadable), need(NeedKind::InHand, F::NotHolding)};
 
 // Changes by action.
 constexpr std::array<ActionChange, 0> kNothing{};
@@ -114,6 +115,7 @@ constexpr std::array kLies{becomes(P::LainOn)};
 constexpr std::array kPlugsIn{becomes(P::PluggedIn)};
 constexpr std::array kUnplugs{becomes(P::Unplugged), if_it_is(P::PowerOn, P::PowerOff)};
 constexpr std::array kFolds{becomes(P::Folded)};
+constexpr std::array kReads{becomes(P::Read)};
 constexpr std::array kBreaks{becomes(P::Broken), if_it_is(P::Filled, P::Empty)};
 
 constexpr ActionInfo row(ActionType type, std::string_view name, ActionArgument argument, ActionClass group,
@@ -180,6 +182,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{
     row(Unplug, "unplug", Object, Manipulation, "V", kUnplugging, "the object is unplugged, and off", kUnplugs),
     row(Fold, "fold", Object, Manipulation, "B", kFolding, "the object is folded", kFolds),
     row(Break, "break", Object, Manipulation, "A", kBreaking, "the object is broken; what filled it is gone", kBreaks),
+    row(Read, "read", Object, Manipulation, "V", kReading, "the agent has read the object, which it holds", kReads),
 };
 
 constexpr bool in_enum_order() {
@@ -235,6 +238,7 @@ constexpr std::array<std::string_view, kFailureCount> kFailureNames{
     "already_folded",
     "not_breakable",
     "already_broken",
+    "not_readable",
     "not_in_view",
     "not_seen_yet",
     "no_object_there",

@@ -125,6 +125,14 @@ ActionResult break_apart(WorldState& state, std::size_t i) {
   return succeeded();
 }
 
+ActionResult read(WorldState& state, std::size_t i) {
+  if (!state.knowledge->has(state.node(i).category, "readable"))
+    return failed(FailureCause::NotReadable, state.reference(i));
+  if (!state.held(state.node(i).id)) return failed(FailureCause::MustBeHeldToRead, state.reference(i));
+  state.edit_states(i).set({Predicate::Read, ""});
+  return succeeded();
+}
+
 }  // namespace
 
 std::optional<ActionResult> seated_failure(const WorldState& state, ActionType type) {
@@ -156,6 +164,8 @@ ActionResult perform_extension(WorldState& state, ActionType type, std::size_t n
       return fold(state, node);
     case ActionType::Break:
       return break_apart(state, node);
+    case ActionType::Read:
+      return read(state, node);
     default:
       return failed(FailureCause::TakesNoArgument, in_words(info(type).name));
   }

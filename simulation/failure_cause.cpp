@@ -91,6 +91,8 @@ constexpr std::array<FailureCauseInfo, kFailureCauseCount> kCauses{{
     {C::SomethingLiesOn, F::Blocked, "{object} lies on {other}."},
     {C::NotBreakable, F::NotBreakable, "{object} cannot be broken."},
     {C::AlreadyBroken, F::AlreadyBroken, "{object} is broken already."},
+    {C::NotReadable, F::NotReadable, "{object} cannot be read."},
+    {C::MustBeHeldToRead, F::NotHolding, "Pick {object} up to read it."},
 }};
 
 constexpr bool rows_are_in_enum_order() {

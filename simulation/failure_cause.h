@@ -99,9 +99,11 @@ enum class FailureCause : std::uint8_t {
   SomethingLiesOn,
   NotBreakable,
   AlreadyBroken,
+  NotReadable,
+  MustBeHeldToRead,
 };
 /// Number of causes, None included.
-inline constexpr std::size_t kFailureCauseCount = static_cast<std::size_t>(FailureCause::AlreadyBroken) + 1;
+inline constexpr std::size_t kFailureCauseCount = static_cast<std::size_t>(FailureCause::MustBeHeldToRead) + 1;
 
 /// One row of the table of causes.
 struct FailureCauseInfo {

@@ -12,7 +12,7 @@ Knowledge wide_knowledge() {
   auto affordances = plain.affordances();
   for (const auto& [category, affordance] :
        {std::pair("Dresser", "sittable"), std::pair("Dresser", "lieable"), std::pair("Lamp", "pluggable"),
-        std::pair("Plate", "foldable"), std::pair("Mug", "breakable")}) {
+        std::pair("Plate", "foldable"), std::pair("Plate", "readable"), std::pair("Mug", "breakable")}) {
     affordances.push_back({category, affordance, curated});
   }
   auto effects = plain.effects();
@@ -23,7 +23,7 @@ Knowledge wide_knowledge() {
 Profile wide_profile() {
   Profile profile = house_profile();
   for (const auto type : {ActionType::SitOn, ActionType::LieOn, ActionType::StandUp, ActionType::PlugIn,
-                          ActionType::Unplug, ActionType::Fold, ActionType::Break}) {
+                          ActionType::Unplug, ActionType::Fold, ActionType::Break, ActionType::Read}) {
     profile.actions.set(static_cast<std::size_t>(type));
   }
   profile.attaching = profile.power_needs_plug = true;
@@ -45,6 +45,8 @@ const Case kCases[] = {
     {"plug_in_to_switch_on", "(exists (?x - Lamp) (at-end (power_on ?x)))"},
     {"fold_and_put_away", "(exists (?x - Plate) (exists (?b - Fridge) (at-end (and (folded ?x) (inside ?x ?b)))))"},
     {"break", "(exists (?x - Mug) (at-end (broken ?x)))"},
+    {"read", "(exists (?x - Plate) (at-end (read ?x)))"},
+    {"read_and_put_away", "(exists (?x - Plate) (exists (?b - Fridge) (at-end (and (read ?x) (inside ?x ?b)))))"},
     {"attach", "(exists (?x - Mug) (exists (?b - SideTable) (at-end (attached ?x ?b))))"},
 };
 
