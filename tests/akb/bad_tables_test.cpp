@@ -56,7 +56,8 @@ const BadTable kBad[] = {
      "affordance.csv:6:5: schema error: unknown affordance 'pickable'; expected one of burnable, breakable, "
      "consumable, "
      "container, cookable, coverable, dirtyable, drain, fillable, foldable, freezable, heatable, heat_source, "
-     "cold_source, lieable, openable, pickupable, pluggable, receptacle, sittable, sliceable, soakable, switchable; "
+     "cold_source, lieable, openable, pickupable, pluggable, readable, receptacle, sittable, sliceable, soakable, "
+     "switchable; "
      "did "
      "you mean 'pickupable'?"},
     {"UnknownCategory", "relation", "apple,on,plate", "apple,on,plat",

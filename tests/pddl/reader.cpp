@@ -195,7 +195,8 @@ PddlDomain read_pddl_domain(std::string_view text) {
                                             ":equality",
                                             ":negative-preconditions",
                                             ":disjunctive-preconditions",
-                                            ":conditional-effects"};
+                                            ":conditional-effects",
+                                            ":universal-preconditions"};
   const auto whole = Reader(text).whole();
   PddlDomain domain;
   if (!is_headed(whole, "define") || whole.parts.size() < 2 || !is_headed(whole.parts[1], "domain"))

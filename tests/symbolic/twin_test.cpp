@@ -151,7 +151,7 @@ TEST(Twins, PhysicsAndSymbolsAgreeOnWhatActionsNeedAndDo) {
   for (const auto& [simulator, actions] : kinds) {
     const auto knowledge = roomy(simulator);
     const auto profile = testing::kitchen_profile(simulator, actions);
-    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    for (std::uint64_t seed = 0; seed < 24; ++seed) {
       Rng rng = Rng(seed).fork(name_of(actions), static_cast<std::uint64_t>(simulator));
       auto made = World::create(testing::wide_kitchen(simulator), knowledge, profile);
       ASSERT_TRUE(made) << format(made.error());
