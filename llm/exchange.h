@@ -24,6 +24,7 @@ struct LlmRequest {
   bool operator==(const LlmRequest&) const = default;
 };
 
+/// A model's answer to one request.
 struct LlmAnswer {
   std::string text;  // one JSON object, as the model wrote it; not checked against the schema
   std::int64_t prompt_tokens = 0, completion_tokens = 0;  // as the server counts, over all attempts that it answered

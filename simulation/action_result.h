@@ -38,6 +38,7 @@ struct ActionResult {
 ActionResult succeeded();
 /// A failure of the kind that the cause belongs to.
 ActionResult failed(FailureDetail detail);
+/// The same, from the parts of the detail.
 ActionResult failed(FailureCause cause, FailureReference object = {}, FailureReference other = {});
 
 }  // namespace unietp

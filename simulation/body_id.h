@@ -43,10 +43,12 @@ class BodyId {
 
   std::uint32_t number_ = 0;
 };
+/// The floor.
 inline constexpr BodyId kFloor = BodyId::floor();
 
-/// The bodies of nodes, and the nodes of such bodies, in order.
+/// The bodies of nodes, in order.
 std::vector<BodyId> bodies_of(std::span<const std::size_t> nodes);
+/// The inverse; all must be bodies of nodes.
 std::vector<std::size_t> nodes_of(std::span<const BodyId> bodies);
 
 }  // namespace unietp

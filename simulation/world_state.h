@@ -205,7 +205,9 @@ void look_at(WorldState& state, const Vec3& point);
 // The actions, one function each. Each checks its needs in the order of the action table and changes the state on
 // success.
 ActionResult go_to(WorldState& state, const std::string& id);
+/// The agent and its camera turn towards the node.
 ActionResult turn_to(WorldState& state, std::size_t node);
+/// The node, with all that rests on or in it, goes into the hand.
 ActionResult pick_up(WorldState& state, std::size_t node);
 /// place_on, or place_in with `inside`. `within_grasp`: only where the agent can pick it up again from its position.
 ActionResult place(WorldState& state, std::size_t target, bool inside, bool within_grasp = false);
@@ -221,20 +223,27 @@ ActionResult slice(WorldState& state, std::size_t node);
 ActionResult drop(WorldState& state);
 /// A step, a turn or a tilt of the camera (agent_moves.h).
 ActionResult move_body(WorldState& state, ActionType type);
+/// The camera looks straight ahead.
 ActionResult reset_head(WorldState& state);
 /// Moves or turns the hand that holds something; what it holds must meet nothing.
 ActionResult move_hand(WorldState& state, double ahead, double left);
+/// Turns the hand with what it holds by a fixed angle.
 ActionResult rotate_hand(WorldState& state);
+/// The contents of the held vessel go into the target, or down its drain.
 ActionResult pour_to(WorldState& state, std::size_t target);
+/// The node is used up.
 ActionResult use_up(WorldState& state, std::size_t node);
+/// The node becomes clean and uncovered, by the held cloth.
 ActionResult wipe(WorldState& state, std::size_t node);
+/// The node is covered with what the held dispenser gives.
 ActionResult spread_to(WorldState& state, std::size_t node);
 /// soak_with and the composite actions: performs their atomic steps, each with all its checks.
 ActionResult treat_with(WorldState& state, std::size_t tool, std::string_view effect);
 
-/// The actions of the profile `wide` on an object. Who sits or lies stays at its place beside the seat and faces as the
-/// seat does.
+/// The actions of the profile `wide` on an object. A body that sits or lies stays at its place beside the seat and
+/// faces as the seat does.
 ActionResult perform_extension(WorldState& state, ActionType type, std::size_t node);
+/// The body leaves its seat and stands beside it.
 ActionResult stand_up(WorldState& state);
 /// Why the agent cannot walk or turn because it sits or lies, or nullopt.
 std::optional<ActionResult> seated_failure(const WorldState& state, ActionType type);
