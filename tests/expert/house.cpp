@@ -8,6 +8,7 @@
 #include "expert/situation.h"
 #include "logic/evaluate.h"
 #include "scene/fresh_id.h"
+#include "simulation/feedback.h"
 #include "simulation/relations.h"
 #include "simulation/shape.h"
 

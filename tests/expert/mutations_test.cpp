@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/fresh_id.h"
+#include "simulation/feedback.h"
 #include "tests/expert/house.h"
 
 namespace unietp::testing {
