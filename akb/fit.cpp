@@ -72,16 +72,16 @@ std::optional<Room3> top(const Category& c) {
   }
 }
 
-/// The floor between the legs of a table or a bed.
+/// The floor between the legs of a table or a bed. With room to spare: the legs and the top are taken to be as thick as
+/// those of a thing twice as large, which is more only for small ones.
 std::optional<Room3> below(const Category& c) {
   const Vec3& s = c.size;
   if (c.archetype == Archetype::Bed) {
-    const auto bed = bed_dimensions(s);
-    const double side = 2 * bed.leg + 2 * kSurfaceEdge_m;
-    return Room3{s.x() - side, s.y() - side, bed.gap, false, 1};
+    const double side = 2 * bed_dimensions(2 * s).leg + 2 * kSurfaceEdge_m;
+    return Room3{s.x() - side, s.y() - side, bed_dimensions(s).gap, false, 1};
   }
   if (c.archetype != Archetype::Table) return std::nullopt;
-  const auto [board, leg] = table_dimensions(s);
+  const auto [board, leg] = table_dimensions(2 * s);
   return Room3{s.x() - 2 * leg - 2 * kSurfaceEdge_m, s.y() - 2 * leg - 2 * kSurfaceEdge_m, s.z() - board, false, 1};
 }
 
