@@ -1,5 +1,5 @@
-#include "resources/resources.h"
 #include "resources/template_library.h"
+#include "resources/resources.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-DataFolders own_folders() {
+DataFolders library_folders() {
   return {UNIETP_SOURCE_DIR, fs::path(::testing::TempDir()) / "unietp-template-library-cache"};
 }
 
@@ -49,7 +49,7 @@ std::string all_of(const Template& source) {
 }
 
 TEST(TemplateLibrary, TheKnowledgeFileCarriesExactlyWhatTheFilesSay) {
-  const auto folders = own_folders();
+  const auto folders = library_folders();
   const auto compiled = compiled_knowledge(folders);
   ASSERT_TRUE(compiled.errors.empty()) << format(compiled.errors.front());
   const auto files = built_in_templates(folders);
@@ -66,7 +66,7 @@ TEST(TemplateLibrary, TheKnowledgeFileCarriesExactlyWhatTheFilesSay) {
 }
 
 TEST(TemplateLibrary, AReaderOfTheKnowledgeFileSeesClassSimulatorsAndParameters) {
-  const auto compiled = compiled_knowledge(own_folders());
+  const auto compiled = compiled_knowledge(library_folders());
   ASSERT_TRUE(compiled.errors.empty());
   SqliteFile file(compiled.database, SqliteFile::Mode::Read);
   auto row = file.prepare("SELECT class, simulators, parameters, title FROM template WHERE name = 'open-one'");
@@ -84,7 +84,7 @@ TEST(TemplateLibrary, AnotherTemplateMakesAnotherKnowledgeFile) {
   fs::copy(fs::path(UNIETP_SOURCE_DIR) / "templates" / "library", root / "templates" / "library",
            fs::copy_options::recursive);
   fs::create_directory_symlink(fs::path(UNIETP_SOURCE_DIR) / "data", root / "data");
-  const DataFolders folders{root, own_folders().cache};
+  const DataFolders folders{root, library_folders().cache};
   const auto before = compiled_knowledge(folders);
   ASSERT_TRUE(write_file(folders.extended() / "open-again.template", small_template("open-again")));
   const auto after = compiled_knowledge(folders);
@@ -99,7 +99,7 @@ TEST(TemplateLibrary, AnotherTemplateMakesAnotherKnowledgeFile) {
 }
 
 TEST(TemplateLibrary, AUsersFolderLoadsBesideTheBuiltInOnesWithoutARebuild) {
-  auto folders = own_folders();
+  auto folders = library_folders();
   const auto before = compiled_knowledge(folders);
   const auto count = library_of(folders).templates.size();
   folders.templates = {folder_with("unietp-mine", "open-mine")};
@@ -113,7 +113,7 @@ TEST(TemplateLibrary, AUsersFolderLoadsBesideTheBuiltInOnesWithoutARebuild) {
 }
 
 TEST(TemplateLibrary, OneNameInTwoFoldersNamesBothFiles) {
-  auto folders = own_folders();
+  auto folders = library_folders();
   folders.templates = {folder_with("unietp-first", "open-twice"), folder_with("unietp-second", "open-twice"),
                        folder_with("unietp-third", "open-one")};
   const auto library = library_of(folders);
@@ -125,7 +125,7 @@ TEST(TemplateLibrary, OneNameInTwoFoldersNamesBothFiles) {
 }
 
 TEST(TemplateLibrary, ANameInPlaceOfAFolderIsToldTheOptionForNames) {
-  auto folders = own_folders();
+  auto folders = library_folders();
   folders.templates = {"open-one"};
   const auto library = library_of(folders);
   ASSERT_EQ(library.errors.size(), 1U);
