@@ -12,9 +12,9 @@
 
 namespace unietp {
 
-/// Works on the items of a stream with so many threads, and takes what was made of them in the order of the stream, so
-/// that the number of threads changes nothing. Few items are in memory at a time. `next` and `take` are called by one
-/// thread at a time; `next` gives nullopt at the end. Stops at the first error of `take`, in that order, and returns
+/// Calls `work` on the items of a stream, with so many threads, and `take` with the results in the order of the stream,
+/// so that the number of threads changes nothing. At most 16 items per thread are in memory. `next` and `take` are
+/// called by one thread at a time; `next` returns nullopt at the end. Stops at the first error of `take` and returns
 /// it.
 template <class Item, class Made>
 Result<Done> work_in_order(int threads, const std::function<std::optional<Item>()>& next,

@@ -5,7 +5,7 @@
 namespace unietp {
 namespace {
 
-/// The name that a line states in one of its first fields, without parsing all of it; "" when it does not.
+/// The name in one of the first fields of a line, found without parsing it; "" when it is not there.
 std::string name_in(const FileLine& line, std::string_view quoted_field) {
   constexpr std::size_t kSearched = 400;  // the field is the second of the format
   const std::string_view text = line.text;
@@ -20,7 +20,7 @@ std::string noun_of(const std::optional<Mode>& mode) { return mode ? "demonstrat
 
 std::string owner_of(const std::string& task) { return task.empty() ? "of no task" : "of " + task; }
 
-/// A line for which there is no task; `expected` is the task in its place, or "" after the last one.
+/// A line that belongs to no task here; `expected` is the task whose line it should be, or "" after the last one.
 StrayLine stray_line(const std::optional<Mode>& mode, const LineFile& file, const FileLine& line,
                      const std::string& task, const std::string& expected) {
   std::string message = line.fault;
@@ -53,12 +53,12 @@ Result<DatasetLines> DatasetLines::open(const std::filesystem::path& folder, con
   for (const auto& mode : wanted) {
     auto file = LineFile::open(folder, mode ? demonstrations_file(*mode) : kWordingsFile, names);
     if (!file) return file.error();
-    lines.beside_.push_back({mode, std::move(*file), {}, 0, 0});
+    lines.parts_.push_back({mode, std::move(*file), {}, 0, 0});
   }
   return lines;
 }
 
-bool DatasetLines::Beside::read_ahead() {
+bool DatasetLines::PartFile::read_ahead() {
   auto line = file->next();
   if (!line) return false;
   lines = line->number;
@@ -68,22 +68,22 @@ bool DatasetLines::Beside::read_ahead() {
   return true;
 }
 
-/// The place of the task's line among those ahead; nullopt when it is not within reach.
-std::optional<std::size_t> DatasetLines::Beside::find(std::string_view task) {
+/// The position of the task's line among those ahead; nullopt when it is not within kLookAheadBytes.
+std::optional<std::size_t> DatasetLines::PartFile::find(std::string_view task) {
   for (std::size_t i = 0; i < ahead.size() || (bytes_ahead < kLookAheadBytes && read_ahead()); ++i) {
     if (ahead[i].second == task) return i;
   }
   return std::nullopt;
 }
 
-std::pair<FileLine, std::string> DatasetLines::Beside::pop() {
+std::pair<FileLine, std::string> DatasetLines::PartFile::pop() {
   auto line = std::move(ahead.front());
   ahead.pop_front();
   bytes_ahead -= line.first.text.size();
   return line;
 }
 
-PartLine DatasetLines::Beside::take(const std::string& task, std::vector<StrayLine>& strays) {
+PartLine DatasetLines::PartFile::take(const std::string& task, std::vector<StrayLine>& strays) {
   if (const auto place = task.empty() ? std::nullopt : find(task)) {
     for (std::size_t i = 0; i < *place; ++i) {
       const auto [line, name] = pop();
@@ -98,7 +98,8 @@ PartLine DatasetLines::Beside::take(const std::string& task, std::vector<StrayLi
              {},
              "expected the " + noun_of(mode) + " of " + task + ", not the end of the file"}};
   const auto& [line, name] = ahead.front();
-  if (name.empty()) return {pop().first, {}};  // it is in the place of the task's line
+  if (name.empty())
+    return {pop().first, {}};  // assumed to be the task's line, whose error is reported when it is parsed
   return {std::nullopt, stray_line(mode, *file, line, name, task).error};
 }
 
@@ -111,7 +112,7 @@ std::optional<TaskLines> DatasetLines::next() {
   for (const Mode mode : kModes)
     lines.shown[static_cast<std::size_t>(mode)].missing = {
         Error::Kind::Schema, demonstrations_file(mode), {}, "is missing; expected the demonstration of " + lines.id};
-  for (Beside& file : beside_) {
+  for (PartFile& file : parts_) {
     auto& own = file.mode ? lines.shown[static_cast<std::size_t>(*file.mode)] : lines.wordings;
     own = file.take(lines.id, lines.strays);
   }
@@ -119,7 +120,7 @@ std::optional<TaskLines> DatasetLines::next() {
 }
 
 std::optional<StrayLine> DatasetLines::next_stray() {
-  for (Beside& file : beside_) {
+  for (PartFile& file : parts_) {
     if (file.ahead.empty() && !file.read_ahead()) continue;
     const auto [line, name] = file.pop();
     return stray_line(file.mode, *file.file, line, name, "");
@@ -128,14 +129,14 @@ std::optional<StrayLine> DatasetLines::next_stray() {
 }
 
 std::string DatasetLines::shown_at(Mode mode, int line) const {
-  for (const Beside& file : beside_) {
+  for (const PartFile& file : parts_) {
     if (file.mode == mode) return file.file->at(line);
   }
   return demonstrations_file(mode) + ":" + std::to_string(line);
 }
 
 std::string DatasetLines::wordings_at(int line) const {
-  for (const Beside& file : beside_) {
+  for (const PartFile& file : parts_) {
     if (!file.mode) return file.file->at(line);
   }
   return std::string(kWordingsFile) + ":" + std::to_string(line);

@@ -25,7 +25,7 @@ Result<DatasetReader> DatasetReader::open(const std::filesystem::path& folder, c
                                           FileNames names) {
   auto lines = DatasetLines::open(folder, parts, names);
   if (!lines) return lines.error();
-  return DatasetReader(std::move(*lines), parts, std::make_shared<HomeShelf>(folder));
+  return DatasetReader(std::move(*lines), parts, std::make_shared<HomeCache>(folder));
 }
 
 Result<TaskRecord> DatasetReader::task(const TaskLines& lines) const {

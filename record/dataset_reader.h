@@ -11,61 +11,62 @@
 #include "core/ordered_work.h"
 #include "core/result.h"
 #include "record/dataset_lines.h"
-#include "record/home_shelf.h"
+#include "record/home_cache.h"
 #include "record/task_record.h"
 #include "record/wordings_record.h"
 #include "scene/scene.h"
 
 namespace unietp {
 
-/// One task of a finished data set with what belongs to it, as far as it was asked for.
+/// One task of a finished data set with the parts that were requested.
 struct FinishedTask {
   TaskRecord record;
-  std::map<Mode, DemonstrationRecord> shown;  // of the modes asked for
+  std::map<Mode, DemonstrationRecord> shown;  // of the requested modes
   std::optional<WordingsRecord> wordings;
   Scene start;
 };
 
-/// Reads a finished data set task by task, strictly, in memory that does not grow with it.
+/// Reads a finished data set strictly, task by task. Memory use does not depend on the number of tasks.
 class DatasetReader {
  public:
   /// Errors: Io, for a file that is missing or cannot be opened.
   static Result<DatasetReader> open(const std::filesystem::path& folder, const DatasetParts& parts,
                                     FileNames names = FileNames::WithFolder);
 
-  /// The lines of the tasks, in order; they are parsed by the functions below, which several threads may call.
+  /// The lines of the tasks, in order. The functions below parse them; several threads may call those.
   DatasetLines& lines() { return lines_; }
   const DatasetLines& lines() const { return lines_; }
-  HomeShelf& homes() const { return *homes_; }
+  /// The homes of the data set.
+  HomeCache& homes() const { return *homes_; }
 
-  /// Parse one of the lines, which is there. Errors: Parse with line and column; Schema with line and JSON pointer, or
-  /// for wordings of another task.
+  /// Parse one of the lines, which must exist. Errors: Parse with line and column; Schema with line and JSON pointer,
+  /// or for wordings of a different task.
   Result<TaskRecord> task(const TaskLines& lines) const;
   Result<DemonstrationRecord> demonstration(const TaskLines& lines, Mode mode) const;
   Result<WordingsRecord> wordings(const TaskLines& lines) const;
-  /// Why a demonstration in a mode cannot be that of the task; nullopt when it can.
+  /// Why a demonstration in a mode does not belong to the task; nullopt when it does.
   std::optional<Error> misplaced(const TaskLines& lines, Mode mode, const DemonstrationRecord& shown,
                                  const TaskRecord& task) const;
 
-  /// The start scene of a task. Errors: those of HomeShelf.
+  /// The start scene of a task. Errors: those of HomeCache.
   Result<Scene> start(const TaskLines& lines, const TaskRecord& task) const;
 
-  /// What is wrong with lines and with those in front of them, as far as that shows without parsing; nullopt: nothing.
+  /// The first problem of these lines and of those before them that shows without parsing; nullopt: none.
   std::optional<Error> line_error(const TaskLines& lines) const;
-  /// All parts of a task. Errors: the first of what is wrong with these lines and with those in front of them.
+  /// All requested parts of a task. Errors: the first problem of these lines or of those before them.
   Result<FinishedTask> read(const TaskLines& lines) const;
 
  private:
-  DatasetReader(DatasetLines lines, DatasetParts parts, std::shared_ptr<HomeShelf> homes)
+  DatasetReader(DatasetLines lines, DatasetParts parts, std::shared_ptr<HomeCache> homes)
       : lines_(std::move(lines)), parts_(std::move(parts)), homes_(std::move(homes)) {}
 
   DatasetLines lines_;
   DatasetParts parts_;
-  std::shared_ptr<HomeShelf> homes_;  // shared: it has a mutex, and the reader moves
+  std::shared_ptr<HomeCache> homes_;  // shared: it has a mutex, and the reader moves
 };
 
-/// `work` on every task of a data set, with so many threads; what it makes goes to `take` in the order of the tasks.
-/// Errors: the first in that order, of the reader, of `work` or of `take`.
+/// Calls `work` for every task of a data set, with so many threads, and `take` with the results in the order of the
+/// tasks. Stops at the first error in that order, of the reader, of `work` or of `take`, and returns it.
 template <class Made>
 Result<Done> for_each_task(DatasetReader reader, int threads,
                            const std::function<Result<Made>(const FinishedTask&)>& work,

@@ -13,18 +13,18 @@ namespace unietp {
 /// The most bytes of one line of a data set: one task or one demonstration.
 inline constexpr std::size_t kLineBytes = std::size_t{64} << 20;
 
-/// How errors name the files of a data set: by their path in its folder, or with that folder in front.
+/// How errors name the files of a data set: relative to its folder, or with the path of the folder.
 enum class FileNames { InFolder, WithFolder };
 
 /// A line of a file of JSON lines.
 struct FileLine {
   int number = 0;     // 1-based
   std::string text;   // without its line feed
-  std::string fault;  // what is wrong with it whatever it says, such as "is empty"; "" for a sound line
+  std::string fault;  // a problem of the line apart from its JSON, such as "is empty"; "" for none
 };
 
-/// Reads a file of JSON lines from its start to its end, one line in memory at a time. A line is sound when it is not
-/// empty, ends in a line feed without a carriage return, and has at most kLineBytes.
+/// Reads a file of JSON lines, one line in memory at a time. A line has a fault if it is empty, has no line feed at its
+/// end, ends in a carriage return, or has more than kLineBytes.
 class LineFile {
  public:
   /// `name`: the path in `folder`. Errors: Io, for a file that is missing or cannot be opened.
@@ -32,9 +32,9 @@ class LineFile {
 
   /// The next line; nullopt after the last. A line that is too long or cannot be read is the last one.
   std::optional<FileLine> next();
-  /// The file as errors name it: "tasks.jsonl".
+  /// The file for error messages: "tasks.jsonl".
   const std::string& name() const { return name_; }
-  /// A line of it as errors name it: "tasks.jsonl:3".
+  /// A line of it for error messages: "tasks.jsonl:3".
   std::string at(int line) const { return name_ + ":" + std::to_string(line); }
 
  private:
@@ -44,8 +44,8 @@ class LineFile {
 
   std::string name_;
   std::ifstream stream_;
-  std::string buffer_;    // bytes that were read from the file
-  std::size_t used_ = 0;  // of the buffer, by lines that were given out
+  std::string buffer_;    // bytes read from the file
+  std::size_t used_ = 0;  // bytes of the buffer that belong to lines already returned
   int lines_ = 0;
   bool ended_ = false;
 };

@@ -17,21 +17,21 @@ namespace unietp {
 /// The manifest's name in a data set's folder.
 inline constexpr const char* kManifest = "manifest.json";
 
-/// What the manifest says of the run, as far as the files can be held against it.
+/// The configuration in the manifest, as far as the files can be compared with it.
 struct RecordedRun {
   int count = 0;
   std::uint64_t seed = 0;
   std::vector<std::string> simulators, splits;        // empty splits: all
   std::vector<std::string> templates, without;        // empty templates: all
-  std::map<std::string, int> by_split, by_simulator;  // quotas; both empty: shares are level
+  std::map<std::string, int> by_split, by_simulator;  // quotas; both empty: equal shares
   std::vector<Mode> modes;
   std::string phrasings;  // "all", "training", "benchmark"
   std::string homes;
-  bool extended = false;  // the extended library was used, whose agents have the profile `wide`
+  bool extended = false;  // with the extended library, whose agents have the profile `wide`
   std::string text;       // the whole configuration as compact JSON: `unietp-run/1`
 };
 
-/// How the instructions were written when that was done anew, by `annotate`.
+/// How `annotate` wrote the instructions.
 struct RecordedWriting {
   std::string writer;
   std::optional<std::uint64_t> seed;
@@ -39,17 +39,19 @@ struct RecordedWriting {
   std::vector<std::pair<std::string, int>> counts;  // writer of the instruction, tasks
 };
 
+/// A source of facts with its license.
 struct RecordedSource {
   std::string source, origin, licence;
 };
 
-/// How evenly the tasks lie over the values of a dimension.
+/// How evenly the tasks are distributed over the values of a dimension.
 struct RecordedSpread {
   std::string dimension;
   int values = 0;
   double effective = 0, variation = 0;
 };
 
+/// A file of the data set.
 struct RecordedFile {
   std::string sha256;
   std::uint64_t bytes = 0;
@@ -60,7 +62,7 @@ struct ManifestRecord {
   std::string program_name, program_version;
   std::string knowledge_digest;
   RecordedRun run;
-  std::string phrasings;  // of the texts now: what `annotate` recorded, else the run's
+  std::string phrasings;  // of the present instructions
   int tasks = 0, candidates = 0;
   std::map<std::string, int> by_split, by_simulator, by_template;
   std::map<std::string, std::map<std::string, int>> rejections;  // by stage and reason
@@ -70,13 +72,13 @@ struct ManifestRecord {
   std::optional<RecordedWriting> writing;  // nullopt: the run wrote the instructions
 };
 
-/// Errors: Parse, Schema with a JSON pointer.
+/// Reads the text of a manifest. Errors: Parse, Schema with a JSON pointer.
 Result<ManifestRecord> read_manifest(std::string_view where, std::string_view text);
 
-/// manifest.json of a data set's folder. Errors: also Io.
+/// Reads manifest.json in a data set's folder. Errors: also Io.
 Result<ManifestRecord> read_manifest_file(const std::filesystem::path& folder);
 
-/// Whether the manifest of a folder records the extended library. False for one that does not read.
+/// Whether the manifest of a folder records the extended library. False if it cannot be read.
 bool records_extended_library(const std::filesystem::path& folder);
 
 }  // namespace unietp

@@ -16,18 +16,18 @@ namespace unietp {
 /// One line of a JSON-lines file; the position of a syntax error is that in the file. Errors: Parse.
 Result<nlohmann::ordered_json> parse_json_line(std::string_view where, int line, std::string_view text);
 
-/// Reads a line that is an object of this format: `read` takes its other fields, and none may be left over. Errors:
+/// Reads a line that is an object of this format: `read` takes the other fields, and unknown fields are errors. Errors:
 /// Parse, Schema.
 Result<Done> read_line(std::string_view where, int line, std::string_view text, std::string_view format,
                        const std::function<void(JsonReader&, JsonFields&)>& read);
 
-/// Fields of records; problems go to the reader.
+/// Read fields of records. Errors go to the reader.
 void read_format(JsonReader& reader, JsonFields& fields, std::string_view expected);
 int read_whole(JsonReader& reader, const JsonAt& at);           // 0 to 1e9
 std::uint64_t read_seed(JsonReader& reader, const JsonAt& at);  // 0 to 2^53 - 1, which a double holds exactly
 std::string text_or_empty(JsonReader& reader, const JsonAt& at);
 
-/// A value of scene/ with a reader of its own; its error gets the way to it.
+/// Reads a value with one of the readers of scene/; the JSON pointer of an error is completed.
 template <class T>
 T read_part(JsonReader& reader, const JsonAt& at, Result<T> (*read)(std::string_view, const nlohmann::ordered_json&),
             const nlohmann::ordered_json& json) {

@@ -10,7 +10,7 @@
 
 namespace unietp {
 
-/// A file of JSON lines that are records of one kind, read one after the other.
+/// Reads a file of JSON lines that are records of one kind.
 template <class Record>
 class RecordFile {
  public:
@@ -33,9 +33,9 @@ class RecordFile {
     if (!line->fault.empty()) return Error{Error::Kind::Schema, at(), {}, line->fault};
     return read_(file_.name(), line_, line->text);
   }
-  /// The number of lines that were read.
+  /// The number of lines read so far.
   int lines() const { return line_; }
-  /// The line read last as errors name it: "rejections.jsonl:3".
+  /// The last line for error messages: "rejections.jsonl:3".
   std::string at() const { return file_.at(line_); }
 
  private:

@@ -15,7 +15,7 @@
 
 namespace unietp {
 
-/// A line of tasks.jsonl.
+/// A line of tasks.jsonl (docs/files.md).
 struct TaskRecord {
   std::string id, template_name, split, simulator, scene, layout;
   std::vector<std::pair<std::string, std::string>> bindings;  // placeholder, category; in the order of the line
@@ -25,8 +25,8 @@ struct TaskRecord {
   std::vector<std::string> start_constraints, edits;
   Delta changes;  // of the home, which make the start
   std::string instruction, writer, style;
-  std::vector<std::string> checks;  // names of those that the text passed
-  std::string fallback;             // why the grammar wrote where a model was asked; "" when it was not
+  std::vector<std::string> checks;  // names of the checks that the text passed
+  std::string fallback;             // why the grammar wrote the text instead of a model; "" otherwise
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;
@@ -40,7 +40,7 @@ struct TaskRecord {
 /// mistyped field. `where` is the file's name; `line` the line's number in it.
 Result<TaskRecord> read_task(std::string_view where, int line, std::string_view text);
 
-/// A step of a demonstration line. There is such an action, and it takes so many arguments.
+/// A step of a demonstration. The action exists and has the right number of arguments.
 struct StepRecord {
   Command command;
   bool success = false;
@@ -48,10 +48,12 @@ struct StepRecord {
   std::vector<VisibleObject> visible;
   Delta changes;
 };
+/// A line of demonstrations/<mode>.jsonl.
 struct DemonstrationRecord {
   std::string task, mode;
   std::vector<StepRecord> steps;
 };
+/// As read_task.
 Result<DemonstrationRecord> read_demonstration(std::string_view where, int line, std::string_view text);
 
 /// A line of rejections.jsonl.
@@ -59,6 +61,7 @@ struct RejectionRecord {
   int slot = 0, attempt = 0;
   std::string template_name, simulator, split, stage, reason, detail;
 };
+/// As read_task.
 Result<RejectionRecord> read_rejection(std::string_view where, int line, std::string_view text);
 
 }  // namespace unietp

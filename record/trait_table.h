@@ -15,17 +15,17 @@ namespace unietp {
 /// How many tasks have each value of each dimension: "receptacle", "ai2thor/Sofa".
 using TraitCounts = std::map<std::string, std::map<std::string, int>>;
 
-/// The table `trait` of dataset.sqlite, which states what each task counts as when a data set is balanced. It is read
-/// in the order of the table `task`, in bounded memory.
+/// Reads the table `trait` of dataset.sqlite: the properties over which a data set is balanced, by task. Memory use
+/// does not depend on the number of tasks.
 class TraitTable {
  public:
   using Traits = std::vector<std::pair<std::string, std::string>>;  // dimension, value; in the order of the table
 
-  /// Errors: Io, for a file that is no such database.
+  /// Errors: Io, for a file that is not such a database.
   static Result<TraitTable> open(const std::filesystem::path& file);
 
-  /// The traits of a task, which is the row `row` (from 1) of the table `task`; rows are asked for in rising order.
-  /// Empty where that row is another task's. Errors: Io.
+  /// The traits of a task, which must be row `row` (from 1) of the table `task`; call it with rising rows. Empty when
+  /// that row belongs to a different task. Errors: Io.
   Result<Traits> of(std::int64_t row, const std::string& task);
 
  private:
@@ -35,10 +35,10 @@ class TraitTable {
   std::filesystem::path path_;
   SqliteFile file_;
   Statement rows_;
-  bool begun_ = false, more_ = false;  // more_: `rows_` stands at a row that was not given out
+  bool begun_ = false, more_ = false;  // more_: the current row was not returned yet
 };
 
-/// Of all tasks. Errors: Io, as above.
+/// The numbers for all tasks. Errors: Io, as above.
 Result<TraitCounts> trait_counts(const std::filesystem::path& file);
 
 }  // namespace unietp

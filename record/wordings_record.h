@@ -9,18 +9,19 @@
 
 namespace unietp {
 
-/// One wording of an episode; `goal` is its own where it refers to one object, else "".
+/// One wording of an episode. `goal`: its own if it refers to one object, else "".
 struct WordingRecord {
   std::string text, writer, style, goal;
-  std::vector<std::string> checks;  // names of those that the text passed
-  std::string fallback;             // why the grammar wrote where a model was asked; "" when it was not
+  std::vector<std::string> checks;  // names of the checks that the text passed
+  std::string fallback;             // why the grammar wrote the text instead of a model; "" otherwise
 };
 
 /// A line of wordings.jsonl.
 struct WordingsRecord {
   std::string task, pair;
-  std::map<std::string, WordingRecord> wordings;  // "direct", and "referring" and "complex" where there are such
+  std::map<std::string, WordingRecord> wordings;  // "direct", and "referring" and "complex" if they exist
 };
+/// Errors: Parse with line and column; Schema with line and JSON pointer.
 Result<WordingsRecord> read_wordings(std::string_view where, int line, std::string_view text);
 
 }  // namespace unietp

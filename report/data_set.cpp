@@ -2,7 +2,7 @@
 
 #include "core/file_digest.h"
 #include "record/dataset_reader.h"
-#include "record/home_shelf.h"
+#include "record/home_cache.h"
 #include "record/record_file.h"
 
 namespace unietp {
@@ -40,7 +40,7 @@ Result<FinishedSet> read_finished_set(const fs::path& folder) {
 }
 
 Result<Scene> read_start_scene(const fs::path& folder, const TaskRecord& task) {
-  return HomeShelf(folder).start("tasks.jsonl, " + task.id, task.layout, task.changes, task.scene);
+  return HomeCache(folder).start("tasks.jsonl, " + task.id, task.layout, task.changes, task.scene);
 }
 
 Result<Done> read_demonstrations(const FinishedSet& set, Mode mode, int threads,

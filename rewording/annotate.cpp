@@ -28,7 +28,7 @@ Rng stream_of(const WordedTask& task, const AnnotateOptions& options) {
   return wording_stream(options.seed.value_or(record.run), record.slot, record.attempt);
 }
 
-Result<std::vector<WordingTask>> wording_tasks(HomeShelf& homes, const std::vector<WordedTask>& tasks,
+Result<std::vector<WordingTask>> wording_tasks(HomeCache& homes, const std::vector<WordedTask>& tasks,
                                                const Resources& resources, const AnnotateOptions& options) {
   std::vector<WordingTask> wording;
   for (const WordedTask& task : tasks) {
@@ -49,14 +49,14 @@ Result<std::vector<WordingTask>> wording_tasks(HomeShelf& homes, const std::vect
 }
 
 /// The categories of a task's start scene, for the one style that asks what is around.
-Result<std::vector<std::string>> around(HomeShelf& homes, const WordedTask& task) {
+Result<std::vector<std::string>> around(HomeCache& homes, const WordedTask& task) {
   if (task.specification.style != Style::Bystander) return std::vector<std::string>();
   const auto scene = read_start(homes, task);
   if (!scene) return scene.error();
   return categories_in(*scene);
 }
 
-Result<Instruction> by_grammar(HomeShelf& homes, const WordedTask& task, const Resources& resources,
+Result<Instruction> by_grammar(HomeCache& homes, const WordedTask& task, const Resources& resources,
                                const AnnotateOptions& options, const Rng& rng) {
   const auto seen = around(homes, task);
   if (!seen) return seen.error();
@@ -70,7 +70,7 @@ std::string text_key(const WordedTask& task, const Instruction& instruction) {
 
 Result<std::vector<Instruction>> written(const fs::path& folder, const std::vector<WordedTask>& tasks,
                                          const Resources& resources, const AnnotateOptions& options) {
-  HomeShelf homes(folder);
+  HomeCache homes(folder);
   std::vector<Result<Instruction>> drafts;
   if (options.writer == Writer::Grammar) {
     for (const WordedTask& task : tasks)
@@ -191,7 +191,7 @@ Result<std::vector<LlmRequest>> prompts_for(const fs::path& folder, const Resour
                                             const AnnotateOptions& options) {
   const auto tasks = read_worded_tasks(folder);
   if (!tasks) return tasks.error();
-  HomeShelf homes(folder);
+  HomeCache homes(folder);
   const auto wording = wording_tasks(homes, *tasks, resources, options);
   if (!wording) return wording.error();
   return first_requests(*wording, options.llm);

@@ -63,7 +63,7 @@ class Judge {
   /// nullopt when it was refused.
   Result<std::optional<Instruction>> rewritten(const WordedTask& task, const std::string& now, const std::string& text,
                                                const std::function<void(std::string)>& refuse) {
-    HomeShelf homes(context_.folder);
+    HomeCache homes(context_.folder);
     const auto scene = read_start(homes, task);
     if (!scene) return scene.error();
     const auto checked =

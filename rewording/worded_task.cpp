@@ -63,7 +63,7 @@ Instruction instruction_of(const WordedTask& task) {
   return {record.instruction, record.writer, task.specification.style, record.checks, record.fallback};
 }
 
-Result<Scene> read_start(HomeShelf& homes, const WordedTask& task) {
+Result<Scene> read_start(HomeCache& homes, const WordedTask& task) {
   const TaskRecord& record = task.record;
   return homes.start("tasks.jsonl, " + record.id, record.layout, record.changes, record.scene);
 }

@@ -6,7 +6,7 @@
 #include "annotator/instruction.h"
 #include "core/result.h"
 #include "generator/specification.h"
-#include "record/home_shelf.h"
+#include "record/home_cache.h"
 #include "record/task_record.h"
 
 namespace unietp {
@@ -24,7 +24,7 @@ Result<std::vector<WordedTask>> read_worded_tasks(const std::filesystem::path& f
 /// The instruction that the task has.
 Instruction instruction_of(const WordedTask& task);
 
-/// The start scene of a task of the folder whose homes these are. Errors: those of HomeShelf::start.
-Result<Scene> read_start(HomeShelf& homes, const WordedTask& task);
+/// The start scene of a task of the folder whose homes these are. Errors: those of HomeCache::start.
+Result<Scene> read_start(HomeCache& homes, const WordedTask& task);
 
 }  // namespace unietp

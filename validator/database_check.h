@@ -12,9 +12,9 @@
 
 namespace unietp {
 
-/// Holds dataset.sqlite against the other files: the same tasks with the same fields, their bindings, as many steps as
-/// they count, as many rejections; and the traits of each task, which are its template, its home, the rooms where what
-/// is handled stands, and otherwise categories that it binds. Nothing is said of a set in which a task does not read.
+/// Compares dataset.sqlite with the other files: the tasks with their fields, the numbers of bindings, steps and
+/// rejections, and the traits of each task, which must be its template, its home, the rooms of handled objects, or
+/// categories that it binds.
 class DatabaseCheck {
  public:
   explicit DatabaseCheck(const std::filesystem::path& folder);
@@ -22,7 +22,7 @@ class DatabaseCheck {
   DatabaseCheck(const DatabaseCheck&) = delete;
   DatabaseCheck& operator=(const DatabaseCheck&) = delete;
 
-  /// The next task, which reads.
+  /// The next task, in the order of tasks.jsonl; one that could be read.
   void add(const TaskReading& task, const TaskFacts& facts);
   /// After the last task. `rejections`: the number of lines of rejections.jsonl.
   std::vector<Problem> finish(std::int64_t rejections);

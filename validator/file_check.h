@@ -9,7 +9,7 @@
 
 namespace unietp {
 
-/// Holds the files of a folder against their manifest: each is there, listed, and of the recorded length and SHA-256.
+/// Compares the files of a folder with its manifest: which are missing or not listed, length and SHA-256 of each.
 class FileCheck {
  public:
   FileCheck(std::filesystem::path folder, const ManifestRecord& manifest);
@@ -18,7 +18,7 @@ class FileCheck {
   const std::vector<Problem>& listing() const { return listing_; }
   /// The listed files that are there, in order of path.
   const std::vector<std::string>& files() const { return files_; }
-  /// What is wrong with the bytes of a listed file, also that they cannot be read; empty when nothing is.
+  /// Problems of the content of a listed file, or that it cannot be read; empty when it is as recorded.
   std::vector<Problem> of(const std::string& path) const;
 
  private:

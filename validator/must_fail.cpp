@@ -29,20 +29,21 @@ bool handles(ActionType type) {
   return group == ActionClass::Manipulation || group == ActionClass::Composite;
 }
 
-/// Whether an agent that goes by pictures can tell what it points at: some steps are there to see a thing better.
-bool can_be_told(const Command& command) {
+/// Whether the boxes of a command are large enough in the image for an agent to identify the objects: some steps only
+/// serve to see an object better.
+bool can_be_identified(const Command& command) {
   return std::all_of(command.args.begin(), command.args.end(),
                      [](const Argument& argument) { return !argument.box || shows_clearly(*argument.box); });
 }
 
-/// An episode on its way, and what changed on it.
-struct Course {
+/// An episode, and the changes so far.
+struct Rollout {
   ModeEpisode episode;
   std::vector<Delta> changes;
 
   void act(const Action& action) {
     const auto command = episode.command_for(action);
-    if (!command || !can_be_told(*command)) return;
+    if (!command || !can_be_identified(*command)) return;
     const auto before = episode.world().moment();
     (void)episode.step(*command);
     if (episode.world().moment() != before) changes.push_back(episode.world().changes());
@@ -63,9 +64,9 @@ class Spoiler {
       : goal_(goal), start_{ModeEpisode(start, mode), {}}, traces_(traces), where_(std::move(where)) {}
 
   void leave_out_each(const std::vector<Action>& plan) {
-    Course here = start_;
+    Rollout here = start_;
     for (std::size_t i = 0; i < plan.size(); ++i) {
-      Course without = here;
+      Rollout without = here;
       if (reaches_goal(without, std::span(plan).subspan(i + 1))) {
         const auto step = "step " + std::to_string(i + 1) + " " + to_text(plan[i]);
         if (puts_down(plan[i].type)) {
@@ -99,12 +100,13 @@ class Spoiler {
     for (const ReferringDomain& one : referring_domains(goal_)) {
       Domain whole = one.domain;
       whole.where.clear();
-      const auto meant = members_of(one.domain, one.variable, start);
+      const auto referents = members_of(one.domain, one.variable, start);
       std::vector<std::string> excluded;
       for (const EntityIndex other : members_of(whole, one.variable, start)) {
-        if (std::find(meant.begin(), meant.end(), other) == meant.end()) excluded.push_back(start.entities[other].id);
+        if (std::find(referents.begin(), referents.end(), other) == referents.end())
+          excluded.push_back(start.entities[other].id);
       }
-      for (const EntityIndex referent : meant) {
+      for (const EntityIndex referent : referents) {
         const std::string& id = start.entities[referent].id;
         for (const std::string& other : those_around(id, excluded)) use_instead(id, other, plan);
       }
@@ -118,17 +120,17 @@ class Spoiler {
     done_.problems.push_back(problem_in(kind, where_, std::move(message)));
   }
 
-  bool reaches_goal(Course& course, std::span<const Action> rest) {
+  bool reaches_goal(Rollout& rollout, std::span<const Action> rest) {
     ++done_.tried;
-    for (const Action& action : rest) course.act(action);
-    return holds(goal_, traces_.of(course.changes));
+    for (const Action& action : rest) rollout.act(action);
+    return holds(goal_, traces_.of(rollout.changes));
   }
 
   bool survives(const std::vector<std::vector<Action>>& parts) {
     std::vector<Action> plan;
     for (const auto& part : parts) plan.insert(plan.end(), part.begin(), part.end());
-    Course course = start_;
-    return reaches_goal(course, plan);
+    Rollout rollout = start_;
+    return reaches_goal(rollout, plan);
   }
 
   /// The plan cut wherever something was done and the hands are empty, and where what they hold became another: what
@@ -136,14 +138,14 @@ class Spoiler {
   std::vector<std::vector<Action>> parts_of(const std::vector<Action>& plan) const {
     std::vector<std::vector<Action>> parts;
     std::vector<Action> part;
-    Course course = start_;
+    Rollout rollout = start_;
     for (const Action& action : plan) {
-      const auto before = course.changes.size();
-      const auto held = states_held(course.episode.world());
-      course.act(action);
+      const auto before = rollout.changes.size();
+      const auto held = states_held(rollout.episode.world());
+      rollout.act(action);
       part.push_back(action);
-      const bool something = course.changes.size() > before && !course.changes.back().nodes.empty();
-      const auto holds_now = states_held(course.episode.world());
+      const bool something = rollout.changes.size() > before && !rollout.changes.back().nodes.empty();
+      const auto holds_now = states_held(rollout.episode.world());
       const bool became = !held.empty() && holds_now.size() == held.size() && holds_now != held;
       if (!something || (!holds_now.empty() && !became)) continue;
       parts.push_back(std::move(part));
@@ -178,13 +180,13 @@ class Spoiler {
         used = used || handles(action.type);
       }
     }
-    Course course = start_;
-    if (used && reaches_goal(course, spoilt))
+    Rollout rollout = start_;
+    if (used && reaches_goal(rollout, spoilt))
       found(ProblemKind::DistractorServes, "the goal is also reached with " + other + " instead of " + referent);
   }
 
   const Formula& goal_;
-  Course start_;
+  Rollout start_;
   const TraceMaker& traces_;
   std::string where_;
   MustFail done_;

@@ -11,16 +11,17 @@
 
 namespace unietp {
 
+/// Result of running plans that must not reach the goal.
 struct MustFail {
   int tried = 0;  // plans
   std::vector<Problem> problems;
 };
 
-/// Spoils the plan of a demonstration and lets each spoilt plan run under the rules of its mode: without each of its
-/// steps (what is then not put down stays in the hand), with parts of it in another order where the goal asks for one,
-/// and with what a referring phrase excludes in place of what it means. What cannot be named when its turn comes is
-/// left out. A spoilt plan that reaches the goal is a problem; of the orders one that fails is enough, since not every
-/// order matters. `plan`: what was done, with objects by their ids.
+/// Changes the plan of a demonstration and runs each changed plan under the rules of its mode: without one of its steps
+/// (an object that is then not put down stays in the hand), with its parts in a different order if the goal requires an
+/// order, and with an excluded object in place of each referent. Actions whose object cannot be named at that point are
+/// skipped. A changed plan that reaches the goal is a problem; of the orders, one that fails is enough, since not every
+/// order matters. `plan`: the actions of the demonstration, with objects by their ids.
 MustFail must_fail(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
                    const std::vector<Action>& plan, const std::string& where);
 

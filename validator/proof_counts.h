@@ -2,12 +2,12 @@
 
 namespace unietp {
 
-/// What was proven how often.
+/// Numbers of what was checked.
 struct ProofCounts {
   int tasks = 0, proven = 0;
   int demonstrations = 0, steps = 0;  // replayed
-  int spoilt_plans = 0;               // that must fail
-  int texts = 0;                      // read
+  int spoilt_plans = 0;               // changed plans that must fail
+  int texts = 0;                      // instructions that were parsed
 };
 
 }  // namespace unietp

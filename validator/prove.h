@@ -12,7 +12,7 @@
 
 namespace unietp {
 
-/// What all proofs of a data set share. Read by several threads.
+/// Inputs that all proofs of a data set share. Used by several threads.
 struct ProofTools {
   const DatasetReader& reader;
   const std::vector<ValidationBackend>& backends;
@@ -21,6 +21,7 @@ struct ProofTools {
   std::string phrasings = "all";  // of the instructions
 };
 
+/// Result of proving one task.
 struct TaskProof {
   TaskFacts facts;  // keys are "" when the scene does not read
   ProofCounts counts;

@@ -13,14 +13,13 @@
 
 namespace unietp {
 
-/// What is wrong with a start scene by physics alone: relations that are recorded but not there or there but not
-/// recorded, and bodies that move when physics runs on. `physics` is that of the scene, `links` what it
-/// shows of each node.
+/// Problems of a start scene in physics: relations that are recorded but do not hold or hold but are not recorded, and
+/// objects that move when the simulation continues. `physics` is that of the scene, `links` the contacts of its nodes.
 std::vector<Problem> prove_start(const Scene& start, const PhysicsWorld& physics, const LinkTable& links,
                                  RestCheck& rest, const std::string& file);
 
-/// What is wrong with a goal in the start, of which `at_start` is the trace: it or one of its conjuncts holds already,
-/// a category is unknown, a start constraint does not hold, a referring phrase means nothing or everything.
+/// Problems of a goal at the start, of which `at_start` is the trace: it or one of its parts already holds, a category
+/// is unknown, a start constraint does not hold, a referring phrase selects no object or excludes none.
 std::vector<Problem> prove_goal_at_start(const TaskRecord& task, const Formula& goal,
                                          const std::vector<Formula>& constraints, const Scene& start,
                                          const Trace& at_start, const Knowledge& knowledge, const std::string& where);

@@ -12,16 +12,16 @@
 
 namespace unietp {
 
-/// How many there are of each, by name.
+/// Numbers by name.
 using NameCounts = std::map<std::string, int>;
 
-/// What rejections.jsonl holds.
+/// Numbers from rejections.jsonl.
 struct RejectionCounts {
   int lines = 0;
   NameCounts reasons;  // by "stage reason"
   int reviewed = 0;    // tasks that people took out
   NameCounts reviewed_splits, reviewed_simulators;
-  std::vector<Problem> problems;  // lines that do not read, and candidates that are there twice
+  std::vector<Problem> problems;  // lines that cannot be read, and candidates that occur twice
 };
 
 /// Reads rejections.jsonl. `candidates` holds the slot and attempt of each task and takes those of the rejections;
@@ -31,15 +31,16 @@ RejectionCounts count_rejections(const std::filesystem::path& folder, KeyList& c
 /// The slot and attempt of a candidate as a key.
 Digest candidate_key(int slot, int attempt);
 
-/// Holds the manifest's numbers and the recorded configuration against the tasks, which are added in their order.
+/// Compares the manifest's numbers and the recorded configuration with the tasks, which are added in their order.
 class TaskRecount {
  public:
   explicit TaskRecount(const ManifestRecord& manifest) : manifest_(manifest) {}
   void add(const TaskReading& task);
 
-  /// The manifest's numbers of tasks, rejections and candidates.
+  /// Problems with the manifest's numbers of tasks, rejections and candidates.
   std::vector<Problem> wrong_counts(const RejectionCounts& rejections) const;
-  /// What the configuration asks for: the number of tasks, quotas by split and simulator, modes, templates, seed.
+  /// Problems with what the configuration requires: the number of tasks, quotas by split and simulator, modes,
+  /// templates, seed.
   std::vector<Problem> wrong_quotas(const RejectionCounts& rejections) const;
   bool all_read() const { return all_read_; }
 
@@ -48,12 +49,12 @@ class TaskRecount {
 
   const ManifestRecord& manifest_;
   int tasks_ = 0;
-  bool all_read_ = true;  // when a task does not read, what it is of is not known
+  bool all_read_ = true;  // false: split, simulator and template of some task are not known
   NameCounts splits_, simulators_, templates_;
-  std::vector<Problem> quota_problems_;  // of single tasks, up to the first that does not read
+  std::vector<Problem> quota_problems_;  // of single tasks, up to the first that cannot be read
 };
 
-/// The recorded spread over each dimension against that of the tasks.
+/// Problems with the manifest's balance figures. `counts`: of the tasks.
 std::vector<Problem> check_balance(const ManifestRecord& manifest, TraitCounts counts);
 
 }  // namespace unietp

@@ -51,7 +51,7 @@ Result<SetPrint> print_of(const std::filesystem::path& folder, int threads) {
   print.seed = manifest->run.seed;
   auto reader = DatasetReader::open(folder, {});
   if (!reader) return reader.error();
-  HomeShelf& homes = reader->homes();
+  HomeCache& homes = reader->homes();
   const auto done = for_each_task<TaskPrint>(
       std::move(*reader), threads,
       [&homes](const FinishedTask& task) -> Result<TaskPrint> {

@@ -39,7 +39,7 @@ std::string limits_text(Mode mode) {
          " failures";
 }
 
-std::string told(bool success, std::string_view failure, const std::string& feedback) {
+std::string outcome_text(bool success, std::string_view failure, const std::string& feedback) {
   return success && feedback.empty() ? std::string("success") : std::string(failure) + " \"" + feedback + "\"";
 }
 
@@ -48,8 +48,8 @@ bool same_outcome(const StepRecord& step, const Outcome& outcome) {
          outcome.feedback == step.feedback;
 }
 
-/// What a command asks for, with objects by their ids: a box is of what it overlaps most.
-Action meant(const Command& command, ActionType type, const std::vector<VisibleObject>& view) {
+/// The action of a command, with objects by their ids: a box stands for the visible object that it overlaps most.
+Action action_of(const Command& command, ActionType type, const std::vector<VisibleObject>& view) {
   Action action{type, {}};
   for (const Argument& argument : command.args) {
     if (!argument.box) {
@@ -72,7 +72,7 @@ std::string text_of(const Edge& edge) {
 
 Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstration, const std::string& where) {
   Replay done;
-  bool view_told = false, outcome_told = false, changes_told = false;
+  bool view_reported = false, outcome_reported = false, changes_reported = false;
   const auto found = [&](ProblemKind kind, std::string message) {
     done.problems.push_back(problem_in(kind, where, std::move(message)));
   };
@@ -84,25 +84,25 @@ Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstr
       found(ProblemKind::AfterEnd, at + "comes after the end of the episode; " + limits_text(mode));
       break;
     }
-    if (!view_told && episode.visible() != step.visible) {
-      view_told = true;
+    if (!view_reported && episode.visible() != step.visible) {
+      view_reported = true;
       found(ProblemKind::View, at + "the view differs from the record; " +
                                    first_difference(step.visible, episode.visible(), "the visible object",
                                                     [](const VisibleObject& object) { return object.id; }));
     }
     const auto type = action_named(step.command.action);
-    if (type && *type != ActionType::Stop) done.plan.push_back(meant(step.command, *type, step.visible));
+    if (type && *type != ActionType::Stop) done.plan.push_back(action_of(step.command, *type, step.visible));
     const auto before = episode.world().moment();
     const auto outcome = episode.step(step.command);
-    if (!outcome_told && !same_outcome(step, outcome)) {
-      outcome_told = true;
-      found(ProblemKind::Outcome, at + "recorded as " + told(step.success, step.failure, step.feedback) +
+    if (!outcome_reported && !same_outcome(step, outcome)) {
+      outcome_reported = true;
+      found(ProblemKind::Outcome, at + "recorded as " + outcome_text(step.success, step.failure, step.feedback) +
                                       ", the replay gives " +
-                                      told(outcome.success, name_of(outcome.failure), outcome.feedback));
+                                      outcome_text(outcome.success, name_of(outcome.failure), outcome.feedback));
     }
     auto delta = episode.world().moment() == before ? Delta{} : episode.world().changes();
-    if (!changes_told && delta != step.changes) {
-      changes_told = true;
+    if (!changes_reported && delta != step.changes) {
+      changes_reported = true;
       found(ProblemKind::Changes, at + "the changes differ from the record; " + difference_of(step.changes, delta));
     }
     done.changes.push_back(std::move(delta));

@@ -11,14 +11,15 @@ namespace unietp {
 
 std::string text_of(const Edge& edge);  // "on(mug_1, table_1)"
 
+/// Result of replaying a demonstration.
 struct Replay {
-  std::vector<Delta> changes;  // one a step
-  std::vector<Action> plan;    // what was asked for, with objects by their ids; without the end
+  std::vector<Delta> changes;  // one per step
+  std::vector<Action> plan;    // the actions, with objects by their ids; without the final stop
   std::vector<Problem> problems;
 };
 
-/// Does the steps of a demonstration again under the rules of its mode, and compares every outcome, view and change
-/// with the record. Only the first difference of each kind is told: what follows from it would differ too.
+/// Repeats the steps of a demonstration under the rules of its mode, and compares every outcome, view and change with
+/// the record. Only the first difference of each kind is reported, since later ones follow from it.
 Replay replay(const World& start, Mode mode, const DemonstrationRecord& demonstration, const std::string& where);
 
 /// Steps and failures of a demonstration against those that its task counts. About the task, at `where`.

@@ -9,23 +9,24 @@
 
 namespace unietp {
 
-/// Lets all that is loose in a scene go, and tells what does not stay. Things that do not touch one another are let go
-/// by themselves, among what is near; what was found of them is remembered by everything that physics was given, so
-/// that homes which several tasks share are let go once. Thread-safe; what is told does not depend on what was asked
-/// before.
+/// Releases all loose objects of a scene in physics and finds those that move. Groups of objects that do not touch one
+/// another are simulated separately, among the fixed objects nearby; results are stored by a digest of all inputs of
+/// the simulation, so that a home of several tasks is simulated once. Thread-safe; results do not depend on earlier
+/// calls.
 class RestCheck {
  public:
-  /// `moved_m`: how far something may move, metres.
+  /// `moved_m`: how far an object may move, meters.
   explicit RestCheck(double moved_m);
   RestCheck(const RestCheck&) = delete;
   RestCheck& operator=(const RestCheck&) = delete;
   ~RestCheck();
 
+  /// An object that moved.
   struct Moved {
     std::size_t node = 0;  // place in Scene::nodes
     double distance_m = 0;
   };
-  /// In the order of the nodes; `physics` is that of the scene.
+  /// The objects that move farther than that, in the order of the nodes; `physics` is that of the scene.
   std::vector<Moved> of(const Scene& scene, const PhysicsWorld& physics);
 
  private:

@@ -9,22 +9,22 @@
 
 namespace unietp {
 
-/// What of one task is compared with others.
+/// Facts of one task that are compared with other tasks.
 struct TaskFacts {
   std::string start_key;        // equal for equal template, binding, goal, home, start
   std::string text_key;         // equal for equal words in one home
   std::string home_key;         // equal for equal rooms, openings and furniture
-  std::set<std::string> rooms;  // "ai2thor/kitchen": types of those where what is handled stands at the start
+  std::set<std::string> rooms;  // "ai2thor/kitchen": types of the rooms of handled objects at the start
 };
 
 /// Lower case, letters and digits only, single blanks.
 std::string plain_words(std::string_view text);
 
-/// Rooms, openings, and where what never moves stands; whatever they are called.
+/// Key of the rooms, openings and fixed objects of a home, independent of their names.
 std::string home_key_of(const Scene& home);
 
-/// `home` as its file has it, `start` as the task makes it. `shown`: the demonstration in M1, whose handled things tell
-/// which rooms the task is in; nullptr when there is none that reads.
+/// `home`: from its file; `start`: with the changes of the task. `shown`: the demonstration in M1, whose arguments are
+/// the handled objects; nullptr when none could be read.
 TaskFacts facts_of(const TaskRecord& task, const Scene& home, const Scene& start, const DemonstrationRecord* shown);
 
 }  // namespace unietp

@@ -11,9 +11,9 @@
 
 namespace unietp {
 
-/// A line of tasks.jsonl that was read, as far as that was possible.
+/// The lines of one task, parsed as far as possible.
 struct TaskReading {
-  std::string name;   // the task's id, or the best guess at it where the line does not read
+  std::string name;   // the task's id; if the line cannot be parsed, the id in its text or `where`
   std::string where;  // "tasks.jsonl:3"
   Result<TaskRecord> record = Error{};
   std::optional<WordingsRecord> wordings;
@@ -22,8 +22,8 @@ struct TaskReading {
   std::vector<Problem> wordings_problems;  // of the data set
 };
 
-/// Reads the lines of one task. What cannot be read, is missing or is of no task is a problem; a demonstration is
-/// parsed where it is proven.
+/// Parses the task and its wordings. Lines that cannot be parsed, are missing or belong to no task become problems.
+/// Demonstrations are parsed later, in prove_task.
 TaskReading read_task_lines(const DatasetReader& reader, const TaskLines& lines);
 
 /// A line that belongs to no task.

@@ -7,11 +7,10 @@
 
 namespace unietp {
 
-/// Makes traces of one start: its facts are read once, each change at the cost of the change.
+/// Makes traces that begin in one start scene. The facts of the start are computed once, later ones from the changes.
 class TraceMaker {
  public:
-  /// `comparisons`: whether some formula speaks of size or nearness; `later`: also outside of what is read at the
-  /// start.
+  /// `comparisons`: whether some formula compares sizes or distances; `later`: also in states after the start.
   TraceMaker(const Scene& start, bool comparisons, bool later);
 
   Trace at_start() const { return of({}); }

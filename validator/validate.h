@@ -20,9 +20,10 @@ struct ValidationReport {
   bool sound() const { return problems.empty() && counts.proven == counts.tasks; }
 };
 
-/// Proves a finished data set from its files: docs/validate.md says what and how. Reports all problems. Shares no code
-/// with the stages that made the data set. Deterministic for any number of threads. `backends` are in the order of
-/// kSimulators; `knowledge_digest` is compared with the manifest's.
+/// Verifies a finished data set, given only its files, as docs/validate.md explains. Reports all problems. Shares no
+/// code with the stages that made the data set. Memory: some tasks at a time, and a few hundred bytes of each.
+/// Deterministic for any number of threads. `backends` are in the order of kSimulators; `knowledge_digest` is compared
+/// with the manifest's.
 ValidationReport validate_dataset(const std::filesystem::path& folder, const std::vector<ValidationBackend>& backends,
                                   std::string_view knowledge_digest, const ValidationOptions& options);
 

@@ -11,7 +11,7 @@
 #include "core/sqlite_file.h"
 #include "core/text.h"
 #include "data_set.h"
-#include "record/home_shelf.h"
+#include "record/home_cache.h"
 #include "spoilt_task.h"
 
 namespace unietp {

@@ -5,7 +5,7 @@
 #include "core/digest.h"
 #include "core/files.h"
 #include "core/text.h"
-#include "record/home_shelf.h"
+#include "record/home_cache.h"
 #include "scene/scene_json.h"
 #include "schema_checker.h"
 
@@ -79,7 +79,7 @@ std::vector<Json> json_lines(const std::filesystem::path& file) {
 Scene start_of(const std::filesystem::path& folder, const Json& task) {
   const auto changes = delta_from_json("changes", task["start"]["changes"]);
   EXPECT_TRUE(changes) << format(changes.error());
-  const auto start = HomeShelf(folder).start("changes", task["layout"], *changes, task["scene"]);
+  const auto start = HomeCache(folder).start("changes", task["layout"], *changes, task["scene"]);
   EXPECT_TRUE(start) << format(start.error());
   return start ? *start : Scene();
 }

@@ -16,15 +16,16 @@ namespace unietp {
 /// "homes/<layout>.scene.json.gz"
 std::string home_file(const std::string& layout);
 
-/// The homes of a data set's folder: each is read when it is first asked for, and then shared by all tasks in it. Only
-/// so many are kept, so that memory does not grow with the data set. Safe from several threads.
-class HomeShelf {
+/// The homes of a data set's folder. Each is read at its first use and shared by its tasks; a bounded number of them is
+/// kept in memory. Thread-safe.
+class HomeCache {
  public:
-  explicit HomeShelf(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit HomeCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Errors: Io, Parse, Schema, the file named; Schema also when it is the home of another name.
+  /// The home with this name. Errors: Io, Parse, Schema, with the file; Schema also when the file has a different name
+  /// in it.
   Result<std::shared_ptr<const Scene>> home(const std::string& layout);
-  /// The start called `id` that `changes` make of the home; `where` they were read. Errors: also those of start_in.
+  /// The start scene `id`: the home with `changes`, which were read from `where`. Errors: also those of start_in.
   Result<Scene> start(const std::string& where, const std::string& layout, const Delta& changes, const std::string& id);
 
  private:

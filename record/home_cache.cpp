@@ -1,4 +1,4 @@
-#include "record/home_shelf.h"
+#include "record/home_cache.h"
 
 #include "core/files.h"
 #include "scene/json_parse.h"
@@ -31,7 +31,7 @@ Result<std::shared_ptr<const Scene>> read_home(const std::filesystem::path& fold
 
 std::string home_file(const std::string& layout) { return "homes/" + layout + ".scene.json.gz"; }
 
-Result<std::shared_ptr<const Scene>> HomeShelf::home(const std::string& layout) {
+Result<std::shared_ptr<const Scene>> HomeCache::home(const std::string& layout) {
   {
     const std::scoped_lock lock(mutex_);
     if (const auto found = homes_.find(layout); found != homes_.end()) return found->second;
@@ -46,7 +46,7 @@ Result<std::shared_ptr<const Scene>> HomeShelf::home(const std::string& layout) 
   return home;
 }
 
-Result<Scene> HomeShelf::start(const std::string& where, const std::string& layout, const Delta& changes,
+Result<Scene> HomeCache::start(const std::string& where, const std::string& layout, const Delta& changes,
                                const std::string& id) {
   const auto found = home(layout);
   if (!found) return found.error();
