@@ -73,7 +73,7 @@ TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
     const auto all = viewer.view(viewed(scene), scene.agent, profile, kEndless_m);
     const auto near = viewer.view(viewed(scene), scene.agent, profile, profile.sight_m);
     const Vec3 eye(scene.agent.position.x(), scene.agent.position.y(), profile.camera_height_m);
-    const auto told = [](const std::vector<VisibleObject>& list, const std::string& id) {
+    const auto box_in = [](const std::vector<VisibleObject>& list, const std::string& id) {
       const auto found = std::find_if(list.begin(), list.end(), [&](const VisibleObject& v) { return v.id == id; });
       return found == list.end() ? std::nullopt : std::optional(found->box);
     };
@@ -81,9 +81,9 @@ TEST_P(ACamera, ListsExactlyWhatARayThroughEveryPixelFinds) {
       const Node& node = scene.nodes[n];
       SCOPED_TRACE(node.id);
       const auto box = seen[n].pixels > 0 ? std::optional(seen[n].box) : std::nullopt;
-      EXPECT_EQ(told(all, node.id), box);
+      EXPECT_EQ(box_in(all, node.id), box);
       const bool close = (node.pose.position - eye).norm() <= profile.sight_m;
-      EXPECT_EQ(told(near, node.id), close ? box : std::nullopt);
+      EXPECT_EQ(box_in(near, node.id), close ? box : std::nullopt);
       EXPECT_EQ(viewer.box_of(viewed(scene), n, scene.agent, profile), box);
     }
     listed += near.size();
@@ -160,14 +160,14 @@ TEST_P(ACamera, AmongManyWallsListsExactlyWhatARayThroughEveryPixelFinds) {
     const auto seen = seen_in(segmentation_of(scene, profile, rays), scene.nodes.size());
     const auto boxes = viewer.view(viewed(scene), scene.agent, profile, kEndless_m);
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
-      const auto told = std::find_if(boxes.begin(), boxes.end(),
-                                     [&](const VisibleObject& one) { return one.id == scene.nodes[n].id; });
-      ASSERT_EQ(told != boxes.end(), seen[n].pixels > 0) << scene.nodes[n].id;
-      if (told == boxes.end()) {
+      const auto reported = std::find_if(boxes.begin(), boxes.end(),
+                                         [&](const VisibleObject& one) { return one.id == scene.nodes[n].id; });
+      ASSERT_EQ(reported != boxes.end(), seen[n].pixels > 0) << scene.nodes[n].id;
+      if (reported == boxes.end()) {
         ++hidden;
         continue;
       }
-      EXPECT_EQ(told->box, seen[n].box);
+      EXPECT_EQ(reported->box, seen[n].box);
       ++listed;
     }
   }

@@ -1,4 +1,4 @@
-// What an agent is told when an action fails: with ids in M1; in M2 and M3 in words that are the same whatever the ids.
+// the feedback of failed actions: with ids in M1; in M2 and M3 in words that are the same whatever the ids.
 #include <map>
 #include <set>
 

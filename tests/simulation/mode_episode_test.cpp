@@ -1,4 +1,4 @@
-// The rules of the modes, one by one: what an agent may name, what it is told when it may not, and when it ends.
+// The rules of the modes, one by one: what an agent may name, the feedback when it may not, and when an episode ends.
 #include <gtest/gtest.h>
 
 #include "simulation/mode_episode.h"
@@ -55,14 +55,14 @@ class AnEpisode : public ::testing::Test {
 
 TEST_F(AnEpisode, RefusesInEveryModeWhatIsNoActionAndCountsIt) {
   for (const Mode mode : kModes) {
-    ModeEpisode told = episode(mode);
-    expect_refused(told, say("fly"), Failure::InvalidAction);
-    expect_refused(told, say("pick_up"), Failure::InvalidArgument);
-    expect_refused(told, say("turn_left", "kitchen_1"), Failure::InvalidArgument);
-    expect_refused(told, say("pick_up", "unicorn_1"), Failure::InvalidArgument);
-    expect_done(told, say("turn_left"));
-    EXPECT_EQ(told.steps(), 5);
-    EXPECT_EQ(told.failures(), 4);
+    ModeEpisode session = episode(mode);
+    expect_refused(session, say("fly"), Failure::InvalidAction);
+    expect_refused(session, say("pick_up"), Failure::InvalidArgument);
+    expect_refused(session, say("turn_left", "kitchen_1"), Failure::InvalidArgument);
+    expect_refused(session, say("pick_up", "unicorn_1"), Failure::InvalidArgument);
+    expect_done(session, say("turn_left"));
+    EXPECT_EQ(session.steps(), 5);
+    EXPECT_EQ(session.failures(), 4);
   }
 }
 
