@@ -296,7 +296,7 @@ bool Methods::directly(ActionType action, const std::string& id) {
     if (!bring_about(need, id, about.changes.front().state)) return false;
   }
   if (needs(Kind::HandFree) && !free_hand(id)) return false;
-  if (needs(Kind::InHand) && !hold(id)) return false;
+  if (needs(Kind::InHand)) return hold(id) && attempt_.act(action, id);
   const bool swings = action == ActionType::Open || action == ActionType::Close;
   return do_at(action, id) || (swings && unblock(action, id));
 }
