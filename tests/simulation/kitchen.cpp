@@ -60,7 +60,7 @@ Knowledge kitchen_knowledge(Simulator simulator) {
   const auto affords = [&](const std::string& name, std::initializer_list<const char*> what) {
     for (const char* affordance : what) affordances.push_back({name, affordance, kCurated});
   };
-  affords("Apple", {"pickupable", "readable", "sliceable"});  // words are carved in it
+  affords("Apple", {"pickupable", "readable", "sliceable"});
   affords("AppleSliced", {"pickupable"});
   affords("Bulb", {"pickupable"});
   affords("CounterTop", {"receptacle"});
