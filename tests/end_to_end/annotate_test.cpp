@@ -118,14 +118,19 @@ class AnnotateCommand : public ::testing::Test {
 
 TEST_F(AnnotateCommand, GivesTasksOfOneHomeAndOneGoalWordsOfTheirOwn) {
   const Json task = json_lines(data() / "tasks.jsonl").front();
-  std::string lines;
+  const Json demonstration = json_lines(data() / "demonstrations/M1.jsonl").front();
+  std::string lines, shown;
   constexpr int kTwins = 40;  // more than a simple goal has texts of one frame
   for (int i = 0; i < kTwins; ++i) {
     Json twin = task;
     twin["id"] = task["id"].get<std::string>() + "-" + std::to_string(i);
     lines += twin.dump() + "\n";
+    Json own = demonstration;
+    own["task"] = twin["id"];
+    shown += own.dump() + "\n";
   }
   ASSERT_TRUE(write_file(data() / "tasks.jsonl", lines));
+  ASSERT_TRUE(write_file(data() / "demonstrations/M1.jsonl", shown));
   const auto ended = annotate({"--phrasings", "benchmark"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   std::set<std::string> texts;

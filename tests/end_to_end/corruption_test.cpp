@@ -188,7 +188,7 @@ TEST(Corruption, RepeatedTasksAreNamed) {
   const std::string third = Json::parse(lines.at(2))["id"];
   fourth["id"] = third;
   lines.at(3) = fourth.dump();
-  shown.push_back(shown.at(4));  // a demonstration twice
+  shown.insert(shown.end() - 1, shown.at(4));  // a demonstration twice
   const std::string fifth = Json::parse(shown.at(4))["task"];
   copy.write("tasks.jsonl", join(lines, "\n"));
   copy.write("demonstrations/M1.jsonl", join(shown, "\n"));

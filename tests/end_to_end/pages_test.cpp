@@ -267,7 +267,7 @@ TEST_F(Pages, ASpoiltDemonstrationIsNamedAndNothingChanges) {
   const auto before = bytes_below(data());
   const auto ended = apply(review({verdict(1, "accept")}));
   EXPECT_EQ(ended.code, 2) << ended.out << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("M1.jsonl, " + tasks(made())[0]["id"].get<std::string>() + ": parse error"));
+  EXPECT_THAT(ended.err, HasSubstr("M1.jsonl:1"));
   EXPECT_EQ(bytes_below(data()), before);
 }
 
