@@ -90,7 +90,7 @@ class Reader {
         if (c == 'n')
           c = '\n';
         else if (c != '"' && c != '\\')
-          return error_at(escape, R"(unknown escape; a string knows \", \\ and \n)");
+          return error_at(escape, R"(unknown escape; accepted are \", \\ and \n)");
       }
       string.text += c;
     }

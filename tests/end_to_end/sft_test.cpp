@@ -266,7 +266,7 @@ TEST(ExportSft, WhatCannotBeShownIsRefused) {
   const auto blind = run_program(
       {"export", data_set_in_all_modes().string(), "--format", "sft", "--modes", "M3", "--out", scratch.at("sft")});
   EXPECT_EQ(blind.code, 2);
-  EXPECT_THAT(blind.err, HasSubstr("M3 shows pictures alone"));
+  EXPECT_THAT(blind.err, HasSubstr("M3 has only images"));
   EXPECT_FALSE(fs::exists(scratch.at("sft")));
 }
 

@@ -124,8 +124,8 @@ TEST(TemplateLint, WarnsOfPhrasingsWithoutTheNumberAndOfSimulatorsThatHaveNothin
   const auto ended = ask({"lint", folder.at("doubtful.template")});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.err, HasSubstr("doubtful.template:9:39: warning: the goal counts 2"));
-  EXPECT_THAT(ended.err, HasSubstr("doubtful.template:4:23: warning: habitat has no categories that fill"));
-  EXPECT_THAT(ended.err, HasSubstr("without (heats T A) it would have some"));
+  EXPECT_THAT(ended.err, HasSubstr("doubtful.template:4:23: warning: habitat has no categories that can be bound"));
+  EXPECT_THAT(ended.err, HasSubstr("without (heats T A) it would have"));
   EXPECT_EQ(ended.out, "1 sound, 0 errors, 2 warnings\n");
 }
 
@@ -177,7 +177,7 @@ TEST(TemplateNew, AsksForWhatIsMissing) {
                          "(exists (?a - A) (at-end (open ?a)))\nUnlock {A:indefinite}.\n\n"));
   const auto ended = run_script("unietp template new unlock-one --ask < answers", folder.path());
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("goal: what must be true"));
+  EXPECT_THAT(ended.out, HasSubstr("goal: what must hold"));
   EXPECT_THAT(bytes_of(folder.at("unlock-one.template")), HasSubstr("(name \"unlock one <A>\")"));
 }
 

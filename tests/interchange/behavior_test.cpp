@@ -81,7 +81,7 @@ TEST(Behavior, AModelThatStandsOnTheFloorSaysWhereItsBoxIsAboveItsRootLink) {
   EXPECT_NEAR(scene.objects[2].pose.position.z(), 0.45, 1e-9) << "half as high as it is tall";
   EXPECT_NEAR(scene.objects[3].pose.position.z(), 0.95, 1e-9) << "the other of that model is as far below its root";
   EXPECT_EQ(scene.objects[3].category, "armchair") << "its model was renamed since";
-  EXPECT_THAT(scene.warnings, Contains(HasSubstr("2 objects stand by more than 2 cm beside the height")));
+  EXPECT_THAT(scene.warnings, Contains(HasSubstr("2 objects are more than 2 cm from the height")));
 }
 
 TEST(Behavior, FrontsLookAlongXAndSizesFollow) {

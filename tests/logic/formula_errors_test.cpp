@@ -129,7 +129,7 @@ TEST(ReadFormula, TellsAllProblemsAtOnceInOrderOfPosition) {
               ElementsAre(StartsWith("1:15: parse error: unknown operator or predicate 'opn'"),
                           StartsWith("2:23: parse error: 'at-end' takes 1 part, found 2"),
                           StartsWith("2:39: parse error: the variable ?d is not bound here"),
-                          StartsWith("3:6: parse error: 'open' stands outside every temporal operator"),
+                          StartsWith("3:6: parse error: 'open' is outside every temporal operator"),
                           StartsWith("3:12: parse error: the variable ?c is not bound here"),
                           StartsWith("4:30: parse error: 'A' occurs twice in this 'either'"),
                           StartsWith("4:35: parse error: unknown operator or predicate 'sometme'"),

@@ -57,7 +57,7 @@ TEST(Tables, OneSetHasACrossTableAndSeveralStandSideBySide) {
 TEST(Tables, ALongOneSaysWhatItLeavesOut) {
   auto set = small("a");
   for (const auto& word : {"a1", "a2", "a3"}) set.words[word] = 1;
-  EXPECT_THAT(table_text(tables_of({&set, 1}), 2), HasSubstr("… and 1 more; --json has all"));
+  EXPECT_THAT(table_text(tables_of({&set, 1}), 2), HasSubstr("… and 1 more; --json prints all"));
 }
 
 TEST(Numbers, AreWrittenForPeople) {
