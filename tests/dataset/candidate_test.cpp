@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "dataset/lines.h"
+
 namespace unietp {
 namespace {
 
@@ -20,7 +22,7 @@ TEST(RecordOf, ARejectedCandidateKeepsStageReasonAndWhatItWasGoingToBe) {
   EXPECT_FALSE(record.accepted);
   EXPECT_EQ(record.slot, 4);
   EXPECT_EQ(record.attempt, 2);
-  const auto line = nlohmann::ordered_json::parse(record.rejection);
+  const auto line = nlohmann::ordered_json::parse(line_of(record.rejection));
   EXPECT_EQ(line["stage"], "grounding");
   EXPECT_EQ(line["reason"], "no-free-place");
   EXPECT_EQ(line["detail"], "Mug hits \"Table_1\"");
