@@ -169,13 +169,14 @@ void add_knowledge_why_command(CommandParser& knowledge, CommandLine& program) {
   auto* command = knowledge.add_subcommand("why", "Explain one fact: its source, its license, and how to change it");
   command->explain(
       "A fact is one of:\n"
-      "  a property              size, mass, synset, display, plural, countable, movable,\n"
-      "                          archetype, rooms, colours or materials\n"
-      "  an affordance           openable\n"
-      "  a place                 on:CounterTop, inside:, next_to:, under:; on:CounterTop:capacity\n"
-      "  an effect on a category heats:Potato; heats:Potato:needs\n"
-      "  another name            alias:cup\n"
-      "  a 3D model              asset:Mug_1\n\n"
+      "  a property       size, mass, synset, display, plural, countable, movable,\n"
+      "                   archetype, rooms, colours or materials\n"
+      "  an affordance    openable\n"
+      "  a place          on:CounterTop or on:CounterTop:capacity; also inside:,\n"
+      "                   next_to: and under:\n"
+      "  an effect        heats:Potato or heats:Potato:needs\n"
+      "  another name     alias:cup\n"
+      "  a 3D model       asset:Mug_1\n\n"
       "Exit code 0 when the fact holds, 1 when it does not, 2 when a name is unknown.",
       {{"unietp knowledge why ai2thor Mug size", ""},
        {"unietp knowledge why ai2thor Fridge openable", ""},

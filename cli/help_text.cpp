@@ -44,9 +44,11 @@ std::string explanation(const OptionPage& option) {
   });
   std::vector<std::string> notes;
   if (!option.choices.empty() && !listed) notes.push_back(join(option.choices, ", "));
-  if (!option.fallback.empty()) notes.push_back("default: " + option.fallback);
-  if (!notes.empty()) text += " (" + join(notes, "; ") + ")";
-  return text;
+  if (!option.fallback.empty()) notes.push_back("default: " + replace_all(option.fallback, ",", ", "));
+  if (notes.empty()) return text;
+  if (!text.ends_with(')')) return text + " (" + join(notes, "; ") + ")";
+  text.pop_back();
+  return text + "; " + join(notes, "; ") + ")";
 }
 
 std::string left_of(const OptionPage& option) {

@@ -59,7 +59,7 @@ std::string option_entry(const OptionPage& option) {
   if (!option.argument && !option.value.empty()) names += " \\fI" + escaped(option.value) + "\\fR";
   std::string text = escaped(option.help) + ".";
   if (!option.choices.empty()) text += " Values: " + escaped(join(option.choices, ", ")) + ".";
-  if (!option.fallback.empty()) text += " Default: " + escaped(option.fallback) + ".";
+  if (!option.fallback.empty()) text += " Default: " + escaped(replace_all(option.fallback, ",", ", ")) + ".";
   return ".TP\n" + names + "\n" + text + "\n";
 }
 

@@ -256,7 +256,7 @@ Result<std::string> write_sft(const ExportRequest& request) {
 
 ExportFormat sft_format() {
   return {"sft",
-          "chats for supervised fine-tuning (TRL, LLaMA-Factory, ms-swift)",
+          "chats for fine-tuning (TRL, LLaMA-Factory, ms-swift)",
           {{"unit", "What a sample is", {"episode", "step"}, "episode"},
            {"observation", "What the agent is shown", {"boxes", "image", "both"}, "boxes"},
            {"modes", "Modes to write (default: all that the data set has)", {"M1", "M2", "M3"}, "", false, true},
