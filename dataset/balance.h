@@ -13,33 +13,32 @@
 
 namespace unietp {
 
-/// What a data set is kept level over.
+/// The properties over which a data set is balanced.
 enum class Dimension { Template, Category, Receptacle, Room, Scene };
 inline constexpr std::size_t kDimensionCount = static_cast<std::size_t>(Dimension::Scene) + 1;
 std::string_view name_of(Dimension dimension);  // "receptacle"
 std::optional<Dimension> dimension_named(std::string_view name);
 
-/// Whether a placeholder is a place for others: second in a placement constraint, or asked to be a receptacle or a
-/// container; `Room` for one that is a type of room.
+/// `Receptacle` for a placeholder that other objects are put on or in: second in a placement constraint, or with the
+/// affordance of a receptacle or a container. `Room` for a room type, else `Category`.
 Dimension dimension_of(const Parameter& parameter, const Template& source);
 
-/// What a task is in one dimension. Names that differ by simulator begin with it: "ai2thor/Mug", "ai2thor/kitchen".
+/// The value of a task in one dimension. Names that depend on the simulator begin with it: "ai2thor/Mug".
 struct Trait {
   Dimension dimension = Dimension::Template;
   std::string value;
   bool operator==(const Trait&) const = default;
 };
 
-/// Template, home, each category that is bound (a colour or a material is none), and the types of room where what the
-/// demonstration handles stands at the start; each once, sorted.
+/// Template, home, each bound category (colors and materials are none), and the types of the rooms in which the objects
+/// that the demonstration handles are at the start; each once, sorted.
 std::vector<Trait> traits_of(const Template& source, const Episode& episode, const Demonstration& demonstration);
 
-/// One a line: "room ai2thor/kitchen". The second gives back what the first was given, and leaves out what it cannot
-/// read.
+/// One per line: "room ai2thor/kitchen". The second reads that text and skips lines that it cannot read.
 std::string to_text(const std::vector<Trait>& traits);
 std::vector<Trait> traits_from(std::string_view text);
 
-/// How evenly the tasks lie over the values of a dimension.
+/// How evenly the tasks are distributed over the values of a dimension.
 struct Spread {
   Dimension dimension = Dimension::Template;
   int values = 0;        // that some task has

@@ -20,7 +20,7 @@ struct WrittenTask {
   bool operator==(const WrittenTask&) const = default;
 };
 
-/// A candidate's outcome as it will stand in files: what the ledger keeps and the data set is written from.
+/// The outcome of a candidate: the ledger stores it, and the data set is written from it.
 struct CandidateRecord {
   int slot = 0, attempt = 0;
   bool accepted = false;
@@ -35,7 +35,7 @@ struct CandidateRecord {
   bool operator==(const CandidateRecord&) const = default;
 };
 
-/// Pure; no clock, no order that depends on threads.
+/// The outcome of a candidate. Pure.
 CandidateRecord record_of(const std::variant<Task, RejectedCandidate>& candidate);
 
 /// The row of a task, without its actions.
@@ -43,7 +43,7 @@ TaskRow row_of(const TaskEntry& task);
 /// A step as a row of the table `step`.
 ActionRow action_row(Mode mode, const StepEntry& step);
 
-/// Why a candidate that was accepted is no task of the data set: it repeats an earlier one.
+/// The rejection of an accepted candidate that repeats an earlier task.
 RejectionEntry repetition_entry(const CandidateRecord& record, bool same_start);
 
 /// Only slot, attempt, accepted, template, keys and traits.

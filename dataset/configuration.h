@@ -18,8 +18,8 @@
 
 namespace unietp {
 
-/// Where the homes of a run come from when none are given: drawn for it in the size asked for, the benchmark's own, or
-/// the pool for training, which shares no home with the benchmark.
+/// Where the homes of a run come from if none are given: generated in the requested size, the benchmark's own, or the
+/// training pool, which has no home in common with the benchmark.
 enum class HomeSource { Drawn, Benchmark, Training };
 inline constexpr std::array kHomeSources{HomeSource::Drawn, HomeSource::Benchmark, HomeSource::Training};
 std::string_view name_of(HomeSource source);  // "benchmark"
@@ -27,8 +27,7 @@ std::string_view name_of(HomeSource source);  // "benchmark"
 inline constexpr std::array kPhrasings{Phrasings::All, Phrasings::Training, Phrasings::Benchmark};
 std::string_view name_of(Phrasings phrasings);  // "training"
 
-/// How many tasks each split and each simulator is to have. Both empty (equal shares), or both with the same sum, which
-/// is the run's count.
+/// Number of tasks per split and per simulator. Both empty (equal shares), or both with the same sum, the run's count.
 struct Quotas {
   std::vector<std::pair<Split, int>> splits;
   std::vector<std::pair<Simulator, int>> simulators;
@@ -36,8 +35,8 @@ struct Quotas {
   bool operator==(const Quotas&) const = default;
 };
 
-/// What a data set is made of. Together with the program's version, the knowledge digest and the seed it names the
-/// bytes of the result; how the work is done (threads, folders) is no part of it.
+/// The settings that determine a data set, together with the program's version and the knowledge digest. Threads and
+/// folders do not change the result and are not part of it.
 struct RunConfiguration {
   int count = 40;
   std::uint64_t seed = 1;

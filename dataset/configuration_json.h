@@ -11,11 +11,11 @@
 
 namespace unietp {
 
-/// A run's configuration as the manifest records it and as a file of a person's own says it (docs/files.md): the one
-/// reads back as the other.
+/// A run's configuration as in manifests and configuration files (docs/files.md); configuration_from_json reads it
+/// back.
 nlohmann::ordered_json to_json(const RunConfiguration& configuration);
 
-/// The text of a configuration file: `{"format": "unietp-run/1", "seed": 1, …}`; what it leaves out is as usual.
+/// The text of a configuration file: `{"format": "unietp-run/1", "seed": 1, …}`; missing fields have their defaults.
 /// Errors: Parse with line and column; Schema with a JSON pointer for an unknown or mistyped field, a name that is none
 /// (with the nearest one), a number out of its range, quotas of which the sums differ.
 Result<RunConfiguration> configuration_from_json(std::string_view where, std::string_view text);

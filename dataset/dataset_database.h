@@ -16,12 +16,12 @@ namespace unietp {
 struct Trait;
 
 /// `dataset.sqlite`: the lines of a data set as tables, for queries. Equal input gives equal bytes: rows are inserted
-/// in file order and the finished file is a VACUUM copy, which leaves no trace of how it grew.
+/// in file order and the finished file is a VACUUM copy, which does not depend on the history of the file.
 class DatasetDatabase {
  public:
   /// Errors, here and below: Io.
   static Result<DatasetDatabase> begin(const std::filesystem::path& path);
-  /// `traits`: what the data set is balanced over (balance.h), which the task's line does not state.
+  /// `traits`: the properties over which the data set is balanced (balance.h); they are not in the task's line.
   Result<Done> add_task(const TaskRow& task, const std::vector<Trait>& traits);
   Result<Done> add_rejection(const RejectionEntry& rejection);
   Result<Done> finish();

@@ -31,7 +31,7 @@ class DatasetWriter {
 
   /// The packed scene of a home.
   using HomeSource = std::function<Result<std::string>(const std::string& layout)>;
-  /// In slot order; a slot's rejections in order of attempt. A home is asked for with its first task.
+  /// Call in slot order; rejections of a slot in order of attempt. `homes` is called for the first task of each home.
   Result<Done> add_task(const WrittenTask& task, const std::vector<Trait>& traits, const HomeSource& homes);
   Result<Done> add_rejection(const RejectionEntry& rejection);
   /// The database, the card and the manifest; after it the folder is complete. `writing`: how the instructions were

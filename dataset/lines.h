@@ -19,8 +19,8 @@
 
 namespace unietp {
 
-// The lines of a data set's files, as values; `line_of` gives the text of a line without its line feed. Their formats
-// are those of docs/files.md and data/schemas/, which tests hold every kind of line against.
+// The lines of a data set's files, as values; `line_of` returns the text of a line without its line feed. The formats
+// are described in docs/files.md and data/schemas/; tests check each kind of line against its schema.
 
 /// A line of tasks.jsonl.
 struct TaskEntry {

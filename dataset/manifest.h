@@ -29,7 +29,7 @@ struct SourceLicence {
   std::string licence;  // as found there
 };
 
-/// How the instructions were written anew after the run.
+/// How `annotate` wrote the instructions after the run.
 struct WritingEntry {
   std::string writer;
   std::optional<std::uint64_t> seed;                // of the wording, where it is not the run's
@@ -47,6 +47,7 @@ struct Manifest {
   std::vector<SourceLicence> sources;
   std::optional<WritingEntry> writing;  // nullopt: the run wrote the instructions
 };
+/// The text of manifest.json.
 std::string to_text(const Manifest& manifest);
 
 /// All files below a folder. Errors: Io.

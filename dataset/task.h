@@ -19,12 +19,12 @@ struct Task {
   Demonstration demonstration;                // mode M1
   std::vector<Demonstration> in_other_modes;  // in the order of the configuration
   Instruction instruction;
-  std::vector<Trait> traits;  // what it is among the tasks of a data set
+  std::vector<Trait> traits;  // its values in the balanced dimensions
   std::uint64_t seed = 0;     // of the run
   int slot = 0, attempt = 0;
 };
 
-/// A candidate that was given up, with what it was going to be.
+/// A rejected candidate, with the properties that the task would have had.
 struct RejectedCandidate {
   Rejection rejection;
   std::string template_name;

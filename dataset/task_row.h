@@ -10,7 +10,7 @@
 
 namespace unietp {
 
-/// What was done in a step, without what was seen and what changed.
+/// The action of a step and its result, without the view and the changes.
 struct ActionRow {
   Mode mode = Mode::M1;
   std::string action, arguments;  // arguments: as text, separated by ", "
@@ -19,7 +19,7 @@ struct ActionRow {
   bool operator==(const ActionRow&) const = default;
 };
 
-/// What dataset.sqlite and the manifest's counts state of a task beside its traits.
+/// The fields of a task in dataset.sqlite and in the manifest's counts, without its traits.
 struct TaskRow {
   std::string id, split, simulator, template_name, scene, layout, goal, instruction, style, writer;
   std::vector<std::pair<std::string, std::string>> bindings;  // placeholder, category
@@ -32,8 +32,8 @@ std::pair<int, int> steps_and_failures(const TaskRow& row, Mode mode);
 /// The modes of its demonstrations, in their order.
 std::vector<Mode> modes_of(const TaskRow& row);
 
-/// Lists as text, an entry a line with tabs between its fields, and read back; nullopt for a text that is none. No name
-/// of a placeholder, a category, an object or an action has a tab or a line feed.
+/// Lists as text with one entry per line and tabs between the fields, and their readers, which return nullopt for other
+/// texts. Names of placeholders, categories, objects and actions contain no tabs and no line feeds.
 std::string bindings_text(const TaskRow& row);
 std::optional<std::vector<std::pair<std::string, std::string>>> bindings_from(std::string_view text);
 std::string actions_text(const TaskRow& row);
