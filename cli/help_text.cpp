@@ -95,7 +95,7 @@ std::string usage_line(const CommandPage& page) {
 }
 
 std::string help_text(const CommandPage& page) {
-  std::string text = page.summary + ".\n\nUsage: " + usage_line(page) + "\n";
+  std::string text = page.summary + ".\n\n" + wrapped("Usage: " + usage_line(page), 4, 80, true);
   if (!page.about.empty()) text += "\n" + wrapped(page.about, 0);
   const auto section = [&](const char* title, bool arguments) {
     std::string rows;

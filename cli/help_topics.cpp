@@ -135,7 +135,7 @@ std::string main_screen() {
          "  unietp generate --count 40 --out out/mine           make a data set\n"
          "  unietp validate out/mine                            verify it from its files\n"
          "  unietp report out/mine --out report.html            see charts and examples\n"
-         "  unietp export out/mine --format sft --out out/sft   convert it, e.g. for training\n"
+         "  unietp export out/mine --format sft --out out/sft   convert it for training\n"
          "  unietp template new my-task --like place-one-on     add a kind of task\n"
          "\n"
          "Commands:\n"
