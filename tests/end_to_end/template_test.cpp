@@ -155,7 +155,7 @@ TEST(TemplateNew, WritesACommentedFileThatLintsCleanAndNeverOverwritesOne) {
   EXPECT_EQ(linted.out, "1 sound, 0 errors, 0 warnings\n") << linted.err;
   const auto again = ask(command);
   EXPECT_EQ(again.code, 2);
-  EXPECT_THAT(again.err, HasSubstr("exists already"));
+  EXPECT_THAT(again.err, HasSubstr("already exists"));
   EXPECT_EQ(bytes_of(file), text);
 }
 

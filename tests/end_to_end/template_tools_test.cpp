@@ -139,7 +139,7 @@ TEST(TemplateCoverage, EndsWithOneWhenAClaimedCellIsEmpty) {
   EXPECT_EQ(ended.code, 1);
   EXPECT_THAT(ended.out, HasSubstr("0/2"));
   EXPECT_THAT(ended.out, HasSubstr("open-open on ai2thor gave no task"));
-  EXPECT_THAT(ended.out, HasSubstr("0 of 1 claimed cells have a proven task"));
+  EXPECT_THAT(ended.out, HasSubstr("0 of 1 pairs of template and simulator have a verified task"));
 }
 
 TEST(OwnTemplates, MakeADataSetThatIsProvenWithoutTheirFolder) {
