@@ -37,7 +37,7 @@ TaskEntry task_entry(const Task& task, const std::string& changes) {
   entry.scene = task.episode.start.id;
   entry.layout = task.episode.layout;
   entry.bindings = specification.binding;
-  entry.refinement = specification.refinement;
+  entry.refinement = name_of(specification.refinement);
   entry.goal_text = to_text(specification.goal);
   entry.goal = specification.goal;
   for (const auto& formula : specification.init) entry.start_constraints.push_back(to_text(formula));

@@ -110,11 +110,8 @@ std::variant<Specification, GateRefusal> fill_in(const Template& source, const K
   for (const auto& start : source.init) specification.init.push_back(substitute_names(start, names));
   if (const auto* kind = refinement_kind(source.refinement); kind != nullptr && kind->written) {
     specification.split = kind->split;
-    if (const auto style = style_named(source.refinement)) {
-      specification.style = *style;
-    } else {
-      specification.refinement = source.refinement;
-    }
+    specification.style = style_named(source.refinement).value_or(Style::Direct);
+    specification.refinement = referring_named(source.refinement).value_or(Referring::None);
   }
   demand_existence(specification, source);
   return specification;

@@ -46,7 +46,7 @@ std::vector<Reference> by_state(const GoalVariable& variable, const Specificatio
     if (!knowledge.has(variable.category, group.affordance) || !is_free(group, variable, plain)) continue;
     for (const auto state : kTellingStates) {
       if (!in_group(group, state) || !shows(plain.simulator, state)) continue;
-      found.push_back({"by-state", atom(state, {variable.variable}), {}});
+      found.push_back({Referring::ByState, atom(state, {variable.variable}), {}});
     }
   }
   return found;
@@ -57,7 +57,7 @@ std::vector<Reference> by_size(const GoalVariable& variable, const Knowledge& kn
   std::vector<Reference> found;
   if (category == nullptr || !category->countable || !comes_in_sizes(*category, knowledge)) return found;
   for (const char* size : {"large", "small"}) {
-    found.push_back({"by-size", atom_with_symbol(Predicate::Size, variable.variable, size), {}});
+    found.push_back({Referring::BySize, atom_with_symbol(Predicate::Size, variable.variable, size), {}});
   }
   return found;
 }
@@ -72,7 +72,7 @@ void add_values(const GoalVariable& variable, Predicate predicate, const std::ve
     const bool another =
         std::any_of(values.begin(), values.end(), [&](const auto& other) { return told_apart(value, other); });
     if (!another) continue;
-    Reference reference{"by-attribute", atom_with_symbol(predicate, variable.variable, value), {}};
+    Reference reference{Referring::ByAttribute, atom_with_symbol(predicate, variable.variable, value), {}};
     reference.start.push_back(of_all(atom_with_symbol(predicate, variable.variable, "any")));
     for (const auto& other : values) {
       if (other == value || told_apart(value, other)) continue;
@@ -124,14 +124,14 @@ Picked picked_by(const Formula& test, const GoalVariable& variable, const SceneO
   return {in, all - in};
 }
 
-std::vector<Reference> references(std::string_view kind, const GoalVariable& variable, const Specification& plain,
+std::vector<Reference> references(Referring kind, const GoalVariable& variable, const Specification& plain,
                                   const Knowledge& knowledge, const SceneOffer& offer, Rng rng) {
   std::vector<Reference> found;
-  if (kind == "by-state") {
+  if (kind == Referring::ByState) {
     found = by_state(variable, plain, knowledge);
-  } else if (kind == "by-size") {
+  } else if (kind == Referring::BySize) {
     found = by_size(variable, knowledge);
-  } else if (kind == "by-attribute") {
+  } else if (kind == Referring::ByAttribute) {
     found = by_attribute(variable, knowledge);
   } else {
     found = references_to_others(kind, variable, plain, knowledge, offer, rng.fork("others", 0));
@@ -141,13 +141,13 @@ std::vector<Reference> references(std::string_view kind, const GoalVariable& var
   const bool known = !offer.now.states.empty();
   // What stands where it stands: there is no giving it another place or size.
   if (fixed && known) {
-    const bool of_body = kind == "by-state" || kind == "by-attribute";
+    const bool of_body = kind == Referring::ByState || kind == Referring::ByAttribute;
     std::erase_if(found, [&](const Reference& reference) {
       const auto picked = picked_by(reference.test, variable, offer);
       return of_body ? picked.in + picked.out < 2 : picked.in == 0 || picked.out == 0;
     });
   } else if (fixed) {
-    if (kind != "by-state" && kind != "by-attribute") found.clear();
+    if (kind != Referring::ByState && kind != Referring::ByAttribute) found.clear();
   }
   rng.shuffle(found);
   return found;

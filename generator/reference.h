@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "akb/knowledge.h"
@@ -14,22 +13,21 @@ namespace unietp {
 
 /// A property that distinguishes some objects of a category from the others at the start.
 struct Reference {
-  std::string kind;            // of refinement_kinds(): "by-state"
+  Referring kind = Referring::ByState;
   Formula test;                // of the goal's variable, which is free in it; a literal of templates/init_shape.h
   std::vector<Formula> start;  // what the start needs besides, so that the words have one meaning
 };
 
-/// The references of one kind (`by-state`, `by-relation`, `by-room`, `by-nearness`, `by-size`, `by-attribute`) that
+/// The references of one kind (ByState, ByRelation, ByRoom, ByNearness, BySize, ByAttribute; none of another) that
 /// knowledge and home offer for a variable of the goal. Left out is what goal and start speak of already, so that
 /// nobody has to guess which is meant; for what cannot be moved, all that does not hold in the home as it is. Where
 /// nothing is known of a home, all that the knowledge base allows. Deterministic in rng.
-std::vector<Reference> references(std::string_view kind, const GoalVariable& variable, const Specification& plain,
+std::vector<Reference> references(Referring kind, const GoalVariable& variable, const Specification& plain,
                                   const Knowledge& knowledge, const SceneOffer& offer, Rng rng);
 
 /// Of places and rooms only: the part of `references` that relates the variable to something else.
-std::vector<Reference> references_to_others(std::string_view kind, const GoalVariable& variable,
-                                            const Specification& plain, const Knowledge& knowledge,
-                                            const SceneOffer& offer, Rng rng);
+std::vector<Reference> references_to_others(Referring kind, const GoalVariable& variable, const Specification& plain,
+                                            const Knowledge& knowledge, const SceneOffer& offer, Rng rng);
 
 /// Whether a start constraint of the specification is about the category.
 bool concerns(const Formula& start, const std::string& category);

@@ -58,7 +58,7 @@ class Landmarks {
       }
       for (std::size_t drawn = 0; drawn < kMostLandmarks && !rows.empty(); ++drawn) {
         const auto at = rng.weighted(weights);
-        found.push_back(related(relation, rows[at]->receptacle, "by-relation"));
+        found.push_back(related(relation, rows[at]->receptacle, Referring::ByRelation));
         rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(at));
         weights.erase(weights.begin() + static_cast<std::ptrdiff_t>(at));
       }
@@ -72,7 +72,7 @@ class Landmarks {
     for (const auto& room : rooms) {
       const bool usual = std::find(category.rooms.begin(), category.rooms.end(), room) != category.rooms.end();
       if ((category.movable && !usual) || is_named(room)) continue;
-      found.push_back(related(Predicate::InRoom, room, "by-room"));
+      found.push_back(related(Predicate::InRoom, room, Referring::ByRoom));
       found.back().start.push_back(only_one(room));
     }
     return found;
@@ -83,7 +83,7 @@ class Landmarks {
     for (const auto& landmark : single_objects(offer_)) {
       const auto* category = knowledge_.find(landmark);
       if (category == nullptr || category->movable || !category->countable || is_named(landmark)) continue;
-      found.push_back(related(Predicate::Nearest, landmark, "by-nearness"));
+      found.push_back(related(Predicate::Nearest, landmark, Referring::ByNearness));
       found.back().start.push_back(only_one(landmark));
     }
     return found;
@@ -96,7 +96,7 @@ class Landmarks {
   bool usable(const std::string& category) const {
     return !is_named(category) && (offer_.now.states.empty() || number_of(offer_, category) > 0);
   }
-  Reference related(Predicate relation, const std::string& other, const char* kind) const {
+  Reference related(Predicate relation, const std::string& other, Referring kind) const {
     return {kind, exists(other_, of_category(other), atom(relation, {variable_.variable, other_})), {}};
   }
   Formula only_one(const std::string& category) const {
@@ -119,15 +119,14 @@ class Landmarks {
 
 }  // namespace
 
-std::vector<Reference> references_to_others(std::string_view kind, const GoalVariable& variable,
-                                            const Specification& plain, const Knowledge& knowledge,
-                                            const SceneOffer& offer, Rng rng) {
+std::vector<Reference> references_to_others(Referring kind, const GoalVariable& variable, const Specification& plain,
+                                            const Knowledge& knowledge, const SceneOffer& offer, Rng rng) {
   const auto* category = knowledge.find(variable.category);
   if (category == nullptr || start_needs_place(plain, variable.category)) return {};
   const Landmarks landmarks(variable, plain, knowledge, offer);
-  if (kind == "by-relation") return landmarks.by_relation(category->movable, rng);
-  if (kind == "by-room") return landmarks.by_room(*category);
-  if (kind == "by-nearness") return landmarks.by_nearness();
+  if (kind == Referring::ByRelation) return landmarks.by_relation(category->movable, rng);
+  if (kind == Referring::ByRoom) return landmarks.by_room(*category);
+  if (kind == Referring::ByNearness) return landmarks.by_nearness();
   return {};
 }
 

@@ -28,7 +28,7 @@ std::optional<Predicate> opposite(Predicate state) {
 std::optional<Reference> set_against(const Reference& first, const std::vector<Reference>& offered,
                                      const std::string& variable) {
   const auto& one = literal_of(first.test);
-  if (first.kind == "by-state") {
+  if (first.kind == Referring::ByState) {
     const auto other = opposite(one.predicate);
     if (!other) return std::nullopt;
     return Reference{first.kind, atom(*other, {variable}), {}};
@@ -36,7 +36,7 @@ std::optional<Reference> set_against(const Reference& first, const std::vector<R
   for (const auto& candidate : offered) {
     const auto& other = literal_of(candidate.test);
     if (one.predicate != other.predicate || one == other) continue;
-    if (first.kind == "by-attribute" && !told_apart(one.terms[1].name, other.terms[1].name)) continue;
+    if (first.kind == Referring::ByAttribute && !told_apart(one.terms[1].name, other.terms[1].name)) continue;
     if (first.test.op == Formula::Op::Exists && first.test.domain == candidate.test.domain) continue;
     return candidate;
   }
@@ -70,12 +70,13 @@ std::optional<Specification> refine_each_its_own(const Specification& plain, con
   auto second = variables[1];
   const auto base = merged(plain, first, second);
   second.category = first.category;
-  std::vector<std::string_view> kinds = {"by-state", "by-attribute", "by-size", "by-relation", "by-room"};
+  std::vector<Referring> kinds = {Referring::ByState, Referring::ByAttribute, Referring::BySize, Referring::ByRelation,
+                                  Referring::ByRoom};
   rng.shuffle(kinds);
   int tried = 0;
   for (const auto kind : kinds) {
-    const auto offered = references(kind, second, base, knowledge, offer, rng.fork(kind, 1));
-    for (const auto& one : references(kind, first, base, knowledge, offer, rng.fork(kind, 0))) {
+    const auto offered = references(kind, second, base, knowledge, offer, rng.fork(name_of(kind), 1));
+    for (const auto& one : references(kind, first, base, knowledge, offer, rng.fork(name_of(kind), 0))) {
       const auto other = set_against(one, offered, second.variable);
       if (!other) continue;
       if (++tried > kMostTried) return std::nullopt;
@@ -86,7 +87,7 @@ std::optional<Specification> refine_each_its_own(const Specification& plain, con
       domain.where = {other->test};
       refined.goal = with_domain(refined.goal, second, domain);
       refined.split = Split::InstanceGrounding;
-      refined.refinement = "each-its-own";
+      refined.refinement = Referring::EachItsOwn;
       if (!demand_referents(refined, first, {one.test}, Comparison::Equal, 1)) continue;
       refined.init.push_back(counted(second, Comparison::Equal, 1, other->test));
       for (const auto& reference : {one, *other}) {

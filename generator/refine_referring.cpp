@@ -39,7 +39,7 @@ Wanted wanted_for(const GoalVariable& variable, const Specification& plain, Rng&
 
 std::optional<Specification> refined_by(const Specification& plain, const Knowledge& knowledge,
                                         const GoalVariable& variable, const std::vector<Reference>& references,
-                                        std::string_view kind, const Wanted& wanted) {
+                                        Referring kind, const Wanted& wanted) {
   auto refined = plain;
   auto domain = of_category(variable.category);
   domain.where = {conjunction(tests_of(references))};
@@ -64,14 +64,14 @@ std::optional<Specification> refined_by(const Specification& plain, const Knowle
   return refined;
 }
 
-const std::vector<std::string_view>& single_kinds() {
-  static const std::vector<std::string_view> kKinds = {"by-state",    "by-relation", "by-room",
-                                                       "by-nearness", "by-size",     "by-attribute"};
+const std::vector<Referring>& single_kinds() {
+  static const std::vector<Referring> kKinds = {Referring::ByState,    Referring::ByRelation, Referring::ByRoom,
+                                                Referring::ByNearness, Referring::BySize,     Referring::ByAttribute};
   return kKinds;
 }
 
 /// Only these say of several objects which are meant: one alone is the nearest or the largest.
-bool picks_several(std::string_view kind) { return kind != "by-nearness" && kind != "by-size"; }
+bool picks_several(Referring kind) { return kind != Referring::ByNearness && kind != Referring::BySize; }
 
 class Refiner {
  public:
@@ -85,10 +85,10 @@ class Refiner {
                           [&](const GoalVariable& variable) { return is_movable(variable); });
   }
 
-  std::optional<Specification> refined(std::string_view kind) {
-    if (kind == "each-its-own") return refine_each_its_own(plain_, knowledge_, offer_, rng_.fork("each", 0));
+  std::optional<Specification> refined(Referring kind) {
+    if (kind == Referring::EachItsOwn) return refine_each_its_own(plain_, knowledge_, offer_, rng_.fork("each", 0));
     for (const auto& variable : variables_) {
-      if (auto found = kind == "by-two" ? by_two(variable) : by_one(variable, kind)) return found;
+      if (auto found = kind == Referring::ByTwo ? by_two(variable) : by_one(variable, kind)) return found;
     }
     return std::nullopt;
   }
@@ -99,13 +99,13 @@ class Refiner {
     return category != nullptr && category->movable;
   }
 
-  std::vector<Reference> offered(const GoalVariable& variable, std::string_view kind) const {
+  std::vector<Reference> offered(const GoalVariable& variable, Referring kind) const {
     if (variable.quantifier != Op::Exists && !picks_several(kind)) return {};
-    auto found = references(kind, variable, plain_, knowledge_, offer_, rng_.fork(kind, 0));
+    auto found = references(kind, variable, plain_, knowledge_, offer_, rng_.fork(name_of(kind), 0));
     if (variable.quantifier == Op::Exists || is_movable(variable) || offer_.now.states.empty()) return found;
     // Of what cannot be moved the home must have enough already.
     std::erase_if(found, [&](const Reference& one) {
-      const bool of_body = one.kind == "by-state" || one.kind == "by-attribute";
+      const bool of_body = one.kind == Referring::ByState || one.kind == Referring::ByAttribute;
       return !of_body && picked_by(one.test, variable, offer_).in < std::max(2, variable.number);
     });
     return found;
@@ -113,7 +113,7 @@ class Refiner {
 
   bool spent() { return ++tried_ > kMostReferences; }
 
-  std::optional<Specification> by_one(const GoalVariable& variable, std::string_view kind) {
+  std::optional<Specification> by_one(const GoalVariable& variable, Referring kind) {
     for (const auto& reference : offered(variable, kind)) {
       if (spent()) break;
       if (auto found = refined_by(plain_, knowledge_, variable, {reference}, kind, wanted_for(variable, plain_, rng_)))
@@ -126,7 +126,7 @@ class Refiner {
   std::optional<Specification> by_two(const GoalVariable& variable) {
     if (!is_movable(variable) || variable.quantifier != Op::Exists) return std::nullopt;
     auto kinds = single_kinds();
-    std::erase_if(kinds, [](std::string_view kind) { return !picks_several(kind); });
+    std::erase_if(kinds, [](Referring kind) { return !picks_several(kind); });
     rng_.shuffle(kinds);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
@@ -137,13 +137,13 @@ class Refiner {
         const bool turned = places(kinds[i]) > 0;
         const std::vector<Reference> both{turned ? second.front() : first.front(),
                                           turned ? first.front() : second.front()};
-        if (auto found = refined_by(plain_, knowledge_, variable, both, "by-two", {})) return found;
+        if (auto found = refined_by(plain_, knowledge_, variable, both, Referring::ByTwo, {})) return found;
       }
     }
     return std::nullopt;
   }
 
-  static int places(std::string_view kind) { return kind == "by-relation" || kind == "by-room" ? 1 : 0; }
+  static int places(Referring kind) { return kind == Referring::ByRelation || kind == Referring::ByRoom ? 1 : 0; }
 
   const Specification& plain_;
   const Knowledge& knowledge_;
@@ -196,14 +196,15 @@ bool demand_referents(Specification& refined, const GoalVariable& variable, cons
 
 std::optional<Specification> refine_referring(const Specification& plain, const Knowledge& knowledge,
                                               const SceneOffer& offer, std::string_view kind, Rng rng) {
-  if (!plain.refinement.empty() || plain.split == Split::Linguistic) return std::nullopt;
-  std::vector<std::string_view> kinds = single_kinds();
-  kinds.push_back("by-two");
-  kinds.push_back("each-its-own");
-  if (!kind.empty()) kinds = {kind};
+  const auto asked = referring_named(kind);
+  if (!asked || plain.refinement != Referring::None || plain.split == Split::Linguistic) return std::nullopt;
+  std::vector<Referring> kinds = single_kinds();
+  kinds.push_back(Referring::ByTwo);
+  kinds.push_back(Referring::EachItsOwn);
+  if (*asked != Referring::None) kinds = {*asked};
   rng.shuffle(kinds);
   for (const auto one : kinds) {
-    if (auto refined = Refiner(plain, knowledge, offer, rng.fork(one, 0)).refined(one)) return refined;
+    if (auto refined = Refiner(plain, knowledge, offer, rng.fork(name_of(one), 0)).refined(one)) return refined;
   }
   return std::nullopt;
 }

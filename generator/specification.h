@@ -6,6 +6,7 @@
 
 #include "akb/knowledge.h"
 #include "core/rng.h"
+#include "generator/referring.h"
 #include "generator/scene_offer.h"
 #include "generator/style.h"
 #include "logic/formula.h"
@@ -25,7 +26,7 @@ struct Specification {
   Formula goal;
   std::vector<Formula> init;  // state formulas over categories, all to hold in the start
   Style style = Style::Direct;
-  std::string refinement;  // "", or the name of the referring constraint ("referring", "by-state", …)
+  Referring refinement = Referring::None;
 };
 
 /// All bindings that satisfy a template's constraints over a knowledge base, in sorted order, at most `limit`.

@@ -44,7 +44,7 @@ std::optional<GroundingFailure> check_formulas(const Specification& specificatio
 }
 
 bool tells_apart(const Specification& specification) {
-  return specification.split == Split::InstanceGrounding || !specification.refinement.empty();
+  return specification.split == Split::InstanceGrounding || specification.refinement != Referring::None;
 }
 
 std::optional<GroundingFailure> check_referring(const Specification& specification, const Trace& trace) {

@@ -29,7 +29,8 @@ Rejection rejected(const Specification& specification, const Scene& scene, const
 /// Constraints that the goal's referring domains add to the start: something to pick out, something to tell it from.
 std::vector<Formula> referring_constraints(const Specification& specification) {
   std::vector<Formula> constraints;
-  const bool tells_apart = specification.split == Split::InstanceGrounding || !specification.refinement.empty();
+  const bool tells_apart =
+      specification.split == Split::InstanceGrounding || specification.refinement != Referring::None;
   for (const QuantifiedDomain& one : quantified_domains(specification.goal)) {
     if (one.domain.where.empty() || !one.certain) continue;
     const Formula& where = one.domain.where.front();

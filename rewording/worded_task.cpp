@@ -13,15 +13,16 @@ Result<WordedTask> worded_task(const std::string& file, int line, TaskRecord rec
   const auto split = split_named(record.split);
   const auto simulator = simulator_named(record.simulator);
   const auto style = style_named(record.style);
-  if (!split || !simulator || !style)
-    return Error{Error::Kind::Schema, file, {line, 1}, "names an unknown split, simulator or style"};
+  const auto refinement = referring_named(record.refinement);
+  if (!split || !simulator || !style || !refinement)
+    return Error{Error::Kind::Schema, file, {line, 1}, "names an unknown split, simulator, style or refinement"};
   auto goal = parse_formula(file, record.goal_text, FormulaUse::Goal);
   if (!goal) return at_line(goal.error());
   WordedTask task;
   Specification& specification = task.specification;
   specification.template_name = record.template_name;
   specification.style = *style;
-  specification.refinement = record.refinement;
+  specification.refinement = *refinement;
   specification.split = *split;
   specification.simulator = *simulator;
   specification.binding = record.bindings;

@@ -82,7 +82,7 @@ TEST_P(ReferringKind, SinglesOutWhatIsMeantAndLeavesADistractorInEveryStart) {
       if (!refined) continue;
       ++refined_goals;
       EXPECT_EQ(refined->split, Split::InstanceGrounding);
-      EXPECT_EQ(refined->refinement, GetParam());
+      EXPECT_EQ(name_of(refined->refinement), GetParam());
       std::vector<const Formula*> quantifiers;
       collect_referring(refined->goal, quantifiers);
       ASSERT_EQ(quantifiers.size(), GetParam() == "each-its-own" ? 2U : 1U) << to_text(refined->goal);
@@ -117,7 +117,7 @@ TEST(RefineReferring, ChoosesAmongAllKindsWhenNoneIsAskedFor) {
   std::set<std::string> kinds;
   for (std::uint64_t seed = 0; seed < 80; ++seed) {
     if (const auto refined = refine_referring(plain, knowledge, small_offer(), "", Rng(seed))) {
-      kinds.insert(refined->refinement);
+      kinds.emplace(name_of(refined->refinement));
     }
   }
   EXPECT_EQ(kinds, (std::set<std::string>{"by-attribute", "by-nearness", "by-relation", "by-room", "by-size",

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/gate.h"
+#include "generator/referring.h"
 #include "generator/style.h"
 #include "templates/refinement_kinds.h"
 
@@ -40,6 +41,17 @@ TEST(RejectionReason, OfAGateIsNamedAfterIt) {
     EXPECT_EQ(stage_of(rejection_of(gate)), RejectionStage::Generator);
     EXPECT_NE(hint_for(rejection_of(gate)), "");
   }
+}
+
+TEST(Referring, EachButNoneIsARefinementOfGrounding) {
+  for (std::size_t i = 0; i < kReferringCount; ++i) {
+    const auto kind = static_cast<Referring>(i);
+    EXPECT_EQ(referring_named(name_of(kind)), kind);
+    const auto* info = refinement_kind(name_of(kind));
+    EXPECT_EQ(info != nullptr && info->split == Split::InstanceGrounding, kind != Referring::None) << name_of(kind);
+  }
+  for (const auto& info : refinement_kinds())
+    EXPECT_EQ(info.split == Split::InstanceGrounding, referring_named(info.name).has_value()) << info.name;
 }
 
 TEST(Style, EachButTheDirectOneIsALinguisticRefinement) {
