@@ -50,11 +50,11 @@ endfunction()
 set(UNIETP_UPSTREAM "${PROJECT_SOURCE_DIR}/../shared/upstream" CACHE PATH
     "The simulators' own files, listed in docs/knowledge.md; tests on them are skipped where this folder is missing")
 
-# One test program a folder: add_room_tests(logic SOURCES a_test.cpp b_test.cpp LIBS extra). `SLOW` gives its tests the
-# label `slow` in place of `fast`: all fast tests together take less than two minutes (ctest -L fast).
+# One test program a folder: add_room_tests(logic SOURCES a_test.cpp b_test.cpp LIBS extra SLOW Monitor.*). SLOW names the
+# TESTs with the label `slow`, "*" all of them; the others are `fast` and together take less than two minutes.
 # Tests find committed data through UNIETP_SOURCE_DIR and the optional real metadata through UNIETP_UPSTREAM_DIR.
 function(add_room_tests name)
-  cmake_parse_arguments(T "SLOW" "" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(T "" "" "SOURCES;LIBS;SLOW" ${ARGN})
   set(rooms ${T_LIBS})
   list(FILTER rooms INCLUDE REGEX "^unietp::")
   list(TRANSFORM rooms REPLACE "^unietp::" "")
@@ -64,10 +64,13 @@ function(add_room_tests name)
   target_link_libraries(${name}_tests PRIVATE ${T_LIBS} test_support GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name}_tests PRIVATE UNIETP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                              UNIETP_UPSTREAM_DIR="${UNIETP_UPSTREAM}")
-  set(label fast)
-  if(T_SLOW)
-    set(label slow)
+  list(JOIN T_SLOW ":" slow)
+  if(NOT slow STREQUAL "*")
+    gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 TEST_FILTER "-${slow}"
+                         TEST_LIST ${name}_fast PROPERTIES LABELS fast TIMEOUT 120)
   endif()
-  gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
-                       PROPERTIES LABELS ${label} TIMEOUT 600)
+  if(slow)
+    gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 TEST_FILTER "${slow}"
+                         TEST_LIST ${name}_slow PROPERTIES LABELS slow TIMEOUT 600)
+  endif()
 endfunction()
