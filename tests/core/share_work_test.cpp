@@ -1,7 +1,9 @@
 #include "core/share_work.h"
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -23,16 +25,17 @@ TEST(ShareWork, WithoutTasksCallsNothing) {
 }
 
 TEST(ShareWork, ThrowsWhatATaskThrewAndBeginsNoFurtherOnes) {
+  constexpr int kTasks = 1000;
   for (const int threads : {1, 4}) {
     SCOPED_TRACE(threads);
     std::atomic<int> begun{0};
-    EXPECT_THROW(share_work(threads, 100'000,
-                            [&](std::size_t) {
-                              ++begun;
-                              throw std::runtime_error("broken");
-                            }),
-                 std::runtime_error);
-    EXPECT_LE(begun, threads);
+    const auto task = [&](std::size_t i) {
+      ++begun;
+      if (i == 0) throw std::runtime_error("broken");
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    };
+    EXPECT_THROW(share_work(threads, kTasks, task), std::runtime_error);
+    EXPECT_LT(begun, kTasks);
   }
 }
 
