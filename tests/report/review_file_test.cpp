@@ -31,13 +31,13 @@ TEST(ReadReviews, WhatIsWrongIsNamedWithItsPlace) {
   };
   EXPECT_THAT(refused("{\"format\": \"unietp-review/2\"}"), HasSubstr("unietp-review/1"));
   EXPECT_THAT(refused("{"), HasSubstr("r.json:1"));
-  EXPECT_THAT(refused(file(std::string(kAccept) + "," + kAccept)), HasSubstr("judged twice"));
+  EXPECT_THAT(refused(file(std::string(kAccept) + "," + kAccept)), HasSubstr("occurs twice"));
   EXPECT_THAT(refused(file(R"({"task": "a", "verdict": "acept", "instruction": "x", "comment": ""})")),
               HasSubstr("did you mean \"accept\""));
   EXPECT_THAT(refused(file(R"({"task": "a", "verdict": "edit", "instruction": "x", "comment": ""})")),
               HasSubstr("an edit needs a text"));
   EXPECT_THAT(refused(file(R"({"task": "a", "verdict": "reject", "instruction": "x", "text": "y", "comment": ""})")),
-              HasSubstr("no edit"));
+              HasSubstr("not an edit"));
   EXPECT_THAT(refused(file(R"({"task": "a", "verdict": "reject", "instruction": "x", "comment": 3})")),
               HasSubstr("reviews/0/comment"));
 }
