@@ -341,7 +341,7 @@ void extension(Table& t) {
   t.bad(Break, F::AlreadyBroken, "mug_1", at_mug, state("mug_1", Predicate::Broken));
   t.by_hand(Break, "mug_1", at_mug);
 
-  t.good(Read, "apple_1", with("apple_1", "apple_1"), treated("apple_1", Predicate::Read));
+  t.good(Read, "apple_1", {go("apple_1"), {PickUp, {"apple_1"}}}, treated("apple_1", Predicate::Read));
   t.bad(Read, F::NotReadable, "mug_1", {go("mug_1"), {PickUp, {"mug_1"}}});
   t.bad(Read, F::NotHolding, "apple_1", {go("apple_1")});
 }
