@@ -123,7 +123,9 @@ constexpr ActionInfo row(ActionType type, std::string_view name, ActionArgument 
                          std::span<const ActionChange> changes = kNothing, bool starts_tool = false) {
   const auto in = [simulators](char letter) { return simulators.find(letter) != std::string_view::npos; };
   const bool atomic = group != ActionClass::Composite;  // composites are for planners on symbols: M1 only
-  return {type,    name,    argument, group,  true,  atomic,  atomic,     in('A'),
+  bool pictured = atomic;  // M3 names targets by boxes in the image, where the held object is not visible
+  for (const ActionNeed& one : needs) pictured = pictured && one.kind != NeedKind::InHand;
+  return {type,    name,    argument, group,  true,  atomic,  pictured,   in('A'),
           in('V'), in('H'), in('B'),  effect, needs, changes, starts_tool};
 }
 
