@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "core/files.h"
 #include "core/text.h"
 #include "program.h"
@@ -119,15 +121,17 @@ TEST(ManualPage, NamesEveryCommandAndPassesGroff) {
 }
 
 TEST(Completion, NamesEveryCommandAndOptionInEveryShell) {
-  for (const char* shell : {"bash", "zsh", "fish"}) {
-    const auto script = output_of({"completion", shell});
-    const std::string dashes = std::string(shell) == "fish" ? "-l " : "--";
-    for (const auto& command : all_commands()) {
-      auto asked = command;
-      asked.insert(asked.begin(), "help");
+  std::map<std::string, std::string> scripts;
+  for (const char* shell : {"bash", "zsh", "fish"}) scripts[shell] = output_of({"completion", shell});
+  for (const auto& command : all_commands()) {
+    auto asked = command;
+    asked.insert(asked.begin(), "help");
+    const auto options = entries(output_of(asked), "Options");
+    for (const auto& [shell, script] : scripts) {
+      SCOPED_TRACE(shell + ": " + join(command, " "));
       EXPECT_THAT(script, HasSubstr(command.back()));
-      for (const auto& option : entries(output_of(asked), "Options"))
-        EXPECT_THAT(script, HasSubstr(dashes + option.substr(2))) << shell << " " << join(command, " ");
+      for (const auto& option : options)
+        EXPECT_THAT(script, HasSubstr(shell == "fish" ? "-l " + option.substr(2) : option));
     }
   }
 }
