@@ -263,7 +263,8 @@ bool backs_onto_a_wall(Where::Kind kind) {
 
 bool within(const Bounds& inner, const Bounds& room) {
   for (int axis = 0; axis < 2; ++axis) {
-    if (inner.low[axis] < room.low[axis] + kFurnitureMargin_m || inner.high[axis] > room.high[axis] - kFurnitureMargin_m) {
+    if (inner.low[axis] < room.low[axis] + kFurnitureMargin_m ||
+        inner.high[axis] > room.high[axis] - kFurnitureMargin_m) {
       return false;
     }
   }

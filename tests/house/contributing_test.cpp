@@ -18,8 +18,8 @@ TEST(Contributing, NamesOnlyFilesThatExist) {
   int files = 0;
   for (std::size_t i = 1; i < parts.size(); i += 2) {  // between backquotes
     const std::string& path = parts[i];
-    const bool names_file = path.find('/') != std::string::npos && path.find_first_of(" <") == std::string::npos &&
-                            !path.starts_with("./");
+    const bool names_file =
+        path.find('/') != std::string::npos && path.find_first_of(" <") == std::string::npos && !path.starts_with("./");
     if (!names_file) continue;
     ++files;
     EXPECT_TRUE(fs::exists(source / path)) << path;

@@ -33,7 +33,16 @@ CandidateRecord full_record() {
   record.attempt = 1;
   record.accepted = true;
   record.template_name = "open-one";
-  record.task.row = {"x", "atomic", "ai2thor", "open-one", "scene", "layout", "(goal)", "Open it.", "direct", "grammar",
+  record.task.row = {"x",
+                     "atomic",
+                     "ai2thor",
+                     "open-one",
+                     "scene",
+                     "layout",
+                     "(goal)",
+                     "Open it.",
+                     "direct",
+                     "grammar",
                      {{"A", "Fridge"}, {"B", ""}},
                      {{Mode::M1, "go_to", "fridge_1", true, "none"},
                       {Mode::M1, "stop", "", true, "none"},
