@@ -313,9 +313,9 @@ TEST(Facts, AgreeWithASetOfTextsForRandomFacts) {
   }
 }
 
-/// Both evaluators on a home with more objects and rooms than 16 bits tell apart.
+/// Both evaluators on a home with more objects than 16 bits tell apart, and thousands of rooms after them.
 TEST(ManyEntities, AreToldApartByBothEvaluators) {
-  constexpr std::size_t kEach = 70'000;
+  constexpr std::size_t kMugs = 70'000, kRooms = 5'000;
   Trace trace;
   Facts facts;
   const auto add = [&](Entity::Kind kind, const std::string& id, const std::string& category) {
@@ -326,12 +326,13 @@ TEST(ManyEntities, AreToldApartByBothEvaluators) {
   };
   add(Entity::Kind::Agent, "agent", "agent");
   std::vector<EntityIndex> mugs, rooms;
-  for (std::size_t i = 0; i < kEach; ++i) mugs.push_back(add(Entity::Kind::Object, "m" + std::to_string(i), "Mug"));
-  for (std::size_t i = 0; i < kEach; ++i) rooms.push_back(add(Entity::Kind::Room, "r" + std::to_string(i), "Hall"));
-  facts.set(Predicate::Open, mugs[4463]);  // its number and that of the last are the same in 16 bits
-  facts.set(Predicate::Hot, mugs[70'000 - 1]);
-  facts.set(Predicate::Covered, mugs[70'000 - 1], "dust");
-  facts.set(Predicate::InRoom, mugs[70'000 - 1], rooms[70'000 - 1]);
+  for (std::size_t i = 0; i < kMugs; ++i) mugs.push_back(add(Entity::Kind::Object, "m" + std::to_string(i), "Mug"));
+  const EntityIndex cup = add(Entity::Kind::Object, "cup", "Cup");
+  for (std::size_t i = 0; i < kRooms; ++i) rooms.push_back(add(Entity::Kind::Room, "r" + std::to_string(i), "Hall"));
+  facts.set(Predicate::Open, EntityIndex(mugs.back().index() % 65'536));  // the same number in 16 bits
+  facts.set(Predicate::Hot, mugs.back());
+  facts.set(Predicate::Covered, mugs.back(), "dust");
+  facts.set(Predicate::InRoom, cup, rooms.back());
   trace.states.push_back(facts);
   const auto holds_in_both = [&](const std::string& text) {
     const auto goal = parse_formula("test", text, FormulaUse::Goal);
@@ -344,7 +345,7 @@ TEST(ManyEntities, AreToldApartByBothEvaluators) {
   EXPECT_TRUE(holds_in_both("(at-end (count = 1 (?x - Mug) (open ?x)))"));
   EXPECT_TRUE(holds_in_both("(at-end (count = 70000 (?x - Mug) (and)))"));
   EXPECT_TRUE(holds_in_both("(at-end (exists (?x - Mug) (and (hot ?x) (covered ?x dust))))"));
-  EXPECT_TRUE(holds_in_both("(at-end (exists (?x - Mug) (exists (?r - Hall) (in_room ?x ?r))))"));
+  EXPECT_TRUE(holds_in_both("(at-end (exists (?x - Cup) (exists (?r - Hall) (in_room ?x ?r))))"));
   EXPECT_FALSE(holds_in_both("(at-end (exists (?x - Mug) (and (open ?x) (hot ?x))))"));
   EXPECT_FALSE(holds_in_both("(at-end (exists (?r - Hall) (in_room agent ?r)))"));
 }
