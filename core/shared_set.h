@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
@@ -9,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/sole_owner.h"
 #include "core/sort_unique.h"
 
 namespace unietp {
@@ -126,11 +126,7 @@ class SharedSet {
                                 [&](const Piece& one) { return one->back() < element; });
   }
   static std::vector<T>& own(Piece& piece) {
-    if (piece.use_count() > 1) {
-      piece = std::make_shared<std::vector<T>>(*piece);
-    } else {
-      std::atomic_thread_fence(std::memory_order_acquire);  // whoever had it in common has read it to the end
-    }
+    if (!is_sole_owner(piece)) piece = std::make_shared<std::vector<T>>(*piece);
     return *piece;
   }
 

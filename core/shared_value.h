@@ -1,8 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <utility>
+
+#include "core/sole_owner.h"
 
 namespace unietp {
 
@@ -23,11 +24,7 @@ class SharedValue {
 
   /// The value, to be changed. The reference is good until this is copied.
   T& edit() {
-    if (value_ == nullptr || value_.use_count() > 1) {
-      value_ = std::make_shared<T>(**this);
-    } else {
-      std::atomic_thread_fence(std::memory_order_acquire);  // whoever had it in common has read it to the end
-    }
+    if (!is_sole_owner(value_)) value_ = std::make_shared<T>(**this);
     return *value_;
   }
 
