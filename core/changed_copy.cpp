@@ -33,8 +33,10 @@ Result<ChangedCopy> ChangedCopy::begin(const fs::path& source, const fs::path& t
   if (code) return io(aside, "cannot create this folder: " + code.message());
   std::vector<fs::path> files;
   for (auto it = fs::recursive_directory_iterator(from, code); !code && it != fs::recursive_directory_iterator();
-       it.increment(code))
+       it.increment(code)) {
+    if (it->is_symlink(code)) return io(it->path(), "is a symbolic link, which is not followed inside a folder");
     if (it->is_regular_file(code)) files.push_back(fs::relative(it->path(), from));
+  }
   if (code) return io(from, "cannot list this folder: " + code.message());
   for (const fs::path& file : files) {
     if (std::find(changed.begin(), changed.end(), file.generic_string()) != changed.end()) continue;

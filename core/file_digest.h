@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "core/result.h"
 
@@ -13,7 +14,10 @@ struct FileDigest {
   std::string sha256;  // 64 lower-case hexadecimal digits, as core/digest.h gives them
 };
 
-/// Length and SHA-256 of a file, which is read in pieces. Errors: Io.
+/// Length and SHA-256 of a file, which is read in pieces. `path` is the user's own; the second function cannot leave
+/// the folder `root` (core/file_place.h). Errors: Io, also for what is no regular file; Schema, for an `inner` that
+/// names no file of a folder.
 Result<FileDigest> digest_of_file(const std::filesystem::path& path);
+Result<FileDigest> digest_of_file(const std::filesystem::path& root, std::string_view inner);
 
 }  // namespace unietp

@@ -7,25 +7,46 @@
 /// error that names the bound, or counted in a report.
 namespace unietp::limits {
 
-// Text of any file. Readers of nested text are recursive, so its depth is bounded for the sake of the stack.
-inline constexpr std::size_t kUnpackedBytes = std::size_t{1} << 30;  // of a gzip file: a small one may claim terabytes
-inline constexpr int kFormulaDepth = 200;                            // brackets of a formula, clauses of a sentence
-inline constexpr int kJsonDepth = 64;                                // objects and arrays in one another
+// Names that may become names of files (core/plain_name.h). Most file systems allow 255 bytes, and endings are added.
+inline constexpr std::size_t kNameBytes = 200;
+inline constexpr std::size_t kFileNameBytes = 240;  // such a name and its endings
+inline constexpr std::size_t kLabelBytes = 200;     // ids of objects and rooms, categories and other words of a scene
 
-// Fields of one JSON object, so that no input costs more than its length.
+// Files. A file is read as a whole, or line by line where it is a data set's; a thousand homes of ProcTHOR have 200 MB.
+inline constexpr std::size_t kFileBytes = std::size_t{256} << 20;
+inline constexpr std::size_t kUnpackedBytes = kFileBytes;        // of a gzip file: a small one may claim terabytes
+inline constexpr std::size_t kLineBytes = std::size_t{8} << 20;  // one task or demonstration of a data set: some 20 kB
+
+// Text of any file. Readers of nested text are recursive, so its depth is bounded for the sake of the stack.
+inline constexpr int kFormulaDepth = 200;  // brackets of a formula, clauses of a sentence
+inline constexpr int kJsonDepth = 64;      // objects and arrays in one another
+
+// JSON. A value takes up to 130 bytes of memory where its text has two. Fields of one object are counted so that no
+// input costs more time than its length.
+inline constexpr std::size_t kJsonValues = 4'000'000;      // in one text: numbers, texts, lists, objects
 inline constexpr std::size_t kJsonFields = 64;             // in files of this project
 inline constexpr std::size_t kJsonTableFields = 100'000;   // where a simulator keeps all its scenes in one object
 inline constexpr std::size_t kJsonHomeFields = 4'000'000;  // where a simulator names every part of a home by a field
 
-// Homes of simulators. Physics and navigation take memory by area and time by number of objects.
+// Homes. Physics and navigation take memory by area and time by number of objects.
+inline constexpr std::size_t kRooms = 200;
+inline constexpr std::size_t kRoomCorners = 500;
+inline constexpr std::size_t kOpenings = 1000;
+inline constexpr std::size_t kObjects = 6000;      // imported ones and those that a template adds
+inline constexpr std::size_t kEdges = 100'000;     // relations between objects
+inline constexpr std::size_t kObjectBoards = 100;  // solids of one object
+inline constexpr double kWallHeight_m = 50, kWallThickness_m = 5;
+inline constexpr double kObject_m = 100;     // a side of an object in a scene
+inline constexpr double kPosition_m = 2000;  // of what stands or has fallen out of a home, from the origin
 inline constexpr double kHomeWidth_m = 200;
 inline constexpr double kHomeOffset_m = 1000;          // from the origin, beyond which positions lose precision
 inline constexpr double kImportedObject_m = 50;        // a side of one object's box
 inline constexpr std::size_t kListedObjects = 20'000;  // in a simulator's file, walls and floors among them
 inline constexpr std::size_t kImportedObjects = 5000;  // to be placed in one home
-inline constexpr std::size_t kImportedRooms = 200;
-inline constexpr std::size_t kNamedRooms = 100;    // distinguished by the names that objects give; more are no rooms
-inline constexpr std::size_t kSceneIdBytes = 200;  // an id names a file, and most file systems allow 255 bytes
+inline constexpr std::size_t kImportedRooms = kRooms;
+inline constexpr std::size_t kHomesInFile = 10'000;
+inline constexpr std::size_t kObjectsInFile = 500'000;  // of all its homes
+inline constexpr std::size_t kNamedRooms = 100;  // distinguished by the names that objects give; more are no rooms
 
 // Knowledge tables: what is larger is a slip of the unit (millimetres, grams).
 inline constexpr double kCategory_m = 100, kCategory_kg = 90'000;

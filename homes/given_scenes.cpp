@@ -5,7 +5,8 @@
 
 #include "core/digest.h"
 #include "core/files.h"
-#include "core/limits.h"
+#include "core/in_quotes.h"
+#include "core/plain_name.h"
 #include "core/text.h"
 #include "homes/home_plans.h"
 #include "scene/scene_json.h"
@@ -22,12 +23,6 @@ Error usage(const fs::path& path, std::string message) {
 bool is_scene_file(const fs::path& path) {
   const std::string name = path.filename().string();
   return name.ends_with(".scene.json") || name.ends_with(".scene.json.gz");
-}
-
-/// A data set keeps its homes in files that are called by their ids.
-bool names_a_file(const std::string& id) {
-  return !id.empty() && id.size() <= limits::kSceneIdBytes &&
-         id.find_first_of(std::string_view("/\0", 2)) == std::string::npos;
 }
 
 void check_categories(const fs::path& file, const Scene& scene, const Knowledge& knowledge,
@@ -82,10 +77,8 @@ std::vector<IdentifiedScene> read_files(const std::vector<fs::path>& paths, cons
       errors.push_back(scene.error());
       continue;
     }
-    if (!names_a_file(scene->id))
-      errors.push_back(usage(file, "has the id \"" + scene->id +
-                                       "\", which is not usable as a file name; expected at most " +
-                                       std::to_string(limits::kSceneIdBytes) + " bytes and no '/'"));
+    if (!is_plain_name(scene->id))  // a data set keeps its homes in files that are called by their ids
+      errors.push_back(usage(file, "has the id " + in_quotes(scene->id) + "; " + plain_name_expected()));
     check_categories(file, *scene, backends[static_cast<std::size_t>(scene->simulator)].knowledge, errors);
     found.push_back({file, std::move(*scene), sha256(*bytes)});
   }

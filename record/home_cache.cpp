@@ -12,9 +12,7 @@ constexpr std::size_t kMostHomes = 256;  // some 200 kB each
 
 Result<std::shared_ptr<const Scene>> read_home(const std::filesystem::path& folder, const std::string& layout) {
   const auto file = home_file(layout);
-  if (layout.find('/') != std::string::npos)  // would lead out of the data set
-    return Error{Error::Kind::Schema, file, {}, "the name of a home must not contain '/'"};
-  const auto text = read_maybe_gzip(folder / file);
+  const auto text = read_maybe_gzip(folder, file);
   if (!text) {
     Error error = text.error();
     error.where = file;

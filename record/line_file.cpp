@@ -1,5 +1,12 @@
 #include "record/line_file.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "core/limits.h"
+
 namespace unietp {
 namespace {
 
@@ -17,12 +24,15 @@ std::string fault_of(const std::string& text, bool has_end) {
 Result<LineFile> LineFile::open(const std::filesystem::path& folder, const std::string& name, FileNames names) {
   std::string shown = names == FileNames::InFolder ? name : (folder / name).string();
   std::error_code code;
-  if (!std::filesystem::exists(folder / name, code))
+  if (!std::filesystem::exists(std::filesystem::symlink_status(folder / name, code)))
     return Error{Error::Kind::Io, std::move(shown), {}, "is missing; expected a finished data set"};
-  std::ifstream stream(folder / name, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(folder / name, code))
-    return Error{Error::Kind::Io, std::move(shown), {}, "cannot be read"};
-  return LineFile(std::move(shown), std::move(stream));
+  auto file = open_regular_file(folder, name);
+  if (!file) {
+    Error error = file.error();
+    error.where = std::move(shown);
+    return error;
+  }
+  return LineFile(std::move(shown), std::move(*file));
 }
 
 bool LineFile::fill() {
@@ -30,8 +40,11 @@ bool LineFile::fill() {
   used_ = 0;
   const std::size_t kept = buffer_.size();
   buffer_.resize(kept + kBlockBytes);
-  stream_.read(buffer_.data() + kept, static_cast<std::streamsize>(kBlockBytes));
-  buffer_.resize(kept + static_cast<std::size_t>(stream_.gcount()));
+  ssize_t count = 0;
+  do count = ::read(file_.get(), buffer_.data() + kept, kBlockBytes);
+  while (count < 0 && errno == EINTR);
+  failed_ = count < 0;
+  buffer_.resize(kept + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
   return buffer_.size() > kept;
 }
 
@@ -39,7 +52,7 @@ std::optional<FileLine> LineFile::next() {
   if (ended_) return std::nullopt;
   std::size_t searched = used_;
   std::size_t end = buffer_.find('\n', searched);
-  while (end == std::string::npos && buffer_.size() - used_ <= kLineBytes) {
+  while (end == std::string::npos && buffer_.size() - used_ <= limits::kLineBytes) {
     searched = buffer_.size() - used_;
     if (!fill()) break;
     end = buffer_.find('\n', searched);
@@ -47,12 +60,12 @@ std::optional<FileLine> LineFile::next() {
   FileLine line{++lines_, buffer_.substr(used_, end == std::string::npos ? end : end - used_), ""};
   const bool has_end = end != std::string::npos;
   used_ = has_end ? end + 1 : buffer_.size();
-  if (stream_.bad()) {
+  if (failed_) {
     ended_ = true;
     line.fault = "cannot be read";
-  } else if (line.text.size() > kLineBytes) {
+  } else if (line.text.size() > limits::kLineBytes) {
     ended_ = true;
-    line.fault = "is longer than " + std::to_string(kLineBytes) + " bytes; nothing after it is read";
+    line.fault = "is longer than " + std::to_string(limits::kLineBytes) + " bytes; nothing after it is read";
   } else if (!has_end && line.text.empty()) {  // the end of a sound file
     ended_ = true;
     return std::nullopt;

@@ -2,16 +2,13 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 
+#include "core/file_place.h"
 #include "core/result.h"
 
 namespace unietp {
-
-/// The most bytes of one line of a data set: one task or one demonstration.
-inline constexpr std::size_t kLineBytes = std::size_t{64} << 20;
 
 /// How errors name the files of a data set: relative to its folder, or with the path of the folder.
 enum class FileNames { InFolder, WithFolder };
@@ -24,7 +21,7 @@ struct FileLine {
 };
 
 /// Reads a file of JSON lines, one line in memory at a time. A line has a fault if it is empty, has no line feed at its
-/// end, ends in a carriage return, or has more than kLineBytes.
+/// end, ends in a carriage return, or has more than limits::kLineBytes.
 class LineFile {
  public:
   /// `name`: the path in `folder`. Errors: Io, for a file that is missing or cannot be opened.
@@ -38,16 +35,16 @@ class LineFile {
   std::string at(int line) const { return name_ + ":" + std::to_string(line); }
 
  private:
-  LineFile(std::string name, std::ifstream stream) : name_(std::move(name)), stream_(std::move(stream)) {}
+  LineFile(std::string name, Descriptor file) : name_(std::move(name)), file_(std::move(file)) {}
 
   bool fill();
 
   std::string name_;
-  std::ifstream stream_;
+  Descriptor file_;
   std::string buffer_;    // bytes read from the file
   std::size_t used_ = 0;  // bytes of the buffer that belong to lines already returned
   int lines_ = 0;
-  bool ended_ = false;
+  bool ended_ = false, failed_ = false;
 };
 
 }  // namespace unietp

@@ -19,13 +19,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kFewFields = 64;  // are searched one by one
 
-std::string printable(std::string_view text, std::size_t limit) {
-  std::string plain(text.substr(0, limit));
-  std::replace_if(
-      plain.begin(), plain.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text.size() > limit ? plain + "…" : plain;
-}
-
 /// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …" from the library without what
 /// our own position says already.
 std::string reason_of(std::string_view what) {
@@ -91,6 +84,7 @@ class Builder {
   }
 
   bool add(Json value) {
+    if (values_ == limits::kJsonValues) return too_many();
     put(std::move(value));
     return true;
   }
@@ -98,8 +92,17 @@ class Builder {
   bool open(Json value) {
     if (stack_.size() == std::size_t{limits::kJsonDepth})
       return fail("nested deeper than " + std::to_string(limits::kJsonDepth) + " levels");
+    if (values_ == limits::kJsonValues) return too_many();
     stack_.push_back(put(std::move(value)));
     return true;
+  }
+
+  bool too_many() {
+    error_ = Error{Error::Kind::Schema,
+                   std::string(where_),
+                   {},
+                   "has more than " + std::to_string(limits::kJsonValues) + " JSON values, the most that is read"};
+    return false;
   }
 
   bool close() {
@@ -109,6 +112,7 @@ class Builder {
   }
 
   Json* put(Json value) {
+    ++values_;
     if (stack_.empty()) {
       root_ = std::move(value);
       return &root_;
@@ -141,6 +145,7 @@ class Builder {
 
   std::string_view where_, text_;
   std::size_t max_fields_;
+  std::size_t values_ = 0;
   Json root_;
   std::vector<Json*> stack_;  // the open arrays and objects; only the innermost one grows, so the others stay in place
   std::vector<std::unordered_set<std::string>> names_;  // of the open objects with many fields, by depth
@@ -149,8 +154,6 @@ class Builder {
 };
 
 }  // namespace
-
-std::string in_quotes(std::string_view text) { return std::string("\"").append(printable(text, 60)).append("\""); }
 
 Result<Json> parse_json(std::string_view where, std::string_view text, std::size_t max_fields) {
   Builder builder(where, text, max_fields);

@@ -6,19 +6,17 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "core/in_quotes.h"
 #include "core/limits.h"
 #include "core/result.h"
 
 namespace unietp {
 
 /// The text as a JSON value, strictly: one value, UTF-8, no field twice in an object, at most `max_fields` fields in an
-/// object (others' files name their objects by fields and have thousands) and limits::kJsonDepth levels, so that no
-/// input costs more than its length. Never throws. Errors: Parse with line and column; Schema with a JSON pointer for a
-/// repeated field or a broken limit.
+/// object (others' files name their objects by fields and have thousands), limits::kJsonDepth levels and
+/// limits::kJsonValues values, so that no input costs more time than its length or fills the memory. Never throws.
+/// Errors: Parse with line and column; Schema with a JSON pointer for a repeated field or a broken limit.
 Result<nlohmann::ordered_json> parse_json(std::string_view where, std::string_view text,
                                           std::size_t max_fields = limits::kJsonFields);
-
-/// `"text"` for a message: cut at 60 bytes, what is not printable ASCII replaced by `?`.
-std::string in_quotes(std::string_view text);
 
 }  // namespace unietp

@@ -84,7 +84,7 @@ TEST_F(GivenScenesTest, AnIdThatCanNameNoFileIsRefused) {
     write("a.scene.json", scene(id, "Mug"));
     const auto given = read_given_scenes({folder_}, backends_);
     ASSERT_EQ(given.errors.size(), 1U) << id;
-    EXPECT_THAT(format(given.errors[0]), HasSubstr("which is not usable as a file name"));
+    EXPECT_THAT(format(given.errors[0]), HasSubstr("letters, digits"));
   }
 }
 

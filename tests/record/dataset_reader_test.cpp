@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/limits.h"
 #include "small_set.h"
 
 namespace unietp {
@@ -134,9 +135,9 @@ TEST(DatasetReader, AMissingFileIsRefused) {
 
 TEST(DatasetReader, ALineBeyondTheBoundIsRefused) {
   const SmallSet set;
-  set.write({task_line("a", kLineBytes)}, {});
+  set.write({task_line("a", limits::kLineBytes)}, {});
   EXPECT_THAT(read_strictly(set), ElementsAre("tasks.jsonl:1: schema error: is longer than " +
-                                              std::to_string(kLineBytes) + " bytes; nothing after it is read"));
+                                              std::to_string(limits::kLineBytes) + " bytes; nothing after it is read"));
 }
 
 std::size_t count_tasks(const SmallSet& set, int threads) {
