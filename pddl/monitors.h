@@ -5,6 +5,7 @@
 
 #include "logic/vocabulary.h"
 #include "pddl/domain_parts.h"
+#include "scene/action.h"
 
 namespace unietp::pddl {
 
