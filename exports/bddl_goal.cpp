@@ -116,7 +116,7 @@ class Translator {
     if (f.comparison == Comparison::Less) high = std::min(high, f.number - 1);
     std::vector<std::string> exactly;
     for (int n = low; n <= high; ++n) exactly.push_back("(forn (" + std::to_string(n) + ") " + rest + ")");
-    if (exactly.empty()) exactly.push_back("(forn (" + std::to_string(low) + ") " + rest + ")");  // more than there are
+    if (exactly.empty()) exactly.push_back("(forn (" + std::to_string(there + 1) + ") " + rest + ")");  // never
     return exactly.size() == 1 ? exactly[0] : "(or " + join(exactly, " ") + ")";
   }
 
