@@ -1,5 +1,6 @@
 // The steps that all importers share, on our own curated words alone.
 #include <algorithm>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -99,6 +100,28 @@ TEST(TableBuilder, KeepsEveryModelAndKnowsWhichGoWhereTheCategoryGoes) {
   ASSERT_NE(k.asset("low"), nullptr);
   EXPECT_NEAR((k.asset("low")->size - table * 0.8).norm(), 0, 1e-3) << "its own box, not the category's";
   EXPECT_EQ(k.asset("of_nothing"), nullptr);
+}
+
+TEST(TableBuilder, ASynonymOfTwoCategoriesOrOfTheNameOfOneIsLeftOut) {
+  const WordsAlone words;
+  TableBuilder builder(Simulator::Ai2thor, words.path());
+  for (const char* name : {"Apple", "Plate", "Fork"}) builder.add(raw(name, true));
+  const Source source{"metadata:names.json", 1};
+  const auto own = builder.find("Fork")->display;
+  for (const auto& [category, text, kind] :
+       {std::tuple("Apple", std::string("roundel"), "synonym"), std::tuple("Plate", std::string("roundel"), "synonym"),
+        std::tuple("Apple", std::string("windfall"), "synonym"), std::tuple("Plate", own, "synonym"),
+        std::tuple("Fork", own, "synonym"), std::tuple("Apple", std::string("something round"), "function"),
+        std::tuple("Plate", std::string("something round"), "function")})
+    builder.alias({category, text, kind, source});
+  const auto tables = builder.finish();
+  ASSERT_TRUE(tables) << format(tables.error());
+  std::vector<std::string> kept;
+  for (const auto& alias : tables->aliases) {
+    if (alias.source == source) kept.push_back(alias.category + ": " + alias.text);
+  }
+  std::sort(kept.begin(), kept.end());
+  EXPECT_EQ(kept, (std::vector<std::string>{"Apple: something round", "Apple: windfall", "Plate: something round"}));
 }
 
 TEST(TableBuilder, PutsThingsBesideWhatSharesASupportAndUnderTables) {

@@ -26,6 +26,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Key;
 using ::testing::Not;
+using ::testing::UnorderedElementsAre;
 
 std::vector<FactKind> every_kind() { return {all_fact_kinds().begin(), all_fact_kinds().end()}; }
 
@@ -112,6 +113,30 @@ TEST(Complete, TakesWhatIsLackingAndNamesTheModel) {
   EXPECT_THAT(reasons, Contains("an unknown affordance"));
   EXPECT_THAT(reasons, Contains("does not fit there"));
   EXPECT_THAT(reasons, Contains("not lower-case English words"));
+}
+
+TEST(Complete, ASynonymThatNamesTwoCategoriesIsLeftOut) {
+  const ScratchFolder folder;
+  test::write_small_tables(folder.path(), test::small_tables());
+  std::vector<Error> errors;
+  auto tables = read_tables(folder.path() / "habitat", errors);
+  ASSERT_THAT(errors, IsEmpty());
+  const Source model{"llm:tiny", 0.5};
+  CompletedFacts facts;
+  facts.aliases = {{"apple", "snack", "synonym", model},
+                   {"half_apple", "snack", "synonym", model},
+                   {"apple", "mugs", "synonym", model},
+                   {"plate", "cup, with a handle", "synonym", model},
+                   {"apple", "windfall", "synonym", model},
+                   {"apple", "something to eat", "function", model},
+                   {"plate", "something to eat", "function", model}};
+  lay_under(facts, {}, tables);
+  std::vector<std::string> laid;
+  for (const auto& alias : tables.aliases) {
+    if (alias.source == model) laid.push_back(alias.category + " " + alias.kind + " " + alias.text);
+  }
+  EXPECT_THAT(laid, UnorderedElementsAre("apple synonym windfall", "apple function something to eat",
+                                         "plate function something to eat"));
 }
 
 TEST(Complete, ChangesNoFactOfAnotherSource) {

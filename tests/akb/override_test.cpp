@@ -105,6 +105,15 @@ TEST(Override, ANewEffectNeedsWhatTheToolsOthersNeed) {
   EXPECT_EQ(said(laid, "fridge", "cools:mug:needs"), "closed|inside [override:mine.csv]");
 }
 
+TEST(Override, AnEffectKeepsItsOwnNeedsWhenItsResultChanges) {
+  const std::string own = "habitat,fridge,cools:mug,true,drinks\nhabitat,fridge,cools:mug:needs,power_on,tried\n";
+  const auto laid = lay(own + "habitat,fridge,cools:mug,plate,a trick\n");
+  ASSERT_TRUE(laid.errors.empty()) << format(laid.errors.front());
+  EXPECT_EQ(said(laid, "fridge", "cools:mug"), "plate [override:mine.csv]");
+  EXPECT_EQ(said(laid, "fridge", "cools:mug:needs"), "power_on [override:mine.csv]");
+  EXPECT_EQ(said(laid, "fridge", "cools:apple:needs"), "closed|inside [curated]");
+}
+
 TEST(Override, RowsCountOneAfterTheOther) {
   const auto laid = lay("habitat,mug,on:plate,0.2,seen\nhabitat,mug,on:plate:capacity,2,counted\n");
   ASSERT_TRUE(laid.errors.empty()) << format(laid.errors.front());

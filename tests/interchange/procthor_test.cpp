@@ -51,6 +51,35 @@ TEST(Procthor, RealHousesArriveAndHold) {
   std::cout << table_row("procthor", all) << "\n";
 }
 
+/// The rotation of the one object of a house whose field `rotation` is this.
+Quat rotation_read(const std::string& rotation) {
+  const auto houses = read_procthor("house",
+                                    R"({"rooms": [{"id": "room|2", "roomType": "Kitchen", "floorPolygon": )"
+                                    R"([[0, 0, 0], [0, 0, 4], [4, 0, 4]]}], "objects": [{"id": "Mug|2|0", )"
+                                    R"("assetId": "Mug_1", "position": [1, 0.05, 2], "rotation": )" +
+                                        rotation + "}]}",
+                                    committed_knowledge(Simulator::Ai2thor));
+  EXPECT_TRUE(houses) << format(houses.error());
+  return houses ? houses->front().objects.front().pose.rotation : Quat::Identity();
+}
+
+TEST(Procthor, AnAxisAndAnAngleTurnTheSameWayAsEulerAngles) {
+  const auto same = [](const std::string& axis, double degrees, const std::string& euler) {
+    const auto turn = std::to_string(degrees);
+    const Quat read = rotation_read(R"({"axis": )" + axis + R"(, "degrees": )" + turn + "}");
+    EXPECT_LT(read.angularDistance(rotation_read(euler)), 1e-6) << axis << " " << turn;
+  };
+  same("[0, 1, 0]", 30, "[0, 30, 0]");
+  same("[0, -1, 0]", 30, "[0, -30, 0]");
+  same("[0, 2, 0]", -75, "[0, -75, 0]");
+  same("[1, 0, 0]", 40, "[40, 0, 0]");
+  same("[0, 0, 1]", 50, "[0, 0, 50]");
+  same("[0, 0, 0]", 50, "[0, 0, 0]");
+  // Unity turns clockwise seen from above: a quarter turns what looks along its z, our y, to x.
+  const Quat quarter = rotation_read(R"({"axis": [0, 1, 0], "degrees": 90})");
+  EXPECT_LT((quarter * -Vec3::UnitY() - Vec3::UnitX()).norm(), 1e-6);
+}
+
 /// Nodes of one scene that the other has no equal of: same category, middle within 2 cm, extents within 1 cm.
 std::vector<std::string> without_equal(const Scene& scene, const Scene& other, const std::vector<std::string>& except) {
   std::vector<std::string> missing;

@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/files.h"
+#include "record/home_cache.h"
 #include "report/charts.h"
 #include "report/figure_table.h"
+#include "scene/scene_json.h"
+#include "tests/support/scratch_folder.h"
 
 namespace unietp {
 namespace {
@@ -40,6 +44,120 @@ TEST(Histogram, KnowsItsMiddle) {
   EXPECT_EQ(of({4, 5, 12}).most(), 12);
   EXPECT_DOUBLE_EQ(Histogram().mean(), 0);
   EXPECT_DOUBLE_EQ(Histogram().median(), 0);
+}
+
+/// A home of one kitchen with so many mugs.
+Scene home_of(const std::string& id, int mugs) {
+  Scene home;
+  home.id = id;
+  home.rooms = {{"kitchen_1", "kitchen", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}}};
+  for (int i = 1; i <= mugs; ++i) {
+    Node mug;
+    mug.id = "mug_" + std::to_string(i);
+    mug.category = "Mug";
+    mug.size = {0.1, 0.1, 0.1};
+    mug.pose.position = {0.5 * i, 1, 0.05};
+    home.nodes.push_back(std::move(mug));
+  }
+  return home;
+}
+
+/// Two homes, the first of two tasks.
+class SetOfThree {
+ public:
+  SetOfThree() {
+    set.folder = scratch_.path();
+    set.name = "three";
+    std::filesystem::create_directories(scratch_.path() / "homes");
+    for (const auto& home : {home_of("first", 2), home_of("second", 5)})
+      EXPECT_TRUE(write_file(scratch_.path() / home_file(home.id), scene_to_json(home)));
+    add("first", "open-one", "Put the mug on a table.", "(at-end (exists (?a - Mug) (clean ?a)))");
+    add("first", "open-one", "put THE mug's lid on two mugs, please!", "(exists (?a - Mug) (sometime (held ?a)))");
+    add("second", "close-one", "Wash 2 stir-fry pans -", "(at-end (exists (?a - Mug) (not (clean ?a))))");
+  }
+  FinishedSet set;
+
+ private:
+  void add(const std::string& home, const std::string& name, const std::string& text, const std::string& goal) {
+    TaskRecord task;
+    task.simulator = "ai2thor";
+    task.split = "atomic";
+    task.template_name = name;
+    task.layout = task.scene = home;
+    task.instruction = text;
+    task.goal_tree = *parse_formula("goal", goal, FormulaUse::Goal);
+    task.bindings = {{"A", "Bowl"}};
+    set.tasks.push_back(std::move(task));
+  }
+  ScratchFolder scratch_;
+};
+
+Category category(const std::string& name) {
+  Category one;
+  one.name = name;
+  return one;
+}
+
+DatasetStatistics counted(const FinishedSet& set) {
+  const Knowledge knowledge(Simulator::Ai2thor, {category("Bowl"), category("Mug"), category("Plate")}, {}, {}, {}, {});
+  const Knowledge unused(Simulator::Habitat, {category("bowl")}, {}, {}, {}, {});
+  auto statistics = statistics_of_set(set, {&knowledge, &unused}, 2);
+  EXPECT_TRUE(statistics) << format(statistics.error());
+  return statistics ? *statistics : DatasetStatistics();
+}
+
+TEST(Statistics, CountEachWordAndEachDistinctWordOnce) {
+  const auto statistics = counted(SetOfThree().set);
+  // put the mug on a table | mug's lid two mugs please | wash 2 stir-fry pans
+  EXPECT_EQ(statistics.distinct_words, 15);
+  EXPECT_EQ(statistics.instruction_words.counts, (std::map<int, int>{{4, 1}, {6, 1}, {8, 1}}));
+  EXPECT_EQ(statistics.words, (Tally{{"put", 2},
+                                     {"mug", 1},
+                                     {"table", 1},
+                                     {"mug's", 1},
+                                     {"lid", 1},
+                                     {"two", 1},
+                                     {"mugs", 1},
+                                     {"wash", 1},
+                                     {"2", 1},
+                                     {"stir-fry", 1},
+                                     {"pans", 1}}));
+}
+
+TEST(Statistics, CountHomesOnceAndGoalsByTask) {
+  const SetOfThree three;
+  const auto statistics = counted(three.set);
+  EXPECT_EQ(statistics.tasks, 3);
+  EXPECT_EQ(statistics.homes, 2);
+  EXPECT_EQ(statistics.rooms.counts, (std::map<int, int>{{1, 2}}));
+  EXPECT_EQ(statistics.objects.counts, (std::map<int, int>{{2, 1}, {5, 1}}));
+  EXPECT_EQ(statistics.templates, (Tally{{"close-one", 1}, {"open-one", 2}}));
+  EXPECT_EQ(statistics.predicates, (Tally{{"clean", 2}, {"held", 1}}));
+  EXPECT_EQ(statistics.operators.at("at-end"), 2);
+  EXPECT_EQ(statistics.operators.at("sometime"), 1);
+  ASSERT_EQ(statistics.coverage.size(), 1U);  // nothing of the other simulator
+  EXPECT_EQ(statistics.coverage[0].known, 3);
+  EXPECT_EQ(statistics.coverage[0].handled, 1);
+  EXPECT_EQ(statistics.coverage[0].in_homes, 2);
+}
+
+TEST(Statistics, EvennessAndTheFunnelAreOfTheCandidates) {
+  SetOfThree three;
+  three.set.level["template"] = {{"close-one", 1}, {"open-one", 3}};
+  RejectionRecord given_up;
+  given_up.template_name = "open-one";
+  given_up.stage = "expert";
+  given_up.reason = "action-failed";
+  three.set.given_up = {given_up, given_up};
+  const auto statistics = counted(three.set);
+  ASSERT_EQ(statistics.evenness.size(), 1U);
+  EXPECT_DOUBLE_EQ(statistics.evenness[0].effective, 1.6);       // 16 / (9 + 1)
+  EXPECT_NEAR(statistics.evenness[0].by_entropy, 1.7548, 1e-4);  // exp(-3/4 ln 3/4 - 1/4 ln 1/4)
+  EXPECT_DOUBLE_EQ(statistics.evenness[0].variation, 0.5);       // of 3 and 1
+  EXPECT_EQ(statistics.candidates(), 5);
+  ASSERT_EQ(statistics.funnel.size(), 2U);
+  EXPECT_EQ(statistics.funnel[1].accepted, 2);
+  EXPECT_EQ(statistics.funnel[1].causes, (Tally{{"expert: action-failed", 2}}));
 }
 
 TEST(FunnelRow, AddsUp) { EXPECT_EQ(small("a").candidates(), 5); }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "random_scene.h"
+#include "scene/size_and_nearness.h"
 
 namespace unietp {
 namespace {
@@ -73,6 +74,43 @@ TEST(Compared, AreReadAsInAReadingThatComparesEverythingAndNothingElseIsForAnySe
   }
   EXPECT_GT(related, 100);
   EXPECT_GT(sized, 20);
+}
+
+/// The size of each of two mugs of which one has so many times the volume of the other.
+std::vector<std::string> sizes_at_ratio(double ratio) {
+  SharedList<Node> nodes;
+  for (const double volume : {1.0, ratio}) {
+    Node mug;
+    mug.category = "Mug";
+    mug.size = {0.1, 0.1, 0.1 * volume};
+    nodes.push_back(std::move(mug));
+  }
+  std::vector<std::string> said(2);
+  for (const auto& [place, size] : sizes_of(nodes, {0, 1})) said[place] += size;
+  return said;
+}
+
+TEST(Sizes, AThingIsSmallOrLargeOnlyByAClearMargin) {
+  const std::vector<std::string> none{"", ""}, first_small{"small", "large"}, first_large{"large", "small"};
+  EXPECT_EQ(sizes_at_ratio(1), none);
+  EXPECT_EQ(sizes_at_ratio(1.28), none);
+  EXPECT_EQ(sizes_at_ratio(1.32), first_small);
+  EXPECT_EQ(sizes_at_ratio(1 / 1.28), none);
+  EXPECT_EQ(sizes_at_ratio(1 / 1.32), first_large);
+}
+
+TEST(Sizes, TheMarginIsToTheNextOneAmongMany) {
+  SharedList<Node> nodes;
+  for (const double height : {0.1, 0.12, 0.2, 0.4}) {
+    Node mug;
+    mug.category = "Mug";
+    mug.size = {0.1, 0.1, height};
+    nodes.push_back(std::move(mug));
+  }
+  using Sizes = std::vector<std::pair<std::size_t, std::string>>;
+  EXPECT_EQ(sizes_of(nodes, {0, 1, 2, 3}), (Sizes{{3, "large"}}));  // the least is close to the next
+  EXPECT_EQ(sizes_of(nodes, {1, 2, 3}), (Sizes{{3, "large"}, {1, "small"}}));
+  EXPECT_EQ(sizes_of(nodes, {2}), Sizes{});
 }
 
 }  // namespace

@@ -112,6 +112,31 @@ TEST(ManyThings, TheLastOfFiveThousandIsAThingAndNoRoom) {
   }
 }
 
+TEST(Counts, MeanTheSameInSymbolsAsInLogicForEachComparison) {
+  const std::vector<std::string> comparisons{"=", ">=", "<=", ">", "<"};
+  for (std::size_t dirty = 0; dirty <= 4; ++dirty) {
+    for (std::size_t hot = 0; hot <= 4; ++hot) {
+      Mugs home(4);
+      for (std::size_t i = 0; i < dirty; ++i) home.world.things[i].set(Predicate::Dirty);
+      for (std::size_t i = 0; i < hot; ++i) home.world.things[i].set(Predicate::Hot);
+      for (const auto& sign : comparisons) {
+        const auto expected = [&](std::size_t a, std::size_t b) {
+          return sign == "=" ? a == b : sign == ">=" ? a >= b : sign == "<=" ? a <= b : sign == ">" ? a > b : a < b;
+        };
+        const auto expect = [&](const std::string& goal, bool truth) {
+          EXPECT_EQ(home.holds_in_symbols(goal), truth) << goal << " of " << dirty << " and " << hot;
+          EXPECT_EQ(home.holds_in_logic(goal), truth) << goal << " of " << dirty << " and " << hot;
+          EXPECT_EQ(home.holds_in_monitor(goal), truth) << goal << " of " << dirty << " and " << hot;
+        };
+        for (std::size_t n = 0; n <= 5; ++n)
+          expect("(at-end (count " + sign + " " + std::to_string(n) + " (?x - Mug) (dirty ?x)))", expected(dirty, n));
+        expect("(at-end (count " + sign + " (number (?x - Mug) (dirty ?x)) (number (?y - Mug) (hot ?y))))",
+               expected(dirty, hot));
+      }
+    }
+  }
+}
+
 TEST(ManyThings, EachSubstanceOfBehaviorIsToldFromEachOther) {
   std::set<std::string> substances;
   for (const auto& row : committed_knowledge(Simulator::Behavior).effects()) {
