@@ -19,6 +19,12 @@ target_compile_options(unietp_flags INTERFACE
                        "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=500000>")
 file(WRITE ${PROJECT_BINARY_DIR}/room_graph.txt "")
 
+# What core/math_functions.cpp defines, each in double and in single precision (sinf). Compilers must not compute them
+# themselves where the argument is a constant, since their result can differ in the last bit.
+set(UNIETP_MATH_FUNCTIONS sin cos sincos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh
+    exp exp2 exp10 expm1 log log2 log10 log1p pow cbrt hypot erf erfc)
+list(TRANSFORM UNIETP_MATH_FUNCTIONS PREPEND -fno-builtin- OUTPUT_VARIABLE UNIETP_NO_FOLDING)
+
 # Where a run spends its time. With only logic, scene and simulation at -O3 and the others at -O1, making the benchmark
 # takes a fifth more processor time, since homes are drawn by grounding.
 set(UNIETP_HOT_ROOMS core logic scene simulation generator grounding expert)
@@ -39,6 +45,7 @@ function(add_room name)
   add_library(unietp::${name} ALIAS unietp_${name})
   list(TRANSFORM ROOM_DEPENDS PREPEND unietp:: OUTPUT_VARIABLE rooms)
   target_link_libraries(unietp_${name} PUBLIC unietp_flags ${rooms} ${ROOM_PUBLIC_LIBS} PRIVATE ${ROOM_PRIVATE_LIBS})
+  target_compile_options(unietp_${name} PRIVATE ${UNIETP_NO_FOLDING})
   if(name IN_LIST UNIETP_HOT_ROOMS)  # at -O3 g++ 12 warns falsely of std::variant
     target_compile_options(unietp_${name} PRIVATE
                            $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-O3;-Wno-maybe-uninitialized>)
