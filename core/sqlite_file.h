@@ -45,8 +45,11 @@ class Statement {
   std::shared_ptr<Idle> idle_;
 };
 
+/// A database file, perhaps from a stranger: only its tables are used. Its views cannot be read, its triggers do not
+/// fire, and no value of more than 64 MB is read or written.
 class SqliteFile {
  public:
+  /// Read: a file that nobody writes meanwhile; a journal beside it is not looked at.
   enum class Mode { Create, Read };
   /// Errors: std::runtime_error with SQLite's message.
   SqliteFile(const std::filesystem::path& path, Mode mode);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "core/file_place.h"
 #include "core/sqlite_file.h"
 
 namespace unietp {
@@ -80,12 +81,17 @@ struct DatabaseCheck::Tables {
 };
 
 DatabaseCheck::DatabaseCheck(const std::filesystem::path& folder) {
+  const auto path = path_inside(folder, kFile, MissingFolders::Refused);
+  if (!path) {
+    fail(path.error().message);
+    return;
+  }
   try {
-    SqliteFile file(folder / kFile, SqliteFile::Mode::Read);
+    SqliteFile file(*path, SqliteFile::Mode::Read);
     auto tasks = file.prepare(
         "SELECT id, template, split, simulator, scene, layout, goal, instruction, style, writer, steps, failures FROM "
         "task ORDER BY rowid");
-    auto traits = TraitTable::open(folder / kFile);
+    auto traits = TraitTable::open(*path);
     if (!traits) {
       fail(traits.error().message);
       return;

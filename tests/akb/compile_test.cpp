@@ -4,9 +4,9 @@
 
 #include "akb/csv.h"
 #include "core/files.h"
-#include "core/sqlite_file.h"
 #include "core/text.h"
 #include "tests/akb/small_tables.h"
+#include "tests/support/sqlite_client.h"
 
 namespace unietp {
 namespace {
@@ -44,15 +44,14 @@ TEST(CompileKnowledge, LoadGivesExactlyWhatTheCommittedTablesSay) {
 }
 
 /// A view of the database as the CSV text of a simulator's table.
-std::string view_text(SqliteFile& file, const std::string& table, Simulator simulator) {
+std::string view_text(test::SqliteClient& database, const std::string& table, Simulator simulator) {
   const auto& columns = columns_of(table);
-  auto statement = file.prepare("SELECT " + join(columns, ",") + " FROM " + table + " WHERE simulator = ?");
-  statement.bind(1, name_of(simulator));
   std::string text = csv_line(columns);
-  while (statement.step()) {
+  for (const auto& row : database.rows("SELECT " + join(columns, ",") + " FROM " + table + " WHERE simulator = '" +
+                                       std::string(name_of(simulator)) + "'")) {
     std::vector<std::string> fields;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      const auto cell = std::string(statement.text(static_cast<int>(i)));
+      const std::string& cell = row.at(i);
       const bool flag = columns[i] == "countable" || columns[i] == "movable";
       const bool number = std::isdigit(static_cast<unsigned char>(cell[0])) != 0 && cell.find('.') != std::string::npos;
       fields.push_back(flag ? (cell == "1" ? "true" : "false") : number ? number_text(std::stod(cell)) : cell);
@@ -66,11 +65,11 @@ TEST(CompileKnowledge, TheViewsSayWhatTheTablesSay) {
   const ScratchFolder folder;
   test::write_small_tables(folder.path() / "t", test::small_tables());
   ASSERT_TRUE(compile_knowledge(folder.path() / "t", folder.path() / "k.sqlite").empty());
-  SqliteFile file(folder.path() / "k.sqlite", SqliteFile::Mode::Read);
+  test::SqliteClient database(folder.path() / "k.sqlite");
   const auto k = test::small_knowledge();
   const Tables tables{k.categories(), k.affordances(), k.placements(), k.effects(), k.aliases(), k.assets()};
   for (const auto& table : table_names())
-    EXPECT_EQ(view_text(file, table, Simulator::Virtualhome), table_csv(tables, table));
+    EXPECT_EQ(view_text(database, table, Simulator::Virtualhome), table_csv(tables, table));
 }
 
 TEST(CompileKnowledge, EqualTablesGiveEqualBytes) {

@@ -1,10 +1,12 @@
 #include "core/sqlite_file.h"
 
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace unietp {
@@ -55,6 +57,45 @@ TEST_F(SqliteFiles, CloseWithStatementsThatNobodyUses) {
   file.reset();
   std::filesystem::remove(path);
   EXPECT_THROW(SqliteFile(path, SqliteFile::Mode::Read).prepare("select * from thing"), std::runtime_error);
+}
+
+TEST_F(SqliteFiles, RunNothingThatTheSchemaBrings) {
+  {
+    SqliteFile file(path, SqliteFile::Mode::Create);
+    file.run(
+        "create table thing (name text); create table told (name text);"
+        "create view endless as with recursive n(x) as (select 1 union all select x + 1 from n) select x from n;"
+        "create trigger tell after insert on thing begin insert into told values (new.name); end;"
+        "insert into thing values ('mug')");
+    EXPECT_FALSE(file.prepare("select * from told").step());
+  }
+  SqliteFile file(path, SqliteFile::Mode::Read);
+  EXPECT_TRUE(file.prepare("select * from thing").step());
+  EXPECT_THROW(file.prepare("select count(*) from endless"), std::runtime_error);
+}
+
+TEST_F(SqliteFiles, ReadNoValueThatWouldFillTheMemory) {
+  SqliteFile file(path, SqliteFile::Mode::Create);
+  file.run("create table thing (name text); insert into thing values ('mug')");
+  file.run("alter table thing add column long as (zeroblob(900000000))");
+  EXPECT_TRUE(file.prepare("select name from thing").step());
+  EXPECT_THROW(file.prepare("select long from thing").step(), std::runtime_error);
+}
+
+TEST_F(SqliteFiles, AreNotWaitedForWhenTheyAreFifos) {
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  EXPECT_THROW(SqliteFile(path, SqliteFile::Mode::Read), std::runtime_error);
+  EXPECT_THROW(SqliteFile(path, SqliteFile::Mode::Create), std::runtime_error);
+}
+
+TEST_F(SqliteFiles, AreReadUnderAnyNameAndWithoutTheJournalBesideThem) {
+  const auto odd = path.parent_path() / (path.filename().string() + " 100%?#&\xc3\xa4");
+  const auto journal = std::filesystem::path(odd.string() + "-journal");
+  SqliteFile(odd, SqliteFile::Mode::Create).run("create table thing (name text); insert into thing values ('mug')");
+  std::ofstream(journal) << "what a stranger put there";
+  EXPECT_TRUE(SqliteFile(odd, SqliteFile::Mode::Read).prepare("select * from thing").step());
+  EXPECT_TRUE(std::filesystem::remove(journal));
+  EXPECT_TRUE(std::filesystem::remove(odd));
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 
 #include "core/files.h"
 #include "core/rng.h"
-#include "core/sqlite_file.h"
 #include "core/text.h"
 #include "data_set.h"
 #include "file_watch.h"
+#include "tests/support/sqlite_client.h"
 
 namespace unietp {
 namespace {
@@ -180,14 +180,14 @@ TEST(Robust, TheLedgerHasEveryCandidateWithStageReasonAndCost) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(bytes_below(folder.at("out")), tiny_bytes());  // costs are no part of it
   const auto rejected = json_lines(folder.path() / "out/rejections.jsonl").size();
-  SqliteFile ledger(folder.at("ledger.sqlite"), SqliteFile::Mode::Read);
-  auto rows = ledger.prepare("SELECT accepted, stage, reason, seconds FROM outcome ORDER BY slot, attempt");
+  test::SqliteClient ledger(folder.at("ledger.sqlite"));
   std::size_t made = 0, given_up = 0;
-  while (rows.step()) {
-    ++(rows.integer(0) != 0 ? made : given_up);
-    EXPECT_EQ(rows.integer(0) != 0, rows.text(1).empty());
-    EXPECT_EQ(rows.integer(0) != 0, rows.text(2).empty());
-    EXPECT_GT(rows.number(3), 0);
+  for (const auto& row : ledger.rows("SELECT accepted, stage, reason, seconds FROM outcome ORDER BY slot, attempt")) {
+    const bool accepted = row.at(0) != "0";
+    ++(accepted ? made : given_up);
+    EXPECT_EQ(accepted, row.at(1).empty());
+    EXPECT_EQ(accepted, row.at(2).empty());
+    EXPECT_GT(std::stod(row.at(3)), 0);
   }
   EXPECT_EQ(made, 3U);
   EXPECT_EQ(given_up, rejected);
