@@ -1,6 +1,7 @@
 #include "homes/foreign_scenes.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/files.h"
@@ -77,12 +78,15 @@ class FreshNames {
   std::string take(const std::string& id) {
     const std::string name = as_file_name(id);
     std::string fresh = name;
-    for (int n = 2; !taken_.insert(lower(fresh)).second; ++n) fresh = name + "-" + std::to_string(n);
+    for (int& n = last_.try_emplace(lower(name), 1).first->second; !taken_.insert(lower(fresh)).second;)
+      fresh = name + "-" + std::to_string(++n);
     return fresh;
   }
 
  private:
-  std::set<std::string> taken_;  // in lower case: some file systems do not tell the cases apart
+  // In lower case: some file systems do not tell the cases apart.
+  std::set<std::string> taken_;
+  std::map<std::string, int> last_;  // number behind a name, so that a file of equal ids is read in linear time
 };
 
 Result<std::string> format_for(const std::string& asked, const std::string& where, std::string_view text) {

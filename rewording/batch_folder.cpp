@@ -41,7 +41,8 @@ Result<BatchFolder> BatchFolder::open(const fs::path& folder, std::string model)
     }
     int number = 0;
     (void)std::from_chars(name.data() + kRequests.size(), name.data() + name.size(), number);
-    batch.files_ = std::max(batch.files_, number);
+    constexpr int kMostFiles = 1'000'000;  // a file of a larger number is not ours
+    if (number < kMostFiles) batch.files_ = std::max(batch.files_, number);
     for (const std::string& line : split(*text, '\n')) {
       auto id = id_of_batch_line(line);
       if (!id.empty()) ++batch.asked_[id];
