@@ -8,12 +8,21 @@ namespace unietp::fuzz {
 // what it accepts is written and read back the same. Each aborts where that fails, and tells whether the text was
 // accepted. The fuzz targets run them on what libFuzzer finds, sample/ on seeds/ and changes of them.
 
+bool sexpr_body(std::string_view text);
+bool formula_body(std::string_view text);
+
 bool csv_body(std::string_view text);
 /// The five tables of one simulator, one after the other, with a line `====` between them.
 bool tables_body(std::string_view text);
 /// An override file over small tables.
 bool override_body(std::string_view text);
 bool gzip_body(std::string_view text);
+/// A table kept by hand: its name, a line feed, its text.
+bool curated_body(std::string_view text);
+/// index.noun and data.noun, with a line `====` between them.
+bool wordnet_body(std::string_view text);
+/// The bytes that a language model's server sends over the network, from the first of its HTTP answer.
+bool http_body(std::string_view text);
 /// What a language model's server answers when it is asked for facts.
 bool completion_body(std::string_view text);
 /// What a batch service hands back for texts and judgements, and what a server may say of when to ask again.
@@ -27,6 +36,8 @@ bool procthor_body(std::string_view text);
 bool virtualhome_body(std::string_view text);
 bool habitat_body(std::string_view text);
 bool behavior_body(std::string_view text);
+/// One of these files, whichever it is, twice.
+bool foreign_body(std::string_view text);
 /// A table of the models that such homes name.
 bool models_body(std::string_view text);
 
@@ -49,13 +60,28 @@ bool demonstration_body(std::string_view text);
 bool wordings_body(std::string_view text);
 bool rejection_body(std::string_view text);
 bool manifest_body(std::string_view text);
+/// A line of reviews.jsonl.
+bool mark_body(std::string_view text);
+/// tasks.jsonl, demonstrations/M1.jsonl and wordings.jsonl, read side by side, with a line `====` between them.
+bool lines_body(std::string_view text);
 
 /// The settings of a run.
 bool configuration_body(std::string_view text);
 /// What a finished shard says of itself, and its database.
 bool shard_body(std::string_view text);
-bool ledger_body(std::string_view text);
 /// What the review page saves.
 bool review_body(std::string_view text);
+/// An option of the command line: its name, a line feed, its value.
+bool names_body(std::string_view text);
+
+// SQLite databases.
+bool knowledge_body(std::string_view bytes);
+bool library_body(std::string_view bytes);
+/// dataset.sqlite, held against one task.
+bool database_body(std::string_view bytes);
+/// The same, to give its tasks other instructions.
+bool rewording_body(std::string_view bytes);
+bool cache_body(std::string_view bytes);
+bool ledger_body(std::string_view bytes);
 
 }  // namespace unietp::fuzz

@@ -23,11 +23,15 @@ inline void check_positions(const Sexpr& expression) {
   for (const auto& child : expression.children) check_positions(child);
 }
 
-/// Any bytes give expressions with positions or an error with one.
-inline void read_sexprs_body(std::string_view text) {
+/// Any bytes give expressions with positions or an error with one. True when they are expressions.
+inline bool read_sexprs_body(std::string_view text) {
   const auto all = read_sexprs("fuzz", text);
-  if (!all) return require(all.error().pos.line >= 1 && !all.error().message.empty());
+  if (!all) {
+    require(all.error().pos.line >= 1 && !all.error().message.empty());
+    return false;
+  }
   for (const auto& expression : *all) check_positions(expression);
+  return true;
 }
 
 }  // namespace unietp::fuzz

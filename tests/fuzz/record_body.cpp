@@ -2,7 +2,9 @@
 
 #include "bodies.h"
 #include "fuzz_bodies.h"
+#include "record/dataset_reader.h"
 #include "record/manifest_record.h"
+#include "record/review_mark_record.h"
 #include "record/task_record.h"
 #include "record/wordings_record.h"
 #include "scene/scene_json.h"
@@ -66,6 +68,60 @@ bool manifest_body(std::string_view text) {
   }
   require(manifest->tasks >= 0 && manifest->run.count >= 0);
   return true;
+}
+
+bool mark_body(std::string_view text) {
+  const auto mark = read_review_mark("fuzz", 1, text);
+  if (!mark) {
+    check_error(mark.error());
+    return false;
+  }
+  require(!mark->task.empty() && !mark->verdict.empty());
+  return true;
+}
+
+namespace {
+
+/// What is wrong with the lines of one task; nullopt: nothing.
+std::optional<Error> task_error(const DatasetReader& reader, const TaskLines& lines) {
+  if (auto wrong = reader.line_error(lines)) return wrong;
+  const auto task = reader.task(lines);
+  if (!task) return task.error();
+  const auto shown = reader.demonstration(lines, Mode::M1);
+  if (!shown) return shown.error();
+  if (auto wrong = reader.misplaced(lines, Mode::M1, *shown, *task)) return wrong;
+  const auto wordings = reader.wordings(lines);
+  if (!wordings) return wordings.error();
+  const auto read = reader.read(lines);
+  require(read && read->record.id == task->id && read->shown.contains(Mode::M1));
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool lines_body(std::string_view text) {
+  static const Folder folder("lines");
+  constexpr std::string_view kBetween = "====\n";
+  std::filesystem::create_directories(folder.path() / "demonstrations");
+  for (const std::string& name : {std::string(kTasksFile), demonstrations_file(Mode::M1), std::string(kWordingsFile)}) {
+    const std::size_t end = text.find(kBetween);
+    folder.write(name, text.substr(0, end));
+    text = end == std::string_view::npos ? "" : text.substr(end + kBetween.size());
+  }
+  auto reader = DatasetReader::open(folder.path(), {{Mode::M1}, true, false}, FileNames::InFolder);
+  require(static_cast<bool>(reader));
+  bool sound = true;
+  while (const auto lines = reader->lines().next()) {
+    const auto wrong = task_error(*reader, *lines);
+    if (wrong) check_error(*wrong);
+    for (const StrayLine& stray : lines->strays) check_error(stray.error);
+    sound = sound && !wrong && lines->strays.empty();
+  }
+  while (const auto stray = reader->lines().next_stray()) {
+    check_error(stray->error);
+    sound = false;
+  }
+  return sound;
 }
 
 }  // namespace unietp::fuzz

@@ -3,7 +3,6 @@
 #include "bodies.h"
 #include "dataset/configuration_json.h"
 #include "fuzz_bodies.h"
-#include "run/ledger.h"
 #include "run/shard_folder.h"
 #include "support.h"
 
@@ -31,32 +30,6 @@ bool shard_body(std::string_view text) {
   require(read->shard.number >= 1 && read->shard.number <= read->shard.of);
   for (const auto& [first, slots] : read->blocks) require(first >= 0 && slots >= 0);
   require(nlohmann::ordered_json::parse(read->identity).contains("configuration"));
-  return true;
-}
-
-bool ledger_body(std::string_view text) {
-  static const Folder folder("ledger");
-  folder.write("ledger.sqlite", text);
-  auto ledger = Ledger::read_only(folder.path() / "ledger.sqlite", "fuzz");
-  if (!ledger) {
-    check_error(ledger.error());
-    return false;
-  }
-  const auto outlines = ledger->outlines(0, 1000);
-  if (!outlines) {
-    check_error(outlines.error());
-    return false;
-  }
-  for (const CandidateRecord& outline : *outlines) {
-    const auto whole = ledger->read(outline.slot, outline.attempt);
-    if (whole) continue;
-    check_error(whole.error());
-    return false;
-  }
-  if (const auto home = ledger->home("h"); !home) {
-    check_error(home.error());
-    return false;
-  }
   return true;
 }
 

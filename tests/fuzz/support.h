@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/result.h"
 #include "logic/formula.h"
 
 namespace unietp::fuzz {
@@ -26,6 +27,12 @@ class Folder {
 
 /// An error says where and what.
 void check_error(const Error& error);
+/// Whether there is a value; its error is checked when there is none.
+template <class T>
+bool check_result(const Result<T>& result) {
+  if (!result) check_error(result.error());
+  return static_cast<bool>(result);
+}
 /// The formula prints and parses to itself.
 void check_formula(const Formula& formula, FormulaUse use);
 

@@ -1,11 +1,15 @@
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "../bodies.h"
+#include "../json_mutator.h"
+#include "../sqlite_mutator.h"
+#include "broken.h"
 #include "core/files.h"
 #include "core/rng.h"
 
@@ -14,42 +18,59 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Mutator = std::optional<std::string>(std::string_view text, std::string_view donor, Rng rng);
+
 struct Parser {
   const char* name;  // of its folder of seeds
   bool (*body)(std::string_view);
+  Mutator* mutate;  // nullptr: only bytes change
 };
 void PrintTo(const Parser& parser, std::ostream* out) { *out << parser.name; }
-constexpr Parser kParsers[] = {{"csv", fuzz::csv_body},
-                               {"tables", fuzz::tables_body},
-                               {"override", fuzz::override_body},
-                               {"gzip", fuzz::gzip_body},
-                               {"completion", fuzz::completion_body},
-                               {"answers", fuzz::answers_body},
-                               {"metadata", fuzz::metadata_body},
-                               {"ithor", fuzz::ithor_body},
-                               {"procthor", fuzz::procthor_body},
-                               {"virtualhome", fuzz::virtualhome_body},
-                               {"habitat", fuzz::habitat_body},
-                               {"behavior", fuzz::behavior_body},
-                               {"models", fuzz::models_body},
-                               {"scene", fuzz::scene_body},
-                               {"delta", fuzz::delta_body},
-                               {"action", fuzz::action_body},
-                               {"template", fuzz::template_body},
-                               {"instruction", fuzz::instruction_body},
-                               {"profile", fuzz::profile_body},
-                               {"recipe", fuzz::recipe_body},
-                               {"benchmark", fuzz::benchmark_body},
-                               {"statistics", fuzz::statistics_body},
-                               {"task", fuzz::task_body},
-                               {"demonstration", fuzz::demonstration_body},
-                               {"wordings", fuzz::wordings_body},
-                               {"rejection", fuzz::rejection_body},
-                               {"manifest", fuzz::manifest_body},
-                               {"configuration", fuzz::configuration_body},
-                               {"shard", fuzz::shard_body},
-                               {"ledger", fuzz::ledger_body},
-                               {"review", fuzz::review_body}};
+constexpr Parser kParsers[] = {{"sexpr", fuzz::sexpr_body, nullptr},
+                               {"formula", fuzz::formula_body, nullptr},
+                               {"csv", fuzz::csv_body, nullptr},
+                               {"tables", fuzz::tables_body, nullptr},
+                               {"override", fuzz::override_body, nullptr},
+                               {"gzip", fuzz::gzip_body, nullptr},
+                               {"curated", fuzz::curated_body, nullptr},
+                               {"wordnet", fuzz::wordnet_body, nullptr},
+                               {"http", fuzz::http_body, nullptr},
+                               {"template", fuzz::template_body, nullptr},
+                               {"instruction", fuzz::instruction_body, nullptr},
+                               {"recipe", fuzz::recipe_body, nullptr},
+                               {"benchmark", fuzz::benchmark_body, nullptr},
+                               {"names", fuzz::names_body, nullptr},
+                               {"completion", fuzz::completion_body, fuzz::mutate_json},
+                               {"answers", fuzz::answers_body, fuzz::mutate_json},
+                               {"metadata", fuzz::metadata_body, fuzz::mutate_json},
+                               {"ithor", fuzz::ithor_body, fuzz::mutate_json},
+                               {"procthor", fuzz::procthor_body, fuzz::mutate_json},
+                               {"virtualhome", fuzz::virtualhome_body, fuzz::mutate_json},
+                               {"habitat", fuzz::habitat_body, fuzz::mutate_json},
+                               {"behavior", fuzz::behavior_body, fuzz::mutate_json},
+                               {"models", fuzz::models_body, fuzz::mutate_json},
+                               {"foreign", fuzz::foreign_body, fuzz::mutate_json},
+                               {"scene", fuzz::scene_body, fuzz::mutate_json},
+                               {"delta", fuzz::delta_body, fuzz::mutate_json},
+                               {"action", fuzz::action_body, fuzz::mutate_json},
+                               {"profile", fuzz::profile_body, fuzz::mutate_json},
+                               {"statistics", fuzz::statistics_body, fuzz::mutate_json},
+                               {"task", fuzz::task_body, fuzz::mutate_json},
+                               {"demonstration", fuzz::demonstration_body, fuzz::mutate_json},
+                               {"wordings", fuzz::wordings_body, fuzz::mutate_json},
+                               {"rejection", fuzz::rejection_body, fuzz::mutate_json},
+                               {"manifest", fuzz::manifest_body, fuzz::mutate_json},
+                               {"mark", fuzz::mark_body, fuzz::mutate_json},
+                               {"lines", fuzz::lines_body, fuzz::mutate_json},
+                               {"configuration", fuzz::configuration_body, fuzz::mutate_json},
+                               {"shard", fuzz::shard_body, fuzz::mutate_json},
+                               {"review", fuzz::review_body, fuzz::mutate_json},
+                               {"database", fuzz::database_body, fuzz::mutate_sqlite},
+                               {"rewording", fuzz::rewording_body, fuzz::mutate_sqlite},
+                               {"knowledge", fuzz::knowledge_body, fuzz::mutate_sqlite},
+                               {"library", fuzz::library_body, fuzz::mutate_sqlite},
+                               {"cache", fuzz::cache_body, fuzz::mutate_sqlite},
+                               {"ledger", fuzz::ledger_body, fuzz::mutate_sqlite}};
 
 std::vector<fs::path> seeds_of(const Parser& parser) {
   std::vector<fs::path> seeds;
@@ -57,27 +78,6 @@ std::vector<fs::path> seeds_of(const Parser& parser) {
     seeds.push_back(entry.path());
   std::sort(seeds.begin(), seeds.end());
   return seeds;
-}
-
-/// The text with up to four places overwritten, cut out or doubled.
-std::string broken(std::string text, Rng& rng) {
-  constexpr std::string_view kBytes = "()[]{}?-:,;\"'\\/\n\r|=<>019.eE+aAxtn_ \xff\x00";
-  const std::uint64_t changes = 1 + rng.below(4);
-  for (std::uint64_t i = 0; i < changes && !text.empty(); ++i) {
-    const std::size_t at = rng.below(text.size());
-    switch (rng.below(3)) {
-      case 0:
-        text[at] = kBytes[rng.below(kBytes.size())];
-        break;
-      case 1:
-        text.erase(at, 1 + rng.below(8));
-        break;
-      default:
-        text.insert(at, text.substr(rng.below(text.size()), rng.below(24)));
-        break;
-    }
-  }
-  return text;
 }
 
 class FuzzSample : public ::testing::TestWithParam<Parser> {};
@@ -100,7 +100,11 @@ TEST_P(FuzzSample, BrokenSeedsAreRefusedOrReadAndNeverCrash) {
     Rng rng = Rng(i).fork(GetParam().name, 0);
     const auto text = read_file(seeds.at(rng.below(seeds.size())));
     ASSERT_TRUE(text);
-    refused += GetParam().body(broken(*text, rng)) ? 0 : 1;
+    const auto donor = read_file(seeds.at(rng.below(seeds.size())));
+    ASSERT_TRUE(donor);
+    std::optional<std::string> changed;
+    if (GetParam().mutate != nullptr && rng.chance(0.5)) changed = GetParam().mutate(*text, *donor, rng);
+    refused += GetParam().body(changed ? *changed : fuzz::broken(*text, rng)) ? 0 : 1;
   }
   EXPECT_GT(refused, kTexts / 10);
 }

@@ -1,9 +1,0 @@
-#include <cstddef>
-#include <cstdint>
-
-#include "bodies.h"
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  unietp::fuzz::gzip_body({reinterpret_cast<const char*>(data), size});
-  return 0;
-}
