@@ -1,6 +1,8 @@
 #include "run/ledger.h"
 
+#include <array>
 #include <exception>
+#include <string_view>
 
 #include "core/text.h"
 
@@ -12,16 +14,43 @@ namespace {
 constexpr const char* kPragmas =
     "PRAGMA page_size=8192; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA wal_autocheckpoint=4096;";
 
+/// The columns of a candidate between `accepted` and `cost`, all texts, in the order of `texts_of`.
+constexpr std::array<std::string_view, 20> kTexts{
+    "template",    "simulator", "split",  "id",       "scene",   "layout", "goal",
+    "instruction", "style",     "writer", "bindings", "actions", "task",   "demonstration",
+    "start_key",   "text_key",  "traits", "stage",    "reason",  "detail"};
+
+/// What a candidate's row says in another form than its record does.
+struct OwnTexts {
+  std::string simulator, split;  // of the task or of the rejection
+  std::string bindings, actions;
+  std::string shown;  // the lines of the demonstrations
+};
+
+/// The texts of a row, to be written from or read into: the one place where a column gets its field.
+template <class Record, class Own>
+auto texts_of(Record& record, Own& own) -> std::array<decltype(&record.template_name), kTexts.size()> {
+  auto& row = record.task.row;
+  auto& rejection = record.rejection;
+  return {&record.template_name, &own.simulator, &own.split,        &row.id,           &row.scene,
+          &row.layout,           &row.goal,      &row.instruction,  &row.style,        &row.writer,
+          &own.bindings,         &own.actions,   &record.task.line, &own.shown,        &record.start_key,
+          &record.text_key,      &record.traits, &rejection.stage,  &rejection.reason, &rejection.detail};
+}
+
+/// `before` and `after` around each column of texts, in order.
+std::string columns(std::string_view before, std::string_view after) {
+  std::string text;
+  for (const std::string_view name : kTexts) text.append(before).append(name).append(after);
+  return text;
+}
+
 /// The tables and a view of the outcome of each candidate, for people; `to` is the database that they are made in.
 /// A cost is a JSON object of seconds by stage.
 std::string schema(const std::string& to) {
   return "CREATE TABLE IF NOT EXISTS " + to + ".run(identity TEXT NOT NULL);" + "CREATE TABLE IF NOT EXISTS " + to +
-         R"(.candidate(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, accepted INTEGER NOT NULL,
-  template TEXT NOT NULL, simulator TEXT NOT NULL, split TEXT NOT NULL, id TEXT NOT NULL, scene TEXT NOT NULL,
-  layout TEXT NOT NULL, goal TEXT NOT NULL, instruction TEXT NOT NULL, style TEXT NOT NULL, writer TEXT NOT NULL,
-  bindings TEXT NOT NULL, actions TEXT NOT NULL, task TEXT NOT NULL, demonstration TEXT NOT NULL,
-  start_key TEXT NOT NULL, text_key TEXT NOT NULL, traits TEXT NOT NULL,
-  stage TEXT NOT NULL, reason TEXT NOT NULL, detail TEXT NOT NULL, cost TEXT NOT NULL, PRIMARY KEY(slot, attempt));
+         ".candidate(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, accepted INTEGER NOT NULL" +
+         columns(", ", " TEXT NOT NULL") + R"(, cost TEXT NOT NULL, PRIMARY KEY(slot, attempt));
 CREATE TABLE IF NOT EXISTS )" +
          to + R"(.home(layout TEXT PRIMARY KEY, scene TEXT NOT NULL);
 CREATE VIEW IF NOT EXISTS )" +
@@ -30,12 +59,6 @@ CREATE VIEW IF NOT EXISTS )" +
   (SELECT sum(value) FROM json_each(cost)) AS seconds, cost FROM candidate;
 )";
 }
-
-// The columns of a candidate between `accepted` and `cost`, as `texts_of` has them.
-constexpr const char* kTexts =
-    "template, simulator, split, id, scene, layout, goal, instruction, style, writer, bindings, actions, task, "
-    "demonstration, start_key, text_key, traits, stage, reason, detail";
-constexpr int kTextCount = 20;
 
 std::string text_of(const StageCosts& costs) {
   std::string text;
@@ -58,9 +81,9 @@ Error no_candidate(int slot, int attempt, std::string_view why) {
           "candidate " + std::to_string(attempt) + " of slot " + std::to_string(slot) + " " + std::string(why)};
 }
 
-std::string repeated(std::string_view part, int times) {
+std::string repeated(std::string_view part, std::size_t times) {
   std::string text;
-  for (int i = 0; i < times; ++i) text += part;
+  for (std::size_t i = 0; i < times; ++i) text += part;
   return text;
 }
 
@@ -119,8 +142,8 @@ Result<Done> Ledger::copy_to(const std::filesystem::path& path, bool with_costs)
     const std::string cost = with_costs ? "cost" : "'{}'";
     const std::string fill =
         "BEGIN; INSERT INTO copy.run SELECT identity FROM main.run; INSERT INTO copy.candidate SELECT slot, attempt, "
-        "accepted, " +
-        std::string(kTexts) + ", " + cost +
+        "accepted" +
+        columns(", ", "") + ", " + cost +
         " FROM main.candidate ORDER BY slot, attempt; INSERT INTO copy.home SELECT layout, scene FROM main.home ORDER "
         "BY layout; COMMIT; DETACH copy;";
     file_.run(fill.c_str());
@@ -134,36 +157,17 @@ Result<Done> Ledger::add(const CandidateRecord& record, const StageCosts& costs)
   const std::scoped_lock lock(*mutex_);
   try {
     const std::string cost = text_of(costs);
-    static const std::string kInsert = "INSERT INTO candidate VALUES(?,?,?" + repeated(",?", kTextCount) + ",?)";
+    static const std::string kInsert = "INSERT INTO candidate VALUES(?,?,?" + repeated(",?", kTexts.size()) + ",?)";
     auto insert = file_.prepare(kInsert);
     insert.bind(1, std::int64_t{record.slot});
     insert.bind(2, std::int64_t{record.attempt});
     insert.bind(3, std::int64_t{record.accepted});
     int column = 3;
     const TaskRow& row = record.task.row;
-    const RejectionEntry& rejection = record.rejection;
-    const std::string bindings = bindings_text(row), actions = actions_text(row), shown = join(record.task.shown, "\n");
-    for (const auto* text : {&record.template_name,
-                             record.accepted ? &row.simulator : &rejection.simulator,
-                             record.accepted ? &row.split : &rejection.split,
-                             &row.id,
-                             &row.scene,
-                             &row.layout,
-                             &row.goal,
-                             &row.instruction,
-                             &row.style,
-                             &row.writer,
-                             &bindings,
-                             &actions,
-                             &record.task.line,
-                             &shown,
-                             &record.start_key,
-                             &record.text_key,
-                             &record.traits,
-                             &rejection.stage,
-                             &rejection.reason,
-                             &rejection.detail})
-      insert.bind(++column, std::string_view(*text));
+    const OwnTexts own{record.accepted ? row.simulator : record.rejection.simulator,
+                       record.accepted ? row.split : record.rejection.split, bindings_text(row), actions_text(row),
+                       join(record.task.shown, "\n")};
+    for (const std::string* text : texts_of(record, own)) insert.bind(++column, std::string_view(*text));
     insert.bind(++column, std::string_view(cost));
     insert.step();
     return Done{};
@@ -231,7 +235,7 @@ Result<CandidateRecord> Ledger::read(int slot, int attempt) {
   const std::scoped_lock lock(*mutex_);
   try {
     static const std::string kSelect =
-        "SELECT accepted, " + std::string(kTexts) + " FROM candidate WHERE slot = ? AND attempt = ?";
+        "SELECT accepted" + columns(", ", "") + " FROM candidate WHERE slot = ? AND attempt = ?";
     auto query = file_.prepare(kSelect);
     query.bind(1, std::int64_t{slot});
     query.bind(2, std::int64_t{attempt});
@@ -240,48 +244,28 @@ Result<CandidateRecord> Ledger::read(int slot, int attempt) {
     record.slot = slot;
     record.attempt = attempt;
     record.accepted = query.integer(0) != 0;
-    std::string simulator, split_name, bindings, actions, shown;
     TaskRow& row = record.task.row;
     RejectionEntry& rejection = record.rejection;
+    OwnTexts own;
     int column = 0;
-    for (auto* text : {&record.template_name,
-                       &simulator,
-                       &split_name,
-                       &row.id,
-                       &row.scene,
-                       &row.layout,
-                       &row.goal,
-                       &row.instruction,
-                       &row.style,
-                       &row.writer,
-                       &bindings,
-                       &actions,
-                       &record.task.line,
-                       &shown,
-                       &record.start_key,
-                       &record.text_key,
-                       &record.traits,
-                       &rejection.stage,
-                       &rejection.reason,
-                       &rejection.detail})
-      *text = query.text(++column);
+    for (std::string* text : texts_of(record, own)) *text = query.text(++column);
     if (!record.accepted) {
       rejection.slot = slot;
       rejection.attempt = attempt;
       rejection.template_name = record.template_name;
-      rejection.simulator = std::move(simulator);
-      rejection.split = std::move(split_name);
+      rejection.simulator = std::move(own.simulator);
+      rejection.split = std::move(own.split);
       return record;
     }
     row.template_name = record.template_name;
-    row.simulator = std::move(simulator);
-    row.split = std::move(split_name);
-    auto read_bindings = bindings_from(bindings);
-    auto read_actions = actions_from(actions);
+    row.simulator = std::move(own.simulator);
+    row.split = std::move(own.split);
+    auto read_bindings = bindings_from(own.bindings);
+    auto read_actions = actions_from(own.actions);
     if (!read_bindings || !read_actions) return no_candidate(slot, attempt, "is damaged");
     row.bindings = std::move(*read_bindings);
     row.actions = std::move(*read_actions);
-    record.task.shown = split(shown, '\n');
+    record.task.shown = split(own.shown, '\n');
     return record;
   } catch (const std::exception& reason) {
     return failure("cannot read a candidate", reason);
