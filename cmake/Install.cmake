@@ -35,8 +35,10 @@ install(FILES ${generated}/unietp.fish DESTINATION share/fish/vendor_completions
 # `cpack --config build/release/CPackConfig.cmake` makes the .deb of a finished build.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME unietp)
-set(CPACK_PACKAGE_VENDOR "The unietp authors")
-set(CPACK_PACKAGE_CONTACT "The unietp authors <unietp@example.org>")
+file(STRINGS ${PROJECT_SOURCE_DIR}/LICENSE copyright REGEX "^Copyright")
+string(REGEX REPLACE "^Copyright \\(c\\) [0-9]+ " "" holder "${copyright}")
+set(CPACK_PACKAGE_VENDOR "${holder}")
+set(CPACK_PACKAGE_CONTACT "${holder}")  # the package's maintainer; LICENSE names no address
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "make and verify embodied-planning tasks")
 set(CPACK_PACKAGE_DESCRIPTION "Data sets of tasks for AI2-THOR, VirtualHome, Habitat and BEHAVIOR: each with a furnished
  home at rest in a physics engine, a formal goal, an English instruction and a
