@@ -11,18 +11,6 @@ std::string percent(const ExpertSuccess& success) {
   return std::to_string(static_cast<int>(std::floor(100 * success.share()))) + " %";
 }
 
-/// The feedback at the end of a rejection's detail, with "…" for ids, in brackets; "" when it has none.
-std::string feedback_in(const std::string& detail) {
-  const auto last = detail.rfind(": ");
-  if (last == std::string::npos || detail.compare(last + 2, 1, "(") == 0) return "";  // none, or a formula
-  std::string text;
-  for (const auto& word : split(detail.substr(last + 2), ' ')) {
-    const bool names = word.find_first_of("0123456789(") != std::string::npos;
-    text += (text.empty() ? "" : " ") + (names ? "…" : word);
-  }
-  return " (" + text.substr(0, text.find_last_not_of('.') + 1) + ")";
-}
-
 std::string row_of(const std::string& name, const ExpertSuccess& success) {
   std::vector<std::string> reasons;
   for (const auto& [reason, count] : success.reasons) reasons.push_back(reason + " " + std::to_string(count));
@@ -51,8 +39,12 @@ ExpertSuccess expert_success(const CoverageCell& cell) {
     if (stage == RejectionStage::Generator || stage == RejectionStage::Grounding) success.grounded -= why.count;
     if (stage != RejectionStage::Expert) continue;
     const std::string reason(name_of(why.reason));
-    for (const auto& detail : why.details) ++success.reasons[reason + feedback_in(detail)];
-    if (why.details.empty()) success.reasons[reason] += why.count;
+    int others = why.count;
+    for (const auto& [failure, count] : why.failures) {
+      success.reasons[reason + " (" + std::string(name_of(failure)) + ")"] += count;
+      others -= count;
+    }
+    if (others > 0) success.reasons[reason] += others;
   }
   success.shown = success.grounded;
   for (const auto& [reason, count] : success.reasons) success.shown -= count;

@@ -13,7 +13,8 @@ namespace unietp {
 /// it does.
 struct ExpertSuccess {
   int grounded = 0, shown = 0;
-  std::map<std::string, int> reasons;  // why the others were not: reason and feedback
+  std::map<std::string, int>
+      reasons;  // why the others were not: "action-failed (too_far)", the failure where one is known
   double share() const { return grounded == 0 ? 1 : static_cast<double>(shown) / grounded; }
   ExpertSuccess& operator+=(const ExpertSuccess& other);
 };

@@ -10,13 +10,11 @@ namespace {
 
 void count(std::vector<TemplateTrial::Reason>& reasons, Rejection&& why) {
   const auto same = [&](const TemplateTrial::Reason& one) { return one.reason == why.reason; };
-  const auto found = std::find_if(reasons.begin(), reasons.end(), same);
-  if (found != reasons.end()) {
-    ++found->count;
-    found->details.push_back(std::move(why.detail));
-  } else {
-    reasons.push_back({why.reason, 1, why.detail, {why.detail}});
-  }
+  auto found = std::find_if(reasons.begin(), reasons.end(), same);
+  if (found == reasons.end()) found = reasons.insert(found, {.reason = why.reason, .example = why.detail});
+  ++found->count;
+  found->details.push_back(std::move(why.detail));
+  if (why.failure != Failure::None) ++found->failures[why.failure];
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct TemplateTrial {
     int count = 0;
     std::string example;                    // the detail of the first of them
     std::vector<std::string> details = {};  // of all of them, in order of attempt
+    std::map<Failure, int> failures = {};   // of the actions that the expert could not do, with how often; without None
   };
   std::vector<Reason> reasons;  // why the others were rejected; the most frequent first, then by name
 };

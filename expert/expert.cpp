@@ -140,7 +140,7 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
       if (attempt.trouble()) {
         if (attempt.trouble()->reason == RejectionReason::TooManySteps)
           out_of_steps += was_far(attempt) ? kMostOutOfSteps : 1;
-        last = {attempt.trouble()->reason, "for " + aim + ": " + attempt.trouble()->text};
+        last = {attempt.trouble()->reason, "for " + aim + ": " + attempt.trouble()->text, attempt.trouble()->failure};
       } else {
         last = {RejectionReason::ActionFailed, "no way to " + aim};
       }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "expert/course.h"
 #include "expert/execution.h"
@@ -10,6 +11,12 @@
 
 namespace unietp {
 namespace {
+
+/// Why a plan could not be carried out in a mode.
+struct Trouble {
+  std::string text;                 // for people
+  Failure failure = Failure::None;  // of the last action; NotSeenYet for a thing that was looked for in vain
+};
 
 /// Carries out a plan that names things by ids, looking for each thing first.
 class Explorer {
@@ -38,16 +45,16 @@ class Explorer {
     lost_.clear();
     for (const Action& action : plan.first(plan.size() - 1)) {
       if (carry_out(action)) continue;
-      trouble_ = "for " + to_text(action) + ": " + trouble_;
+      trouble_.text = "for " + to_text(action) + ": " + trouble_.text;
       if (!action.args.empty()) lost_ = action.args.front();
       return false;
     }
-    trouble_ = "done so, it does not reach the goal";
+    trouble_ = {"done so, it does not reach the goal"};
     return course_.reaches_goal();
   }
 
   const std::vector<Action>& done() const { return course_.done(); }
-  const std::string& trouble() const { return trouble_; }
+  const Trouble& trouble() const { return trouble_; }
   const std::string& lost() const { return lost_; }  // what was not come to, or could not be used; or ""
   bool over() const { return course_.episode().over(); }
 
@@ -57,12 +64,12 @@ class Explorer {
   const World& world() const { return course_.episode().world(); }
   bool can_say(const Action& action) const { return clearly_said(course_.episode(), action).has_value(); }
   bool unseen(const std::string& id) {
-    trouble_ = id + " cannot be found";
+    trouble_ = {id + " cannot be found", Failure::NotSeenYet};
     return false;
   }
   bool act(const Action& action) {
     const Outcome outcome = course_.go_on(action);
-    if (!outcome.success) trouble_ = to_text(action) + ": " + outcome.feedback;
+    if (!outcome.success) trouble_ = {to_text(action) + ": " + outcome.feedback, outcome.failure};
     return outcome.success;
   }
   bool look(const std::string& id, Standing standing = Standing::Anywhere) {
@@ -98,19 +105,20 @@ class Explorer {
   Course course_;
   bool stays_ = false;
   std::set<std::string> given_up_;
-  std::string trouble_, lost_;
+  Trouble trouble_;
+  std::string lost_;
 };
 
 /// Does a plan as the mode allows it. Where that does not go as planned, since who looks for things comes to stand
 /// elsewhere, the rest is planned anew from there; or all of it, with other things where others will do. Gives what was
 /// done, without `stop`.
-std::variant<std::vector<Action>, std::string> explore(Mode mode, Rehearsal& rehearsal, std::vector<Action> plan,
-                                                       const ExpertOptions& options) {
+std::variant<std::vector<Action>, Trouble> explore(Mode mode, Rehearsal& rehearsal, std::vector<Action> plan,
+                                                   const ExpertOptions& options) {
   constexpr int kMostReplans = 4;
   Explorer explorer(rehearsal, mode);
   Beginning beginning;
   for (int replans = 0; !explorer.follow(plan); ++replans) {
-    const std::string trouble = explorer.trouble();
+    const Trouble trouble = explorer.trouble();
     if (replans == kMostReplans) return trouble;
     if (!explorer.lost().empty()) beginning.shunned.push_back(explorer.lost());
     const bool goes_on = replans % 2 == 0 && !explorer.over();
@@ -135,12 +143,49 @@ std::vector<Action> actions_of(const Demonstration& shown) {
   return actions;
 }
 
+RejectionReason not_in(Mode mode) { return mode == Mode::M2 ? RejectionReason::NotInM2 : RejectionReason::NotInM3; }
+
+/// A state that every way to make the formula true brings about, and that has an action which the mode does not offer.
+std::optional<Predicate> state_without_action(Mode mode, const Formula& formula) {
+  using Op = Formula::Op;
+  switch (formula.op) {
+    case Op::Atom: {
+      const auto action = direct_action(formula.predicate);
+      return action && !offers(info(*action), mode) ? std::optional(formula.predicate) : std::nullopt;
+    }
+    case Op::And:
+    case Op::Before:
+      for (const Formula& part : formula.children) {
+        if (const auto state = state_without_action(mode, part)) return state;
+      }
+      return std::nullopt;
+    case Op::AtEnd:
+    case Op::Sometime:
+    case Op::Exists:
+    case Op::Forall:
+      return state_without_action(mode, formula.children.front());
+    case Op::Until:
+      return state_without_action(mode, formula.children.back());
+    default:
+      return std::nullopt;  // there may be another way, or nothing to do
+  }
+}
+
 }  // namespace
+
+std::optional<Rejection> ruled_out_in(Mode mode, const Formula& goal) {
+  const auto state = state_without_action(mode, goal);
+  if (!state) return std::nullopt;
+  return Rejection{not_in(mode),
+                   std::string(name_of(mode)) + " does not offer " + std::string(info(*direct_action(*state)).name) +
+                       ", which the goal needs",
+                   Failure::NotOffered};
+}
 
 std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, Rehearsal& rehearsal, const Demonstration& shown) {
   constexpr std::size_t kLongestRun = 3;
-  const auto rejected = [mode](const std::string& why) {
-    return Rejection{mode == Mode::M2 ? RejectionReason::NotInM2 : RejectionReason::NotInM3, why};
+  const auto rejected = [mode](std::string why, Failure failure = Failure::None) {
+    return Rejection{not_in(mode), std::move(why), failure};
   };
   const StepLimits limits = limits_of(mode);
   auto plan = actions_of(shown);
@@ -149,12 +194,12 @@ std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, Rehearsal& rehe
   if (!std::all_of(plan.begin(), plan.end(), is_offered)) {
     auto atomic = find_plan(rehearsal, options);
     if (const auto* why = std::get_if<Rejection>(&atomic))
-      return rejected(std::string(name_of(why->reason)) + ": " + why->detail);
+      return rejected(std::string(name_of(why->reason)) + ": " + why->detail, why->failure);
     plan = std::move(std::get<std::vector<Action>>(atomic));
   }
 
   auto explored = explore(mode, rehearsal, std::move(plan), options);
-  if (const auto* why = std::get_if<std::string>(&explored)) return rejected(*why);
+  if (auto* why = std::get_if<Trouble>(&explored)) return rejected(std::move(why->text), why->failure);
   auto& done = std::get<std::vector<Action>>(explored);
   done.push_back({ActionType::Stop, {}});
   const auto actions = without_needless(rehearsal, mode, std::move(done), kLongestRun);
@@ -168,8 +213,7 @@ std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, const Formula& 
                                                       const Knowledge& knowledge, const Profile& profile,
                                                       const Demonstration& shown) {
   auto rehearsal = Rehearsal::of(goal, start, knowledge, profile);
-  if (!rehearsal)
-    return Rejection{mode == Mode::M2 ? RejectionReason::NotInM2 : RejectionReason::NotInM3, format(rehearsal.error())};
+  if (!rehearsal) return Rejection{not_in(mode), format(rehearsal.error())};
   return demonstrate_in(mode, *rehearsal, shown);
 }
 

@@ -1,8 +1,15 @@
 #pragma once
 
+#include <optional>
+
 #include "expert/expert.h"
 
 namespace unietp {
+
+/// A rejection from the goal alone, before any work on a start: the mode does not offer an action that every way to
+/// meet the goal needs, such as `read` in M3, where what is held cannot be named. nullopt does not promise that the
+/// mode can meet the goal. Reason `not-in-m2` or `not-in-m3`.
+std::optional<Rejection> ruled_out_in(Mode mode, const Formula& goal);
 
 /// Stage: the same goal under the rules of another mode, M2 or M3. What to do to which thing is planned as for M1, but
 /// with the actions that the mode offers (the plan of `shown`, the demonstration in M1, where it is one already); how

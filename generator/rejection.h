@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "scene/action.h"
+
 namespace unietp {
 
 /// The stage that gives a candidate up.
@@ -86,7 +88,8 @@ std::string_view hint_for(RejectionReason reason);
 /// A candidate's reason, with what it was about.
 struct Rejection {
   RejectionReason reason = RejectionReason::NoPlan;
-  std::string detail;  // a sentence with template, categories and, for a placement, what it hit
+  std::string detail;               // a sentence with template, categories and, for a placement, what it hit
+  Failure failure = Failure::None;  // of the action that the expert could not do; None where that was not the reason
 };
 
 }  // namespace unietp

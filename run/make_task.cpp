@@ -112,6 +112,9 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
                            root.fork("generator", item));
   if (auto* why = std::get_if<Rejection>(&specified)) return rejected(std::move(*why));
   const auto& specification = std::get<Specification>(specified);
+  for (const Mode mode : configuration.modes) {
+    if (auto why = ruled_out_in(mode, specification.goal)) return rejected(std::move(*why));
+  }
 
   timer.enter(Stage::Grounding);
   GroundingOptions grounding;

@@ -99,14 +99,15 @@ TEST(Coverage, SaysHowManyOfTheCandidatesWithAStartTheExpertShowed) {
                        {RejectionReason::ActionFailed,
                         3,
                         "",
-                        {"for a: b(c_1): No room on c_1.", "no way", "for d: b(c_2): No room on c_2."}},
+                        {"for a: b(c_1): No room on c_1.", "no way", "for d: b(c_2): No room on c_2."},
+                        {{Failure::NoFreePlace, 2}}},
                        {RejectionReason::NoWords, 1, ""}}};
   rows[0].cells[1] = {true, 10, 10, "", {}};
   const auto success = expert_success(rows[0].cells[0]);
   EXPECT_EQ(success.grounded, 8);
   EXPECT_EQ(success.shown, 5);
   const auto tables = expert_success_tables(rows);
-  EXPECT_NE(tables.find("| ai2thor | 8 | 5 | 62 % | action-failed 1, action-failed (No room on …) 2 |"),
+  EXPECT_NE(tables.find("| ai2thor | 8 | 5 | 62 % | action-failed 1, action-failed (no_free_place) 2 |"),
             std::string::npos)
       << tables;
   EXPECT_NE(tables.find("| virtualhome | 10 | 10 | 100 % |  |"), std::string::npos) << tables;

@@ -189,6 +189,29 @@ TEST(ModeExpert, LooksFromWhatIsNearbyWhereLongStepsLeadToFewPlaces) {
   ASSERT_TRUE(std::holds_alternative<Demonstration>(shown)) << std::get<Rejection>(shown).detail;
 }
 
+TEST(RuledOut, AGoalThatNeedsReadingIsRefusedInM3FromItsTextAlone) {
+  for (const char* text : {"(exists (?x - Plate) (at-end (read ?x)))", "(forall (?x - Plate) (sometime (read ?x)))",
+                           "(exists (?x - Plate) (and (at-end (held ?x)) (sometime (read ?x))))",
+                           "(exists (?x - Plate) (before (open ?x) (read ?x)))"}) {
+    const auto why = ruled_out_in(Mode::M3, goal(text));
+    ASSERT_TRUE(why) << text;
+    EXPECT_EQ(why->reason, RejectionReason::NotInM3);
+    EXPECT_EQ(why->failure, Failure::NotOffered);
+    EXPECT_EQ(why->detail, "M3 does not offer read, which the goal needs");
+    EXPECT_FALSE(ruled_out_in(Mode::M1, goal(text)));
+    EXPECT_FALSE(ruled_out_in(Mode::M2, goal(text)));
+  }
+}
+
+TEST(RuledOut, AGoalThatCanBeMetWithoutReadingIsNot) {
+  for (const char* text : {"(exists (?x - Plate) (at-end (or (read ?x) (held ?x))))",
+                           "(exists (?x - Plate) (at-end (not (read ?x))))", "(exists (?x - Plate) (at-end (hot ?x)))",
+                           "(always (imply (exists (?x - Mug) (held ?x)) (exists (?x - Mug) "
+                           "(read ?x))))"}) {
+    EXPECT_FALSE(ruled_out_in(Mode::M3, goal(text))) << text;
+  }
+}
+
 TEST(Exploration, TellsWhatIsNearAThingTheNearestFirst) {
   const Knowledge knowledge = house_knowledge();
   const Profile profile = house_profile();
