@@ -19,11 +19,15 @@ struct SceneExportOptions {
   std::filesystem::path scene, out;
 };
 
-using SceneWriter = std::function<Result<ExportedScene>(const Scene&, const Knowledge&)>;
+using SceneWriter = std::function<Result<ExportedScene>(const Scene&, const Knowledge&, const FormatFacts&)>;
 
 Result<SceneWriter> writer_named(const std::string& format) {
+  const auto plain = [](auto write) {
+    return
+        [write](const Scene& scene, const Knowledge& knowledge, const FormatFacts&) { return write(scene, knowledge); };
+  };
   const std::map<std::string, SceneWriter> writers{
-      {"habitat", write_habitat}, {"procthor", write_procthor}, {"virtualhome", write_virtualhome}};
+      {"habitat", plain(write_habitat)}, {"procthor", write_procthor}, {"virtualhome", plain(write_virtualhome)}};
   if (const auto found = writers.find(format); found != writers.end()) return found->second;
   std::vector<std::string> names;
   names.reserve(writers.size());
@@ -40,7 +44,9 @@ Exit write_out(const SceneExportOptions& options, const CommandLine& program) {
   if (!scene) return refuse(scene.error());
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
-  const auto exported = (*writer)(*scene, known.backends[static_cast<std::size_t>(scene->simulator)].knowledge);
+  const auto [facts, wrong] = read_format_facts(program.folders.scene_files());
+  if (!wrong.empty()) return refuse(wrong);
+  const auto exported = (*writer)(*scene, known.backends[static_cast<std::size_t>(scene->simulator)].knowledge, facts);
   if (!exported) return refuse(exported.error());
   const bool packed = options.out.extension() == ".gz";
   const auto written = write_file(options.out, packed ? gzip(exported->text) : exported->text);

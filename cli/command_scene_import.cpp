@@ -131,7 +131,9 @@ Result<Done> write_home(const SceneImportOptions& options, const ForeignHome& ho
 Exit import(const SceneImportOptions& options, const CommandLine& program) {
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
-  auto reading = read_foreign_scenes(options.format, options.files, known.backends, options.assets);
+  const auto [facts, wrong] = read_format_facts(program.folders.scene_files());
+  if (!wrong.empty()) return refuse(wrong);
+  auto reading = read_foreign_scenes(options.format, options.files, known.backends, facts, options.assets);
   if (!reading.errors.empty()) return refuse(reading.errors);
   if (!options.homes.empty()) {
     if (const auto chosen = choose(options.homes, reading.homes); !chosen) return refuse(chosen.error());

@@ -40,7 +40,9 @@ Result<const HomeInFile*> chosen(const std::vector<HomeInFile>& homes, const Sce
 Exit show(const SceneShowOptions& options, const CommandLine& program) {
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
-  const auto reading = read_homes({options.input}, known.backends);
+  const auto [facts, wrong] = read_format_facts(program.folders.scene_files());
+  if (!wrong.empty()) return refuse(wrong);
+  const auto reading = read_homes({options.input}, known.backends, facts);
   if (!reading.errors.empty()) return refuse(reading.errors);
   const auto home = chosen(reading.homes, options);
   if (!home) return refuse(home.error());

@@ -74,7 +74,9 @@ Result<std::optional<Measured>> measure(const std::filesystem::path& path, const
       return std::optional(Measured{std::move(*statistics), std::nullopt});
     }
   }
-  auto reading = read_homes({path}, backends);
+  const auto [facts, wrong] = read_format_facts(program.folders.scene_files());
+  if (!wrong.empty()) return wrong.front();
+  auto reading = read_homes({path}, backends, facts);
   if (!reading.errors.empty()) return reading.errors.front();
   const auto homes = homes_of_one_simulator(path, options, std::move(reading.homes));
   if (!homes) return homes.error();

@@ -19,14 +19,15 @@ std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 
 class Exporter {
  public:
-  explicit Exporter(const std::vector<ValidationBackend>& backends) : backends_(backends) {}
+  Exporter(const std::vector<ValidationBackend>& backends, const FormatFacts& facts)
+      : backends_(backends), facts_(facts) {}
 
   Result<std::optional<std::string>> say(const FinishedTask& finished, const fs::path& folder) {
     const TaskRecord& task = finished.record;
     const Knowledge& knowledge = *backend_of(backends_, finished.start).knowledge;
     const auto goal = release_goal(task.goal_tree, finished.start, knowledge);
     if (!goal) return std::optional(goal.error().message);
-    auto scene = release_scene(task.scene, finished.start, knowledge);
+    auto scene = release_scene(task.scene, finished.start, knowledge, facts_);
     if (!scene) return scene.error();
     Json references = Json::object(), referents = Json::object();
     for (const auto& [category, ids] : goal->referents) {
@@ -75,6 +76,7 @@ class Exporter {
 
  private:
   const std::vector<ValidationBackend>& backends_;
+  const FormatFacts& facts_;
   std::size_t with_scene_ = 0;
   std::map<Simulator, std::string> lists_;
   std::string scenes_;
@@ -83,7 +85,9 @@ class Exporter {
 /// THOR.json, VH.json, Hab.json and BEHAVIOR.json, each a list of tasks as the paper's runner reads them; scene files;
 /// left_out.jsonl; and scenes.jsonl, which lists what is missing of each scene.
 Result<std::string> write_release(const ExportRequest& request) {
-  Exporter exporter(request.backends);
+  const auto [facts, wrong] = read_format_facts(request.data / "scene_files");
+  if (!wrong.empty()) return wrong.front();
+  Exporter exporter(request.backends, facts);
   const auto made = write_task_folder(
       request.dataset, {}, request.out,
       [&](const FinishedTask& task, const fs::path& folder) { return exporter.say(task, folder); },

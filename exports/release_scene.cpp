@@ -78,14 +78,15 @@ ReleaseScene ai2thor(const std::string& name, ExportedScene written) {
 
 }  // namespace
 
-Result<ReleaseScene> release_scene(const std::string& name, const Scene& start, const Knowledge& knowledge) {
+Result<ReleaseScene> release_scene(const std::string& name, const Scene& start, const Knowledge& knowledge,
+                                   const FormatFacts& facts) {
   if (start.simulator == Simulator::Behavior) {
     ReleaseScene scene;
     scene.not_said.emplace_back("the home: records name an OmniGibson scene file, which is not written");
     for (const Node& node : start.nodes) scene.names[node.id] = node.id;
     return scene;
   }
-  auto written = start.simulator == Simulator::Ai2thor   ? write_procthor(start, knowledge)
+  auto written = start.simulator == Simulator::Ai2thor   ? write_procthor(start, knowledge, facts)
                  : start.simulator == Simulator::Habitat ? write_habitat(start, knowledge)
                                                          : write_virtualhome(start, knowledge);
   if (!written) return written.error();

@@ -7,6 +7,7 @@
 
 #include "akb/knowledge.h"
 #include "core/result.h"
+#include "interchange/format_facts.h"
 #include "scene/scene.h"
 
 namespace unietp {
@@ -20,6 +21,7 @@ struct ReleaseScene {
 };
 
 /// `name`: of the scene's file. Errors: those of the writers in interchange/.
-Result<ReleaseScene> release_scene(const std::string& name, const Scene& start, const Knowledge& knowledge);
+Result<ReleaseScene> release_scene(const std::string& name, const Scene& start, const Knowledge& knowledge,
+                                   const FormatFacts& facts);
 
 }  // namespace unietp

@@ -48,7 +48,8 @@ class GivenModels {
 };
 
 Result<std::vector<SourceScene>> read_as(const std::string& format, const std::string& where, std::string_view text,
-                                         const std::vector<Backend>& backends, GivenModels& given) {
+                                         const std::vector<Backend>& backends, const FormatFacts& facts,
+                                         GivenModels& given) {
   const auto known = [&](Simulator simulator) -> const Knowledge& {
     return backends[static_cast<std::size_t>(simulator)].knowledge;
   };
@@ -58,7 +59,7 @@ Result<std::vector<SourceScene>> read_as(const std::string& format, const std::s
   const auto models = given.of(format);
   if (!models) return models.error();
   if (format == "behavior") return read_behavior(where, text, known(Simulator::Behavior), *models);
-  return read_habitat(where, text, known(Simulator::Habitat), *models);
+  return read_habitat(where, text, known(Simulator::Habitat), facts, *models);
 }
 
 /// What of an id can be a file's name everywhere.
@@ -113,7 +114,8 @@ std::optional<std::string> scene_format_of(std::string_view text) {
 }
 
 ForeignReading read_foreign_scenes(const std::string& format, const std::vector<fs::path>& files,
-                                   const std::vector<Backend>& backends, const fs::path& models) {
+                                   const std::vector<Backend>& backends, const FormatFacts& facts,
+                                   const fs::path& models) {
   ForeignReading reading;
   auto accepted = scene_format_names();
   accepted.insert(accepted.begin(), "auto");
@@ -134,7 +136,7 @@ ForeignReading read_foreign_scenes(const std::string& format, const std::vector<
       reading.errors.push_back(is.error());
       continue;
     }
-    auto homes = read_as(*is, file.string(), *text, backends, given);
+    auto homes = read_as(*is, file.string(), *text, backends, facts, given);
     if (!homes) {
       reading.errors.push_back(homes.error());
       continue;

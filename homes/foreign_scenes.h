@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "interchange/format_facts.h"
 #include "interchange/import_scene.h"
 #include "interchange/source_scene.h"
 #include "resources/resources.h"
@@ -35,7 +36,8 @@ struct ForeignReading {
 /// Habitat. Errors, of all files: Usage for an unknown format and a file without a home; those of read_maybe_gzip and
 /// of the format's reader.
 ForeignReading read_foreign_scenes(const std::string& format, const std::vector<std::filesystem::path>& files,
-                                   const std::vector<Backend>& backends, const std::filesystem::path& models = {});
+                                   const std::vector<Backend>& backends, const FormatFacts& facts,
+                                   const std::filesystem::path& models = {});
 
 /// assemble with the home's own backend.
 Result<ImportedScene> import_home(const ForeignHome& home, const std::vector<Backend>& backends,

@@ -20,7 +20,8 @@ Simulator simulator_of(const HomeInFile& home) {
   return std::get<ForeignHome>(home.content).source.simulator;
 }
 
-HomesReading read_homes(const std::vector<fs::path>& paths, const std::vector<Backend>& backends) {
+HomesReading read_homes(const std::vector<fs::path>& paths, const std::vector<Backend>& backends,
+                        const FormatFacts& facts) {
   HomesReading reading;
   std::vector<fs::path> foreign;
   for (const auto& file : scene_files_of(paths, reading.errors)) {
@@ -36,7 +37,7 @@ HomesReading read_homes(const std::vector<fs::path>& paths, const std::vector<Ba
       reading.errors.push_back(scene.error());
     }
   }
-  auto others = read_foreign_scenes("auto", foreign, backends);
+  auto others = read_foreign_scenes("auto", foreign, backends, facts);
   reading.errors.insert(reading.errors.end(), others.errors.begin(), others.errors.end());
   for (auto& home : others.homes) {
     auto id = home.source.id;

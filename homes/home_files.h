@@ -28,7 +28,8 @@ struct HomesReading {
 /// Reads scene files, ours and the simulators' (whose format is detected), and all scene files
 /// (*.scene.json, *.scene.json.gz) of folders. Errors: those of the readers; Usage for a folder without any scene file,
 /// and for a file that is in no known format.
-HomesReading read_homes(const std::vector<std::filesystem::path>& paths, const std::vector<Backend>& backends);
+HomesReading read_homes(const std::vector<std::filesystem::path>& paths, const std::vector<Backend>& backends,
+                        const FormatFacts& facts);
 
 /// The home as a scene, with every object where its file places it. Errors: those of assemble.
 Result<Scene> scene_of(const HomeInFile& home, const std::vector<Backend>& backends);

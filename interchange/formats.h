@@ -7,6 +7,7 @@
 
 #include "akb/knowledge.h"
 #include "core/result.h"
+#include "interchange/format_facts.h"
 #include "interchange/source_scene.h"
 
 namespace unietp {
@@ -24,8 +25,10 @@ Result<std::vector<SourceScene>> read_procthor(const std::string& where, std::st
 /// VirtualHome: scene graphs.
 Result<std::vector<SourceScene>> read_virtualhome(const std::string& where, std::string_view text,
                                                   const Knowledge& knowledge);
+/// Habitat: scene instances of ReplicaCAD and HSSD, and labelled boxes.
 Result<std::vector<SourceScene>> read_habitat(const std::string& where, std::string_view text,
-                                              const Knowledge& knowledge);
+                                              const Knowledge& knowledge, const FormatFacts& facts);
+/// BEHAVIOR: scene files of OmniGibson.
 Result<std::vector<SourceScene>> read_behavior(const std::string& where, std::string_view text,
                                                const Knowledge& knowledge);
 
@@ -35,7 +38,7 @@ struct ExportedScene {
   std::vector<std::string> left_out;              // for people: "mug_3: no AI2-THOR asset fits its box"
   std::map<std::string, std::string> names = {};  // of our objects, by id, where the file names its objects
 };
-Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge);
+Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
 Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge);
 Result<ExportedScene> write_habitat(const Scene& scene, const Knowledge& knowledge);
 

@@ -46,8 +46,8 @@ Vec3 scale_of(JsonReader& reader, const JsonAt& at) {
 
 class HabitatImporter {
  public:
-  HabitatImporter(JsonReader& reader, const Knowledge& knowledge, const SceneModels& models)
-      : reader_(reader), knowledge_(knowledge), models_(models) {}
+  HabitatImporter(JsonReader& reader, const Knowledge& knowledge, const FormatFacts& facts, const SceneModels& models)
+      : reader_(reader), knowledge_(knowledge), facts_(facts), models_(models) {}
 
   SourceScene scene(const JsonAt& home, std::string id) {
     scene_.id = std::move(id);
@@ -102,7 +102,7 @@ class HabitatImporter {
       object.asset = asset->name;
       object.size = asset->size.cwiseProduct(lengths_from_habitat(instance.scale));
     } else {
-      object.category = habitat_category(instance.name, knowledge_);
+      object.category = habitat_category(instance.name, knowledge_, facts_);
     }
     for (const SceneModels* table : {&models_, &std::as_const(own_models_)}) {
       const auto found = table->find(instance.name);
@@ -236,6 +236,7 @@ class HabitatImporter {
 
   JsonReader& reader_;
   const Knowledge& knowledge_;
+  const FormatFacts& facts_;
   const SceneModels& models_;
   SceneModels own_models_;  // of the file itself
   bool asset_origin_ = false;
@@ -247,17 +248,18 @@ class HabitatImporter {
 }  // namespace
 
 Result<std::vector<SourceScene>> read_habitat(const std::string& where, std::string_view text,
-                                              const Knowledge& knowledge, const SceneModels& models) {
+                                              const Knowledge& knowledge, const FormatFacts& facts,
+                                              const SceneModels& models) {
   return read_homes(where, text, {"object_instances", "articulated_object_instances", "stage_instance", "objects"},
                     [&](JsonReader& reader, const JsonAt& home, std::string id) {
                       if (given(home, "objects")) return read_labelled_boxes(reader, home, std::move(id), knowledge);
-                      return HabitatImporter(reader, knowledge, models).scene(home, std::move(id));
+                      return HabitatImporter(reader, knowledge, facts, models).scene(home, std::move(id));
                     });
 }
 
 Result<std::vector<SourceScene>> read_habitat(const std::string& where, std::string_view text,
-                                              const Knowledge& knowledge) {
-  return read_habitat(where, text, knowledge, {});
+                                              const Knowledge& knowledge, const FormatFacts& facts) {
+  return read_habitat(where, text, knowledge, facts, {});
 }
 
 }  // namespace unietp

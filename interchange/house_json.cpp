@@ -29,7 +29,7 @@ Json house_xyz(const Vec3& unity, double per_unit) {
           {"z", house_number(unity.z(), per_unit)}};
 }
 Json house_point(const Vec2& w, double height) { return house_xyz(Vec3(w.x(), height, w.y())); }
-Json house_material(const char* name) { return {{"name", name}}; }
+Json house_material(std::string_view name) { return {{"name", name}}; }
 Json house_paint(double red, double green, double blue) {
   return {{"color", {{"r", red}, {"g", green}, {"b", blue}}}, {"name", "PureWhite"}};
 }

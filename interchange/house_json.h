@@ -18,7 +18,7 @@ nlohmann::ordered_json house_xyz(const Vec3& unity, double per_unit = 10000);
 nlohmann::ordered_json house_point(const Vec2& w, double height = 0);
 
 /// A material by name, and a plain color (parts from 0 to 1).
-nlohmann::ordered_json house_material(const char* name);
+nlohmann::ordered_json house_material(std::string_view name);
 nlohmann::ordered_json house_paint(double red, double green, double blue);
 /// Rooms take turns in four layers, so that a lamp lights its own room only.
 std::string house_layer(std::size_t room);

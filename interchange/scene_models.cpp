@@ -1,7 +1,6 @@
 #include "interchange/scene_models.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include <nlohmann/json.hpp>
@@ -15,28 +14,6 @@ namespace unietp {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct Word {
-  std::string_view replicacad, category;
-};
-/// Source: curated, from ReplicaCAD's names and what stands on what in its scenes.
-constexpr std::array<Word, 17> kWords{{{"bike", "bicycle"},
-                                       {"bin", "trashcan"},
-                                       {"indoor_plant", "potted_plant"},
-                                       {"kitchen_counter", "counter"},
-                                       {"kitchen_cupboard", "cabinet"},
-                                       {"knifeblock", "knife_holder"},
-                                       {"mat", "floor_mat"},
-                                       {"rack", "shoe_rack"},
-                                       {"rug", "carpet"},
-                                       {"shoebox", "box"},
-                                       {"sofa", "couch"},
-                                       {"sponge_dish", "soap_dish"},
-                                       {"tv_object", "television"},
-                                       {"tv_screen", "television"},
-                                       {"tvstand", "tv_stand"},
-                                       {"wall_cabinet", "shelves"},
-                                       {"choppingboard", "chopping_board"}}};
 
 /// HSSD names its models by hashes, and parts of them "<hash>_part_3".
 bool is_hash(std::string_view name) {
@@ -81,16 +58,14 @@ std::string_view bare_template(std::string_view name) {
   return name.substr(0, name.find('.'));
 }
 
-std::string habitat_category(std::string_view name, const Knowledge& knowledge) {
+std::string habitat_category(std::string_view name, const Knowledge& knowledge, const FormatFacts& facts) {
   name = bare_template(name);
   if (is_hash(name)) return "";
   constexpr std::string_view kReplicaCad = "frl_apartment_";
   if (name.starts_with(kReplicaCad)) name.remove_prefix(kReplicaCad.size());
   std::vector<std::string> words = words_of(name);
   const std::string whole = join(words, "_");
-  for (const Word& word : kWords) {
-    if (word.replicacad == whole) return std::string(word.category);
-  }
+  if (const auto word = facts.replicacad_words.find(whole); word != facts.replicacad_words.end()) return word->second;
   for (; !words.empty(); words.erase(words.begin())) {
     const std::string rest = join(words, "_");
     if (knowledge.find(rest) != nullptr) return rest;

@@ -6,6 +6,7 @@
 
 #include "akb/knowledge.h"
 #include "core/result.h"
+#include "interchange/format_facts.h"
 #include "interchange/source_scene.h"
 #include "scene/json_reader.h"
 
@@ -37,14 +38,15 @@ Result<std::vector<SourceScene>> read_behavior(const std::string& where, std::st
 /// read_habitat with a table of templates, for scenes whose template names are hashes and to have real sizes. It wins
 /// over names and over the models of the knowledge base; what stands in the scene file itself wins over it.
 Result<std::vector<SourceScene>> read_habitat(const std::string& where, std::string_view text,
-                                              const Knowledge& knowledge, const SceneModels& models);
+                                              const Knowledge& knowledge, const FormatFacts& facts,
+                                              const SceneModels& models);
 
 /// "objects/frl_apartment_bowl_01.object_config.json" → "frl_apartment_bowl_01".
 std::string_view bare_template(std::string_view name);
 
 /// The category that a template's name speaks of: without its data set's prefix and its numbers, then without its first
-/// words until the knowledge base has it, or by a short list of ReplicaCAD's words ("sofa" is a couch). What no rule
-/// knows comes back as the words that are left; "" for a hash.
-std::string habitat_category(std::string_view name, const Knowledge& knowledge);
+/// words until the knowledge base has it, or by FormatFacts::replicacad_words ("sofa" is a couch). What no rule knows
+/// comes back as the words that are left; "" for a hash.
+std::string habitat_category(std::string_view name, const Knowledge& knowledge, const FormatFacts& facts);
 
 }  // namespace unietp

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
-#include "interchange/door_models.h"
+#include "interchange/format_facts.h"
 #include "interchange/formats.h"
 #include "interchange/house_json.h"
 #include "interchange/house_names.h"
@@ -29,8 +29,8 @@ std::string two_decimals(double value) {
 
 class HouseWriter {
  public:
-  HouseWriter(const Scene& scene, const Knowledge& knowledge)
-      : scene_(scene), knowledge_(knowledge), parts_(wall_parts(scene)) {}
+  HouseWriter(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts)
+      : scene_(scene), knowledge_(knowledge), facts_(facts), parts_(wall_parts(scene)) {}
 
   ExportedScene write() {
     find_holders();
@@ -58,10 +58,6 @@ class HouseWriter {
   }
 
   Json rooms() const {
-    static const std::map<std::string, const char*> kFloors{{"Bathroom", "WhiteWood"},
-                                                            {"Bedroom", "WornWood"},
-                                                            {"Kitchen", "OrangeWood"},
-                                                            {"LivingRoom", "LightWoodCounters3"}};
     Json all = Json::array();
     for (std::size_t r = 0; r < scene_.rooms.size(); ++r) {
       const std::string type = room_type_to_procthor(scene_.rooms[r].type);
@@ -75,7 +71,7 @@ class HouseWriter {
                      {"children", Json::array()},
                      {"ceilings", Json::array()},
                      {"floorPolygon", std::move(polygon)},
-                     {"floorMaterial", house_material(kFloors.at(type))},
+                     {"floorMaterial", house_material(facts_.floor_materials.find(type)->second)},
                      {"layer", house_layer(r)}});
     }
     return all;
@@ -124,10 +120,10 @@ class HouseWriter {
         missing_.push_back(far_side->part);
         continue;
       }
-      const DoorModel& model = door_model_for(width);
+      const DoorModel& model = door_model_for(width, facts_);
       if (std::abs(model.width - width) > 0.15) {
         left_out_.push_back(opening.id + ": no frame is " + number_text(house_number(width, 100)) + " m wide; " +
-                            std::string(model.name) + " is used");
+                            model.name + " is used");
       }
       const double along = length - wall->along;  // theirs is counted from our `to`
       const std::size_t low = std::min(*a, *b), high = std::max(*a, *b);
@@ -140,7 +136,7 @@ class HouseWriter {
            {"room1", room_id(*b)},
            {"wall0", wall_id(part, false)},
            {"wall1", wall_id(parts_[far_side->part], false)},
-           {"assetId", std::string(model.name)},
+           {"assetId", model.name},
            {"assetPosition", house_xyz({along, model.height / 2, 0})},
            {"holePolygon", {house_xyz({along - width / 2, 0, 0}), house_xyz({along + width / 2, opening.height, 0})}},
            {"openable", false},
@@ -271,6 +267,7 @@ class HouseWriter {
 
   const Scene& scene_;
   const Knowledge& knowledge_;
+  const FormatFacts& facts_;
   std::vector<WallPart> parts_;
   std::vector<std::size_t> missing_;                // parts of walls that are not there
   std::vector<std::optional<std::size_t>> holder_;  // of each node
@@ -282,14 +279,14 @@ class HouseWriter {
 
 }  // namespace
 
-Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge) {
+Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts) {
   const auto refuse = [&](std::string message) { return Error{Error::Kind::Usage, scene.id, {}, std::move(message)}; };
   if (scene.simulator != Simulator::Ai2thor || knowledge.simulator() != Simulator::Ai2thor) {
     return refuse("ProcTHOR houses contain AI2-THOR's objects; this scene belongs to " +
                   std::string(name_of(scene.simulator)));
   }
   if (scene.rooms.empty()) return refuse("a house needs a room");
-  return HouseWriter(scene, knowledge).write();
+  return HouseWriter(scene, knowledge, facts).write();
 }
 
 }  // namespace unietp

@@ -17,6 +17,7 @@ struct DataFolders {
   std::filesystem::path profiles() const { return root / "data" / "simulators"; }
   std::filesystem::path runs() const { return root / "data" / "runs"; }
   std::filesystem::path layouts() const { return root / "data" / "layouts"; }
+  std::filesystem::path scene_files() const { return root / "data" / "scene_files"; }  // interchange/format_facts.h
   std::filesystem::path licences() const { return root / "data" / "licences.csv"; }
   std::filesystem::path library() const { return root / "templates" / "library"; }
   std::filesystem::path extended() const { return root / "templates" / "extended"; }  // need not exist

@@ -65,11 +65,12 @@ bool virtualhome_body(std::string_view text) {
 
 bool habitat_body(std::string_view text) {
   static const Knowledge knowledge = knowledge_of(Simulator::Habitat);
-  const auto scenes = read_habitat("fuzz", text, knowledge);
+  static const FormatFacts facts{{{"sofa", "couch"}}, {}, {}};
+  const auto scenes = read_habitat("fuzz", text, knowledge, facts);
   if (!scenes) return check_error(scenes.error()), false;
   for (const Scene& scene : assembled(*scenes, knowledge)) {
     const auto out = write_habitat(scene, knowledge);
-    require(out && read_habitat("again", out->text, knowledge));
+    require(out && read_habitat("again", out->text, knowledge, facts));
   }
   return true;
 }

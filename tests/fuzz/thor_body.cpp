@@ -36,6 +36,14 @@ const Knowledge& knowledge() {
   return known;
 }
 
+const FormatFacts& facts() {
+  static const FormatFacts known{
+      {},
+      {{"Doorframe_1", 1.08, 2.13}},
+      {{"Bathroom", "Tiles"}, {"Bedroom", "Wood"}, {"Kitchen", "Tiles"}, {"LivingRoom", "Wood"}}};
+  return known;
+}
+
 /// What is read can be assembled or says why not, and what is written of it reads again.
 bool check(const Result<std::vector<SourceScene>>& scenes) {
   if (!scenes) return check_error(scenes.error()), false;
@@ -53,7 +61,7 @@ bool check(const Result<std::vector<SourceScene>>& scenes) {
     for (const ImportIssue& issue : report.issues) {
       require(std::count(import_reasons().begin(), import_reasons().end(), issue.reason) == 1);
     }
-    const auto written = write_procthor(imported->scene, knowledge());
+    const auto written = write_procthor(imported->scene, knowledge(), facts());
     require(static_cast<bool>(written));
     require(static_cast<bool>(read_procthor("written", written->text, knowledge())));
   }

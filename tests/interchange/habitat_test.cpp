@@ -35,8 +35,8 @@ const std::string kInstance = R"({
      "initial_joint_pose": [0.3, 0]}]})";
 
 SourceScene instance(const SceneModels& models = {}) {
-  const auto scenes =
-      read_habitat("home.scene_instance.json", kInstance, committed_knowledge(Simulator::Habitat), models);
+  const auto scenes = read_habitat("home.scene_instance.json", kInstance, committed_knowledge(Simulator::Habitat),
+                                   format_facts(), models);
   EXPECT_TRUE(scenes) << format(scenes.error());
   EXPECT_EQ(scenes->size(), 1U);
   return scenes->front();
@@ -51,7 +51,7 @@ TEST(Habitat, RealScenesArrive) {
        {File{"replicacad_scenes.json.gz", "replicacad", 9}, File{"hssd_scene_102344193_boxes.json", "hssd boxes", 1}}) {
     const auto text = read_maybe_gzip(upstream() / "habitat" / name);
     if (!text) GTEST_SKIP() << needs::kSimulatorFiles;
-    const auto scenes = read_habitat(name, *text, committed_knowledge(Simulator::Habitat));
+    const auto scenes = read_habitat(name, *text, committed_knowledge(Simulator::Habitat), format_facts());
     ASSERT_TRUE(scenes) << format(scenes.error());
     EXPECT_EQ(scenes->size(), std::string_view(row) == "replicacad" ? 90U : 1U);
     const auto all = import_all(*scenes, std::getenv("UNIETP_WHOLE_IMPORT") ? 1 : stride);
@@ -69,7 +69,7 @@ TEST(Habitat, ASceneOfHashesIsKnownOnlyThroughATableOfModels) {
   const char* name = "hssd_scene_102343992.scene_instance.json.gz";
   const auto text = read_maybe_gzip(upstream() / "habitat" / name);
   if (!text) GTEST_SKIP() << needs::kSimulatorFiles;
-  const auto bare = read_habitat(name, *text, committed_knowledge(Simulator::Habitat));
+  const auto bare = read_habitat(name, *text, committed_knowledge(Simulator::Habitat), format_facts());
   ASSERT_TRUE(bare) << format(bare.error());
   ASSERT_EQ(bare->front().objects.size(), 357U);
   SceneModels models;
@@ -77,7 +77,7 @@ TEST(Habitat, ASceneOfHashesIsKnownOnlyThroughATableOfModels) {
     EXPECT_EQ(object.category, "");
     models[object.id.substr(0, object.id.rfind('_'))] = {"chair", Vec3(0.5, 0.5, 0.9), 4};
   }
-  const auto known = read_habitat(name, *text, committed_knowledge(Simulator::Habitat), models);
+  const auto known = read_habitat(name, *text, committed_knowledge(Simulator::Habitat), format_facts(), models);
   ASSERT_TRUE(known) << format(known.error());
   for (const SourceObject& object : known->front().objects) {
     EXPECT_EQ(object.category, "chair");
@@ -136,7 +136,7 @@ TEST(Habitat, TemplatesSpeakOfCategories) {
                                                         {"chestOfDrawers_01", "chest_of_drawers"},
                                                         {"frl_apartment_setupbox", "setupbox"},
                                                         {"door2", "door"}}) {
-    EXPECT_EQ(habitat_category(name, committed_knowledge(Simulator::Habitat)), category) << name;
+    EXPECT_EQ(habitat_category(name, committed_knowledge(Simulator::Habitat), format_facts()), category) << name;
   }
 }
 
@@ -146,8 +146,8 @@ TEST(Habitat, WhatGoesOutComesInTheSameForAnySeed) {
     const Scene home = small_home(committed_knowledge(Simulator::Habitat), seed);
     const auto exported = write_habitat(home, committed_knowledge(Simulator::Habitat));
     ASSERT_TRUE(exported) << format(exported.error());
-    const auto scenes =
-        read_habitat("small_home.scene_instance.json", exported->text, committed_knowledge(Simulator::Habitat));
+    const auto scenes = read_habitat("small_home.scene_instance.json", exported->text,
+                                     committed_knowledge(Simulator::Habitat), format_facts());
     ASSERT_TRUE(scenes) << format(scenes.error());
     EXPECT_EQ(scenes->front().id, home.id);
     const auto again = assemble(scenes->front(), committed_knowledge(Simulator::Habitat),
@@ -176,8 +176,8 @@ TEST(Habitat, ExportsInstancesAsHabitatReadsThem) {
 
 TEST(Habitat, BadScenesGetAnErrorWithItsPlace) {
   const auto with = [](const std::string& from, const std::string& to) {
-    const auto scenes =
-        read_habitat("home.json", replace_all(kInstance, from, to), committed_knowledge(Simulator::Habitat));
+    const auto scenes = read_habitat("home.json", replace_all(kInstance, from, to),
+                                     committed_knowledge(Simulator::Habitat), format_facts());
     return scenes ? std::string("accepted") : format(scenes.error());
   };
   EXPECT_EQ(with("[3, 0.4, -2]", "[3, 0.4]"),

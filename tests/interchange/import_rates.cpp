@@ -17,6 +17,13 @@ double share(int part, int whole) { return whole == 0 ? 1.0 : static_cast<double
 
 std::filesystem::path upstream() { return UNIETP_UPSTREAM_DIR; }
 
+const FormatFacts& format_facts() {
+  static const FormatFactsReading reading =
+      read_format_facts(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/scene_files");
+  if (!reading.errors.empty()) throw std::runtime_error(format(reading.errors.front()));
+  return reading.facts;
+}
+
 const Profile& profile_of(Simulator simulator) {
   static std::map<Simulator, Profile> loaded;
   const auto found = loaded.find(simulator);

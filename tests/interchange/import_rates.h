@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "interchange/format_facts.h"
 #include "interchange/import_scene.h"
 #include "interchange/source_scene.h"
 #include "tests/support/committed_knowledge.h"
@@ -17,6 +18,9 @@ std::filesystem::path upstream();
 
 /// The committed profile of one simulator; loaded once a process.
 const Profile& profile_of(Simulator simulator);
+
+/// The committed facts about scene files; loaded once a process.
+const FormatFacts& format_facts();
 
 /// What became of one scene of a file.
 struct Imported {

@@ -130,7 +130,7 @@ TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {
     SCOPED_TRACE(houses[i].id);
     const auto first = assemble(houses[i], knowledge, profile_of(Simulator::Ai2thor));
     ASSERT_TRUE(first) << format(first.error());
-    const auto written = write_procthor(first->scene, knowledge);
+    const auto written = write_procthor(first->scene, knowledge, format_facts());
     ASSERT_TRUE(written) << format(written.error());
     const auto read = read_procthor("written", written->text, knowledge);
     ASSERT_TRUE(read) << format(read.error());
@@ -144,7 +144,7 @@ TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {
                 ::testing::SizeIs(::testing::Le(may_differ)));
     EXPECT_THAT(without_equal(second->scene, first->scene, {}), ::testing::SizeIs(::testing::Le(may_differ)));
     for (const std::string& text : written->left_out) std::cout << houses[i].id << " " << text << "\n";
-    EXPECT_EQ(write_procthor(first->scene, knowledge)->text, written->text);
+    EXPECT_EQ(write_procthor(first->scene, knowledge, format_facts())->text, written->text);
   }
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+
+namespace unietp {
+
+/// A frame without a door that AI2-THOR puts into a gap in a wall. ProcTHOR's database of models has the type, which is
+/// not among iTHOR's 125 and so not in the knowledge base.
+struct DoorModel {
+  std::string name;              // "Doorframe_1"
+  double width = 0, height = 0;  // metres
+};
+
+/// Facts about the simulators' scene files that neither the files nor the knowledge base hold. Source: the tables in
+/// data/scene_files/, each row with its source.
+struct FormatFacts {
+  std::map<std::string, std::string, std::less<>> replicacad_words;  // of template names: "sofa" → category "couch"
+  std::vector<DoorModel> door_models;                                // at least one
+  std::map<std::string, std::string, std::less<>> floor_materials;   // each type of ProcTHOR's rooms → a material
+};
+
+struct FormatFactsReading {
+  FormatFacts facts;
+  std::vector<Error> errors;  // empty when sound
+};
+/// Reads replicacad_words.csv, procthor_doors.csv and procthor_floors.csv of a folder.
+/// Errors, all of them: Io; Parse and Schema with file, line and column: a column or a row that is missing, a bad
+/// length, a name that stands twice.
+FormatFactsReading read_format_facts(const std::filesystem::path& folder);
+
+/// The frame nearest in width to a gap of `width_m`; ties go to the first.
+const DoorModel& door_model_for(double width_m, const FormatFacts& facts);
+
+}  // namespace unietp

@@ -1,0 +1,72 @@
+#include "interchange/format_facts.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "interchange/house_names.h"
+#include "tests/interchange/import_rates.h"
+#include "tests/support/scratch_folder.h"
+
+namespace unietp::testing {
+namespace {
+
+using ::testing::ElementsAre;
+
+const char* const kWords = "word,category,source\nsofa,couch,curated\n";
+const char* const kDoors = "model,width_m,height_m,source\nNarrow,0.9,2,curated\nWide,2,2,curated\n";
+const char* const kFloors =
+    "room,material,source\nBathroom,A,curated\nBedroom,B,curated\nKitchen,C,curated\nLivingRoom,D,curated\n";
+
+FormatFactsReading reading_of(const std::string& words, const std::string& doors, const std::string& floors) {
+  const ScratchFolder folder;
+  EXPECT_TRUE(write_file(folder.path() / "replicacad_words.csv", words));
+  EXPECT_TRUE(write_file(folder.path() / "procthor_doors.csv", doors));
+  EXPECT_TRUE(write_file(folder.path() / "procthor_floors.csv", floors));
+  return read_format_facts(folder.path());
+}
+
+std::vector<std::string> texts_of(const std::vector<Error>& errors) {
+  std::vector<std::string> texts;
+  for (const Error& error : errors) {
+    const std::string text = format(error);
+    texts.push_back(text.substr(text.rfind('/') + 1));
+  }
+  return texts;
+}
+
+TEST(FormatFacts, AreReadFromThreeTables) {
+  const auto [facts, errors] = reading_of(kWords, kDoors, kFloors);
+  EXPECT_THAT(texts_of(errors), ElementsAre());
+  EXPECT_EQ(facts.replicacad_words.at("sofa"), "couch");
+  EXPECT_EQ(facts.floor_materials.at("Kitchen"), "C");
+  EXPECT_EQ(door_model_for(1.4, facts).name, "Narrow");
+  EXPECT_EQ(door_model_for(1.5, facts).name, "Wide");
+  EXPECT_EQ(door_model_for(1.45, facts).name, "Narrow") << "ties go to the first";
+}
+
+TEST(FormatFacts, EveryProblemOfATableIsReportedWithItsPlace) {
+  EXPECT_THAT(texts_of(reading_of("word,source\nsofa,curated\n", kDoors, kFloors).errors),
+              ElementsAre("replicacad_words.csv:1:1: schema error: missing column 'category'; expected word, category, "
+                          "source"));
+  EXPECT_THAT(texts_of(reading_of("word,category,source\nsofa,couch,curated\nsofa,bed,curated\n",
+                                  "model,width_m,height_m,source\nNarrow,-1,2,curated\n", kFloors)
+                           .errors),
+              ElementsAre("replicacad_words.csv:3:1: schema error: 'sofa' stands twice",
+                          "procthor_doors.csv:2:8: schema error: bad width_m '-1'; expected a number > 0 and <= 10"));
+  EXPECT_THAT(texts_of(reading_of(kWords, "model,width_m,height_m,source\n",
+                                  "room,material,source\nBathroom,A,curated\nBedroom,B,curated\nKitchen,C,curated\n")
+                           .errors),
+              ElementsAre("procthor_doors.csv: schema error: is empty; expected at least one model",
+                          "procthor_floors.csv: schema error: lacks a row for LivingRoom"));
+}
+
+TEST(FormatFacts, TheCommittedTablesNameCategoriesThatHabitatHas) {
+  for (const auto& [word, category] : format_facts().replicacad_words) {
+    EXPECT_NE(committed_knowledge(Simulator::Habitat).find(category), nullptr) << word << " is a " << category;
+  }
+  EXPECT_EQ(format_facts().floor_materials.size(), kProcthorRooms.size());
+}
+
+}  // namespace
+}  // namespace unietp::testing
