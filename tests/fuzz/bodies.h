@@ -17,6 +17,8 @@ bool tables_body(std::string_view text);
 /// An override file over small tables.
 bool override_body(std::string_view text);
 bool gzip_body(std::string_view text);
+/// ProcTHOR's models, iTHOR's scenes, BEHAVIOR's models and its table of categories, with a line `====` between them.
+bool upstream_body(std::string_view text);
 /// A table kept by hand: its name, a line feed, its text.
 bool curated_body(std::string_view text);
 /// index.noun and data.noun, with a line `====` between them.
