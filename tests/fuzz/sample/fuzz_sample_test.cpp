@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -94,10 +95,11 @@ TEST_P(FuzzSample, SeedsAreAcceptedUnlessTheirNameSaysBad) {
 }
 
 TEST_P(FuzzSample, BrokenSeedsAreRefusedOrReadAndNeverCrash) {
-  constexpr std::uint64_t kTexts = 600;
+  const char* given = std::getenv("UNIETP_FUZZ_TEXTS");  // for a long run
+  const std::uint64_t texts = given == nullptr ? 600 : std::stoull(given);
   const auto seeds = seeds_of(GetParam());
   std::uint64_t refused = 0;
-  for (std::uint64_t i = 0; i < kTexts; ++i) {
+  for (std::uint64_t i = 0; i < texts; ++i) {
     Rng rng = Rng(i).fork(GetParam().name, 0);
     const auto text = read_file(seeds.at(rng.below(seeds.size())));
     ASSERT_TRUE(text);
@@ -107,7 +109,7 @@ TEST_P(FuzzSample, BrokenSeedsAreRefusedOrReadAndNeverCrash) {
     if (GetParam().mutate != nullptr && rng.chance(0.5)) changed = GetParam().mutate(*text, *donor, rng);
     refused += GetParam().body(changed ? *changed : fuzz::broken(*text, rng)) ? 0 : 1;
   }
-  EXPECT_GT(refused, kTexts / 10);
+  EXPECT_GT(refused, texts / 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Parsers, FuzzSample, ::testing::ValuesIn(kParsers),
