@@ -7,6 +7,7 @@
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
+#include "cli/likeness_output.h"
 #include "record/manifest_record.h"
 #include "rewording/check_text.h"
 #include "validator/validate.h"
@@ -62,6 +63,8 @@ void print_json(const ValidationReport& report) {
   json.update(counts_json(report.counts));
   json["by_simulator"] = std::move(simulators);
   json["by_kind"] = std::move(kinds);
+  json["likeness"] = Json::array();
+  for (const auto& likeness : report.likeness) json["likeness"].push_back(likeness_json(likeness));
   json["problems"] = std::move(problems);
   std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
@@ -76,6 +79,7 @@ void print_text(const ValidationReport& report) {
     std::printf("%s %s: %s\n", std::string(name_of(problem.kind)).c_str(),
                 problem.task.empty() ? "data set" : problem.task.c_str(), format(problem.error).c_str());
   if (!report.problems.empty()) std::printf("\n");
+  for (const auto& likeness : report.likeness) print_likeness(likeness);
   std::printf("%-12s %8s %8s %15s %8s %13s %8s\n", "", "tasks", "proven", "demonstrations", "steps", "spoilt plans",
               "texts");
   for (const auto simulator : kSimulators)
@@ -132,16 +136,20 @@ void add_validate_command(CommandParser& app, CommandLine& program) {
   command->explain(
       "Rebuilds each start scene in fresh physics, replays every demonstration and compares each outcome, view and "
       "change, evaluates the goal, checks that damaged plans fail, and reads each instruction back into its goal. Also "
-      "checks checksums, quotas, balance, duplicates and overlap with other data sets.\n\n"
+      "checks checksums, quotas, balance, duplicates and overlap with other data sets, from which homes and tasks must "
+      "not be copied with small changes either.\n\n"
       "Prints one line per problem with its kind, task, file and line, then a table. Exit code 0 only when nothing is "
       "wrong.",
       {{"unietp validate out/first", ""},
        {"unietp validate out/first --json > report.json", ""},
-       {"unietp validate out/training --against out/benchmark", "no home, seed or instruction may be shared"}});
+       {"unietp validate out/training --against out/benchmark",
+        "no home, seed or instruction may be shared, nor a home or task copied with changes"}});
   auto* folder = command->add_option("FOLDER", options->folder, "A finished data set")->folder();
   command
-      ->add_option("--against", options->validation.against,
-                   "Another data set with which no home, seed or instruction may be shared; may be repeated")
+      ->add_option(
+          "--against", options->validation.against,
+          "Another data set: no home, seed or instruction may be in both, nor a copy of a home or task with small "
+          "changes; shows how alike the two are; may be repeated")
       ->folder()
       ->one_each();
   command->add_flag("--kinds", options->kinds, "List the kinds of problems, as Markdown")->excludes(folder);

@@ -30,6 +30,8 @@ enum class ProblemKind : std::uint8_t {
   SharedLayout,
   SharedSeed,
   SharedText,
+  SimilarHome,
+  SimilarTask,
   // a line or a scene
   Unreadable,
   MissingDemonstration,

@@ -1,5 +1,9 @@
 #include "validator/repeats.h"
 
+#include <array>
+#include <cstdio>
+#include <map>
+
 #include "record/manifest_record.h"
 
 namespace unietp {
@@ -18,9 +22,28 @@ std::pair<std::uint64_t, std::uint64_t> words_key(const std::string& instruction
 
 /// What of one task must not occur in another data set.
 struct TaskPrint {
-  std::string layout, home_key;
+  std::string name, layout, home_key;
   std::pair<std::uint64_t, std::uint64_t> words;
+  std::shared_ptr<const HomePrint> home;
+  GoalPrint goal;
+  TextPrint text;
 };
+
+TaskPrint print_of_task(const TaskRecord& task, const Scene& home, MadeOnce<HomePrint>& homes) {
+  return {task.id,
+          task.layout,
+          home_key_of(home),
+          words_key(task.instruction),
+          homes.get(task.layout, [&home] { return print_of_home(home); }),
+          print_of_goal(task.goal_tree),
+          print_of_text(task.instruction)};
+}
+
+std::string two_digits(double value) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", value);
+  return text.data();
+}
 
 }  // namespace
 
@@ -52,14 +75,20 @@ Result<SetPrint> print_of(const std::filesystem::path& folder, int threads) {
   auto reader = DatasetReader::open(folder, {});
   if (!reader) return reader.error();
   HomeCache& homes = reader->homes();
+  MadeOnce<HomePrint> prints;
+  std::map<std::string, std::size_t> places;  // of the homes
   const auto done = for_each_task<TaskPrint>(
       std::move(*reader), threads,
-      [&homes](const FinishedTask& task) -> Result<TaskPrint> {
+      [&homes, &prints](const FinishedTask& task) -> Result<TaskPrint> {
         const auto home = homes.home(task.record.layout);
         if (!home) return home.error();
-        return TaskPrint{task.record.layout, home_key_of(**home), words_key(task.record.instruction)};
+        return print_of_task(task.record, **home, prints);
       },
-      [&print](TaskPrint&& task) -> Result<Done> {
+      [&print, &places](TaskPrint&& task) -> Result<Done> {
+        const auto [place, is_new] = places.emplace(task.layout, print.compared.homes.size());
+        if (is_new) print.compared.homes.push_back({task.layout, std::move(task.home)});
+        print.compared.tasks.push_back(
+            {std::move(task.name), place->second, std::move(task.goal), std::move(task.text)});
         print.layouts.insert(std::move(task.layout));
         print.home_keys.insert(std::move(task.home_key));
         print.words.insert(task.words);
@@ -69,7 +98,14 @@ Result<SetPrint> print_of(const std::filesystem::path& folder, int threads) {
   return print;
 }
 
-void LeakSearch::add(const TaskReading& task, const TaskFacts& facts) {
+LeakSearch::LeakSearch(SetPrint other)
+    : other_(std::move(other)), search_(std::exchange(other_.compared, {})), count_(other_.folder) {}
+
+std::optional<Nearest> LeakSearch::nearest(const TaskReading& task, const Scene& home) const {
+  return search_.of(*task.record, home);
+}
+
+void LeakSearch::add(const TaskReading& task, const TaskFacts& facts, const std::optional<Nearest>& nearest) {
   if (!task.record) return;
   const TaskRecord& record = *task.record;
   const auto found = [&](ProblemKind kind, std::string message) {
@@ -79,9 +115,21 @@ void LeakSearch::add(const TaskReading& task, const TaskFacts& facts) {
     found(ProblemKind::SharedLayout, "its home " + record.layout + " is also in " + other_.folder);
   } else if (other_.home_keys.contains(facts.home_key)) {
     found(ProblemKind::SharedLayout, "the rooms and furniture of " + record.layout + " are also in " + other_.folder);
+  } else if (nearest && nearest->home >= kCopiedHome) {
+    found(ProblemKind::SimilarHome, "its home " + record.layout + " is " + two_digits(nearest->home) + " like " +
+                                        search_.other().homes[nearest->home_place].name + " of " + other_.folder +
+                                        " (from " + two_digits(kCopiedHome) + " on it is a copy)");
   }
   if (other_.words.contains(words_key(record.instruction)))
     found(ProblemKind::SharedText, "its instruction is also in " + other_.folder);
+  if (!nearest) return;
+  count_.add(record, *nearest, search_.other());
+  if (const auto& [place, likeness] = nearest->by_all; likeness.nearness() >= 1)
+    found(ProblemKind::SimilarTask, "is much like " + search_.other().tasks[place].name + " of " + other_.folder +
+                                        ": goal " + two_digits(likeness.goal) + ", text " + two_digits(likeness.text) +
+                                        ", home " + two_digits(likeness.home) + " (from " + two_digits(kSimilarGoal) +
+                                        ", " + two_digits(kSimilarText) + " and " + two_digits(kSimilarHome) +
+                                        " on it is a copy)");
 }
 
 std::vector<Problem> LeakSearch::problems(std::uint64_t seed) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -9,6 +10,8 @@
 #include "core/result.h"
 #include "simulation/digest.h"
 #include "validator/key_list.h"
+#include "validator/likeness_report.h"
+#include "validator/nearest_tasks.h"
 #include "validator/problem.h"
 #include "validator/task_facts.h"
 #include "validator/task_reading.h"
@@ -26,27 +29,33 @@ class RepeatSearch {
   KeyList starts_, texts_;
 };
 
-/// What must not occur in two data sets.
+/// What must not occur in two data sets, nor anything much like it.
 struct SetPrint {
   std::string folder;  // for messages
   std::uint64_t seed = 0;
   std::set<std::string> layouts, home_keys;
   std::set<std::pair<std::uint64_t, std::uint64_t>> words;  // keys of the instructions
+  ComparedSet compared;
 };
 /// Reads tasks, manifest and homes of a finished data set. Errors: those of reading, the first by task.
 Result<SetPrint> print_of(const std::filesystem::path& folder, int threads);
 
-/// Finds what a data set shares with another one.
+/// Finds what a data set shares with another one, and what it has that is much alike.
 class LeakSearch {
  public:
-  explicit LeakSearch(SetPrint other) : other_(std::move(other)) {}
-  /// The next task. `facts` may be those of a task whose scene does not read.
-  void add(const TaskReading& task, const TaskFacts& facts);
+  explicit LeakSearch(SetPrint other);
+  /// What is most alike to one task, whose record must read. Thread-safe.
+  std::optional<Nearest> nearest(const TaskReading& task, const Scene& home) const;
+  /// The next task. `facts` may be those of a task whose scene does not read, which has no `nearest`.
+  void add(const TaskReading& task, const TaskFacts& facts, const std::optional<Nearest>& nearest);
   /// `seed`: of the run.
   std::vector<Problem> problems(std::uint64_t seed) const;
+  LikenessReport likeness() const { return count_.report(); }
 
  private:
-  SetPrint other_;
+  SetPrint other_;  // without `compared`
+  NearestTasks search_;
+  LikenessCount count_;
   std::vector<Problem> of_tasks_;
 };
 

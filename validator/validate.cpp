@@ -62,14 +62,31 @@ class WholeSet {
     }
   }
 
-  void add(std::size_t place, const TaskReading& task, const TaskFacts& facts) {
+  /// What is most alike to a task whose record reads, in each of the other sets that read. Thread-safe.
+  std::vector<std::optional<Nearest>> nearest(const TaskReading& task, const Scene& home) const {
+    std::vector<std::optional<Nearest>> found;
+    for (const auto& search : leaks_) found.push_back(search ? search->nearest(task, home) : std::nullopt);
+    return found;
+  }
+
+  /// `nearest`: of each of the other sets, or none when the home does not read.
+  void add(std::size_t place, const TaskReading& task, const TaskFacts& facts,
+           const std::vector<std::optional<Nearest>>& nearest) {
     recount_.add(task);
     if (task.record) candidates_.add(candidate_key(task.record->slot, task.record->attempt), place);
     if (recount_.all_read()) database_.add(task, facts);
     repeats_.add(place, facts);
-    for (auto& search : leaks_) {
-      if (search) search->add(task, facts);
+    for (std::size_t i = 0; i < leaks_.size(); ++i) {
+      if (leaks_[i]) leaks_[i]->add(task, facts, nearest.empty() ? std::nullopt : nearest[i]);
     }
+  }
+
+  std::vector<LikenessReport> likeness() const {
+    std::vector<LikenessReport> reports;
+    for (const auto& search : leaks_) {
+      if (search) reports.push_back(search->likeness());
+    }
+    return reports;
   }
 
   std::vector<Problem> problems(const TaskNames& names) {
@@ -102,6 +119,7 @@ class WholeSet {
 struct TaskVerdict {
   TaskReading reading;
   TaskProof proof;
+  std::vector<std::optional<Nearest>> nearest;
 };
 
 /// What all tasks showed, in the order of tasks.jsonl.
@@ -198,12 +216,15 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
   (void)work_in_order<TaskLines, TaskVerdict>(
       options.threads, [&] { return reader->lines().next(); },
       [&](const TaskLines& lines) {
-        TaskVerdict task{read_task_lines(*reader, lines), {}};
-        if (task.reading.record) task.proof = prove_task(task.reading, lines, tools);
+        TaskVerdict task{read_task_lines(*reader, lines), {}, {}};
+        if (!task.reading.record) return task;
+        task.proof = prove_task(task.reading, lines, tools);
+        if (const auto home = reader->homes().home(task.reading.record->layout); home && whole)
+          task.nearest = whole->nearest(task.reading, **home);
         return task;
       },
       [&](TaskVerdict&& task) -> Result<Done> {
-        if (whole) whole->add(set.names.size(), task.reading, task.proof.facts);
+        if (whole) whole->add(set.names.size(), task.reading, task.proof.facts, task.nearest);
         take(std::move(task), set);
         return Done{};
       });
@@ -225,6 +246,7 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
   if (whole) append(problems, whole->problems(set.names));
   sort_by_task(problems, set.names);
   count_proven(problems, set);
+  if (whole) report.likeness = whole->likeness();
   report.counts = set.counts;
   report.by_simulator = set.by_simulator;
   if (manifest) report.counts.tasks = std::max(report.counts.tasks, manifest->tasks);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/simulator.h"
+#include "validator/likeness_report.h"
 #include "validator/problem.h"
 #include "validator/proof_counts.h"
 #include "validator/validation_options.h"
@@ -17,6 +18,7 @@ struct ValidationReport {
   ProofCounts counts;
   std::array<ProofCounts, kSimulators.size()> by_simulator;  // in the order of kSimulators
   std::vector<Problem> problems;                             // folder-wide ones first, then in the order of tasks.jsonl
+  std::vector<LikenessReport> likeness;                      // to each set of ValidationOptions::against that reads
   bool sound() const { return problems.empty() && counts.proven == counts.tasks; }
 };
 

@@ -19,7 +19,7 @@ struct ValidationOptions {
   int threads = 1;
   double rest_m = 0.005;  // a body that moves farther than this when physics runs on was not at rest
   TextCheck check_text;   // none: instructions are not read
-  std::vector<std::filesystem::path> against;  // finished data sets with which no home, seed or text may be shared
+  std::vector<std::filesystem::path> against;  // finished data sets with which nothing may be shared
 };
 
 }  // namespace unietp

@@ -19,7 +19,9 @@ namespace {
 
 using ::testing::Contains;
 using ::testing::Each;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using Json = nlohmann::ordered_json;
 
 std::vector<SpoiltTask> tasks_of(const SpoiltCopy& copy) {
@@ -211,9 +213,46 @@ TEST(Corruption, LeaksAndPhrasingsOfTheOtherSetAreNamed) {
   for (const auto& problem : verdict.problems) ++counts[problem.kind];
   EXPECT_EQ(counts["shared-layout"], kSmallCount);
   EXPECT_EQ(counts["shared-text"], kSmallCount);
+  EXPECT_EQ(counts["similar-task"], kSmallCount);
   EXPECT_EQ(counts["shared-seed"], 1);
   EXPECT_GT(counts["text-phrasing"], 0);
   EXPECT_EQ(verdict.proven, 0);
+}
+
+/// Each home under another name and with one object moved, each instruction with another article.
+TEST(Corruption, CopiesWithSmallChangesAreLeaks) {
+  SpoiltCopy copy;
+  auto tasks = json_lines(copy.folder() / "tasks.jsonl");
+  std::string lines;
+  for (auto& task : tasks) {
+    const std::string layout = task["layout"];
+    auto home = Json::parse(*read_maybe_gzip(copy.folder() / home_file(layout)));
+    auto& x = home["nodes"][0]["position"][0];
+    x = x.get<double>() + 0.4;
+    task["layout"] = home["id"] = "my-" + layout;
+    copy.write(home_file("my-" + layout), home.dump());
+    auto text = " " + task["instruction"]["text"].get<std::string>();
+    text =
+        text.find(" the ") != std::string::npos ? replace_all(text, " the ", " a ") : replace_all(text, " a ", " the ");
+    task["instruction"]["text"] = text.substr(1);
+    lines += task.dump() + "\n";
+  }
+  copy.write("tasks.jsonl", lines);
+  copy.vouch();
+  std::map<std::string, int> counts;
+  for (const auto& problem : validate(copy.folder(), {"--against", small_data_set().string()}).problems)
+    ++counts[problem.kind];
+  EXPECT_EQ(counts["shared-layout"], 0);
+  EXPECT_EQ(counts["similar-home"], kSmallCount);
+  EXPECT_EQ(counts["similar-task"], kSmallCount);
+}
+
+TEST(Corruption, SetsThatWereMadeApartAreNotAlike) {
+  const auto ended =
+      run_program({"validate", data_set_in_all_modes().string(), "--against", small_data_set().string()});
+  EXPECT_THAT(ended.out, Not(HasSubstr("similar-")));
+  EXPECT_THAT(ended.out, HasSubstr("likeness to the nearest of " + small_data_set().string()));
+  EXPECT_THAT(ended.out, HasSubstr("closest homes\n"));
 }
 
 TEST(Corruption, WordingsOfAnotherTaskAreNamed) {
@@ -251,7 +290,7 @@ TEST(Corruption, EveryKindIsTested) {
   std::set<std::string> tested{"manifest",      "other-knowledge", "missing-file",  "unlisted-file", "changed-file",
                                "counts",        "quota",           "balance",       "rejections",    "database",
                                "repeated-task", "repeated-start",  "repeated-text", "shared-layout", "shared-seed",
-                               "shared-text",   "text-phrasing",   "wordings"};
+                               "shared-text",   "similar-home",    "similar-task",  "text-phrasing", "wordings"};
   for (const auto& corruption : kCorruptions) tested.insert(corruption.kind);
   const auto kinds = run_program({"validate", "--kinds"});
   ASSERT_EQ(kinds.code, 0);
