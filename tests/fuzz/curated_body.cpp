@@ -13,6 +13,7 @@
 #include "exports/bddl_goal.h"
 #include "fuzz_bodies.h"
 #include "grounding/home_census.h"
+#include "interchange/format_facts.h"
 #include "support.h"
 
 namespace unietp::fuzz {
@@ -48,6 +49,20 @@ void look_up(const Folder& folder) {
     for (const CuratedRow& row : curated_rows(folder.path(), Simulator::Ai2thor, tables.categories[0], *name))
       require(row.line >= 1);
   }
+}
+
+/// The tables about the simulators' scene files, one of which is given.
+void read_scene_file_tables(const Folder& folder, Errors& errors) {
+  const std::vector<std::pair<std::string, std::string>> sound{
+      {"replicacad_words.csv", "word,category,source\nsofa,couch,curated\n"},
+      {"procthor_doors.csv", "model,width_m,height_m,source\nDoorframe_1,1,2.1,curated\n"},
+      {"procthor_floors.csv", "room,material,source\nBathroom,a,x\nBedroom,b,x\nKitchen,c,x\nLivingRoom,d,x\n"}};
+  for (const auto& [name, text] : sound) {
+    if (!std::filesystem::exists(folder.path() / name)) folder.write(name, text);
+  }
+  const FormatFactsReading reading = read_format_facts(folder.path());
+  errors = reading.errors;
+  if (errors.empty()) require(door_model_for(0.9, reading.facts).width > 0);
 }
 
 /// Reads the file with this name in the folder.

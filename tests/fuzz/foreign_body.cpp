@@ -3,6 +3,7 @@
 #include "bodies.h"
 #include "fuzz_bodies.h"
 #include "homes/foreign_scenes.h"
+#include "interchange/format_facts.h"
 #include "support.h"
 
 namespace unietp::fuzz {
@@ -31,7 +32,8 @@ bool foreign_body(std::string_view text) {
   static const std::vector<Backend> backends = small_backends();
   folder.write("homes.json", text);
   const auto file = folder.path() / "homes.json";
-  const ForeignReading reading = read_foreign_scenes("auto", {file, file}, backends);
+  static const FormatFacts facts{{{"sofa", "Mug"}}, {{"Doorframe_1", 1, 2.1}}, {}};
+  const ForeignReading reading = read_foreign_scenes("auto", {file, file}, backends, facts);
   for (const Error& error : reading.errors) check_error(error);
   std::set<std::string> ids;
   for (const ForeignHome& home : reading.homes) {
