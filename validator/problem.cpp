@@ -24,7 +24,7 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::RepeatedStart, "repeated-start", "two tasks have the same template, binding, goal and start"},
     ProblemInfo{Kind::RepeatedText, "repeated-text", "two tasks of one home have the same instruction"},
     ProblemInfo{Kind::SharedLayout, "shared-layout",
-                "a home (by name, or by its rooms and furniture) is also in the other data set"},
+                "a home, by its rooms and furniture, is also in the other data set"},
     ProblemInfo{Kind::SharedSeed, "shared-seed", "both data sets have the same seed"},
     ProblemInfo{Kind::SharedText, "shared-text",
                 "an instruction, ignoring case and punctuation, is also in the other data set"},

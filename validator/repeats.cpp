@@ -89,7 +89,6 @@ Result<SetPrint> print_of(const std::filesystem::path& folder, int threads) {
         if (is_new) print.compared.homes.push_back({task.layout, std::move(task.home)});
         print.compared.tasks.push_back(
             {std::move(task.name), place->second, std::move(task.goal), std::move(task.text)});
-        print.layouts.insert(std::move(task.layout));
         print.home_keys.insert(std::move(task.home_key));
         print.words.insert(task.words);
         return Done{};
@@ -111,9 +110,7 @@ void LeakSearch::add(const TaskReading& task, const TaskFacts& facts, const std:
   const auto found = [&](ProblemKind kind, std::string message) {
     of_tasks_.push_back(of_task(kind, task.where, task.name, std::move(message)));
   };
-  if (other_.layouts.contains(record.layout)) {
-    found(ProblemKind::SharedLayout, "its home " + record.layout + " is also in " + other_.folder);
-  } else if (other_.home_keys.contains(facts.home_key)) {
+  if (other_.home_keys.contains(facts.home_key)) {
     found(ProblemKind::SharedLayout, "the rooms and furniture of " + record.layout + " are also in " + other_.folder);
   } else if (nearest && nearest->home >= kCopiedHome) {
     found(ProblemKind::SimilarHome, "its home " + record.layout + " is " + two_digits(nearest->home) + " like " +

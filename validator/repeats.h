@@ -33,7 +33,7 @@ class RepeatSearch {
 struct SetPrint {
   std::string folder;  // for messages
   std::uint64_t seed = 0;
-  std::set<std::string> layouts, home_keys;
+  std::set<std::string> home_keys;
   std::set<std::pair<std::uint64_t, std::uint64_t>> words;  // keys of the instructions
   ComparedSet compared;
 };

@@ -52,7 +52,6 @@ SetPrint print_of_tasks(const std::vector<HomeTask>& tasks) {
   SetPrint print;
   print.folder = "other";
   for (const auto& task : tasks) {
-    print.layouts.insert(task.home.id);
     print.home_keys.insert(home_key_of(task.home));
     print.compared.tasks.push_back({task.record.id, print.compared.homes.size(), print_of_goal(task.record.goal_tree),
                                     print_of_text(task.record.instruction)});
@@ -112,6 +111,12 @@ TEST(Leaks, ThereAreNoneBetweenSetsOfTheirOwn) {
   const auto other = home_task("two", drawn_home(2), "Cup", "Place the cup on a sofa, please.");
   EXPECT_THAT(leaks({kTask}, {other}), IsEmpty());
   EXPECT_THAT(leaks({kTask}, {}), IsEmpty());
+}
+
+TEST(Leaks, AnotherHomeUnderTheSameNameIsNone) {
+  HomeTask other = home_task("two", drawn_home(2), "Cup", "Place the cup on a sofa, please.");
+  other.home.id = other.record.layout = kTask.home.id;
+  EXPECT_THAT(leaks({kTask}, {other}), IsEmpty());
 }
 
 TEST(Leaks, AHomeUnderOtherNamesIsOne) {
