@@ -37,7 +37,7 @@ std::string without_details(const std::string& reason) {
   return plain;
 }
 
-/// What a reader says of a text that it refuses; "" for one that it takes.
+/// What a reader says of a text that it refuses; "" for one that it takes, and for one that its parser refuses.
 using Reason = std::function<std::string(const std::string&)>;
 
 /// The different reasons for which changes of a text are refused.
@@ -58,7 +58,7 @@ TEST(JsonMutator, KeepsATextJsonAndReachesReasonsThatBytesDoNot) {
   const std::string task = seed_bytes("task/ai2thor.json"), donor = seed_bytes("task/behavior.json");
   const Reason reason = [](const std::string& text) {
     const auto read = read_task("task", 1, text);
-    return read ? std::string() : read.error().message;
+    return read || read.error().kind == Error::Kind::Parse ? std::string() : read.error().message;
   };
   constexpr int kTries = 1000;
   int json = 0;
@@ -69,7 +69,8 @@ TEST(JsonMutator, KeepsATextJsonAndReachesReasonsThatBytesDoNot) {
   });
   EXPECT_EQ(json, kTries);
   const auto by_bytes = reasons_of(kTries, reason, [&](Rng rng) { return fuzz::broken(task, rng); });
-  EXPECT_GT(without(by_tree, by_bytes).size(), 2 * without(by_bytes, by_tree).size())
+  EXPECT_GE(without(by_tree, by_bytes).size(), 10U);
+  EXPECT_GT(without(by_tree, by_bytes).size(), 5 * without(by_bytes, by_tree).size())
       << ::testing::PrintToString(by_tree) << "\n"
       << ::testing::PrintToString(by_bytes);
 }
@@ -80,13 +81,18 @@ TEST(SqliteMutator, KeepsADatabaseOneAndReachesReasonsThatBytesDoNot) {
   const Reason reason = [&](const std::string& bytes) {
     folder.write("k.sqlite", bytes);
     const auto knowledge = load_knowledge(folder.path() / "k.sqlite", Simulator::Ai2thor);
-    return knowledge ? std::string() : knowledge.error().message;
+    if (knowledge) return std::string();
+    for (const char* damage : {"malformed", "not a database", "disk I/O"}) {
+      if (knowledge.error().message.find(damage) != std::string::npos) return std::string();
+    }
+    return knowledge.error().message;
   };
-  constexpr int kTries = 400;
+  constexpr int kTries = 200;
   const auto by_rows =
       reasons_of(kTries, reason, [&](Rng rng) { return fuzz::mutate_sqlite(database, database, rng).value_or(""); });
   const auto by_bytes = reasons_of(kTries, reason, [&](Rng rng) { return fuzz::broken(database, rng); });
-  EXPECT_GT(without(by_rows, by_bytes).size(), 2 * without(by_bytes, by_rows).size())
+  EXPECT_GE(without(by_rows, by_bytes).size(), 10U);
+  EXPECT_GT(without(by_rows, by_bytes).size(), 5 * without(by_bytes, by_rows).size())
       << ::testing::PrintToString(by_rows) << "\n"
       << ::testing::PrintToString(by_bytes);
 }
