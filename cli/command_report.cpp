@@ -4,6 +4,7 @@
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
+#include "core/file_writer.h"
 #include "core/files.h"
 #include "report/report_page.h"
 
@@ -33,6 +34,7 @@ Result<std::vector<ReportExample>> examples_of(const FinishedSet& set, const std
 }
 
 Exit report(const ReportOptions& options, const CommandLine& program) {
+  if (const auto writable = check_writable(options.out); !writable) return refuse(writable.error());
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   std::vector<const Knowledge*> knowledge;

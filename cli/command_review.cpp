@@ -4,6 +4,7 @@
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
+#include "core/file_writer.h"
 #include "core/files.h"
 #include "record/manifest_record.h"
 #include "report/review_page.h"
@@ -20,6 +21,7 @@ struct ReviewOptions {
 
 Exit write_page(const ReviewOptions& options, const CommandLine& program) {
   if (options.out.empty()) return refuse({Error::Kind::Usage, "--out", {}, "expected a file to write the page to"});
+  if (const auto writable = check_writable(options.out); !writable) return refuse(writable.error());
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   const auto set = read_finished_set(options.folder);
@@ -73,7 +75,7 @@ void add_review_command(CommandParser& app, CommandLine& program) {
       {{"unietp review out/mine --out review.html", "a page to accept, reject or edit each task"},
        {"unietp review out/mine --apply review-mine.json", "apply what the page saved"},
        {"unietp review out/mine --apply review-mine.json --out out/reviewed", ""}});
-  command->add_option("FOLDER", options->folder, "A finished data set")->required()->existing_folder();
+  command->add_option("FOLDER", options->folder, "A finished data set")->required()->folder();
   command->add_option("--out", options->out, "HTML file to write; with --apply, a new data set to make");
   auto* reviews = command->add_option("--apply", options->reviews, "File that the page saved")->existing_file();
   command->add_option("--view", options->view, "Width of the agent's view on the page, in pixels")

@@ -11,6 +11,7 @@
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "cli/help_topics.h"
+#include "cli/output.h"
 #include "core/share_work.h"
 #include "core/version.h"
 #include "resources/find_data_folder.h"
@@ -34,7 +35,9 @@ std::filesystem::path cache_folder() {
   const std::filesystem::path cache = from_environment("XDG_CACHE_HOME"), home = from_environment("HOME");
   if (!cache.empty()) return cache / "unietp";
   if (!home.empty()) return home / ".cache" / "unietp";
-  return std::filesystem::temp_directory_path() / "unietp-cache";
+  std::error_code code;
+  const auto temporary = std::filesystem::temp_directory_path(code);
+  return (code ? std::filesystem::path("/tmp") : temporary) / "unietp-cache";
 }
 
 unietp::Result<std::filesystem::path> data_folder() {
@@ -74,6 +77,7 @@ void add_commands(unietp::CommandParser& app, unietp::CommandLine& program) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const auto sound = unietp::prepare_output(); !sound) return static_cast<int>(unietp::refuse(sound.error()));
   unietp::CommandLine program;
   const auto data = data_folder();
   program.folders = {data ? *data : std::filesystem::path(), cache_folder(), {}};
@@ -110,6 +114,10 @@ int main(int argc, char** argv) {
   };
   try {
     if (const int refused = app.parse(argc, argv, needs_data); refused != 0) return refused;
+    if (const auto printed = unietp::finish_output(); !printed) {
+      const auto unprinted = unietp::refuse(printed.error());
+      if (program.exit == unietp::Exit::Ok) program.exit = unprinted;
+    }
   } catch (const std::exception& error) {
     (void)std::fprintf(stderr, "unietp: internal error: %s\n", error.what());
     return static_cast<int>(unietp::Exit::Wrong);

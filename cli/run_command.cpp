@@ -159,7 +159,7 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
   const Exit made = print_report(*report, command, log);
   if (report->interrupted || by_grammar) return made;
   const auto& out = command.run.out;
-  const Exit reworded = reword_dataset(out, out, resources, command.writer, std::nullopt, false, program);
+  const Exit reworded = reword_dataset({out, out, {}}, resources, command.writer, program);
   return made == Exit::Ok ? reworded : made;
 }
 

@@ -1,5 +1,6 @@
 #include "cli/writer_options.h"
 
+#include <cstdio>
 #include <map>
 #include <optional>
 
@@ -37,6 +38,16 @@ void print_report(const AnnotateReport& report) {
   }
   for (const auto& [why, reason] : reasons)
     print_line("  the grammar wrote " + std::to_string(reason.first) + " instead (" + reason.second + "): " + why);
+  if (report.by_people > 0)
+    print_line("  " + std::to_string(report.by_people) + " by people, kept; --replace-human replaces them");
+}
+
+/// Says why nothing was written.
+void print_unwritten(const AnnotateReport& report, const std::filesystem::path& out, const std::string& how_to_go_on) {
+  (void)std::fprintf(stderr,
+                     "%s: left as it was, since %d requests have no answer (%s); %s, or take the grammar's "
+                     "texts for the rest with --stand-in\n",
+                     out.string().c_str(), report.unanswered, report.no_answer.c_str(), how_to_go_on.c_str());
 }
 
 Exit dry_run(const std::filesystem::path& folder, const Resources& resources, const AnnotateOptions& options,
@@ -49,8 +60,8 @@ Exit dry_run(const std::filesystem::path& folder, const Resources& resources, co
   return Exit::Ok;
 }
 
-Exit with_server(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,
-                 AnnotateOptions options, const LlmChoice& llm, const CommandLine& program) {
+Exit with_server(const RewordRequest& request, const Resources& resources, AnnotateOptions options,
+                 const LlmChoice& llm, const CommandLine& program) {
   const auto url = chat_url(llm.url);
   if (!url) return refuse(url.error());
   const LlmEndpoint endpoint{*url, llm.model, program.llm_key};
@@ -71,11 +82,15 @@ Exit with_server(const std::filesystem::path& folder, const std::filesystem::pat
     totals.prompt_tokens += now.prompt_tokens, totals.completion_tokens += now.completion_tokens;
     return answers;
   };
-  const auto report = annotate_dataset(folder, out, resources, options);
+  const auto report = annotate_dataset(request.folder, request.out, resources, options);
   progress.wipe();
   if (!report) return refuse(report.error());
   if (cache->failure()) (void)refuse(*cache->failure());
-  print_report(*report);
+  if (report->written) {
+    print_report(*report);
+  } else {
+    print_unwritten(*report, request.out, "run the same command again: it asks only for what is missing");
+  }
   print_line("requests   " + std::to_string(totals.asked) + " asked, " + std::to_string(totals.cached) +
              " from the cache, " + std::to_string(totals.failed) + " without an answer");
   print_line(cost_line(totals, llm.price));
@@ -83,18 +98,22 @@ Exit with_server(const std::filesystem::path& folder, const std::filesystem::pat
   return totals.failed == 0 && !cache->failure() ? Exit::Ok : Exit::Wrong;
 }
 
-Exit with_batch(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,
-                AnnotateOptions options, const WriterChoice& choice) {
+Exit with_batch(const RewordRequest& request, const Resources& resources, AnnotateOptions options,
+                const WriterChoice& choice) {
   auto batch = BatchFolder::open(choice.batch, choice.llm.model);
   if (!batch) return refuse(batch.error());
   options.llm.ask = [&](const std::vector<LlmRequest>& requests) {
     return batch->ask(with_parameters(requests, choice.llm));
   };
-  const auto report = annotate_dataset(folder, out, resources, options);
+  const auto report = annotate_dataset(request.folder, request.out, resources, options);
   if (!report) return refuse(report.error());
   const auto left = batch->finish();
   if (!left) return refuse(left.error());
-  print_report(*report);
+  if (report->written) {
+    print_report(*report);
+  } else {
+    print_unwritten(*report, request.out, "send the request files, put the answers beside them and run this again");
+  }
   print_line("batch      " + std::to_string(left->answered) + " answered, " + std::to_string(left->waiting) +
              " waiting, " + std::to_string(left->failed.size()) + " failed, " + std::to_string(left->new_requests) +
              " new requests");
@@ -125,6 +144,8 @@ void add_writer_options(CommandParser& command, WriterChoice& choice) {
   command.add_option("--rewrites", choice.rewrites, "Further attempts after a model's text was refused")
       ->within(0, 20)
       ->shows_default();
+  command.add_flag("--stand-in", choice.stand_in,
+                   "Where no answer came, take the grammar's text; otherwise nothing is changed then");
   add_llm_options(command, choice.llm, false);
 }
 
@@ -143,22 +164,23 @@ Result<Phrasings> check_writer(const WriterChoice& choice) {
   return unknown_name_error("--phrasings", choice.phrasings, {"all", "training", "benchmark"});
 }
 
-Exit reword_dataset(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,
-                    const WriterChoice& choice, std::optional<std::uint64_t> seed, bool paired,
+Exit reword_dataset(const RewordRequest& request, const Resources& resources, const WriterChoice& choice,
                     const CommandLine& program) {
   const auto phrasings = check_writer(choice);
   if (!phrasings) return refuse(phrasings.error());
   AnnotateOptions options;
   options.writer = *writer_named(choice.writer);
-  options.seed = seed;
-  options.paired = paired;
+  options.seed = request.seed;
+  options.paired = request.paired;
+  options.replace_human = request.replace_human;
+  options.stand_in = choice.stand_in;
   options.llm.model = choice.llm.model;
   options.llm.rewrites = choice.rewrites;
   options.llm.phrasings = *phrasings;
-  if (choice.llm.dry_run) return dry_run(folder, resources, options, choice.llm);
-  if (options.writer == Writer::Llm) return with_server(folder, out, resources, options, choice.llm, program);
-  if (options.writer == Writer::Batch) return with_batch(folder, out, resources, options, choice);
-  const auto report = annotate_dataset(folder, out, resources, options);
+  if (choice.llm.dry_run) return dry_run(request.folder, resources, options, choice.llm);
+  if (options.writer == Writer::Llm) return with_server(request, resources, options, choice.llm, program);
+  if (options.writer == Writer::Batch) return with_batch(request, resources, options, choice);
+  const auto report = annotate_dataset(request.folder, request.out, resources, options);
   if (!report) return refuse(report.error());
   print_report(*report);
   return Exit::Ok;

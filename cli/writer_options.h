@@ -15,18 +15,26 @@ struct WriterChoice {
   std::string writer = "grammar", phrasings = "all";
   std::filesystem::path batch;  // folder of request and answer files
   int rewrites = 2;
+  bool stand_in = false;
   LlmChoice llm;
 };
 
-/// Adds --writer, --phrasings, --batch, --rewrites and the options of a language model.
+/// Adds --writer, --phrasings, --batch, --rewrites, --stand-in and the options of a language model.
 void add_writer_options(CommandParser& command, WriterChoice& choice);
 
 /// The phrasings of a choice. Errors: Usage for an unknown name or a missing option.
 Result<Phrasings> check_writer(const WriterChoice& choice);
 
-/// Rewrites the instructions of a data set and prints a summary. Exit::Wrong when answers are still missing.
-Exit reword_dataset(const std::filesystem::path& folder, const std::filesystem::path& out, const Resources& resources,
-                    const WriterChoice& choice, std::optional<std::uint64_t> seed, bool paired,
+/// Which instructions are rewritten, and from where to where.
+struct RewordRequest {
+  std::filesystem::path folder, out;
+  std::optional<std::uint64_t> seed;
+  bool paired = false, replace_human = false;
+};
+
+/// Rewrites the instructions of a data set and prints a summary. Exit::Wrong when answers are still missing; the data
+/// set is then as it was, unless the grammar may stand in.
+Exit reword_dataset(const RewordRequest& request, const Resources& resources, const WriterChoice& choice,
                     const CommandLine& program);
 
 }  // namespace unietp

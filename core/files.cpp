@@ -1,6 +1,5 @@
 #include "core/files.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include <libdeflate.h>
 
 #include "core/file_place.h"
+#include "core/file_writer.h"
 
 namespace unietp {
 namespace {
@@ -60,34 +60,20 @@ Result<std::string> read_all(const Descriptor& file, const std::filesystem::path
                "has more than " + std::to_string(limits::kFileBytes) + " bytes, the most that a file may have"};
 }
 
-/// False with `errno` when not all could be written.
-bool write_all(const Descriptor& file, std::string_view rest) {
-  while (!rest.empty()) {
-    const ssize_t count = ::write(file.get(), rest.data(), rest.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    rest.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
+/// Writes beside the file and renames. `place.name` is replaced even if it is a symbolic link, and never followed.
+Result<Done> write_at(FilePlace place, std::string_view bytes) {
+  auto file = FileWriter::replace(std::move(place));
+  if (!file) return file.error();
+  if (auto added = file->add(bytes); !added) return added;
+  return file->finish();
 }
 
-/// Writes beside the file and renames. `place.name` is replaced even if it is a symbolic link, and never followed.
-Result<Done> write_at(const FilePlace& place, std::string_view bytes) {
-  const int folder = place.folder.get();
-  const std::string temporary = place.name + ".tmp";
-  (void)::unlinkat(folder, temporary.c_str(), 0);  // of a run that was killed
-  constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-  Descriptor file(::openat(folder, temporary.c_str(), kFlags, 0666));
-  if (file.get() < 0) return io_error(place.shown, "cannot open for writing");
-  bool written = write_all(file, bytes);
-  int failure = written ? 0 : errno;
-  if (::close(file.release()) != 0 && written) written = false, failure = errno;
-  const bool renamed = written && ::renameat(folder, temporary.c_str(), folder, place.name.c_str()) == 0;
-  if (renamed) return Done{};
-  if (written) failure = errno;
-  (void)::unlinkat(folder, temporary.c_str(), 0);
-  errno = failure;
-  return io_error(place.shown, written ? "cannot rename into place" : "cannot write");
+/// A device or a pipe, such as /dev/stdout, takes the bytes itself: it is not to be replaced by a file.
+Result<Done> write_into(const std::filesystem::path& device, std::string_view bytes) {
+  auto file = FileWriter::begin(device);
+  if (!file) return file.error();
+  if (auto added = file->add(bytes); !added) return added;
+  return file->finish();
 }
 
 }  // namespace
@@ -104,20 +90,25 @@ Result<std::string> read_file(const std::filesystem::path& root, std::string_vie
   return read_all(*file, root / inner);
 }
 
-Result<Done> write_file(const std::filesystem::path& path, std::string_view bytes) {
+Result<Done> write_file(const std::filesystem::path& asked, std::string_view bytes) {
   std::error_code failed;
+  // The user's own link stays, and what it leads to is replaced.
+  const bool link = std::filesystem::is_symlink(asked, failed);
+  const auto path = link ? std::filesystem::weakly_canonical(asked, failed) : asked;
+  if (std::filesystem::exists(path, failed) && std::filesystem::is_other(path, failed)) return write_into(path, bytes);
+  failed.clear();
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), failed);
-  if (failed) return Error{Error::Kind::Io, path.string(), {}, "cannot create its folder: " + failed.message()};
-  const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
-  const FilePlace place{Descriptor(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)), path.filename(), path};
-  if (place.folder.get() < 0) return io_error(path, "cannot open its folder");
-  return write_at(place, bytes);
+  if (failed) return Error{Error::Kind::Io, asked.string(), {}, "cannot create its folder: " + failed.message()};
+  auto place = place_of(path);
+  if (!place) return place.error();
+  place->shown = asked;
+  return write_at(std::move(*place), bytes);
 }
 
 Result<Done> write_file(const std::filesystem::path& root, std::string_view inner, std::string_view bytes) {
-  const auto place = place_inside(root, inner, MissingFolders::Made);
+  auto place = place_inside(root, inner, MissingFolders::Made);
   if (!place) return place.error();
-  return write_at(*place, bytes);
+  return write_at(std::move(*place), bytes);
 }
 
 std::string gzip(std::string_view bytes) {

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "core/file_writer.h"
 #include "dataset/balance.h"
 
 namespace unietp {
@@ -110,7 +111,7 @@ Result<Done> DatasetDatabase::finish() {
     copy.bind(1, std::string_view(path_.native()));
     copy.step();
     fs::remove(growing(path_));
-    return Done{};
+    return confirm_written(path_);
   } catch (const std::exception& reason) {
     return failure(path_, reason);
   }
@@ -141,7 +142,7 @@ Result<Done> reword_database(const fs::path& from, const fs::path& to,
   }
   std::error_code code;
   fs::remove(copy, code);
-  return Done{};
+  return confirm_written(to);
 }
 
 }  // namespace unietp

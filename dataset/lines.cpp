@@ -89,10 +89,6 @@ void write_step(JsonText& json, const StepEntry& step) {
   json.close_object();
 }
 
-Error cannot_write(const std::filesystem::path& file) {
-  return {Error::Kind::Io, file.string(), {}, "cannot write; is the disk full?"};
-}
-
 }  // namespace
 
 std::string line_of(const TaskEntry& task) {
@@ -168,23 +164,17 @@ std::string line_of(const ReviewMarkEntry& mark) {
   return dumped(json);
 }
 
-Result<LinesWriter> LinesWriter::begin(const std::filesystem::path& file) {
-  LinesWriter writer(file);
-  if (!writer.stream_) return cannot_write(file);
-  return writer;
+Result<LinesWriter> LinesWriter::begin(const std::filesystem::path& path) {
+  auto file = FileWriter::begin(path);
+  if (!file) return file.error();
+  return LinesWriter(std::move(*file));
 }
 
 Result<Done> LinesWriter::add(std::string_view line) {
-  stream_.write(line.data(), static_cast<std::streamsize>(line.size()));
-  stream_.put('\n');
-  if (!stream_) return cannot_write(file_);
-  return Done{};
+  auto added = file_.add(line);
+  return added ? file_.add("\n") : added;
 }
 
-Result<Done> LinesWriter::finish() {
-  stream_.close();
-  if (!stream_) return cannot_write(file_);
-  return Done{};
-}
+Result<Done> LinesWriter::finish() { return file_.finish(); }
 
 }  // namespace unietp

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "annotator/instruction.h"
+#include "core/file_writer.h"
 #include "core/result.h"
 #include "logic/formula.h"
 #include "scene/action.h"
@@ -90,9 +90,8 @@ class LinesWriter {
   Result<Done> finish();
 
  private:
-  explicit LinesWriter(std::filesystem::path file) : file_(std::move(file)), stream_(file_, std::ios::binary) {}
-  std::filesystem::path file_;
-  std::ofstream stream_;
+  explicit LinesWriter(FileWriter file) : file_(std::move(file)) {}
+  FileWriter file_;
 };
 
 }  // namespace unietp

@@ -1,8 +1,9 @@
 #include <algorithm>
-#include <fstream>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
+#include "core/file_writer.h"
 #include "exports/formats.h"
 #include "exports/ltlf_formula.h"
 #include "exports/task_folder.h"
@@ -66,12 +67,14 @@ Result<std::string> goal_line(const FinishedTask& task, const std::vector<Mode>&
 /// goals.jsonl and left_out.jsonl.
 Result<std::string> write_ltlf(const ExportRequest& request) {
   const auto modes = shown_modes(request.dataset);
-  std::ofstream file;
+  std::optional<FileWriter> file;
   const auto write = [&](const fs::path& folder, const std::string& line) -> Result<Done> {
-    if (!file.is_open()) file.open(folder / "goals.jsonl", std::ios::binary);
-    file.write(line.data(), static_cast<std::streamsize>(line.size()));
-    if (!file.flush()) return Error{Error::Kind::Io, (folder / "goals.jsonl").string(), {}, "cannot be written"};
-    return Done{};
+    if (!file) {
+      auto begun = FileWriter::begin(folder / "goals.jsonl");
+      if (!begun) return begun.error();
+      file.emplace(std::move(*begun));
+    }
+    return file->add(line);
   };
   const auto made = write_task_folder(
       request.dataset, modes, request.out,
@@ -81,7 +84,10 @@ Result<std::string> write_ltlf(const ExportRequest& request) {
         if (auto written = write(folder, *line); !written) return written.error();
         return std::optional<std::string>();
       },
-      [&](const fs::path& folder) { return write(folder, ""); });
+      [&](const fs::path& folder) {
+        auto written = write(folder, "");
+        return written ? file->finish() : written;
+      });
   if (!made) return made.error();
   return summary_of(*made, request.out);
 }

@@ -1,16 +1,17 @@
 #include "exports/sft.h"
 
 #include <algorithm>
-#include <fstream>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
+#include "core/file_writer.h"
 #include "core/files.h"
 #include "core/png.h"
+#include "core/staged_folder.h"
 #include "core/text.h"
 #include "exports/formats.h"
 #include "exports/sft_chat.h"
-#include "exports/whole_folder.h"
 #include "simulation/mode_rules.h"
 #include "simulation/picture.h"
 
@@ -173,12 +174,6 @@ Result<Done> choose_modes(const fs::path& dataset, const SftOptions& options, Sf
   return Done{};
 }
 
-Result<Done> append(std::ofstream& file, const fs::path& path, const std::string& text) {
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file) return Error{Error::Kind::Io, path.string(), {}, "cannot be written"};
-  return Done{};
-}
-
 }  // namespace
 
 Result<SftExport> export_sft(const fs::path& dataset, const std::vector<ValidationBackend>& backends,
@@ -187,14 +182,18 @@ Result<SftExport> export_sft(const fs::path& dataset, const std::vector<Validati
   if (auto chosen = choose_modes(dataset, options, made); !chosen) return chosen.error();
   const bool pictures = options.observation != SftObservation::Boxes;
   const Maker maker(backends, options);
-  const auto written = write_whole_folder(out, [&](const fs::path& aside) -> Result<Done> {
+  const auto written = write_staged_folder(dataset, out, [&](const fs::path& aside) -> Result<Done> {
     for (const Mode mode : made.modes) {
       auto tasks = DatasetReader::open(dataset, {.modes = {mode}, .starts = true});
       if (!tasks) return tasks.error();
-      const auto path = aside / (std::string(name_of(mode)) + ".jsonl");
-      const auto trl_path = aside / (std::string(name_of(mode)) + ".trl.jsonl");
-      std::ofstream file(path, std::ios::binary), trl_file;
-      if (pictures) trl_file.open(trl_path, std::ios::binary);
+      auto file = FileWriter::begin(aside / (std::string(name_of(mode)) + ".jsonl"));
+      if (!file) return file.error();
+      std::optional<FileWriter> trl_file;
+      if (pictures) {
+        auto begun = FileWriter::begin(aside / (std::string(name_of(mode)) + ".trl.jsonl"));
+        if (!begun) return begun.error();
+        trl_file.emplace(std::move(*begun));
+      }
       const auto done = for_each_task<Samples>(
           std::move(*tasks), options.threads, [&](const FinishedTask& task) { return maker.make(task, mode); },
           [&](Samples&& samples) -> Result<Done> {
@@ -203,13 +202,14 @@ Result<SftExport> export_sft(const fs::path& dataset, const std::vector<Validati
             for (const auto& [name, bytes] : samples.pictures) {
               if (auto drawn = write_file(aside / name, bytes); !drawn) return drawn;
             }
-            if (auto ok = append(file, path, samples.lines); !ok) return ok;
-            return pictures ? append(trl_file, trl_path, samples.trl_lines) : Result<Done>(Done{});
+            if (auto added = file->add(samples.lines); !added) return added;
+            return trl_file ? trl_file->add(samples.trl_lines) : Result<Done>(Done{});
           });
       if (!done) return done;
-      file.close();
-      trl_file.close();
-      if (!file || (pictures && !trl_file)) return Error{Error::Kind::Io, path.string(), {}, "cannot be written"};
+      if (auto finished = file->finish(); !finished) return finished;
+      if (trl_file) {
+        if (auto finished = trl_file->finish(); !finished) return finished;
+      }
     }
     return write_file(aside / "dataset_info.json", dataset_info(made.modes, pictures).dump(2) + "\n");
   });

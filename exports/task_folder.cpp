@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
-#include "exports/whole_folder.h"
+#include "core/staged_folder.h"
 
 namespace unietp {
 namespace {
@@ -22,7 +22,7 @@ Result<ExportedTasks> write_task_folder(const fs::path& dataset, const std::vect
                                         const SayTask& say,
                                         const std::function<Result<Done>(const fs::path& folder)>& finish) {
   ExportedTasks made;
-  const auto written = write_whole_folder(out, [&](const fs::path& aside) -> Result<Done> {
+  const auto written = write_staged_folder(dataset, out, [&](const fs::path& aside) -> Result<Done> {
     auto tasks = DatasetReader::open(dataset, {.modes = modes, .starts = true});
     if (!tasks) return tasks.error();
     std::string left_out;

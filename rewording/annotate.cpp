@@ -4,14 +4,15 @@
 #include <set>
 
 #include "annotator/home_facts.h"
-#include "core/changed_copy.h"
 #include "core/file_digest.h"
 #include "core/files.h"
+#include "core/staged_folder.h"
 #include "dataset/candidate.h"
 #include "dataset/candidate_number.h"
 #include "dataset/dataset_database.h"
 #include "record/dataset_lines.h"
 #include "rewording/paired_wordings.h"
+#include "rewording/person_text.h"
 #include "rewording/worded_task.h"
 #include "rewording/written_again.h"
 
@@ -28,10 +29,16 @@ Rng stream_of(const WordedTask& task, const AnnotateOptions& options) {
   return wording_stream(options.seed.value_or(record.run), record.slot, record.attempt);
 }
 
+bool is_kept(const WordedTask& task, const AnnotateOptions& options) {
+  return !options.replace_human && by_person(task.record.writer);
+}
+
+/// Of the tasks whose text is to be written.
 Result<std::vector<WordingTask>> wording_tasks(HomeCache& homes, const std::vector<WordedTask>& tasks,
                                                const Resources& resources, const AnnotateOptions& options) {
   std::vector<WordingTask> wording;
   for (const WordedTask& task : tasks) {
+    if (is_kept(task, options)) continue;
     const auto scene = read_start(homes, task);
     if (!scene) return scene.error();
     const Backend& backend = resources.backend(task.specification.simulator);
@@ -68,23 +75,39 @@ std::string text_key(const WordedTask& task, const Instruction& instruction) {
   return task.record.layout + "\n" + normalised_text(instruction.text);
 }
 
-Result<std::vector<Instruction>> written(const fs::path& folder, const std::vector<WordedTask>& tasks,
-                                         const Resources& resources, const AnnotateOptions& options) {
-  HomeCache homes(folder);
-  std::vector<Result<Instruction>> drafts;
-  if (options.writer == Writer::Grammar) {
-    for (const WordedTask& task : tasks)
-      drafts.push_back(by_grammar(homes, task, resources, options, stream_of(task, options)));
-  } else {
+/// What the writer gives for each task whose text is to be written, in their order.
+Result<std::vector<Result<Instruction>>> drafts_of(HomeCache& homes, const std::vector<WordedTask>& tasks,
+                                                   const Resources& resources, const AnnotateOptions& options) {
+  if (options.writer != Writer::Grammar) {
     const auto wording = wording_tasks(homes, tasks, resources, options);
     if (!wording) return wording.error();
-    drafts = write_instructions_with_llm(*wording, options.llm);
+    return write_instructions_with_llm(*wording, options.llm);
+  }
+  std::vector<Result<Instruction>> drafts;
+  for (const WordedTask& task : tasks) {
+    if (!is_kept(task, options))
+      drafts.push_back(by_grammar(homes, task, resources, options, stream_of(task, options)));
+  }
+  return drafts;
+}
+
+Result<std::vector<Instruction>> instructions_for(const fs::path& folder, const std::vector<WordedTask>& tasks,
+                                                  const Resources& resources, const AnnotateOptions& options) {
+  HomeCache homes(folder);
+  auto drafts = drafts_of(homes, tasks, resources, options);
+  if (!drafts) return drafts.error();
+  std::set<std::string> seen;  // in a home
+  for (const WordedTask& task : tasks) {
+    if (is_kept(task, options)) seen.insert(text_key(task, instruction_of(task)));
   }
   std::vector<Instruction> instructions;
-  std::set<std::string> seen;  // in a home
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    auto& draft = drafts[i];
-    const WordedTask& task = tasks[i];
+  std::size_t next = 0;
+  for (const WordedTask& task : tasks) {
+    if (is_kept(task, options)) {
+      instructions.push_back(instruction_of(task));
+      continue;
+    }
+    auto& draft = (*drafts)[next++];
     const auto repeats = [&] { return seen.contains(text_key(task, *draft)); };
     const auto in_style = [&] { return draft->style == task.specification.style; };
     constexpr std::uint64_t kOthers = 400;  // a goal has tens of texts at least, and a home few tasks of one goal
@@ -111,6 +134,19 @@ Result<std::vector<Instruction>> written(const fs::path& folder, const std::vect
   return instructions;
 }
 
+/// The options with a model that also counts in the report what it leaves unanswered.
+AnnotateOptions counting(AnnotateOptions options, AnnotateReport& report) {
+  options.llm.ask = [ask = std::move(options.llm.ask), &report](const std::vector<LlmRequest>& requests) {
+    auto answers = ask(requests);
+    for (const auto& answer : answers) {
+      if (answer || answer.error().kind == Error::Kind::Schema) continue;  // an answer, if one of no use
+      if (++report.unanswered == 1) report.no_answer = answer.error().message;
+    }
+    return answers;
+  };
+  return options;
+}
+
 /// tasks.jsonl and dataset.sqlite with the new instructions.
 Result<Done> write_instructions(const fs::path& from, const fs::path& to, const std::vector<WordedTask>& tasks,
                                 const std::vector<Instruction>& instructions) {
@@ -130,6 +166,10 @@ WritingEntry writing_of(const AnnotateReport& report, const AnnotateOptions& opt
           options.seed,
           std::string(name_of(options.llm.phrasings)),
           {report.by_writer.begin(), report.by_writer.end()}};
+}
+
+bool is_new(const std::string& file) {
+  return file == kTasksFile || file == kDatabase || file == kManifest || file == kWordingsFile;
 }
 
 /// The manifest of the old folder with the files that changed.
@@ -157,23 +197,29 @@ std::optional<Writer> writer_named(std::string_view name) {
 
 Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& out, const Resources& resources,
                                         const AnnotateOptions& options) {
+  // First of all, so that the folder stays as it is read, and one that cannot be written is known before hours of work.
+  auto copy = ChangedCopy::begin(folder, out, is_new);
+  if (!copy) return copy.error();
   const auto recorded = read_manifest_file(folder);
   if (!recorded) return recorded.error();
   auto manifest = written_again((folder / kManifest).string(), *recorded);
   if (!manifest) return manifest.error();
   const auto tasks = read_worded_tasks(folder);
   if (!tasks) return tasks.error();
-  const auto instructions = written(folder, *tasks, resources, options);
-  if (!instructions) return instructions.error();
   AnnotateReport report;
+  const auto instructions = instructions_for(folder, *tasks, resources, counting(options, report));
+  if (!instructions) return instructions.error();
+  if (report.unanswered > 0 && !options.stand_in) return report;
   for (std::size_t i = 0; i < tasks->size(); ++i) {
     const Instruction& instruction = (*instructions)[i];
     ++report.tasks;
     ++report.by_writer[instruction.writer];
-    if (!instruction.why.empty()) report.stand_ins.emplace_back((*tasks)[i].record.id, instruction.why);
+    if (is_kept((*tasks)[i], options)) {
+      ++report.by_people;
+    } else if (!instruction.why.empty()) {
+      report.stand_ins.emplace_back((*tasks)[i].record.id, instruction.why);
+    }
   }
-  auto copy = ChangedCopy::begin(folder, out, {kTasksFile, kDatabase, kManifest, kWordingsFile});
-  if (!copy) return copy.error();
   if (auto done = write_instructions(folder, copy->folder(), *tasks, *instructions); !done) return done.error();
   if (options.paired) {
     if (auto done = write_paired_wordings(folder, *tasks, resources, {options.llm.phrasings, options.seed},
@@ -184,6 +230,7 @@ Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& 
   manifest->writing = writing_of(report, options);
   if (auto done = write_manifest(std::move(*manifest), copy->folder()); !done) return done.error();
   if (auto done = copy->finish(); !done) return done.error();
+  report.written = true;
   return report;
 }
 

@@ -21,6 +21,8 @@ struct AnnotateOptions {
   Writer writer = Writer::Grammar;
   std::optional<std::uint64_t> seed;  // of the wording; without it each run's own, which gives the texts it had
   bool paired = false;                // also write wordings.jsonl (paired_wordings.h); an older one goes otherwise
+  bool replace_human = false;         // also texts that people wrote or corrected
+  bool stand_in = false;              // the grammar's texts stand in where no answer came
   LlmWriterOptions llm;               // its phrasings are the grammar's, too; the rest is for the other two writers
 };
 
@@ -28,12 +30,18 @@ struct AnnotateReport {
   int tasks = 0;
   std::map<std::string, int> by_writer;
   std::vector<std::pair<std::string, std::string>> stand_ins;  // task, why the grammar wrote in place of the model
+  int by_people = 0;                                           // texts that were kept
+  int unanswered = 0;                                          // requests to the model
+  std::string no_answer;                                       // why the first of them has none
+  bool written = false;  // false: an answer is missing, so that everything is as it was
 };
 
 /// Writes the instructions of the data set in `folder` anew, to `out` (which may be `folder`: it is replaced at once,
-/// when all is written). Starts, goals, demonstrations and rejections stay; tasks.jsonl, dataset.sqlite and the
-/// manifest follow. Two tasks of one home keep different texts. Deterministic for the grammar, and for a model in its
-/// answers. Errors: Io; Parse, Schema of a file; Usage; Unsatisfiable, when a goal has no words (names the task).
+/// when all is written). Starts, goals, demonstrations and rejections stay, and so do texts by people; tasks.jsonl,
+/// dataset.sqlite and the manifest follow. Two tasks of one home keep different texts. Unless all requests were
+/// answered, or the grammar may stand in, nothing is written. Deterministic for the grammar, and for a model in its
+/// answers. Errors: Io; Parse, Schema of a file; Usage, also when another process works on the folder; Unsatisfiable,
+/// when a goal has no words (names the task). Then, too, nothing is written.
 Result<AnnotateReport> annotate_dataset(const std::filesystem::path& folder, const std::filesystem::path& out,
                                         const Resources& resources, const AnnotateOptions& options);
 

@@ -1,10 +1,12 @@
 #include "rewording/apply_review.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 
-#include "core/changed_copy.h"
 #include "core/files.h"
+#include "core/staged_folder.h"
 #include "dataset/dataset_writer.h"
 #include "generator/rejection.h"
 #include "record/dataset_reader.h"
@@ -61,16 +63,14 @@ std::vector<Trait> traits_of(const TraitTable::Traits& recorded) {
   return traits_from(text);
 }
 
-/// Every file of the folder but paired wordings that are kept as they are, and what nobody here knows.
-std::vector<std::string> files_made_anew(const fs::path& folder) {
-  std::vector<std::string> names{"tasks.jsonl", "rejections.jsonl", "dataset.sqlite", "README.md",
-                                 kManifest,     kReviews,           kWordingsFile};
-  for (const char* part : {"homes", "demonstrations"}) {
-    std::error_code code;
-    for (const auto& entry : fs::directory_iterator(folder / part, code))
-      names.push_back(std::string(part) + "/" + entry.path().filename().string());
+/// Every file of a data set, but what nobody here knows.
+bool is_made_anew(const std::string& file) {
+  for (const char* part : {"homes/", "demonstrations/"}) {
+    if (file.starts_with(part)) return true;
   }
-  return names;
+  constexpr std::array kNames{"tasks.jsonl", "rejections.jsonl", "dataset.sqlite", "README.md",
+                              kManifest,     kReviews,           kWordingsFile};
+  return std::find(kNames.begin(), kNames.end(), file) != kNames.end();
 }
 
 /// Writes the data set anew, task by task.
@@ -96,7 +96,7 @@ class ReviewedSet {
     if (!wordings_) {
       auto begun = LinesWriter::begin(copy_ / kWordingsFile);
       if (!begun) return begun.error();
-      wordings_ = std::move(*begun);
+      wordings_.emplace(std::move(*begun));
     }
     const auto wordings = written_again(*task.wordings);
     if (!wordings) return wordings.error();
@@ -146,6 +146,8 @@ class ReviewedSet {
 
 Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, const std::vector<Review>& reviews,
                                  const Resources& resources, const ApplyOptions& options) {
+  auto copy = ChangedCopy::begin(folder, out, is_made_anew);  // first, so that the folder stays as it is read
+  if (!copy) return copy.error();
   const auto recorded = read_manifest_file(folder);
   if (!recorded) return recorded.error();
   const auto where = (folder / kManifest).string();
@@ -170,8 +172,6 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
   for (const Ruling& ruling : *rulings) {
     if (ruling.review != nullptr) (*marks)[ruling.review->task] = mark_of(*ruling.review);
   }
-  auto copy = ChangedCopy::begin(folder, out, files_made_anew(folder));
-  if (!copy) return copy.error();
   auto writer = DatasetWriter::begin(copy->folder());
   if (!writer) return writer.error();
   std::error_code code;

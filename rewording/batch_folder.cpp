@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/file_writer.h"
 #include "core/files.h"
 #include "core/text.h"
 
@@ -22,10 +23,13 @@ std::string file_name(int number) {
 }  // namespace
 
 Result<BatchFolder> BatchFolder::open(const fs::path& folder, std::string model) {
-  BatchFolder batch(folder, batch_endpoint(std::move(model)));
+  auto lock = FolderLock::take(folder);
+  if (!lock) return lock.error();
+  BatchFolder batch(std::move(*lock), folder, batch_endpoint(std::move(model)));
   std::error_code code;
   fs::create_directories(folder, code);
   if (code) return Error{Error::Kind::Io, folder.string(), {}, "cannot create this folder: " + code.message()};
+  if (auto writable = check_writable(folder / file_name(0)); !writable) return writable.error();
   std::vector<fs::path> files;
   for (auto it = fs::directory_iterator(folder, code); !code && it != fs::directory_iterator(); it.increment(code))
     if (it->is_regular_file(code) && it->path().extension() == ".jsonl") files.push_back(it->path());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "annotator/llm_writer.h"
+#include "core/folder_lock.h"
 #include "llm/batch.h"
 
 namespace unietp {
@@ -17,7 +18,7 @@ namespace unietp {
 /// answers ended.
 class BatchFolder {
  public:
-  /// Reads what is there. Errors: Io.
+  /// Reads what is there. Errors: Io, also when the folder cannot be written; Usage when another process uses it.
   static Result<BatchFolder> open(const std::filesystem::path& folder, std::string model);
 
   /// Answers from the files; a request that has none yet is noted.
@@ -35,9 +36,10 @@ class BatchFolder {
   Result<Report> finish();
 
  private:
-  BatchFolder(std::filesystem::path folder, LlmEndpoint endpoint)
-      : folder_(std::move(folder)), endpoint_(std::move(endpoint)) {}
+  BatchFolder(FolderLock lock, std::filesystem::path folder, LlmEndpoint endpoint)
+      : lock_(std::move(lock)), folder_(std::move(folder)), endpoint_(std::move(endpoint)) {}
 
+  FolderLock lock_;  // or two runs would give their request files the same number
   std::filesystem::path folder_;
   LlmEndpoint endpoint_;
   BatchAnswers answers_;

@@ -5,13 +5,21 @@
 #include "annotator/word_check.h"
 
 namespace unietp {
+namespace {
+
+constexpr const char* kPerson = "person";
+constexpr const char* kUnchecked = "person:unchecked";
+
+}  // namespace
+
+bool by_person(std::string_view writer) { return writer == kPerson || writer == kUnchecked; }
 
 PersonText check_person_text(const std::string& text, const WordedTask& task, const Backend& backend,
                              const std::vector<std::string>& around) {
   const Specification& specification = task.specification;
   const auto narrowed = narrowed_for(specification, backend.knowledge, backend.nouns);
   const NounTable& nouns = narrowed ? *narrowed : backend.nouns;
-  PersonText checked{{text, "person", specification.style, {}, ""}, {}};
+  PersonText checked{{text, kPerson, specification.style, {}, ""}, {}};
   const auto check = [&](const char* name, std::vector<std::string> faults) {
     if (faults.empty()) checked.instruction.checks.emplace_back(name);
     for (auto& fault : faults) checked.faults.push_back(std::move(fault));
@@ -21,7 +29,7 @@ PersonText check_person_text(const std::string& text, const WordedTask& task, co
   if (form.empty()) check("parses-back", check_instruction(text, specification, backend.knowledge, backend.nouns));
   auto style = style_fault(text, specification.style, specification.goal, around, nouns);
   check("style", style.empty() ? std::vector<std::string>() : std::vector<std::string>{std::move(style)});
-  if (!checked.faults.empty()) checked.instruction.writer = "person:unchecked";
+  if (!checked.faults.empty()) checked.instruction.writer = kUnchecked;
   return checked;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "annotator/instruction.h"
@@ -9,6 +10,9 @@
 #include "rewording/worded_task.h"
 
 namespace unietp {
+
+/// Whether a person wrote or corrected the text of an instruction with this writer.
+bool by_person(std::string_view writer);
 
 /// An instruction that a person wrote, with the checks that it passed.
 struct PersonText {

@@ -4,6 +4,7 @@
 #include <exception>
 #include <string_view>
 
+#include "core/file_writer.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -147,7 +148,7 @@ Result<Done> Ledger::copy_to(const std::filesystem::path& path, bool with_costs)
         " FROM main.candidate ORDER BY slot, attempt; INSERT INTO copy.home SELECT layout, scene FROM main.home ORDER "
         "BY layout; COMMIT; DETACH copy;";
     file_.run(fill.c_str());
-    return Done{};
+    return confirm_written(path);
   } catch (const std::exception& reason) {
     return failure("cannot write " + path.string(), reason);
   }

@@ -4,6 +4,8 @@
 #include <memory>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
 #include "run/run.h"
 #include "run/run_folder.h"
 
@@ -72,8 +74,10 @@ Result<Done> merge_shards(const ShardSet& shards, const Resources& resources, co
     return usage_error(shards.folders.front(),
                        "a shard.json is damaged: the blocks of the shards do not cover the run's " +
                            std::to_string(shards.configuration.count) + " tasks exactly once");
-  auto work = RunFolder::enter(out, true);
+  const auto parts = static_cast<int>(shards.records.size());
+  auto work = RunFolder::enter(out, nlohmann::ordered_json{{"merge of shards", parts}, {"run", identity}}.dump(), true);
   if (!work) return work.error();
+  if (work->already_published()) return Done{};
   const auto folder = work->fresh_data_folder();
   if (!folder) return folder.error();
   if (auto written = assemble(*folder, shards.configuration, resources, licences, blocks); !written)

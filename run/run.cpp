@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/file_writer.h"
 #include "core/version.h"
 #include "dataset/configuration_json.h"
 #include "run/assemble.h"
@@ -89,10 +90,20 @@ Result<Done> keep_ledger(Ledger& ledger, const std::filesystem::path& path) {
   const auto temporary = path.string() + ".tmp";
   std::error_code code;
   std::filesystem::remove(temporary, code);
-  if (auto copied = ledger.copy_to(temporary, true); !copied) return copied;
-  std::filesystem::rename(temporary, path, code);
-  if (code) return Error{Error::Kind::Io, path.string(), {}, "cannot rename the ledger into place: " + code.message()};
-  return Done{};
+  auto copied = ledger.copy_to(temporary, true);
+  if (copied) std::filesystem::rename(temporary, path, code);
+  if (copied && !code) return copied;
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+  if (!copied) return copied;
+  return Error{Error::Kind::Io, path.string(), {}, "cannot rename the ledger into place: " + code.message()};
+}
+
+/// What a run's folder is of: two shards of one run do not go on in each other's.
+std::string identity_in_folder(const RunConfiguration& configuration, const Resources& resources, const Shard& shard) {
+  auto identity = nlohmann::ordered_json::parse(identity_of(configuration, resources));
+  if (!shard.is_whole()) identity["shard"] = std::to_string(shard.number) + "/" + std::to_string(shard.of);
+  return identity.dump();
 }
 
 /// After all blocks: finishes the data set of `writer`, or writes the shard, and renames the folder into place.
@@ -139,8 +150,12 @@ Result<RunReport> run_generation(const RunConfiguration& configuration, const Re
   int asked = 0;
   for (const Block& block : blocks) asked += static_cast<int>(block.slots.size());
 
-  auto work = RunFolder::enter(options.out, options.resume);
+  auto work =
+      RunFolder::enter(options.out, identity_in_folder(configuration, resources, options.shard), options.resume);
   if (!work) return work.error();
+  if (!options.ledger.empty()) {  // now rather than when all is made
+    if (auto writable = check_writable(options.ledger); !writable) return writable.error();
+  }
   if (work->already_published()) return RunReport{false, asked, asked, 0, 0, {}, {}};
   auto ledger = Ledger::open(work->ledger(), identity_of(configuration, resources));
   if (!ledger) return ledger.error();

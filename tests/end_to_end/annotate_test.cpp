@@ -1,6 +1,7 @@
 // `unietp annotate` as a user runs it: by the grammar, by a server on loopback, and by batch files.
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -85,7 +86,8 @@ class AnnotateCommand : public ::testing::Test {
     }
     std::vector<std::string> left;
     for (const auto& entry : fs::directory_iterator(folder_.path())) left.push_back(entry.path().filename().string());
-    EXPECT_THAT(left, Not(::testing::Contains(HasSubstr(".changing"))));
+    EXPECT_THAT(left, Not(::testing::Contains(HasSubstr(".writing"))));
+    EXPECT_THAT(left, Not(::testing::Contains(HasSubstr(".lock"))));
   }
   void expect_no_key(const Ended& ended) const {
     EXPECT_THAT(ended.out + ended.err, Not(HasSubstr(kKey)));
@@ -187,9 +189,28 @@ TEST_F(AnnotateCommand, AModelWordsItAndARerunCostsNothing) {
   }
 }
 
-TEST_F(AnnotateCommand, TheGrammarStandsInWhereTheModelFailsAndTheRecordSaysWhy) {
+TEST_F(AnnotateCommand, WhereAnAnswerIsMissingNothingChangesAndItIsTold) {
+  WordingModel model;
+  int count = 0;  // one request in five has no answer
+  ChatServer server([&](const Received& received) {
+    return ++count % 5 == 0 ? test::http("500 Internal Server Error", "oh") : model(received);
+  });
+  const auto before = bytes_below(data());
+  const auto ended = by_model(server.url, {"--llm-attempts", "1", "--at-once", "1"});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.err, HasSubstr("left as it was"));
+  EXPECT_THAT(ended.err, HasSubstr("status 500"));
+  EXPECT_EQ(bytes_below(data()), before);
+  const auto down = by_model("http://localhost:1", {"--llm-attempts", "1", "--out", folder_.at("other")});
+  EXPECT_EQ(down.code, 1);
+  EXPECT_FALSE(fs::exists(folder_.at("other")));
+  EXPECT_EQ(bytes_below(data()), before);
+  expect_sound();
+}
+
+TEST_F(AnnotateCommand, TheGrammarStandsInWhereTheModelFailsIfItMayAndTheRecordSaysWhy) {
   ChatServer server([&](const Received&) { return test::http("500 Internal Server Error", "oh"); });
-  const auto ended = by_model(server.url, {"--llm-attempts", "2"});
+  const auto ended = by_model(server.url, {"--llm-attempts", "2", "--stand-in"});
   EXPECT_EQ(ended.code, 1);
   EXPECT_THAT(ended.out, HasSubstr("the grammar wrote"));
   for (const auto& instruction : instructions()) {
@@ -198,6 +219,52 @@ TEST_F(AnnotateCommand, TheGrammarStandsInWhereTheModelFailsAndTheRecordSaysWhy)
   }
   expect_sound();
   expect_no_key(ended);
+}
+
+/// A person rewrites the first task, and a second one in a way that does not pass the checks.
+TEST_F(AnnotateCommand, TextsByPeopleStayWhoeverWritesUnlessTheyMayBeReplaced) {
+  const auto tasks = json_lines(data() / "tasks.jsonl");
+  Json reviews = Json::array();
+  std::map<std::string, std::string> own;
+  for (const std::size_t i : {0UL, 1UL}) {
+    const std::string id = tasks[i]["id"], text = tasks[i]["instruction"]["text"];
+    own[id] = i == 0 ? "Now " + text : "Do what I mean.";
+    reviews.push_back({{"task", id}, {"verdict", "edit"}, {"instruction", text}, {"text", own[id]}, {"comment", ""}});
+  }
+  ASSERT_TRUE(write_file(
+      folder_.at("reviews.json"),
+      Json{{"format", "unietp-review/1"}, {"set", "data"}, {"tasks_sha256", "x"}, {"reviews", reviews}}.dump()));
+  const auto reviewed =
+      run_program({"review", data().string(), "--apply", folder_.at("reviews.json"), "--accept-unchecked"});
+  ASSERT_EQ(reviewed.code, 0) << reviewed.out << reviewed.err;
+  const auto texts = [&] {
+    std::map<std::string, std::string> found;
+    for (const auto& task : json_lines(data() / "tasks.jsonl")) {
+      if (own.contains(task["id"])) found[task["id"]] = task["instruction"]["text"];
+    }
+    return found;
+  };
+  ASSERT_EQ(texts(), own);
+  const auto before = bytes_below(data());
+
+  EXPECT_EQ(by_model("http://localhost:1", {"--llm-attempts", "1"}).code, 1);
+  EXPECT_EQ(bytes_below(data()), before);
+
+  const auto by_grammar = annotate({"--seed", "77"});
+  EXPECT_EQ(by_grammar.code, 0) << by_grammar.err;
+  EXPECT_THAT(by_grammar.out, HasSubstr("2 by people, kept"));
+  EXPECT_EQ(texts(), own);
+  EXPECT_NE(bytes_below(data())["tasks.jsonl"], before.at("tasks.jsonl"));
+
+  WordingModel model;
+  ChatServer server([&](const Received& received) { return model(received); });
+  EXPECT_EQ(by_model(server.url).code, 0);
+  EXPECT_EQ(texts(), own);
+  for (const auto& instruction : instructions())
+    EXPECT_EQ(instruction["writer"] == "llm:tiny", !instruction["writer"].get<std::string>().starts_with("person"));
+
+  EXPECT_EQ(annotate({"--seed", "77", "--replace-human"}).code, 0);
+  for (const auto& [id, text] : texts()) EXPECT_NE(text, own[id]);
 }
 
 TEST_F(AnnotateCommand, ADryRunPrintsThePromptsAndSendsNothing) {
@@ -217,7 +284,7 @@ TEST_F(AnnotateCommand, BatchFilesGoOnWhereTheAnswersEnded) {
   EXPECT_EQ(ended.code, 1) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr(std::to_string(kCount) + " new requests"));
   EXPECT_TRUE(fs::exists(fs::path(folder_.at("batch")) / "requests-0001.jsonl"));
-  expect_sound();  // worded by the grammar for the time being
+  expect_sound();  // as it was for the time being
 
   ended = by_batch();  // nothing has come: nothing is asked twice
   EXPECT_THAT(ended.out, HasSubstr(std::to_string(kCount) + " waiting, 0 failed, 0 new requests"));

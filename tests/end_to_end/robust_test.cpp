@@ -168,7 +168,7 @@ TEST(Robust, ASecondRunOnTheSameFolderIsRefused) {
   first.send(SIGSTOP);  // so that it is still at it, however quick it is
   const auto second = run_program(options);
   EXPECT_EQ(second.code, 2);
-  EXPECT_THAT(second.err, HasSubstr("another run"));
+  EXPECT_THAT(second.err, HasSubstr("is working on this folder"));
   first.send(SIGKILL);
 }
 
