@@ -147,24 +147,23 @@ RejectionReason not_in(Mode mode) { return mode == Mode::M2 ? RejectionReason::N
 
 /// A state that every way to make the formula true brings about, and that has an action which the mode does not offer.
 std::optional<Predicate> state_without_action(Mode mode, const Formula& formula) {
-  using Op = Formula::Op;
   switch (formula.op) {
-    case Op::Atom: {
+    case Formula::Op::Atom: {
       const auto action = direct_action(formula.predicate);
       return action && !offers(info(*action), mode) ? std::optional(formula.predicate) : std::nullopt;
     }
-    case Op::And:
-    case Op::Before:
+    case Formula::Op::And:
+    case Formula::Op::Before:
       for (const Formula& part : formula.children) {
         if (const auto state = state_without_action(mode, part)) return state;
       }
       return std::nullopt;
-    case Op::AtEnd:
-    case Op::Sometime:
-    case Op::Exists:
-    case Op::Forall:
+    case Formula::Op::AtEnd:
+    case Formula::Op::Sometime:
+    case Formula::Op::Exists:
+    case Formula::Op::Forall:
       return state_without_action(mode, formula.children.front());
-    case Op::Until:
+    case Formula::Op::Until:
       return state_without_action(mode, formula.children.back());
     default:
       return std::nullopt;  // there may be another way, or nothing to do
