@@ -1,3 +1,4 @@
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -21,9 +22,14 @@ namespace {
 std::atomic<bool> interrupted{false};  // all that the signal handler may touch
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+/// Work that has not stopped by itself is given up. What it was writing stays as a kill would leave it.
+void on_time_over(int) { ::_exit(static_cast<int>(unietp::Exit::Interrupted)); }
+
 void on_interrupt(int signal) {
   interrupted = true;
   (void)std::signal(signal, SIG_DFL);  // a second Ctrl-C ends the program at once
+  constexpr itimerval kGrace{{0, 0}, {1, 500'000}};
+  (void)::setitimer(ITIMER_REAL, &kGrace, nullptr);
 }
 
 std::string from_environment(const char* variable) {
@@ -106,8 +112,8 @@ int main(int argc, char** argv) {
   app.fall_through();
   add_commands(app, program);
 
-  (void)std::signal(SIGINT, on_interrupt);
-  (void)std::signal(SIGTERM, on_interrupt);
+  (void)std::signal(SIGALRM, on_time_over);
+  for (const int signal : {SIGINT, SIGTERM}) (void)std::signal(signal, on_interrupt);
   const auto needs_data = [&](const std::string& command) {
     if (!program.folders.root.empty() || command == "help" || command == "completion") return 0;
     return static_cast<int>(unietp::refuse(data.error()));

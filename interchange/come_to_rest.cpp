@@ -65,18 +65,24 @@ std::vector<Restless> restless_ones(const Scene& scene) {
 }  // namespace
 
 void come_to_rest(const SourceScene& source, Draft& draft) {
+  constexpr int kMostRounds = 10;  // a home that is not calm by then would take hours
   settle_in_rounds(draft.scene);
+  const auto fix = [&](std::size_t node, std::string why) {
+    const SourceObject& object = source.objects[draft.source_of[node]];
+    draft.report.issues.push_back({object.id, object.category, "restless", "cannot be moved: " + std::move(why)});
+    draft.scene.nodes.edit(node).movable = false;
+  };
   // Piles that no rigid bodies make keep creeping: they stay as they are, as furniture does.
-  for (auto restless = restless_ones(draft.scene); !restless.empty(); restless = restless_ones(draft.scene)) {
+  for (int round = 0; round < kMostRounds; ++round) {
+    const auto restless = restless_ones(draft.scene);
+    if (restless.empty()) return;
     for (const Restless& one : restless) {
-      const SourceObject& object = source.objects[draft.source_of[one.node]];
       const long millimetres = std::lround(std::min(one.moved_m, 1000.0) * 1000);
-      draft.report.issues.push_back({object.id, object.category, "restless",
-                                     "cannot be moved: it drifts " + std::to_string(millimetres) +
-                                         " mm in two seconds of physics and is fixed in place"});
-      draft.scene.nodes.edit(one.node).movable = false;
+      fix(one.node, "it drifts " + std::to_string(millimetres) + " mm in two seconds of physics and is fixed in place");
     }
   }
+  for (const BodyId loose : loose_ones(draft.scene))
+    fix(loose.index(), "the home does not come to rest, and it is fixed in place with all the others");
 }
 
 }  // namespace unietp
