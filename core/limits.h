@@ -18,8 +18,11 @@ inline constexpr std::size_t kUnpackedBytes = kFileBytes;        // of a gzip fi
 inline constexpr std::size_t kLineBytes = std::size_t{8} << 20;  // one task or demonstration of a data set: some 20 kB
 
 // Text of any file. Readers of nested text are recursive, so its depth is bounded for the sake of the stack.
-inline constexpr int kFormulaDepth = 200;  // brackets of a formula, clauses of a sentence
-inline constexpr int kJsonDepth = 64;      // objects and arrays in one another
+inline constexpr int kFormulaDepth = 200;   // brackets of a formula, clauses of a sentence
+inline constexpr int kFormulaParts = 5000;  // operators, terms and categories of a formula
+inline constexpr int kQuantifiers = 8;      // of a formula, in one another
+inline constexpr int kTemporal = 8;         // the same for temporal operators
+inline constexpr int kJsonDepth = 64;       // objects and arrays in one another
 
 // JSON. A value takes up to 130 bytes of memory where its text has two. Fields of one object are counted so that no
 // input costs more time than its length.
@@ -39,6 +42,7 @@ inline constexpr double kWallHeight_m = 50, kWallThickness_m = 5;
 inline constexpr double kObject_m = 100;     // a side of an object in a scene
 inline constexpr double kPosition_m = 2000;  // of what stands or has fallen out of a home, from the origin
 inline constexpr double kHomeWidth_m = 200;
+inline constexpr double kRoomsArea_m2 = 40'000;        // of the boxes around the rooms, together
 inline constexpr double kHomeOffset_m = 1000;          // from the origin, beyond which positions lose precision
 inline constexpr double kImportedObject_m = 50;        // a side of one object's box
 inline constexpr std::size_t kListedObjects = 20'000;  // in a simulator's file, walls and floors among them

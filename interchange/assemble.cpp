@@ -1,7 +1,6 @@
-#include <limits>
-
 #include "core/limits.h"
 #include "interchange/draft.h"
+#include "scene/scene_size.h"
 #include "simulation/relations.h"
 
 namespace unietp {
@@ -9,20 +8,6 @@ namespace {
 
 std::string more_than(std::size_t count, std::size_t most, const std::string& what) {
   return std::to_string(count) + " " + what + "; accepted are at most " + std::to_string(most);
-}
-
-/// What is wrong with the size of a home, or "": walking it costs its area.
-std::string too_wide(const Scene& scene) {
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const Room& room : scene.rooms) {
-    for (const Vec2& corner : room.polygon) {
-      if (!corner.allFinite()) return "the room " + room.id + " has a corner that is not finite";
-      low = low.cwiseMin(corner);
-      high = high.cwiseMax(corner);
-    }
-  }
-  if (scene.rooms.empty() || (high - low).maxCoeff() <= limits::kHomeWidth_m) return {};
-  return "the rooms extend over more than 200 m";
 }
 
 }  // namespace
@@ -50,7 +35,7 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   scene.id = source.id;
   scene.simulator = source.simulator;
   draw_rooms(source, scene);
-  if (std::string wrong = too_wide(scene); !wrong.empty()) return refuse(std::move(wrong));
+  if (std::string wrong = excess_of(scene); !wrong.empty()) return refuse(std::move(wrong));
   Draft draft = draft_of(source, std::move(scene), knowledge);
   if (draft.scene.rooms.empty()) return refuse("the file has no rooms, and no objects around which to draw one");
   if (draft.scene.nodes.empty()) return refuse("no object of a known category can be placed");

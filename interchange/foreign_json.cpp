@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/limits.h"
+#include "core/plain_name.h"
 #include "core/text.h"
 #include "scene/json_parse.h"
 
@@ -22,12 +23,25 @@ bool has_mark(const Json& json, const std::vector<std::string_view>& marks) {
          });
 }
 
+/// Words that get into our scene as they are.
+void keep_to_labels(JsonReader& reader, const JsonAt& home, const SourceScene& scene) {
+  const auto check = [&](const std::string& word) {
+    if (!word.empty() && !is_label(word)) reader.fail(home, in_quotes(word) + " is no label; " + label_expected());
+  };
+  for (const Room& room : scene.rooms) check(room.id), check(room.type);
+  for (const Opening& opening : scene.openings) check(opening.id), check(opening.room_a), check(opening.room_b);
+  for (const SourceObject& object : scene.objects) check(object.room), check(object.asset);
+}
+
 /// Rooms, walls, openings and agent of the size of a home; a room that is larger is an error, the rest is dropped with
 /// a warning.
 void keep_to_a_home(JsonReader& reader, const JsonAt& home, SourceScene& scene) {
-  constexpr double kLowest_m = 1, kHighest_m = 50, kUsual_m = 2.6;
+  constexpr double kLowest_m = 1, kHighest_m = limits::kWallHeight_m, kUsual_m = 2.6;
   Vec2 low = Vec2::Constant(limits::kHomeOffset_m), high = -low;
   for (const Room& room : scene.rooms) {
+    if (room.polygon.size() > limits::kRoomCorners)
+      return reader.fail(home, "the room " + in_quotes(room.id) + " has " + std::to_string(room.polygon.size()) +
+                                   " corners; expected at most " + std::to_string(limits::kRoomCorners));
     for (const Vec2& corner : room.polygon) {
       low = low.cwiseMin(corner), high = high.cwiseMax(corner);
       const bool near = corner.allFinite() && corner.cwiseAbs().maxCoeff() <= limits::kHomeOffset_m;
@@ -74,6 +88,12 @@ class Homes {
     }
     SourceScene scene = read_(reader, home, id);
     if (!reader.error()) keep_to_a_home(reader, home, scene);
+    if (!reader.error()) keep_to_labels(reader, home, scene);
+    objects_ += scene.objects.size();
+    if (scenes_.size() == limits::kHomesInFile)
+      return reader.fail(home, "more than " + std::to_string(limits::kHomesInFile) + " homes in one file");
+    if (objects_ > limits::kObjectsInFile)
+      return reader.fail(home, "more than " + std::to_string(limits::kObjectsInFile) + " objects in one file");
     scenes_.push_back(std::move(scene));
   }
 
@@ -95,6 +115,7 @@ class Homes {
   const std::vector<std::string_view>& marks_;
   const HomeReader& read_;
   std::vector<SourceScene> scenes_;
+  std::size_t objects_ = 0;  // in all of them
 };
 
 /// A whole object on the first line and something on a later one.

@@ -3,6 +3,7 @@
 #include "logic/formula.h"
 #include "logic/formula_parser.h"
 #include "logic/formula_reading.h"
+#include "logic/formula_size.h"
 
 namespace unietp {
 
@@ -12,6 +13,8 @@ FormulaReading read_formula(std::string_view where, const Sexpr& expression, For
   FormulaParser parser(where, bound);
   auto formula = parser.formula(expression, {!goal, goal, goal, false});
   auto errors = parser.take_errors();
+  if (const auto excess = formula ? excess_of(*formula) : ""; !excess.empty())
+    errors.push_back({Error::Kind::Parse, std::string(where), expression.pos, "the formula " + excess});
   if (!errors.empty()) formula.reset();
   std::stable_sort(errors.begin(), errors.end(), [](const Error& a, const Error& b) {
     return a.pos.line != b.pos.line ? a.pos.line < b.pos.line : a.pos.column < b.pos.column;

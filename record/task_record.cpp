@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "logic/formula_size.h"
 #include "record/record_fields.h"
 #include "record/tree_reader.h"
 #include "scene/json_reader.h"
@@ -12,8 +13,11 @@ namespace {
 
 void read_goal(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields fields(reader, at);
-  if (const auto f = fields.required("text")) task.goal_text = reader.text(*f);
-  if (const auto f = fields.required("tree")) task.goal_tree = read_tree(reader, *f);
+  if (const auto f = fields.required("text")) task.goal_text = reader.line(*f);
+  if (const auto f = fields.required("tree")) {
+    task.goal_tree = read_tree(reader, *f);
+    if (const auto excess = excess_of(task.goal_tree); !excess.empty()) reader.fail(*f, excess);
+  }
   fields.finish();
 }
 
@@ -27,7 +31,7 @@ void read_start(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
 
 void read_instruction(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields fields(reader, at);
-  if (const auto f = fields.required("text")) task.instruction = reader.text(*f);
+  if (const auto f = fields.required("text")) task.instruction = reader.line(*f);
   if (const auto f = fields.required("writer")) task.writer = reader.text(*f);
   if (const auto f = fields.required("style")) task.style = reader.text(*f);
   if (const auto f = fields.required("checks")) task.checks = reader.texts(*f);
@@ -62,7 +66,7 @@ void read_bindings(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields fields(reader, at);
   if (reader.error()) return;
   for (const auto& [placeholder, category] : at.json.items()) {
-    if (const auto f = fields.required(placeholder)) task.bindings.emplace_back(placeholder, reader.text(*f));
+    if (const auto f = fields.required(placeholder)) task.bindings.emplace_back(placeholder, reader.label(*f));
   }
 }
 
@@ -71,12 +75,12 @@ void read_bindings(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
 Result<TaskRecord> read_task(std::string_view where, int line, std::string_view text) {
   TaskRecord task;
   const auto read = read_line(where, line, text, "unietp-task/1", [&](JsonReader& reader, JsonFields& fields) {
-    if (const auto f = fields.required("id")) task.id = reader.text(*f);
-    if (const auto f = fields.required("template")) task.template_name = reader.text(*f);
-    if (const auto f = fields.required("split")) task.split = reader.text(*f);
-    if (const auto f = fields.required("simulator")) task.simulator = reader.text(*f);
-    if (const auto f = fields.required("scene")) task.scene = reader.text(*f);
-    if (const auto f = fields.required("layout")) task.layout = reader.text(*f);
+    if (const auto f = fields.required("id")) task.id = reader.plain_name(*f);
+    if (const auto f = fields.required("template")) task.template_name = reader.plain_name(*f);
+    if (const auto f = fields.required("split")) task.split = reader.plain_name(*f);
+    if (const auto f = fields.required("simulator")) task.simulator = reader.plain_name(*f);
+    if (const auto f = fields.required("scene")) task.scene = reader.plain_name(*f);
+    if (const auto f = fields.required("layout")) task.layout = reader.plain_name(*f);
     if (const auto f = fields.required("bindings")) read_bindings(reader, *f, task);
     if (const auto f = fields.required("refinement")) task.refinement = text_or_empty(reader, *f);
     if (const auto f = fields.required("goal")) read_goal(reader, *f, task);

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/in_quotes.h"
+#include "core/plain_name.h"
 #include "core/text.h"
 #include "scene/json_parse.h"
 #include "scene/json_pointer.h"
@@ -64,6 +66,25 @@ std::string JsonReader::text(const JsonAt& at) {
   return *value;
 }
 
+std::string JsonReader::plain_name(const JsonAt& at) {
+  std::string value = text(at);
+  if (!error_ && !is_plain_name(value)) fail(at, in_quotes(value) + " is no name; " + plain_name_expected());
+  return value;
+}
+
+std::string JsonReader::line(const JsonAt& at) {
+  std::string value = text(at);
+  if (!error_ && !is_one_line(value))
+    fail(at, in_quotes(value) + " has control characters; expected a text on one line");
+  return value;
+}
+
+std::string JsonReader::label(const JsonAt& at) {
+  std::string value = text(at);
+  if (!error_ && !is_label(value)) fail(at, in_quotes(value) + " is no label; " + label_expected());
+  return value;
+}
+
 bool JsonReader::numbers(const JsonAt& at, std::size_t count, std::string_view shape, double* values) {
   const auto* list = at.json.get_ptr<const Json::array_t*>();
   if (list == nullptr || list->size() != count) {
@@ -101,6 +122,30 @@ std::size_t JsonReader::items(const JsonAt& at) {
   const auto* list = at.json.get_ptr<const Json::array_t*>();
   if (list == nullptr) fail(at, "expected a list, not " + type_of(at.json));
   return list == nullptr ? 0 : list->size();
+}
+
+std::size_t JsonReader::items(const JsonAt& at, std::size_t most) {
+  const std::size_t count = items(at);
+  if (count <= most) return count;
+  fail(at, "has " + std::to_string(count) + " items; expected at most " + std::to_string(most));
+  return 0;
+}
+
+void JsonReader::keep_within(const JsonAt& at, double farthest, double most) {
+  if (!error_ && !(farthest <= most))
+    fail(at, "is " + number_text(farthest) + " m; expected at most " + number_text(most) + " m");
+}
+
+Vec2 JsonReader::vec2_within(const JsonAt& at, double most) {
+  const Vec2 value = vec2(at);
+  keep_within(at, value.cwiseAbs().maxCoeff(), most);
+  return value;
+}
+
+Vec3 JsonReader::vec3_within(const JsonAt& at, double most) {
+  const Vec3 value = vec3(at);
+  keep_within(at, value.cwiseAbs().maxCoeff(), most);
+  return value;
 }
 
 JsonAt JsonReader::item(const JsonAt& array, std::size_t index) {

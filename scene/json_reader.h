@@ -37,11 +37,22 @@ class JsonReader {
   double positive(const JsonAt& at);
   bool boolean(const JsonAt& at);
   std::string text(const JsonAt& at);  // not empty
-  Vec2 vec2(const JsonAt& at);         // [x, y]
-  Vec3 vec3(const JsonAt& at);         // [x, y, z]
-  Quat rotation(const JsonAt& at);     // [w, x, y, z], of unit length within 1e-6
+  /// An id that may name a file: core/plain_name.h.
+  std::string plain_name(const JsonAt& at);
+  /// A text without control characters, so that it stays on its line of a file or terminal.
+  std::string line(const JsonAt& at);
+  /// An id or a word of a scene: a line of at most limits::kLabelBytes.
+  std::string label(const JsonAt& at);
+  Vec2 vec2(const JsonAt& at);      // [x, y]
+  Vec3 vec3(const JsonAt& at);      // [x, y, z]
+  Quat rotation(const JsonAt& at);  // [w, x, y, z], of unit length within 1e-6
   /// Length of the array; 0 and an error when it is none.
   std::size_t items(const JsonAt& at);
+  /// The same, with an error for more than `most`.
+  std::size_t items(const JsonAt& at, std::size_t most);
+  /// A vector in metres, each of whose numbers is within [-most, most].
+  Vec2 vec2_within(const JsonAt& at, double most);
+  Vec3 vec3_within(const JsonAt& at, double most);
   JsonAt item(const JsonAt& array, std::size_t index);
   /// A list of names that are not empty.
   std::vector<std::string> texts(const JsonAt& at);
@@ -49,6 +60,7 @@ class JsonReader {
   void unknown_name(const JsonAt& at, std::string_view kind, const std::vector<std::string>& accepted);
 
  private:
+  void keep_within(const JsonAt& at, double farthest, double most);
   bool numbers(const JsonAt& at, std::size_t count, std::string_view shape, double* values);
 
   std::string_view where_;

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "core/limits.h"
 #include "core/text.h"
 #include "scene/json_parse.h"
 
@@ -42,7 +43,7 @@ std::string state_text(const State& state) {
 }
 
 std::optional<State> state_from_json(JsonReader& reader, const JsonAt& at) {
-  const std::string text = reader.text(at);
+  const std::string text = reader.label(at);
   if (reader.error()) return std::nullopt;
   const auto bracket = text.find('(');
   const auto predicate = predicate_named(std::string_view(text).substr(0, bracket));
@@ -83,7 +84,7 @@ void write(JsonText& json, const Board& board) {
 }
 
 Vec3 extents_from_json(JsonReader& reader, const JsonAt& at) {
-  const Vec3 size = reader.vec3(at);
+  const Vec3 size = reader.vec3_within(at, limits::kObject_m);
   if (!reader.error() && !(size.minCoeff() > 0)) reader.fail(at, "expected three lengths above 0");
   return size;
 }
@@ -91,7 +92,7 @@ Vec3 extents_from_json(JsonReader& reader, const JsonAt& at) {
 Board board_from_json(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   Board board;
-  if (const auto f = fields.required("centre")) board.centre = reader.vec3(*f);
+  if (const auto f = fields.required("centre")) board.centre = reader.vec3_within(*f, limits::kObject_m);
   if (const auto f = fields.required("size")) board.size = extents_from_json(reader, *f);
   if (const auto f = fields.optional("joint")) {
     const double joint = reader.number(*f);
@@ -166,8 +167,8 @@ void write(JsonText& json, const Node& node) {
 Node node_from_json(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   Node node;
-  if (const auto f = fields.required("id")) node.id = reader.text(*f);
-  if (const auto f = fields.required("category")) node.category = reader.text(*f);
+  if (const auto f = fields.required("id")) node.id = reader.label(*f);
+  if (const auto f = fields.required("category")) node.category = reader.label(*f);
   if (const auto f = fields.required("movable")) node.movable = reader.boolean(*f);
   if (const auto f = fields.required("archetype")) node.archetype = archetype_from_json(reader, *f);
   if (const auto f = fields.required("openable")) node.openable = reader.boolean(*f);
@@ -178,7 +179,7 @@ Node node_from_json(JsonReader& reader, const JsonAt& at) {
     node.mass = reader.number(*f);
     if (node.mass < 0) reader.fail(*f, "expected a mass of 0 or more, not " + number_text(node.mass));
   }
-  if (const auto f = fields.required("position")) node.pose.position = reader.vec3(*f);
+  if (const auto f = fields.required("position")) node.pose.position = reader.vec3_within(*f, limits::kPosition_m);
   if (const auto f = fields.required("rotation")) node.pose.rotation = reader.rotation(*f);
   if (const auto f = fields.required("opening")) {
     node.opening = reader.number(*f);
@@ -187,17 +188,17 @@ Node node_from_json(JsonReader& reader, const JsonAt& at) {
     }
   }
   if (const auto f = fields.optional("boards")) {
-    const std::size_t count = reader.items(*f);
+    const std::size_t count = reader.items(*f, limits::kObjectBoards);
     for (std::size_t i = 0; i < count && !reader.error(); ++i) {
       node.boards.push_back(board_from_json(reader, reader.item(*f, i)));
     }
   }
   if (const auto f = fields.required("states")) node.states = states_from_json(reader, *f);
-  if (const auto f = fields.optional("colour")) node.colour = reader.text(*f);
-  if (const auto f = fields.optional("material")) node.material = reader.text(*f);
-  if (const auto f = fields.optional("asset")) node.asset = reader.text(*f);
-  if (const auto f = fields.optional("slice_of")) node.slice_of = reader.text(*f);
-  if (const auto f = fields.optional("whole_category")) node.whole_category = reader.text(*f);
+  if (const auto f = fields.optional("colour")) node.colour = reader.label(*f);
+  if (const auto f = fields.optional("material")) node.material = reader.label(*f);
+  if (const auto f = fields.optional("asset")) node.asset = reader.label(*f);
+  if (const auto f = fields.optional("slice_of")) node.slice_of = reader.label(*f);
+  if (const auto f = fields.optional("whole_category")) node.whole_category = reader.label(*f);
   fields.finish();
   return node;
 }
@@ -222,8 +223,8 @@ Edge edge_from_json(JsonReader& reader, const JsonAt& at) {
       reader.unknown_name(*f, "relation", names_where(is_edge_relation));
     }
   }
-  if (const auto f = fields.required("from")) edge.from = reader.text(*f);
-  if (const auto f = fields.required("to")) edge.to = reader.text(*f);
+  if (const auto f = fields.required("from")) edge.from = reader.label(*f);
+  if (const auto f = fields.required("to")) edge.to = reader.label(*f);
   fields.finish();
   return edge;
 }
@@ -243,7 +244,7 @@ void write(JsonText& json, const Agent& agent) {
 Agent agent_from_json(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   Agent agent;
-  if (const auto f = fields.required("position")) agent.position = reader.vec2(*f);
+  if (const auto f = fields.required("position")) agent.position = reader.vec2_within(*f, limits::kPosition_m);
   if (const auto f = fields.required("yaw_rad")) agent.yaw = reader.number(*f);
   if (const auto f = fields.required("pitch_rad")) agent.pitch = reader.number(*f);
   if (const auto f = fields.required("held")) agent.held = reader.texts(*f);

@@ -7,11 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/limits.h"
 #include "core/text.h"
 #include "scene/json_parse.h"
 #include "scene/json_reader.h"
 #include "scene/json_text.h"
 #include "scene/node_json.h"
+#include "scene/scene_size.h"
 
 namespace unietp {
 namespace {
@@ -111,13 +113,13 @@ Simulator simulator_from_json(JsonReader& reader, const JsonAt& at) {
 Room room_from_json(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   Room room;
-  if (const auto f = fields.required("id")) room.id = reader.text(*f);
-  if (const auto f = fields.required("type")) room.type = reader.text(*f);
+  if (const auto f = fields.required("id")) room.id = reader.label(*f);
+  if (const auto f = fields.required("type")) room.type = reader.label(*f);
   if (const auto f = fields.required("polygon")) {
-    const std::size_t corners = reader.items(*f);
+    const std::size_t corners = reader.items(*f, limits::kRoomCorners);
     if (corners < 3) reader.fail(*f, "expected three corners or more, not " + std::to_string(corners));
     for (std::size_t i = 0; i < corners && !reader.error(); ++i)
-      room.polygon.push_back(reader.vec2(reader.item(*f, i)));
+      room.polygon.push_back(reader.vec2_within(reader.item(*f, i), limits::kPosition_m));
   }
   fields.finish();
   return room;
@@ -126,20 +128,21 @@ Room room_from_json(JsonReader& reader, const JsonAt& at) {
 Opening opening_from_json(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   Opening opening;
-  if (const auto f = fields.required("id")) opening.id = reader.text(*f);
-  if (const auto f = fields.required("room_a")) opening.room_a = reader.text(*f);
-  if (const auto f = fields.required("room_b")) opening.room_b = reader.text(*f);
-  if (const auto f = fields.required("from")) opening.from = reader.vec2(*f);
-  if (const auto f = fields.required("to")) opening.to = reader.vec2(*f);
+  if (const auto f = fields.required("id")) opening.id = reader.label(*f);
+  if (const auto f = fields.required("room_a")) opening.room_a = reader.label(*f);
+  if (const auto f = fields.required("room_b")) opening.room_b = reader.label(*f);
+  if (const auto f = fields.required("from")) opening.from = reader.vec2_within(*f, limits::kPosition_m);
+  if (const auto f = fields.required("to")) opening.to = reader.vec2_within(*f, limits::kPosition_m);
   if (const auto f = fields.required("height")) opening.height = reader.positive(*f);
   fields.finish();
   return opening;
 }
 
 template <class T>
-std::vector<T> list_from_json(JsonReader& reader, const JsonAt& at, T (*read)(JsonReader&, const JsonAt&)) {
+std::vector<T> list_from_json(JsonReader& reader, const JsonAt& at, T (*read)(JsonReader&, const JsonAt&),
+                              std::size_t most) {
   std::vector<T> list;
-  const std::size_t count = reader.items(at);
+  const std::size_t count = reader.items(at, most);
   list.reserve(count);
   for (std::size_t i = 0; i < count && !reader.error(); ++i) list.push_back(read(reader, reader.item(at, i)));
   return list;
@@ -195,6 +198,9 @@ void check_references(JsonReader& reader, const Scene& scene, const std::vector<
       reader.fail("/edges/" + std::to_string(i) + "/to", (to_room ? "no room " : "no object ") + in_quotes(edge.to));
     }
   }
+  if (scene.nodes.size() > limits::kObjects && !reader.error())
+    reader.fail("/nodes",
+                std::to_string(scene.nodes.size()) + " objects; expected at most " + std::to_string(limits::kObjects));
   std::unordered_set<std::string_view> held;
   for (std::size_t i = 0; i < scene.agent.held.size() && !reader.error(); ++i) {
     const std::string& id = scene.agent.held[i];
@@ -240,17 +246,20 @@ Result<Scene> scene_from_json(std::string_view where, std::string_view text) {
   JsonFields fields(reader, root);
   Scene scene;
   if (const auto f = fields.required("format")) check_format(reader, *f);
-  if (const auto f = fields.required("id")) scene.id = reader.text(*f);
+  if (const auto f = fields.required("id")) scene.id = reader.plain_name(*f);
   if (const auto f = fields.required("simulator")) scene.simulator = simulator_from_json(reader, *f);
   if (const auto f = fields.required("wall_height")) scene.wall_height = reader.positive(*f);
   if (const auto f = fields.optional("wall_thickness")) scene.wall_thickness = reader.positive(*f);
-  if (const auto f = fields.required("rooms")) scene.rooms = list_from_json(reader, *f, room_from_json);
-  if (const auto f = fields.required("openings")) scene.openings = list_from_json(reader, *f, opening_from_json);
+  if (const auto f = fields.required("rooms")) scene.rooms = list_from_json(reader, *f, room_from_json, limits::kRooms);
+  if (const auto f = fields.required("openings"))
+    scene.openings = list_from_json(reader, *f, opening_from_json, limits::kOpenings);
   if (const auto f = fields.required("agent")) scene.agent = agent_from_json(reader, *f);
-  if (const auto f = fields.required("nodes")) scene.nodes = list_from_json(reader, *f, node_from_json);
+  if (const auto f = fields.required("nodes"))
+    scene.nodes = list_from_json(reader, *f, node_from_json, limits::kObjects);
   std::vector<Edge> edges;
-  if (const auto f = fields.required("edges")) edges = list_from_json(reader, *f, edge_from_json);
+  if (const auto f = fields.required("edges")) edges = list_from_json(reader, *f, edge_from_json, limits::kEdges);
   fields.finish();
+  if (const auto excess = reader.error() ? "" : excess_of(scene); !excess.empty()) reader.fail("", excess);
   if (!reader.error()) check_references(reader, scene, edges);
   if (!reader.error()) sort_edges(reader, edges, "/edges");
   if (reader.error()) return *reader.error();
@@ -286,10 +295,13 @@ Result<Delta> delta_from_json(std::string_view where, const Json& json) {
   const JsonAt root{json};
   JsonFields fields(reader, root);
   Delta delta;
-  if (const auto f = fields.optional("nodes")) delta.nodes = list_from_json(reader, *f, node_from_json);
+  if (const auto f = fields.optional("nodes"))
+    delta.nodes = list_from_json(reader, *f, node_from_json, limits::kObjects);
   if (const auto f = fields.optional("removed")) delta.removed = reader.texts(*f);
-  if (const auto f = fields.optional("edges_added")) delta.edges_added = list_from_json(reader, *f, edge_from_json);
-  if (const auto f = fields.optional("edges_removed")) delta.edges_removed = list_from_json(reader, *f, edge_from_json);
+  if (const auto f = fields.optional("edges_added"))
+    delta.edges_added = list_from_json(reader, *f, edge_from_json, limits::kEdges);
+  if (const auto f = fields.optional("edges_removed"))
+    delta.edges_removed = list_from_json(reader, *f, edge_from_json, limits::kEdges);
   if (const auto f = fields.optional("agent")) delta.agent = agent_from_json(reader, *f);
   fields.finish();
   std::unordered_set<std::string_view> ids;

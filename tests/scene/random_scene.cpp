@@ -13,7 +13,7 @@ constexpr std::array kObjectRelations{Predicate::On,    Predicate::Inside,  Pred
                                       Predicate::Under, Predicate::SliceOf, Predicate::Attached};
 
 double awkward(Rng& rng) {
-  const double scale = std::pow(10.0, rng.uniform(-12, 12));
+  const double scale = std::pow(10.0, rng.uniform(-12, 1.5));
   return rng.chance(0.1) ? 0.0 : rng.uniform(-1, 1) * scale;
 }
 double awkward_positive(Rng& rng) { return std::abs(awkward(rng)) + 1e-9; }
@@ -26,7 +26,7 @@ StateSet random_states(Rng& rng) {
     states.set({predicate, predicate == Predicate::Filled ? "water (hot)" : ""});
   }
   if (rng.chance(0.2)) states.set({Predicate::Covered, "dust"});
-  if (rng.chance(0.2)) states.set({Predicate::Covered, "a \"stain\"\n"});
+  if (rng.chance(0.2)) states.set({Predicate::Covered, "a \"stain\" \\"});
   return states;
 }
 
@@ -79,7 +79,7 @@ Node random_node(std::string id, Rng& rng) {
   }
   node.states = random_states(rng);
   if (rng.chance(0.3)) node.colour = "red";
-  if (rng.chance(0.3)) node.material = "oak\twood";
+  if (rng.chance(0.3)) node.material = "oak~/wood";
   if (rng.chance(0.2)) node.asset = "Bread_4";
   if (rng.chance(0.2)) node.slice_of = "bread_1", node.whole_category = "Bread";
   return node;
