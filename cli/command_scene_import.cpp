@@ -123,8 +123,9 @@ Result<Done> choose(const std::string& asked, std::vector<ForeignHome>& homes) {
 
 /// The scene is written last, so that every scene has its report.
 Result<Done> write_home(const SceneImportOptions& options, const ForeignHome& home, const ImportedScene& imported) {
-  const auto report = options.out / (home.source.id + ".import.json");
-  if (auto written = write_file(report, import_to_json(home, imported.report)); !written) return written;
+  if (auto written = write_file(options.out, home.source.id + ".import.json", import_to_json(home, imported.report));
+      !written)
+    return written;
   return write_scene(options.out, imported.scene);
 }
 

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/likeness_output.h"
+#include "core/in_quotes.h"
 #include "record/manifest_record.h"
 #include "rewording/check_text.h"
 #include "validator/validate.h"
@@ -77,7 +78,7 @@ void print_row(std::string_view name, const ProofCounts& counts) {
 void print_text(const ValidationReport& report) {
   for (const auto& problem : report.problems)
     std::printf("%s %s: %s\n", std::string(name_of(problem.kind)).c_str(),
-                problem.task.empty() ? "data set" : problem.task.c_str(), format(problem.error).c_str());
+                problem.task.empty() ? "data set" : for_terminal(problem.task).c_str(), format(problem.error).c_str());
   if (!report.problems.empty()) std::printf("\n");
   for (const auto& likeness : report.likeness) print_likeness(likeness);
   std::printf("%-12s %8s %8s %15s %8s %13s %8s\n", "", "tasks", "proven", "demonstrations", "steps", "spoilt plans",

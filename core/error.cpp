@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/in_quotes.h"
+
 namespace unietp {
 namespace {
 
@@ -30,7 +32,7 @@ std::string format(const Error& error) {
     text += std::to_string(error.pos.line) + ':' + std::to_string(error.pos.column);
   }
   if (!text.empty()) text += ": ";
-  return text + std::string(name_of(error.kind)) + ": " + error.message;
+  return for_terminal(text + std::string(name_of(error.kind)) + ": " + error.message);
 }
 
 SourcePos locate(std::string_view text, std::size_t offset) {

@@ -21,7 +21,7 @@ struct Error {
   bool operator==(const Error&) const = default;
 };
 
-/// "kitchen.json:3:7: parse error: expected ':'"
+/// "kitchen.json:3:7: parse error: expected ':'", on one line and safe for a terminal (core/in_quotes.h).
 std::string format(const Error& error);
 
 /// Line and column of byte `offset` of `text`; one past the end is allowed.

@@ -1,6 +1,7 @@
 #include "dataset/dataset_writer.h"
 
 #include "core/files.h"
+#include "core/version.h"
 #include "dataset/dataset_card.h"
 
 namespace unietp {
@@ -47,7 +48,7 @@ Result<Done> DatasetWriter::add_home(const std::string& layout, const HomeSource
   if (!homes_.insert(layout).second) return Done{};
   const auto home = homes(layout);
   if (!home) return home.error();
-  return write_file(folder_ / home_entry(layout), *home);
+  return write_file(folder_, home_entry(layout), *home);
 }
 
 Result<Done> DatasetWriter::add_demonstration(Mode mode, const std::string& line) {
@@ -82,13 +83,13 @@ Result<Done> DatasetWriter::finish(const RunConfiguration& configuration, const 
   counts_.balance = traits_.spreads();
   auto sources = sources_of(configuration, resources, licences);
   if (!sources) return sources.error();
-  if (auto written = write_file(folder_ / "README.md", dataset_card(configuration, counts_, *sources)); !written)
+  if (auto written = write_file(folder_, "README.md", dataset_card(configuration, counts_, *sources)); !written)
     return written.error();
   auto files_written = files_below(folder_);
   if (!files_written) return files_written.error();
   const Manifest manifest{std::string(program_version()), resources.digest,    configuration,     std::move(counts_),
                           std::move(*files_written),      std::move(*sources), std::move(writing)};
-  return write_file(folder_ / "manifest.json", to_text(manifest));
+  return write_file(folder_, "manifest.json", to_text(manifest));
 }
 
 }  // namespace unietp

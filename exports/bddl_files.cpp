@@ -16,7 +16,7 @@ Result<std::string> write_bddl(const ExportRequest& request) {
     const auto problem = bddl_problem(task.record.id, task.record.goal_tree, task.start, knowledge, *synsets);
     if (!problem) return std::optional(problem.error().message);
     const std::string text = "; " + task.record.instruction + "\n; " + task.record.goal_text + "\n" + *problem;
-    if (auto written = write_file(folder / (task.record.id + ".bddl"), text); !written) return written.error();
+    if (auto written = write_file(folder, task.record.id + ".bddl", text); !written) return written.error();
     return std::optional<std::string>();
   };
   const auto made = write_task_folder(request.dataset, {}, request.out, say);

@@ -71,14 +71,14 @@ Result<std::optional<std::string>> say(const FinishedTask& finished, const std::
   if (!problem) return std::optional(problem.error().message);
   const auto plan = pddl::plan_for(symbols.setting, symbols.start, goal, *problem, done.actions, done.pieces);
   if (!plan) return std::optional(plan.error().message);
-  const auto own = folder / task.simulator;
-  if (!fs::exists(own / "domain.pddl")) {
-    if (auto written = write_file(own / "domain.pddl", pddl::domain_text(knowledge, profile)); !written)
+  const auto own = std::string(name_of(finished.start.simulator)) + "/";
+  if (!fs::exists(folder / own / "domain.pddl")) {
+    if (auto written = write_file(folder, own + "domain.pddl", pddl::domain_text(knowledge, profile)); !written)
       return written.error();
   }
   for (const auto& [ending, text] :
        {std::pair{".pddl", "; " + task.goal_text + "\n" + problem->text}, {".plan", join(*plan, "\n") + "\n"}})
-    if (auto written = write_file(own / (task.id + ending), text); !written) return written.error();
+    if (auto written = write_file(folder, own + task.id + ending, text); !written) return written.error();
   return std::optional<std::string>();
 }
 

@@ -60,16 +60,16 @@ class Exporter {
     list += element.dump(-1, ' ', false, Json::error_handler_t::replace);
     scenes_ += line_of({{"task", task.id}, {"scene", task.scene}, {"not_said", scene->not_said}});
     if (scene->file.empty()) return std::optional<std::string>();
-    if (auto written = write_file(folder / scene->file, scene->file_text); !written) return written.error();
+    if (auto written = write_file(folder, scene->file, scene->file_text); !written) return written.error();
     return std::optional<std::string>();
   }
 
   /// The lists of all tasks, and what of their scenes is not said.
   Result<Done> finish(const fs::path& folder) const {
     for (const auto& [simulator, list] : lists_) {
-      if (auto written = write_file(folder / release_file(simulator), "[\n" + list + "\n]\n"); !written) return written;
+      if (auto written = write_file(folder, release_file(simulator), "[\n" + list + "\n]\n"); !written) return written;
     }
-    return write_file(folder / "scenes.jsonl", scenes_);
+    return write_file(folder, "scenes.jsonl", scenes_);
   }
 
   std::size_t with_scene() const { return with_scene_; }

@@ -200,7 +200,7 @@ Result<SftExport> export_sft(const fs::path& dataset, const std::vector<Validati
             made.samples += samples.count;
             made.pictures += samples.pictures.size();
             for (const auto& [name, bytes] : samples.pictures) {
-              if (auto drawn = write_file(aside / name, bytes); !drawn) return drawn;
+              if (auto drawn = write_file(aside, name, bytes); !drawn) return drawn;
             }
             if (auto added = file->add(samples.lines); !added) return added;
             return trl_file ? trl_file->add(samples.trl_lines) : Result<Done>(Done{});
@@ -211,7 +211,7 @@ Result<SftExport> export_sft(const fs::path& dataset, const std::vector<Validati
         if (auto finished = trl_file->finish(); !finished) return finished;
       }
     }
-    return write_file(aside / "dataset_info.json", dataset_info(made.modes, pictures).dump(2) + "\n");
+    return write_file(aside, "dataset_info.json", dataset_info(made.modes, pictures).dump(2) + "\n");
   });
   if (!written) return written.error();
   return made;

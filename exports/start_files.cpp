@@ -10,8 +10,9 @@ namespace {
 Result<std::string> write_starts(const ExportRequest& request) {
   using LeftOut = Result<std::optional<std::string>>;
   const auto say = [](const FinishedTask& task, const std::filesystem::path& folder) {
-    const auto file = folder / (task.start.id + ".scene.json.gz");
-    if (auto written = write_file(file, gzip(scene_to_json(task.start))); !written) return LeftOut(written.error());
+    const auto file = task.start.id + ".scene.json.gz";
+    if (auto written = write_file(folder, file, gzip(scene_to_json(task.start))); !written)
+      return LeftOut(written.error());
     return LeftOut(std::nullopt);
   };
   const auto made = write_task_folder(request.dataset, {}, request.out, say);

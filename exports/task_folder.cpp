@@ -42,7 +42,7 @@ Result<ExportedTasks> write_task_folder(const fs::path& dataset, const std::vect
     if (finish) {
       if (auto done = finish(aside); !done) return done;
     }
-    return write_file(aside / "left_out.jsonl", left_out);
+    return write_file(aside, "left_out.jsonl", left_out);
   });
   if (!written) return written.error();
   return made;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/files.h"
+#include "core/plain_name.h"
 #include "core/text.h"
 #include "core/unknown_name.h"
 #include "interchange/formats.h"
@@ -62,15 +63,15 @@ Result<std::vector<SourceScene>> read_as(const std::string& format, const std::s
   return read_habitat(where, text, known(Simulator::Habitat), facts, *models);
 }
 
-/// What of an id can be a file's name everywhere.
+/// The plain name nearest to an id.
 std::string as_file_name(const std::string& id) {
+  constexpr std::size_t kLongest = 100;
   std::string name;
   for (const char c : id) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    name += plain || c == '_' || c == '-' || (c == '.' && !name.empty()) ? c : '_';
+    name += c;
+    if (!is_plain_name(name)) name.back() = '_';
+    if (name.size() == kLongest) break;
   }
-  constexpr std::size_t kLongest = 100;
-  name.resize(std::min(name.size(), kLongest));
   return name.empty() ? "home" : name;
 }
 

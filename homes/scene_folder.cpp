@@ -8,7 +8,7 @@
 namespace unietp {
 
 Result<Done> prepare_folder(const std::filesystem::path& folder) {
-  const auto probe = folder / (".unietp-" + std::to_string(::getpid()));
+  const auto probe = folder / ("unietp-" + std::to_string(::getpid()));
   if (const auto written = write_file(probe, ""); !written) {
     return Error{
         Error::Kind::Io, folder.string(), {}, written.error().message + "; choose a folder that you can write to"};
@@ -21,7 +21,7 @@ Result<Done> prepare_folder(const std::filesystem::path& folder) {
 std::string scene_file_name(const std::string& id) { return id + ".scene.json.gz"; }
 
 Result<Done> write_scene(const std::filesystem::path& folder, const Scene& scene) {
-  return write_file(folder / scene_file_name(scene.id), gzip(scene_to_json(scene)));
+  return write_file(folder, scene_file_name(scene.id), gzip(scene_to_json(scene)));
 }
 
 }  // namespace unietp

@@ -16,7 +16,7 @@ std::vector<VisibleObject> read_visible(JsonReader& reader, const JsonAt& at) {
     const JsonAt item = reader.item(at, i);
     JsonFields fields(reader, item);
     VisibleObject object;
-    if (const auto f = fields.required("id")) object.id = reader.text(*f);
+    if (const auto f = fields.required("id")) object.id = reader.label(*f);
     if (const auto f = fields.required("box")) {
       if (reader.items(*f) != object.box.size()) reader.fail(*f, "expected [x0, y0, x1, y1]");
       for (std::size_t k = 0; k < object.box.size() && !reader.error(); ++k)
@@ -67,8 +67,8 @@ StepRecord read_step(JsonReader& reader, const JsonAt& at) {
 Result<DemonstrationRecord> read_demonstration(std::string_view where, int line, std::string_view text) {
   DemonstrationRecord demonstration;
   const auto read = read_line(where, line, text, "unietp-demonstration/1", [&](JsonReader& reader, JsonFields& fields) {
-    if (const auto f = fields.required("task")) demonstration.task = reader.text(*f);
-    if (const auto f = fields.required("mode")) demonstration.mode = reader.text(*f);
+    if (const auto f = fields.required("task")) demonstration.task = reader.plain_name(*f);
+    if (const auto f = fields.required("mode")) demonstration.mode = reader.plain_name(*f);
     if (const auto f = fields.required("steps")) {
       const std::size_t count = reader.items(*f);
       for (std::size_t i = 0; i < count && !reader.error(); ++i)

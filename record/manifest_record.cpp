@@ -113,7 +113,7 @@ void read_files(JsonReader& reader, const JsonAt& at, ManifestRecord& manifest) 
     JsonFields fields(reader, item);
     std::string path;
     RecordedFile file;
-    if (const auto f = fields.required("path")) path = reader.text(*f);
+    if (const auto f = fields.required("path")) path = reader.line(*f);
     if (const auto f = fields.required("bytes")) file.bytes = read_seed(reader, *f);
     if (const auto f = fields.required("sha256")) file.sha256 = reader.text(*f);
     fields.finish();
@@ -192,10 +192,9 @@ Result<ManifestRecord> read_manifest(std::string_view where, std::string_view te
 }
 
 Result<ManifestRecord> read_manifest_file(const std::filesystem::path& folder) {
-  const auto file = folder / "manifest.json";
-  const auto text = read_file(file);
+  const auto text = read_file(folder, kManifest);
   if (!text) return text.error();
-  return read_manifest(file.string(), *text);
+  return read_manifest((folder / kManifest).string(), *text);
 }
 
 bool records_extended_library(const std::filesystem::path& folder) {

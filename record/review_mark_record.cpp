@@ -12,7 +12,7 @@ Result<ReviewMarkRecord> read_review_mark(std::string_view where, int line, std:
   static const std::vector<std::string> kVerdicts{"accept", "reject", "edit"};
   ReviewMarkRecord mark;
   const auto read = read_line(where, line, text, "unietp-review-mark/1", [&](JsonReader& reader, JsonFields& fields) {
-    if (const auto f = fields.required("task")) mark.task = reader.text(*f);
+    if (const auto f = fields.required("task")) mark.task = reader.plain_name(*f);
     if (const auto f = fields.required("verdict")) {
       mark.verdict = reader.text(*f);
       if (std::find(kVerdicts.begin(), kVerdicts.end(), mark.verdict) == kVerdicts.end())

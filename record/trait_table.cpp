@@ -1,6 +1,9 @@
 #include "record/trait_table.h"
 
 #include <exception>
+#include <stdexcept>
+
+#include "core/file_place.h"
 
 namespace unietp {
 namespace {
@@ -9,11 +12,18 @@ Error trait_error(const std::filesystem::path& file, const std::exception& reaso
   return {Error::Kind::Io, file.string(), {}, std::string("cannot read the table trait: ") + reason.what()};
 }
 
+/// The database, which no symbolic link stands for. Errors: std::runtime_error.
+SqliteFile database_in(const std::filesystem::path& file) {
+  const auto path = path_inside(file.parent_path(), file.filename().string(), MissingFolders::Refused);
+  if (!path) throw std::runtime_error(path.error().message);
+  return {*path, SqliteFile::Mode::Read};
+}
+
 }  // namespace
 
 Result<TraitTable> TraitTable::open(const std::filesystem::path& file) {
   try {
-    SqliteFile database(file, SqliteFile::Mode::Read);
+    SqliteFile database = database_in(file);
     auto rows = database.prepare(
         "SELECT task.rowid, trait.task, trait.dimension, trait.value FROM trait JOIN task ON task.id = trait.task "
         "ORDER BY task.rowid, trait.rowid");
@@ -39,7 +49,7 @@ Result<TraitTable::Traits> TraitTable::of(std::int64_t row, const std::string& t
 
 Result<TraitCounts> trait_counts(const std::filesystem::path& file) {
   try {
-    SqliteFile database(file, SqliteFile::Mode::Read);
+    SqliteFile database = database_in(file);
     auto rows = database.prepare("SELECT dimension, value, count(*) FROM trait GROUP BY 1, 2");
     TraitCounts counts;
     while (rows.step())

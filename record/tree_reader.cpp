@@ -47,12 +47,12 @@ Term read_term(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   Term term;
   if (const auto variable = fields.optional("variable")) {
-    term = {Term::Kind::Variable, reader.text(*variable)};
+    term = {Term::Kind::Variable, reader.label(*variable)};
   } else if (const auto agent = fields.optional("agent")) {
     if (!reader.boolean(*agent)) reader.fail(*agent, "expected true");
     term = {Term::Kind::Agent, "agent"};
   } else if (const auto symbol = fields.required("symbol")) {
-    term = {Term::Kind::Symbol, reader.text(*symbol)};
+    term = {Term::Kind::Symbol, reader.label(*symbol)};
   }
   fields.finish();
   return term;
@@ -68,7 +68,7 @@ std::vector<Term> read_terms(JsonReader& reader, const JsonAt& at) {
 Domain::Member read_member(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   Domain::Member member;
-  if (const auto category = fields.required("category")) member.category = reader.text(*category);
+  if (const auto category = fields.required("category")) member.category = reader.label(*category);
   if (const auto slice = fields.optional("slice")) member.slice = reader.boolean(*slice);
   fields.finish();
   return member;
@@ -124,7 +124,7 @@ void read_fields(JsonReader& reader, JsonFields& fields, const OpName& name, For
   const bool quantified =
       name.op == Op::Forall || name.op == Op::Exists || name.op == Op::Count || name.op == Op::Number;
   if (quantified) {
-    if (const auto variable = fields.required("variable")) formula.variable = reader.text(*variable);
+    if (const auto variable = fields.required("variable")) formula.variable = reader.label(*variable);
     if (const auto domain = fields.required("domain")) formula.domain = read_domain(reader, *domain);
   }
   if (name.op == Op::Count || name.op == Op::CountCompare) {

@@ -17,7 +17,7 @@ Result<FinishedSet> read_finished_set(const fs::path& folder) {
   set.name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
   auto reader = DatasetReader::open(folder, {});
   if (!reader) return reader.error();
-  const auto digest = digest_of_file(folder / kTasksFile);
+  const auto digest = digest_of_file(folder, kTasksFile);
   if (!digest) return digest.error();
   set.digest = digest->sha256;
   while (const auto lines = reader->lines().next()) {

@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 3> kJudgements{"accept", "reject", "edit"
 Review read_one(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   Review review;
-  if (const auto f = fields.required("task")) review.task = reader.text(*f);
+  if (const auto f = fields.required("task")) review.task = reader.plain_name(*f);
   if (const auto f = fields.required("verdict")) {
     const auto name = reader.text(*f);
     std::size_t i = 0;

@@ -178,11 +178,11 @@ Result<Done> write_manifest(Manifest manifest, const fs::path& folder) {
   for (const char* name : {kTasksFile, kDatabase, kWordingsFile}) {
     std::error_code code;
     if (!fs::exists(folder / name, code)) continue;
-    auto digest = digest_of_file(folder / name);
+    auto digest = digest_of_file(folder, name);
     if (!digest) return digest.error();
     manifest.files[name] = {digest->bytes, std::move(digest->sha256)};
   }
-  return write_file(folder / kManifest, to_text(manifest));
+  return write_file(folder, kManifest, to_text(manifest));
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ class ReviewedSet {
       rejections_.push_back(rejection_of(task.record, *ruling.review));
       return Done{};
     }
-    const auto home_of = [this](const std::string& layout) { return read_file(folder_ / home_file(layout)); };
+    const auto home_of = [this](const std::string& layout) { return read_file(folder_, home_file(layout)); };
     auto added =
         writer_.add_task(written_again(task.record, ruling.rewritten ? *ruling.rewritten : instruction, task.shown),
                          traits_of(*recorded), home_of);

@@ -31,7 +31,7 @@ Result<Done> write_shard(const fs::path& folder, const Shard& shard, const std::
                   {"run", Json::parse(identity)},
                   {"blocks", std::move(own)}};
   if (auto copied = blocks.front().ledger->copy_to(ledger_of_shard(folder)); !copied) return copied.error();
-  return write_file(folder / "shard.json", json.dump(2) + "\n");
+  return write_file(folder, "shard.json", json.dump(2) + "\n");
 }
 
 Result<ShardRecord> shard_from_json(std::string_view where, std::string_view text) {
@@ -72,7 +72,7 @@ Result<ShardRecord> shard_from_json(std::string_view where, std::string_view tex
 
 Result<ShardRecord> read_shard(const fs::path& folder) {
   const fs::path file = folder / "shard.json";
-  const auto text = read_file(file);
+  const auto text = read_file(folder, "shard.json");
   if (!text) return Error{Error::Kind::Usage, folder.string(), {}, "is not a finished shard: " + text.error().message};
   return shard_from_json(file.string(), *text);
 }

@@ -7,6 +7,7 @@
 
 #include "akb/knowledge.h"
 #include "akb/table_words.h"
+#include "core/plain_name.h"
 #include "core/text.h"
 #include "logic/formula_reading.h"
 #include "templates/bracket_hint.h"
@@ -32,10 +33,10 @@ std::vector<std::string> section_names(bool all) {
 const std::vector<std::string> kSectionNames = section_names(true);
 
 bool is_template_name(std::string_view text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-    return std::islower(static_cast<unsigned char>(c)) != 0 || std::isdigit(static_cast<unsigned char>(c)) != 0 ||
-           c == '-';
-  });
+  return is_plain_name(text) && std::all_of(text.begin(), text.end(), [](char c) {
+           return std::islower(static_cast<unsigned char>(c)) != 0 ||
+                  std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-';
+         });
 }
 
 bool is_positive_number(std::string_view text) {

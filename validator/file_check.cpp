@@ -14,7 +14,8 @@ std::vector<std::string> files_in(const fs::path& folder) {
   std::error_code code;
   for (auto it = fs::recursive_directory_iterator(folder, code); !code && it != fs::recursive_directory_iterator();
        it.increment(code)) {
-    if (it->is_regular_file(code)) names.push_back(it->path().lexically_relative(folder).generic_string());
+    if (it->is_symlink(code) || !it->is_directory(code))
+      names.push_back(it->path().lexically_relative(folder).generic_string());
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -39,7 +40,7 @@ FileCheck::FileCheck(fs::path folder, const ManifestRecord& manifest)
 }
 
 std::vector<Problem> FileCheck::of(const std::string& path) const {
-  const auto digest = digest_of_file(folder_ / path);
+  const auto digest = digest_of_file(folder_, path);
   if (!digest) {
     Problem problem{ProblemKind::Unreadable, "", digest.error()};
     return {std::move(problem)};

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 std::optional<ManifestRecord> manifest_in(const fs::path& folder, std::string_view knowledge_digest,
                                           std::vector<Problem>& problems) {
-  const auto text = read_file(folder / kManifest);
+  const auto text = read_file(folder, kManifest);
   auto manifest = text ? read_manifest(kManifest, *text) : Result<ManifestRecord>(text.error());
   if (!manifest) {
     problems.push_back({ProblemKind::Manifest, "", manifest.error()});

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -62,17 +63,23 @@ RunningProgram::~RunningProgram() {
   }
 }
 
-bool RunningProgram::running() {
-  if (!ended_ && ::waitpid(process_, &status_, WNOHANG) == process_) ended_ = true;
-  return !ended_;
+bool RunningProgram::running() { return !reap(WNOHANG); }
+
+bool RunningProgram::reap(int options) {
+  rusage used{};
+  if (!ended_ && ::wait4(process_, &status_, options, &used) == process_) {
+    ended_ = true;
+    peak_bytes_ = static_cast<std::size_t>(used.ru_maxrss) * 1024;
+  }
+  return ended_;
 }
 
 void RunningProgram::send(int signal) const { ::kill(process_, signal); }
 
 Ended RunningProgram::wait() {
-  if (!ended_) ::waitpid(process_, &status_, 0);
-  ended_ = true;
+  (void)reap(0);
   Ended ended;
+  ended.peak_bytes = peak_bytes_;
   if (WIFEXITED(status_)) ended.code = WEXITSTATUS(status_);
   if (WIFSIGNALED(status_)) ended.signal = WTERMSIG(status_);
   ended.out = taken(out_);

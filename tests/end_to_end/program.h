@@ -16,6 +16,7 @@ struct Ended {
   int code = -1;   // exit code, or -1 when a signal ended it
   int signal = 0;  // that signal
   std::string out, err;
+  std::size_t peak_bytes = 0;  // of its memory
 };
 
 /// The program under way in a process of its own.
@@ -33,8 +34,11 @@ class RunningProgram {
   Ended wait();
 
  private:
+  bool reap(int options);
+
   pid_t process_ = -1;
   int status_ = 0;
+  std::size_t peak_bytes_ = 0;
   bool ended_ = false;
   std::filesystem::path out_, err_;
 };
