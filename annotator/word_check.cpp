@@ -6,6 +6,7 @@
 
 #include "annotator/goal_words.h"
 #include "annotator/naming.h"
+#include "annotator/plain_words.h"
 #include "annotator/words_for_reading.h"
 #include "core/text.h"
 
@@ -106,6 +107,8 @@ class Check {
     numbers();
     quantifiers();
     times();
+    denials();
+    other_words();
     misspelled_names();
     return std::move(faults_);
   }
@@ -254,6 +257,59 @@ class Check {
     for (std::size_t i = 0; i < words_.size(); ++i)
       if (words_[i].text == "never" && (i + 1 == words_.size() || words_[i + 1].text != "mind")) return true;
     return false;
+  }
+
+  /// A denial where the goal has nothing to deny: "do not wash", "never".
+  void denials() {
+    static const std::set<Style> kDenying{Style::Negation,  Style::Distractor,   Style::Background,
+                                          Style::Bystander, Style::NestedSyntax, Style::Context,
+                                          Style::Condition, Style::ImplicitNeed};
+    if (kDenying.contains(specification_.style) || denies(specification_.goal) || goal_.order || goal_.throughout)
+      return;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      const bool never_mind = words_[i].text == "never" && i + 1 < words_.size() && words_[i + 1].text == "mind";
+      if (is_denial(words_[i].text) && !never_mind && !says_itself(words_[i].text)) exceeds("'" + words_[i].text + "'");
+    }
+  }
+
+  static bool denies(const Formula& formula) {
+    using Op = Formula::Op;
+    const bool bounded = (formula.op == Op::Count || formula.op == Op::CountCompare) &&
+                         formula.comparison != Comparison::AtLeast && formula.comparison != Comparison::Greater;
+    if (formula.op == Op::Not || formula.op == Op::Forall || bounded) return true;
+    if (std::any_of(formula.children.begin(), formula.children.end(), denies)) return true;
+    return std::any_of(formula.domain.where.begin(), formula.domain.where.end(), denies);
+  }
+
+  /// Words that neither the goal nor the style explains: "throw", "behind", "tomorrow". Styles that tell a story have
+  /// words of their own.
+  void other_words() {
+    static const std::set<Style> kWithStories{Style::Background, Style::Bystander, Style::Context, Style::NestedSyntax,
+                                              Style::ImplicitNeed};
+    if (kWithStories.contains(specification_.style)) return;
+    std::set<std::string> told;
+    for (const Token& word : text_.plain) {
+      const bool letters = std::isalpha(static_cast<unsigned char>(word.text.front())) != 0;
+      if (letters && !is_plain_word(word.text) && !says_itself(word.text) && told.insert(word.text).second)
+        exceeds("nothing explains '" + word.text + "'");
+    }
+  }
+
+  /// Whether a word says a state, relation, value or name of the goal, or of the start in a condition.
+  bool says_itself(const std::string& word) const {
+    const auto says_one_of = [&](const std::set<P>& predicates) {
+      return std::any_of(predicates.begin(), predicates.end(),
+                         [&](P predicate) { return is_among(word, words_for(predicate)); });
+    };
+    if (says_one_of(goal_.predicates) || in_a_symbol(word) || text_.of_names.contains(word)) return true;
+    if (goal_.symbols.contains("wood") && word == "wooden") return true;
+    if (specification_.style != Style::Condition) return false;
+    return std::any_of(specification_.init.begin(), specification_.init.end(), [&](const Formula& start) {
+      const GoalWords own = words_of_goal(start);
+      return says_one_of(own.predicates) ||
+             std::any_of(own.symbols.begin(), own.symbols.end(),
+                         [&](const std::string& symbol) { return symbol.find(word) != std::string::npos; });
+    });
   }
 
   /// Missing names with a word that differs by one letter. Other misspellings are found by the dictionary (spelling.h).
