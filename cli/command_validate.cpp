@@ -1,6 +1,7 @@
-#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <numeric>
 
 #include <nlohmann/json.hpp>
 
@@ -9,8 +10,13 @@
 #include "cli/common_options.h"
 #include "cli/likeness_output.h"
 #include "core/in_quotes.h"
+#include "dataset/configuration_json.h"
 #include "record/manifest_record.h"
+#include "resources/resources.h"
+#include "rewording/check_template.h"
 #include "rewording/check_text.h"
+#include "rewording/expected_files.h"
+#include "run/make_home.h"
 #include "validator/validate.h"
 
 namespace unietp {
@@ -25,14 +31,19 @@ struct ValidateOptions {
 };
 
 /// Number of problems of each kind, in the order of the kinds.
-std::vector<std::pair<ProblemKind, int>> counted(const std::vector<Problem>& problems) {
-  std::vector<std::pair<ProblemKind, int>> counts;
+std::vector<std::pair<ProblemKind, std::int64_t>> counted(const ValidationReport& report) {
+  std::vector<std::pair<ProblemKind, std::int64_t>> counts;
   for (const auto& about : all_problems()) {
-    const auto count = std::count_if(problems.begin(), problems.end(),
-                                     [&about](const Problem& problem) { return problem.kind == about.kind; });
-    if (count > 0) counts.emplace_back(about.kind, static_cast<int>(count));
+    const auto count = report.found[static_cast<std::size_t>(about.kind)];
+    if (count > 0) counts.emplace_back(about.kind, count);
   }
   return counts;
+}
+
+/// Problems that are counted but not in the list.
+std::int64_t unlisted(const ValidationReport& report) {
+  return std::accumulate(report.found.begin(), report.found.end(), std::int64_t{0}) -
+         static_cast<std::int64_t>(report.problems.size());
 }
 
 Json counts_json(const ProofCounts& counts) {
@@ -59,13 +70,14 @@ void print_json(const ValidationReport& report) {
   for (const auto simulator : kSimulators)
     simulators[std::string(name_of(simulator))] = counts_json(report.by_simulator[static_cast<std::size_t>(simulator)]);
   auto kinds = Json::object();
-  for (const auto& [kind, count] : counted(report.problems)) kinds[std::string(name_of(kind))] = count;
+  for (const auto& [kind, count] : counted(report)) kinds[std::string(name_of(kind))] = count;
   Json json{{"format", "unietp-validation/1"}};
   json.update(counts_json(report.counts));
   json["by_simulator"] = std::move(simulators);
   json["by_kind"] = std::move(kinds);
   json["likeness"] = Json::array();
   for (const auto& likeness : report.likeness) json["likeness"].push_back(likeness_json(likeness));
+  json["unlisted"] = unlisted(report);
   json["problems"] = std::move(problems);
   std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
@@ -79,6 +91,8 @@ void print_text(const ValidationReport& report) {
   for (const auto& problem : report.problems)
     std::printf("%s %s: %s\n", std::string(name_of(problem.kind)).c_str(),
                 problem.task.empty() ? "data set" : for_terminal(problem.task).c_str(), format(problem.error).c_str());
+  if (const auto more = unlisted(report); more > 0)
+    std::printf("and %lld more problems of these kinds\n", static_cast<long long>(more));
   if (!report.problems.empty()) std::printf("\n");
   for (const auto& likeness : report.likeness) print_likeness(likeness);
   std::printf("%-12s %8s %8s %15s %8s %13s %8s\n", "", "tasks", "proven", "demonstrations", "steps", "spoilt plans",
@@ -86,8 +100,8 @@ void print_text(const ValidationReport& report) {
   for (const auto simulator : kSimulators)
     print_row(name_of(simulator), report.by_simulator[static_cast<std::size_t>(simulator)]);
   print_row("all", report.counts);
-  for (const auto& [kind, count] : counted(report.problems))
-    std::printf("%8d %s\n", count, std::string(name_of(kind)).c_str());
+  for (const auto& [kind, count] : counted(report))
+    std::printf("%8lld %s\n", static_cast<long long>(count), std::string(name_of(kind)).c_str());
   std::printf("%d of %d proven\n", report.counts.proven, report.counts.tasks);
 }
 
@@ -115,16 +129,26 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
   }
   auto folders = program.folders;
   folders.extended_library = records_extended_library(options.folder);
-  const auto reading = load_backends(folders);
+  const auto reading = load_resources(folders);
   if (!reading.errors.empty()) return refuse(reading.errors);
-  const auto digest = knowledge_digest(folders);
-  if (!digest) return refuse(digest.error());
+  const Resources& resources = reading.resources;
   std::vector<ValidationBackend> backends;
-  for (const auto& backend : reading.backends) backends.push_back({&backend.knowledge, &backend.profile});
-  options.validation.check_text = [&reading](const StatedGoal& stated) {
-    return check_text(stated, reading.backends[static_cast<std::size_t>(stated.simulator)]);
+  for (const auto& backend : resources.backends) backends.push_back({&backend.knowledge, &backend.profile});
+  options.validation.check_text = [&resources](const StatedGoal& stated) {
+    return check_text(stated, resources.backend(stated.simulator));
   };
-  const auto report = validate_dataset(options.folder, backends, *digest, options.validation);
+  options.validation.check_template = [&resources](const TaskRecord& task, const Formula& goal,
+                                                   const ManifestRecord& manifest) {
+    return check_template(task, goal, manifest, resources);
+  };
+  options.validation.make_home = [&resources](const ManifestRecord& manifest, const std::string& name) {
+    const auto configuration = configuration_from_json(kManifest, manifest.run.text);
+    return configuration ? make_home(*configuration, resources, name) : Result<Scene>(configuration.error());
+  };
+  options.validation.derive_files = [&](const ManifestRecord& manifest) {
+    return expected_files(manifest, resources, folders.licences());
+  };
+  const auto report = validate_dataset(options.folder, backends, resources.digest, options.validation);
   options.json ? print_json(report) : print_text(report);
   return report.sound() ? Exit::Ok : Exit::Wrong;
 }

@@ -83,12 +83,17 @@ Result<Done> DatasetWriter::finish(const RunConfiguration& configuration, const 
   counts_.balance = traits_.spreads();
   auto sources = sources_of(configuration, resources, licences);
   if (!sources) return sources.error();
-  if (auto written = write_file(folder_, "README.md", dataset_card(configuration, counts_, *sources)); !written)
-    return written.error();
+  Manifest manifest{std::string(program_version()),
+                    resources.digest,
+                    configuration,
+                    std::move(counts_),
+                    {},
+                    std::move(*sources),
+                    std::move(writing)};
+  if (auto written = write_file(folder_, "README.md", dataset_card(manifest)); !written) return written.error();
   auto files_written = files_below(folder_);
   if (!files_written) return files_written.error();
-  const Manifest manifest{std::string(program_version()), resources.digest,    configuration,     std::move(counts_),
-                          std::move(*files_written),      std::move(*sources), std::move(writing)};
+  manifest.files = std::move(*files_written);
   return write_file(folder_, "manifest.json", to_text(manifest));
 }
 

@@ -80,7 +80,8 @@ std::vector<IdentifiedScene> read_files(const std::vector<fs::path>& paths, cons
     if (!is_plain_name(scene->id))  // a data set keeps its homes in files that are called by their ids
       errors.push_back(usage(file, "has the id " + in_quotes(scene->id) + "; " + plain_name_expected()));
     check_categories(file, *scene, backends[static_cast<std::size_t>(scene->simulator)].knowledge, errors);
-    found.push_back({file, std::move(*scene), sha256(*bytes)});
+    auto digest = sha256(scene_to_json(*scene));  // of the text that a data set has, whoever wrote the file
+    found.push_back({file, std::move(*scene), std::move(digest)});
   }
   return found;
 }

@@ -53,8 +53,13 @@ void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
     quotas.finish();
   }
   if (const auto f = fields.optional("extended")) run.extended = reader.boolean(*f);
-  for (const auto* name : {"own", "binding", "attempts", "block", "rooms", "objects", "scenes"})
-    (void)fields.optional(name);  // how tasks were made, which leaves nothing to be counted
+  if (const auto f = fields.optional("own")) run.own = reader.texts(*f);
+  if (const auto f = fields.optional("binding")) run.binding = reader.texts(*f);
+  if (const auto f = fields.optional("scenes")) run.scenes = reader.texts(*f);
+  if (const auto f = fields.required("attempts")) run.attempts = read_whole(reader, *f);
+  if (const auto f = fields.required("block")) run.block = read_whole(reader, *f);
+  if (const auto f = fields.required("rooms")) run.rooms = read_whole(reader, *f);
+  if (const auto f = fields.required("objects")) run.objects = read_whole(reader, *f);
   fields.finish();
 }
 
@@ -64,6 +69,7 @@ void read_by_template(JsonReader& reader, const JsonAt& at, std::map<std::string
     JsonFields fields(reader, item);
     std::string name;
     if (const auto f = fields.required("template")) name = reader.text(*f);
+    if (!counts.empty() && name <= counts.rbegin()->first) reader.fail(item, "expected the templates in order of name");
     if (const auto f = fields.required("tasks")) counts[name] = read_whole(reader, *f);
     fields.finish();
   }
@@ -117,6 +123,8 @@ void read_files(JsonReader& reader, const JsonAt& at, ManifestRecord& manifest) 
     if (const auto f = fields.required("bytes")) file.bytes = read_seed(reader, *f);
     if (const auto f = fields.required("sha256")) file.sha256 = reader.text(*f);
     fields.finish();
+    if (!manifest.files.empty() && path < manifest.files.rbegin()->first)
+      reader.fail(item, "expected the files in order of path");
     if (!manifest.files.emplace(path, std::move(file)).second) reader.fail(item, in_quotes(path) + " is listed twice");
   }
 }

@@ -25,10 +25,16 @@ struct RecordedRun {
   std::vector<std::string> templates, without;        // empty templates: all
   std::map<std::string, int> by_split, by_simulator;  // quotas; both empty: equal shares
   std::vector<Mode> modes;
-  std::string phrasings;  // "all", "training", "benchmark"
-  std::string homes;
-  bool extended = false;  // with the extended library, whose agents have the profile `wide`
-  std::string text;       // the whole configuration as compact JSON: `unietp-run/1`
+  std::string phrasings;             // "all", "training", "benchmark"
+  std::string homes;                 // "benchmark", "training", "drawn"
+  int attempts = 0;                  // candidates tried for one task
+  int block = 0;                     // tasks planned together
+  int rooms = 0, objects = 0;        // of a drawn home
+  std::vector<std::string> scenes;   // given homes, "<id> <sha256 of its JSON>"
+  std::vector<std::string> own;      // the user's own templates, "<name> <sha256>"
+  std::vector<std::string> binding;  // "A=Mug", of every task
+  bool extended = false;             // with the extended library, whose agents have the profile `wide`
+  std::string text;                  // the whole configuration as compact JSON: `unietp-run/1`
 };
 
 /// How `annotate` wrote the instructions.

@@ -5,19 +5,12 @@
 #include <unordered_set>
 
 #include "core/sort_unique.h"
+#include "run/make_home.h"
 #include "scene/comparisons.h"
 #include "scene/trace.h"
 
 namespace unietp {
 namespace {
-
-constexpr std::uint64_t kTriesPerLayout = 8;
-
-std::string layout_id(Simulator simulator, int index) {
-  auto digits = std::to_string(index + 1);
-  digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
-  return std::string(name_of(simulator)) + "-home-" + digits;
-}
 
 Layout layout_of(Scene scene, const Backend& backend) {
   Layout layout;
@@ -27,52 +20,6 @@ Layout layout_of(Scene scene, const Backend& backend) {
   Facts& now = layout.offer.now.states.front();
   now = with_comparisons(now, home.scene, home.reader, {.all = true, .categories = {}});
   return layout;
-}
-
-Result<Scene> draw_home(const RunConfiguration& configuration, const Resources& resources, Simulator simulator,
-                        int number) {
-  const auto& backend = resources.backend(simulator);
-  LayoutOptions options;
-  options.rooms = configuration.rooms;
-  options.movable_objects = configuration.objects;
-  const Rng stream = Rng(configuration.seed).fork("layout", static_cast<std::uint64_t>(simulator));
-  Error last;
-  for (std::uint64_t attempt = 0; attempt < kTriesPerLayout; ++attempt) {
-    auto scene = generate_layout(resources.recipe(simulator), backend.knowledge, backend.profile, options,
-                                 layout_id(simulator, number),
-                                 stream.fork("home", static_cast<std::uint64_t>(number) * kTriesPerLayout + attempt));
-    if (scene) return scene;
-    last = scene.error();
-  }
-  return last;
-}
-
-Result<Scene> benchmark_home(const Resources& resources, Simulator simulator, int number) {
-  int passed = 0;
-  for (const BenchmarkLayout& layout : resources.benchmark) {
-    if (layout.simulator != simulator || passed++ != number) continue;
-    const auto& backend = resources.backend(simulator);
-    return benchmark_layout(layout, resources.recipe(simulator), backend.knowledge, backend.profile);
-  }
-  return Error{Error::Kind::Usage,
-               "benchmark.csv",
-               {},
-               "has no home number " + std::to_string(number + 1) + " of " + std::string(name_of(simulator))};
-}
-
-Result<Scene> make_home(const RunConfiguration& configuration, const Resources& resources, Simulator simulator,
-                        int number) {
-  const auto& backend = resources.backend(simulator);
-  switch (configuration.homes) {
-    case HomeSource::Drawn:
-      return draw_home(configuration, resources, simulator, number);
-    case HomeSource::Benchmark:
-      return benchmark_home(resources, simulator, number);
-    case HomeSource::Training:
-      return training_layout(resources.recipe(simulator), backend.knowledge, backend.profile,
-                             static_cast<std::uint64_t>(number), configuration.seed);
-  }
-  return draw_home(configuration, resources, simulator, number);
 }
 
 BlockHomes first_homes(const Resources& resources, int homes) {

@@ -105,4 +105,10 @@ std::vector<ReferringDomain> referring_domains(const Formula& goal) {
   return domains;
 }
 
+Formula without_references(Formula goal) {
+  goal.domain.where.clear();
+  for (Formula& child : goal.children) child = without_references(std::move(child));
+  return goal;
+}
+
 }  // namespace unietp

@@ -22,4 +22,7 @@ struct ReferringDomain {
 /// The referring domains of a goal, in order of text.
 std::vector<ReferringDomain> referring_domains(const Formula& goal);
 
+/// The goal with objects named by category alone: no domain has a `:where`.
+Formula without_references(Formula goal);
+
 }  // namespace unietp

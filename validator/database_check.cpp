@@ -1,102 +1,184 @@
 #include "validator/database_check.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
+#include <string_view>
 
 #include "core/file_place.h"
 #include "core/sqlite_file.h"
+#include "core/text.h"
+#include "validator/task_rows.h"
 
 namespace unietp {
 namespace {
 
-constexpr const char* kFile = "dataset.sqlite";
+constexpr const char* kDatabaseFile = "dataset.sqlite";
 
-Problem wrong(const std::string& task, std::string message) {
-  auto problem = problem_in(ProblemKind::Database, kFile, std::move(message));
+/// All that the schema of the database holds, with single blanks, in order of name. What SQLite adds by itself has no
+/// text.
+constexpr std::array<std::string_view, 5> kTables{
+    "CREATE TABLE binding(task TEXT NOT NULL REFERENCES task, placeholder TEXT NOT NULL, category TEXT NOT NULL) "
+    "STRICT",
+    "CREATE TABLE rejection(slot INTEGER NOT NULL, attempt INTEGER NOT NULL, template TEXT NOT NULL, simulator TEXT "
+    "NOT NULL, split TEXT NOT NULL, stage TEXT NOT NULL, reason TEXT NOT NULL, detail TEXT NOT NULL) STRICT",
+    "CREATE TABLE step(task TEXT NOT NULL REFERENCES task, mode TEXT NOT NULL, number INTEGER NOT NULL, action TEXT "
+    "NOT NULL, arguments TEXT NOT NULL, success INTEGER NOT NULL, failure TEXT NOT NULL) STRICT",
+    "CREATE TABLE task(id TEXT PRIMARY KEY, template TEXT NOT NULL, split TEXT NOT NULL, simulator TEXT NOT NULL, "
+    "scene "
+    "TEXT NOT NULL, layout TEXT NOT NULL, goal TEXT NOT NULL, instruction TEXT NOT NULL, style TEXT NOT NULL, writer "
+    "TEXT NOT NULL, steps INTEGER NOT NULL, failures INTEGER NOT NULL) STRICT",
+    "CREATE TABLE trait(task TEXT NOT NULL REFERENCES task, dimension TEXT NOT NULL, value TEXT NOT NULL) STRICT"};
+
+constexpr std::array<std::string_view, 5> kDimensions{"template", "category", "receptacle", "room", "scene"};
+
+Problem database_problem(const std::string& task, std::string message) {
+  auto problem = problem_in(ProblemKind::Database, kDatabaseFile, std::move(message));
   problem.task = task;
   return problem;
 }
 
-/// The first field in which a row differs from its task; "" when there is none.
-std::string difference(Statement& row, const TaskRecord& task) {
-  const std::vector<std::pair<std::string, const std::string*>> fields{
-      {"id", &task.id},          {"template", &task.template_name},
-      {"split", &task.split},    {"simulator", &task.simulator},
-      {"scene", &task.scene},    {"layout", &task.layout},
-      {"goal", &task.goal_text}, {"instruction", &task.instruction},
-      {"style", &task.style},    {"writer", &task.writer}};
+std::string with_single_blanks(std::string_view text) {
+  std::string single;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\n' || c == '\t';
+    if (!blank) single += c;
+    if (blank && !single.empty() && single.back() != ' ') single += ' ';
+  }
+  return single;
+}
+
+ProblemList compare_schema(SqliteFile& file) {
+  ProblemList problems;
+  auto entries = file.prepare("SELECT sql FROM sqlite_master WHERE sql IS NOT NULL ORDER BY name");
+  std::vector<std::string> found;
+  while (entries.step()) found.push_back(with_single_blanks(entries.text(0)));
+  for (const auto& one : found) {
+    if (std::find(kTables.begin(), kTables.end(), one) == kTables.end())
+      problems.add(database_problem("", "has \"" + one + "\" in its schema, which no data set has"));
+  }
+  for (const auto table : kTables) {
+    if (std::find(found.begin(), found.end(), table) == found.end())
+      problems.add(database_problem("", "lacks \"" + std::string(table) + "\" in its schema"));
+  }
+  return problems;
+}
+
+/// A table's columns with the values that a row must have.
+using NamedValues = std::vector<std::pair<const char*, std::string>>;
+
+NamedValues values_of(const TaskRecord& task) {
+  NamedValues values{{"id", task.id},          {"template", task.template_name},
+                     {"split", task.split},    {"simulator", task.simulator},
+                     {"scene", task.scene},    {"layout", task.layout},
+                     {"goal", task.goal_text}, {"instruction", task.instruction},
+                     {"style", task.style},    {"writer", task.writer}};
+  if (task.expert.empty()) return values;
+  values.emplace_back("steps", std::to_string(task.expert.front().steps));
+  values.emplace_back("failures", std::to_string(task.expert.front().failures));
+  return values;
+}
+
+NamedValues values_of(const RejectionRecord& rejection) {
+  return {{"slot", std::to_string(rejection.slot)},
+          {"attempt", std::to_string(rejection.attempt)},
+          {"template", rejection.template_name},
+          {"simulator", rejection.simulator},
+          {"split", rejection.split},
+          {"stage", rejection.stage},
+          {"reason", rejection.reason},
+          {"detail", rejection.detail}};
+}
+
+/// The first column in which a row differs; "" when there is none.
+std::string difference(Statement& row, const NamedValues& values) {
   int column = 0;
-  for (const auto& [name, value] : fields) {
-    if (row.text(column++) != *value) return name;
+  for (const auto& [name, value] : values) {
+    if (row.text(column++) != value) return name;
   }
-  if (task.expert.empty()) return "";
-  if (row.integer(column) != task.expert.front().steps) return "steps";
-  return row.integer(column + 1) == task.expert.front().failures ? "" : "failures";
+  return "";
 }
 
-std::int64_t count(SqliteFile& file, const char* sql) {
-  auto query = file.prepare(sql);
-  return query.step() ? query.integer(0) : 0;
-}
+std::string row_text(const TextRow& row) { return "(" + join(row, ", ") + ")"; }
 
-void compare_count(const char* table, std::int64_t there, std::int64_t wanted, std::vector<Problem>& problems) {
-  if (there != wanted)
-    problems.push_back(
-        wrong("", "has " + std::to_string(there) + " rows in " + table + ", expected " + std::to_string(wanted)));
-}
-
-/// Whether a task can count as this: by its own line and its start.
-bool is_of(const TaskRecord& task, const TaskFacts& facts, const std::string& dimension, const std::string& value) {
-  if (dimension == "template") return value == task.template_name;
-  if (dimension == "scene") return value == task.layout;
-  if (dimension == "room" && facts.rooms.contains(value)) return true;
-  return (dimension == "room" || dimension == "category" || dimension == "receptacle") &&
-         std::any_of(task.bindings.begin(), task.bindings.end(),
-                     [&](const auto& bound) { return value == task.simulator + "/" + bound.second; });
-}
-
-void check_traits(const TaskReading& task, const TaskFacts& facts,
-                  const std::vector<std::pair<std::string, std::string>>& traits, std::vector<Problem>& problems) {
-  std::set<std::string> rooms = facts.rooms;
-  int own = 0;  // template and home
-  for (const auto& [dimension, value] : traits) {
-    if (!is_of(*task.record, facts, dimension, value))
-      problems.push_back(wrong(task.name, "lists " + dimension + " " + value + " for this task, which is wrong"));
-    own += dimension == "template" || dimension == "scene" ? 1 : 0;
-    if (dimension == "room") rooms.erase(value);
+/// The first difference between the rows of a task and what the files have; "" when there is none.
+std::string difference(const std::vector<TextRow>& there, const std::vector<TextRow>& wanted) {
+  for (std::size_t i = 0; i < std::min(there.size(), wanted.size()); ++i) {
+    if (there[i] != wanted[i]) return "has " + row_text(there[i]) + " where the files have " + row_text(wanted[i]);
   }
-  if (own != 2) problems.push_back(wrong(task.name, "does not list the template and home of this task"));
-  for (const auto& room : rooms)
-    problems.push_back(
-        wrong(task.name, "does not list the room " + room + " for this task, which handles an object there"));
+  if (there.size() == wanted.size()) return "";
+  return "has " + std::to_string(there.size()) + " rows of this task, expected " + std::to_string(wanted.size());
 }
+
+std::vector<TextRow> rows_of_bindings(const TaskRecord& task) {
+  std::vector<TextRow> rows;
+  for (const auto& [placeholder, category] : task.bindings) rows.push_back({placeholder, category});
+  return rows;
+}
+
+/// What the traits of a task must be. Whether a bound category counts as a receptacle is up to its template.
+class TraitRules {
+ public:
+  TraitRules(const TaskRecord& task, const TaskFacts& facts) : facts_(facts) {
+    wanted_.emplace("template", task.template_name);
+    wanted_.emplace("scene", task.layout);
+    for (const auto& room : facts.rooms) wanted_.emplace("room", room);
+    for (const auto& room : facts.bound_rooms) wanted_.emplace("room", room);
+  }
+
+  /// What is wrong with the rows; "" when nothing is.
+  std::string fault(const std::vector<TextRow>& rows) {
+    std::set<std::string> categories = facts_.bound_categories;
+    std::pair<std::ptrdiff_t, std::string> last{-1, ""};
+    for (const TextRow& row : rows) {
+      const auto place = std::find(kDimensions.begin(), kDimensions.end(), row[0]) - kDimensions.begin();
+      if (std::pair(place, row[1]) <= last) return "lists " + row_text(row) + " out of order";
+      last = {place, row[1]};
+      const bool category = row[0] == "category" || row[0] == "receptacle";
+      if (category ? !facts_.bound_categories.contains(row[1]) : wanted_.erase({row[0], row[1]}) == 0)
+        return "lists " + row_text(row) + ", which this task is not";
+      if (category) categories.erase(row[1]);
+    }
+    if (!wanted_.empty()) return "does not list the " + wanted_.begin()->first + " " + wanted_.begin()->second;
+    return categories.empty() ? "" : "does not list the category " + *categories.begin();
+  }
+
+ private:
+  const TaskFacts& facts_;
+  std::set<std::pair<std::string, std::string>> wanted_;  // that are not listed yet
+};
 
 }  // namespace
 
 struct DatabaseCheck::Tables {
+  explicit Tables(const std::filesystem::path& path)
+      : file(path, SqliteFile::Mode::Read),
+        tasks(file.prepare("SELECT id, template, split, simulator, scene, layout, goal, instruction, style, writer, "
+                           "steps, failures FROM task ORDER BY rowid")),
+        rejections(file.prepare("SELECT slot, attempt, template, simulator, split, stage, reason, detail FROM "
+                                "rejection ORDER BY rowid")),
+        bindings(file, "binding", {"placeholder", "category"}),
+        steps(file, "step", {"mode", "number", "action", "arguments", "success", "failure"}),
+        traits(file, "trait", {"dimension", "value"}) {}
+
   SqliteFile file;
-  Statement tasks;
-  bool more = true;  // rows of the table `task`
-  TraitTable traits;
+  Statement tasks, rejections;
+  TaskRows bindings, steps, traits;
 };
 
 DatabaseCheck::DatabaseCheck(const std::filesystem::path& folder) {
-  const auto path = path_inside(folder, kFile, MissingFolders::Refused);
+  const auto path = path_inside(folder, kDatabaseFile, MissingFolders::Refused);
   if (!path) {
     fail(path.error().message);
     return;
   }
   try {
-    SqliteFile file(*path, SqliteFile::Mode::Read);
-    auto tasks = file.prepare(
-        "SELECT id, template, split, simulator, scene, layout, goal, instruction, style, writer, steps, failures FROM "
-        "task ORDER BY rowid");
-    auto traits = TraitTable::open(*path);
-    if (!traits) {
-      fail(traits.error().message);
-      return;
+    tables_ = std::make_unique<Tables>(*path);
+    problems_.add(compare_schema(tables_->file));
+    for (TaskRows* rows : {&tables_->bindings, &tables_->steps, &tables_->traits}) {
+      if (!rows->of(0).empty())
+        problems_.add(database_problem("", "has rows of unknown tasks in the table " + rows->table()));
     }
-    tables_ = std::make_unique<Tables>(Tables{std::move(file), std::move(tasks), true, std::move(*traits)});
   } catch (const std::exception& reason) {
     fail(reason.what());
   }
@@ -105,39 +187,63 @@ DatabaseCheck::DatabaseCheck(const std::filesystem::path& folder) {
 DatabaseCheck::~DatabaseCheck() = default;
 
 void DatabaseCheck::fail(const std::string& reason) {
-  problems_.push_back(wrong("", "cannot be read: " + reason));
+  problems_.add(database_problem("", "cannot be read: " + reason));
   tables_.reset();
 }
 
 void DatabaseCheck::add(const TaskReading& task, const TaskFacts& facts) {
-  ++tasks_;
-  bindings_ += static_cast<std::int64_t>(task.record->bindings.size());
-  for (const auto& shown : task.record->expert) steps_ += shown.steps;
+  const std::int64_t row = ++tasks_;
   if (!tables_) return;
+  const auto found = [&](std::string fault) {
+    if (!fault.empty()) problems_.add(database_problem(task.name, std::move(fault)));
+  };
+  const auto in_table = [](const char* table, std::string fault) {
+    return fault.empty() ? fault : "the table " + std::string(table) + " " + fault;
+  };
   try {
-    tables_->more = tables_->more && tables_->tasks.step();
-    if (tables_->more) {
-      ++rows_;
-      if (const auto field = difference(tables_->tasks, *task.record); !field.empty())
-        problems_.push_back(wrong(task.name, "has a different " + field + " for this task than tasks.jsonl"));
+    if (!tables_->tasks.step()) {
+      found("has no row for this task");
+    } else if (const auto field = difference(tables_->tasks, values_of(*task.record)); !field.empty()) {
+      found("has a different " + field + " for this task than tasks.jsonl");
     }
-    const auto traits = tables_->traits.of(tasks_, task.name);
-    if (!traits) return fail(traits.error().message);
-    if (!facts.start_key.empty()) check_traits(task, facts, *traits, problems_);
-    for (const auto& [dimension, value] : *traits) ++traits_[dimension][value];
+    found(in_table("binding", difference(tables_->bindings.of(row), rows_of_bindings(*task.record))));
+    const auto steps = tables_->steps.of(row);
+    if (facts.steps) found(in_table("step", difference(steps, *facts.steps)));
+    const auto traits = tables_->traits.of(row);
+    if (!facts.start_key.empty()) found(in_table("trait", TraitRules(*task.record, facts).fault(traits)));
+    for (const TextRow& trait : traits) ++traits_[trait[0]][trait[1]];
   } catch (const std::exception& reason) {
     fail(reason.what());
   }
 }
 
-std::vector<Problem> DatabaseCheck::finish(std::int64_t rejections) {
+void DatabaseCheck::add(const RejectionRecord& rejection) {
+  ++rejections_;
+  if (!tables_) return;
+  try {
+    if (!tables_->rejections.step()) {
+      problems_.add(
+          database_problem("", "has no row for line " + std::to_string(rejections_) + " of rejections.jsonl"));
+    } else if (const auto field = difference(tables_->rejections, values_of(rejection)); !field.empty()) {
+      problems_.add(database_problem("", "has a different " + field + " in row " + std::to_string(rejections_) +
+                                             " of the table rejection than rejections.jsonl"));
+    }
+  } catch (const std::exception& reason) {
+    fail(reason.what());
+  }
+}
+
+ProblemList DatabaseCheck::finish() {
   if (!tables_) return std::move(problems_);
   try {
-    while (tables_->more && tables_->tasks.step()) ++rows_;
-    compare_count("task", rows_, tasks_, problems_);
-    compare_count("binding", count(tables_->file, "SELECT count(*) FROM binding"), bindings_, problems_);
-    compare_count("step", count(tables_->file, "SELECT count(*) FROM step"), steps_, problems_);
-    compare_count("rejection", count(tables_->file, "SELECT count(*) FROM rejection"), rejections, problems_);
+    if (tables_->tasks.step()) problems_.add(database_problem("", "has more tasks than tasks.jsonl"));
+    if (tables_->rejections.step())
+      problems_.add(database_problem("", "has more rows in the table rejection than rejections.jsonl"));
+    for (const TaskRows* rows : {&tables_->bindings, &tables_->steps, &tables_->traits}) {
+      if (!rows->in_order())
+        problems_.add(
+            database_problem("", "the rows of the table " + rows->table() + " are not in the order of the tasks"));
+    }
   } catch (const std::exception& reason) {
     fail(reason.what());
   }

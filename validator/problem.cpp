@@ -18,8 +18,13 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::Counts, "counts", "the counts in the manifest differ from the files"},
     ProblemInfo{Kind::Quota, "quota", "the tasks do not match the recorded configuration"},
     ProblemInfo{Kind::Balance, "balance", "the balance figures in the manifest differ from those of the tasks"},
-    ProblemInfo{Kind::Rejections, "rejections", "a rejected candidate is also a task, or is listed twice"},
+    ProblemInfo{Kind::Rejections, "rejections",
+                "a candidate is listed twice, missing or out of order, or is not one of its slot"},
     ProblemInfo{Kind::Database, "database", "dataset.sqlite disagrees with the other files"},
+    ProblemInfo{Kind::Card, "card", "a line of README.md differs from the one that the manifest gives"},
+    ProblemInfo{Kind::Sources, "sources", "the sources in the manifest differ from those of the knowledge tables"},
+    ProblemInfo{Kind::Reviews, "reviews", "a line of reviews.jsonl disagrees with the tasks and rejections"},
+    ProblemInfo{Kind::HomeFile, "home", "a home is of no task, or differs from the one that the configuration gives"},
     ProblemInfo{Kind::RepeatedTask, "repeated-task", "two tasks have the same id"},
     ProblemInfo{Kind::RepeatedStart, "repeated-start", "two tasks have the same template, binding, goal and start"},
     ProblemInfo{Kind::RepeatedText, "repeated-text", "two tasks of one home have the same instruction"},
@@ -32,6 +37,7 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::SimilarTask, "similar-task",
                 "goal, instruction and home are all much like those of one task of the other data set"},
     ProblemInfo{Kind::Unreadable, "unreadable", "a line or a scene does not match its schema"},
+    ProblemInfo{Kind::TaskName, "task-name", "a task's id, scene or place in the file is not that of its slot"},
     ProblemInfo{Kind::MissingDemonstration, "missing-demonstration",
                 "a task has no demonstration in a mode that it or the configuration requires"},
     ProblemInfo{Kind::StrayDemonstration, "stray-demonstration",
@@ -42,10 +48,12 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::Relations, "relations", "the relations of the scene differ from those in physics"},
     ProblemInfo{Kind::Unrest, "unrest", "an object is not at rest at the start"},
     ProblemInfo{Kind::StartConstraint, "start-constraint", "a recorded start constraint does not hold"},
+    ProblemInfo{Kind::Edits, "edits", "the edits of a start do not name what was changed"},
     ProblemInfo{Kind::GoalText, "goal-text", "the goal's text is not a valid goal"},
     ProblemInfo{Kind::GoalTree, "goal-tree", "the goal's tree and text are different formulas"},
-    ProblemInfo{Kind::Binding, "binding",
+    ProblemInfo{Kind::BoundCategory, "binding",
                 "a category is not in the knowledge base, or the goal uses one that is not bound"},
+    ProblemInfo{Kind::OfTemplate, "template", "a task is not one of its template with its binding"},
     ProblemInfo{Kind::GoalAtStart, "goal-at-start", "the goal already holds at the start"},
     ProblemInfo{Kind::PartAtStart, "part-at-start", "a part of the goal already holds at the start"},
     ProblemInfo{Kind::EmptyDomain, "empty-domain", "a 'forall' or 'count' of the goal has an empty domain"},
@@ -69,9 +77,11 @@ constexpr std::array kProblems{
                 "an instruction does not state the goal, or asks for something else"},
     ProblemInfo{Kind::TextStyle, "text-style", "an instruction does not have the recorded style"},
     ProblemInfo{Kind::TextPhrasing, "text-phrasing", "an instruction's sentence pattern is not in the recorded set"},
+    ProblemInfo{Kind::TextRecord, "text-record",
+                "the checks or the writer of an instruction are not as its writer records them"},
     ProblemInfo{Kind::Wordings, "wordings", "paired wordings do not match their task"},
 };
-static_assert(kProblems.size() == static_cast<std::size_t>(Kind::Wordings) + 1);
+static_assert(kProblems.size() == kProblemKinds);
 
 }  // namespace
 

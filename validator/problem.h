@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -23,6 +24,10 @@ enum class ProblemKind : std::uint8_t {
   Balance,
   Rejections,
   Database,
+  Card,
+  Sources,
+  Reviews,
+  HomeFile,
   // of tasks among themselves, and against another folder
   RepeatedTask,
   RepeatedStart,
@@ -34,6 +39,7 @@ enum class ProblemKind : std::uint8_t {
   SimilarTask,
   // a line or a scene
   Unreadable,
+  TaskName,
   MissingDemonstration,
   StrayDemonstration,
   StepCount,
@@ -43,10 +49,12 @@ enum class ProblemKind : std::uint8_t {
   Relations,
   Unrest,
   StartConstraint,
+  Edits,
   // the goal
   GoalText,
   GoalTree,
-  Binding,
+  BoundCategory,
+  OfTemplate,
   GoalAtStart,
   PartAtStart,
   EmptyDomain,
@@ -69,8 +77,10 @@ enum class ProblemKind : std::uint8_t {
   TextMeaning,
   TextStyle,
   TextPhrasing,
+  TextRecord,
   Wordings,
 };
+inline constexpr std::size_t kProblemKinds = static_cast<std::size_t>(ProblemKind::Wordings) + 1;
 
 struct ProblemInfo {
   ProblemKind kind;

@@ -8,9 +8,12 @@
 #include "scene/start.h"
 #include "simulation/known_start.h"
 #include "simulation/relations.h"
+#include "validator/conjuncts.h"
 #include "validator/must_fail.h"
 #include "validator/prove_start.h"
 #include "validator/replay.h"
+#include "validator/start_check.h"
+#include "validator/text_record.h"
 #include "validator/trace_maker.h"
 
 namespace unietp {
@@ -75,6 +78,9 @@ class TaskProver {
     }
     home_ = *home;
     start_ = std::move(*start);
+    if (simulator)
+      found(check_start(task_, *home_, start_, *tools_.backends[static_cast<std::size_t>(*simulator)].knowledge,
+                        reading_.where));
     if (simulator && start_.simulator != *simulator)
       found(ProblemKind::SceneName, home_file(task_.layout),
             "has the simulator " + std::string(name_of(start_.simulator)) + ", but the task has " + task_.simulator);
@@ -87,7 +93,7 @@ class TaskProver {
     std::map<Mode, DemonstrationRecord> shown;
     for (const Mode mode : kModes) read_demonstration(mode, shown);
     const auto in_m1 = shown.find(Mode::M1);
-    proof_.facts = facts_of(task_, *home_, start_, in_m1 == shown.end() ? nullptr : &in_m1->second);
+    proof_.facts = facts_of(task_, *home_, start_, shown, *backend_->knowledge);
     auto physics = physics_of(start_);
     LinkTable links(start_, physics);
     found(prove_start(start_, physics, links, tools_.rest, reading_.where));
@@ -100,6 +106,11 @@ class TaskProver {
         (goal_ && reads_comparisons(*goal_)) ||
         std::any_of(task_.start_constraints.begin(), task_.start_constraints.end(), speaks_of_comparisons);
     const TraceMaker traces(start_, compares, goal_ && reads_later_comparisons(*goal_));
+    if (goal_ && tools_.manifest != nullptr && tools_.options.check_template) {
+      auto problems = tools_.options.check_template(task_, *goal_, *tools_.manifest);
+      for (Problem& problem : problems) problem.error.where = reading_.where;
+      found(std::move(problems));
+    }
     if (goal_)
       found(prove_goal_at_start(task_, *goal_, constraints_, start_, traces.at_start(), *backend_->knowledge,
                                 reading_.where));
@@ -143,7 +154,16 @@ class TaskProver {
 
   void prove_instruction() {
     if (trim(task_.instruction).empty()) return found(ProblemKind::NoText, reading_.where, "has no instruction");
+    const bool by_model =
+        tools_.manifest != nullptr && tools_.manifest->writing && tools_.manifest->writing->writer != "grammar";
+    if (tools_.manifest != nullptr)
+      prove_origin({task_.writer, task_.checks, task_.fallback}, by_model, reading_.where);
     if (goal_) prove_text(task_.instruction, task_.writer, task_.style, *goal_, reading_.where);
+  }
+
+  void prove_origin(const TextOrigin& origin, bool by_model, const std::string& where) {
+    if (auto fault = origin_fault(origin, by_model); !fault.empty())
+      found(ProblemKind::TextRecord, where, "its instruction " + std::move(fault));
   }
 
   void prove_text(const std::string& text, const std::string& writer, const std::string& style, const Formula& goal,
@@ -165,7 +185,7 @@ class TaskProver {
                                                goal,
                                                constraints_,
                                                {around.begin(), around.end()},
-                                               tools_.phrasings});
+                                               tools_.manifest == nullptr ? "all" : tools_.manifest->phrasings});
     for (Problem& problem : problems) problem.error.where = where;
     found(std::move(problems));
   }
@@ -175,6 +195,10 @@ class TaskProver {
     const std::string where = "wordings.jsonl";
     if (record.pair != record.task) found(ProblemKind::Wordings, where, "has the pair id " + record.pair);
     for (const auto& [name, wording] : record.wordings) {
+      prove_origin({wording.writer, wording.checks, wording.fallback}, false, where);
+      if (wording.writer != "grammar" || (wording.style == "direct") == (name == "complex"))
+        found(ProblemKind::Wordings, where,
+              "has a " + name + " wording by " + wording.writer + " in the style " + wording.style);
       if (wording.goal.empty()) {
         if (goal_) prove_text(wording.text, wording.writer, wording.style, *goal_, where);
         continue;
@@ -185,6 +209,9 @@ class TaskProver {
         continue;
       }
       prove_text(wording.text, wording.writer, wording.style, *goal, where);
+      if (to_text(*goal) != wording.goal || (goal_ && without_references(*goal) != without_references(*goal_)))
+        found(ProblemKind::Wordings, where,
+              "the goal of its " + name + " wording is not the task's with a referring phrase");
       if (holds(*goal, traces.at_start()))
         found(ProblemKind::Wordings, where, "the goal of its " + name + " wording already holds at the start");
       if (shown == nullptr) continue;

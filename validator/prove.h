@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "record/dataset_reader.h"
+#include "record/manifest_record.h"
 #include "validator/proof_counts.h"
 #include "validator/rest.h"
 #include "validator/task_facts.h"
@@ -18,7 +19,7 @@ struct ProofTools {
   const std::vector<ValidationBackend>& backends;
   const ValidationOptions& options;
   RestCheck& rest;
-  std::string phrasings = "all";  // of the instructions
+  const ManifestRecord* manifest = nullptr;  // null when it does not read
 };
 
 /// Result of proving one task.

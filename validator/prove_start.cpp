@@ -61,13 +61,14 @@ std::vector<Problem> prove_goal_at_start(const TaskRecord& task, const Formula& 
   };
   for (const auto& category : categories_of(goal)) {
     if (!is_known(category, start, knowledge))
-      found(ProblemKind::Binding, "its goal uses " + category + ", which " + task.simulator + " does not have");
+      found(ProblemKind::BoundCategory, "its goal uses " + category + ", which " + task.simulator + " does not have");
   }
   std::string said = task.goal_text;
   for (const auto& text : task.start_constraints) said += text;
   for (const auto& [placeholder, value] : task.bindings) {
     if (said.find(value) == std::string::npos)
-      found(ProblemKind::Binding, "binds " + placeholder + " to " + value + ", which neither goal nor start uses");
+      found(ProblemKind::BoundCategory,
+            "binds " + placeholder + " to " + value + ", which neither goal nor start uses");
   }
   for (const Formula& constraint : constraints) {
     if (!holds_in(constraint, at_start, 0))

@@ -68,22 +68,25 @@ Digest candidate_key(int slot, int attempt) {
   return {static_cast<std::uint64_t>(slot), static_cast<std::uint64_t>(attempt)};
 }
 
-RejectionCounts count_rejections(const std::filesystem::path& folder, KeyList& candidates, const TaskNames& tasks) {
+RejectionCounts count_rejections(const std::filesystem::path& folder, KeyList& candidates, const TaskNames& tasks,
+                                 const std::function<void(const RejectionRecord&, const std::string&)>& on_line) {
   RejectionCounts counts;
   std::error_code code;
   if (!std::filesystem::exists(folder / kRejections, code)) return counts;  // the manifest lists it, or there are none
   auto file = RecordFile<RejectionRecord>::open(folder, kRejections, FileNames::InFolder, read_rejection);
   if (!file) {
-    counts.problems.push_back({ProblemKind::Unreadable, "", file.error()});
+    counts.problems.add({ProblemKind::Unreadable, "", file.error()});
+    counts.all_read = false;
     return counts;
   }
-  std::vector<std::pair<int, Problem>> of_lines;
   while (const auto rejection = file->next()) {
     if (!*rejection) {
-      of_lines.emplace_back(file->lines(), Problem{ProblemKind::Unreadable, "", rejection->error()});
+      counts.problems.add({ProblemKind::Unreadable, "", rejection->error()});
+      counts.all_read = false;
       continue;
     }
     const RejectionRecord& record = **rejection;
+    on_line(record, file->at());
     ++counts.reasons[record.stage + " " + record.reason];
     candidates.add(candidate_key(record.slot, record.attempt),
                    tasks.size() + static_cast<std::size_t>(file->lines()) - 1);
@@ -100,16 +103,13 @@ RejectionCounts count_rejections(const std::filesystem::path& folder, KeyList& c
   for (const auto& [place, first] : candidates.repeats()) {
     const std::string message = "is the same candidate as " + name_of_place(first);
     if (place < tasks.size()) {
-      counts.problems.push_back(
-          problem_in(ProblemKind::RepeatedTask, at_line(kTasksFile, static_cast<int>(place) + 1), message));
-      counts.problems.back().task = tasks.name(place);
+      auto problem = problem_in(ProblemKind::RepeatedTask, at_line(kTasksFile, static_cast<int>(place) + 1), message);
+      problem.task = tasks.name(place);
+      counts.problems.add(std::move(problem));
     } else {
-      const int line = line_of(place);
-      of_lines.emplace_back(line, problem_in(ProblemKind::Rejections, at_line(kRejections, line), message));
+      counts.problems.add(problem_in(ProblemKind::Rejections, at_line(kRejections, line_of(place)), message));
     }
   }
-  std::stable_sort(of_lines.begin(), of_lines.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (auto& [line, problem] : of_lines) counts.problems.push_back(std::move(problem));
   return counts;
 }
 
@@ -120,6 +120,7 @@ void TaskRecount::add(const TaskReading& task) {
   ++splits_[task.record->split];
   ++simulators_[task.record->simulator];
   ++templates_[task.record->template_name];
+  ++writers_[task.record->writer];
   check_task(task);
 }
 
@@ -127,7 +128,7 @@ void TaskRecount::check_task(const TaskReading& task) {
   const RecordedRun& run = manifest_.run;
   const TaskRecord& record = *task.record;
   const auto found = [&](const std::string& message) {
-    quota_problems_.push_back({ProblemKind::Quota, task.name, {Error::Kind::Schema, task.where, {}, message}});
+    quota_problems_.add({ProblemKind::Quota, task.name, {Error::Kind::Schema, task.where, {}, message}});
   };
   if (!is_among(run.simulators, record.simulator))
     found("has the simulator " + record.simulator + ", which is not in the configuration");
@@ -142,9 +143,18 @@ void TaskRecount::check_task(const TaskReading& task) {
     if (!counts_steps(record, mode))
       found("is not demonstrated in " + std::string(name_of(mode)) + ", which the configuration requires");
   }
+  for (const auto& count : record.expert) {
+    if (std::find(run.modes.begin(), run.modes.end(), count.mode) == run.modes.end())
+      found("is demonstrated in " + std::string(name_of(count.mode)) + ", which is not in the configuration");
+  }
+  for (const auto& wanted : run.binding) {
+    if (std::none_of(record.bindings.begin(), record.bindings.end(),
+                     [&](const auto& bound) { return bound.first + "=" + bound.second == wanted; }))
+      found("does not bind " + wanted + ", which the configuration requires");
+  }
 }
 
-std::vector<Problem> TaskRecount::wrong_counts(const RejectionCounts& rejections) const {
+ProblemList TaskRecount::wrong_counts(const RejectionCounts& rejections) const {
   std::vector<Problem> problems;
   if (manifest_.tasks != tasks_)
     problems.push_back(problem_in(
@@ -155,7 +165,6 @@ std::vector<Problem> TaskRecount::wrong_counts(const RejectionCounts& rejections
     compare(ProblemKind::Counts, manifest_.by_simulator, simulators_, "counts ", "tasks on", problems);
     compare(ProblemKind::Counts, manifest_.by_template, templates_, "counts ", "tasks of the template", problems);
   }
-  append(problems, rejections.problems);
   NameCounts recorded;
   for (const auto& [stage, reasons] : manifest_.rejections) {
     for (const auto& [reason, count] : reasons) recorded[stage + " " + reason] = count;
@@ -166,10 +175,52 @@ std::vector<Problem> TaskRecount::wrong_counts(const RejectionCounts& rejections
     problems.push_back(problem_in(ProblemKind::Counts, kManifest,
                                   "counts " + std::to_string(manifest_.candidates) + " candidates, but there are " +
                                       std::to_string(candidates) + " tasks and rejections"));
+  ProblemList all;
+  all.add(rejections.problems);
+  all.add(std::move(problems));
+  return all;
+}
+
+std::vector<Problem> TaskRecount::wrong_writers(int edited) const {
+  std::vector<Problem> problems;
+  const auto found = [&problems](const std::string& message) {
+    problems.push_back(problem_in(ProblemKind::Counts, kManifest, message));
+  };
+  const auto by_person = [](const std::string& writer) { return writer == "person" || writer == "person:unchecked"; };
+  NameCounts written;
+  for (const auto& [writer, count] : writers_) {
+    if (!by_person(writer)) written[writer] = count;
+  }
+  if (!manifest_.writing) {
+    for (const auto& [writer, count] : written) {
+      if (writer != "grammar")
+        found("does not say that instructions were rewritten, but " + std::to_string(count) + " are by " + writer);
+    }
+    return problems;
+  }
+  int missing = 0;
+  std::string last;
+  for (const auto& [writer, count] : manifest_.writing->counts) {
+    if (writer <= last) found("does not list the writers in order");
+    last = writer;
+    const int there = count_of(written, writer);
+    if (count < there || count > there + edited)
+      found("counts " + std::to_string(count) + " instructions by " + writer + ", there are " + std::to_string(there));
+    missing += count - there;
+    written.erase(writer);
+  }
+  for (const auto& [writer, count] : written)
+    found("does not list the writer " + writer + " of " + std::to_string(count) + " instructions");
+  if (missing > edited) found("counts more instructions than there are tasks");
+  const auto& counts = manifest_.writing->counts;
+  const bool by_model =
+      std::any_of(counts.begin(), counts.end(), [](const auto& one) { return one.first != "grammar"; });
+  if (by_model && manifest_.writing->writer == "grammar")
+    found("says that the grammar wrote the instructions, unlike its counts");
   return problems;
 }
 
-std::vector<Problem> TaskRecount::wrong_quotas(const RejectionCounts& rejections) const {
+ProblemList TaskRecount::wrong_quotas(const RejectionCounts& rejections) const {
   const RecordedRun& run = manifest_.run;
   std::vector<Problem> problems;
   // What people took out in a review was asked for and made.
@@ -178,15 +229,20 @@ std::vector<Problem> TaskRecount::wrong_quotas(const RejectionCounts& rejections
     problems.push_back(problem_in(
         ProblemKind::Quota, kManifest,
         "the configuration asks for " + std::to_string(run.count) + " tasks, but there are " + std::to_string(tasks)));
-  append(problems, quota_problems_);
-  if (!all_read_) return problems;
+  const auto with_those_of_tasks = [&] {
+    ProblemList all;
+    all.add(std::move(problems));
+    all.add(quota_problems_);
+    return all;
+  };
+  if (!all_read_) return with_those_of_tasks();
   if (!run.by_split.empty())
     compare(ProblemKind::Quota, run.by_split, sum(splits_, rejections.reviewed_splits), "the configuration asks for ",
             "tasks of the split", problems);
   if (!run.by_simulator.empty())
     compare(ProblemKind::Quota, run.by_simulator, sum(simulators_, rejections.reviewed_simulators),
             "the configuration asks for ", "tasks on", problems);
-  return problems;
+  return with_those_of_tasks();
 }
 
 std::vector<Problem> check_balance(const ManifestRecord& manifest, TraitCounts counts) {

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "record/manifest_record.h"
-#include "validator/database_check.h"
+#include "record/trait_table.h"
 #include "validator/key_list.h"
-#include "validator/problem.h"
+#include "validator/problem_list.h"
 #include "validator/task_reading.h"
 
 namespace unietp {
@@ -21,12 +22,14 @@ struct RejectionCounts {
   NameCounts reasons;  // by "stage reason"
   int reviewed = 0;    // tasks that people took out
   NameCounts reviewed_splits, reviewed_simulators;
-  std::vector<Problem> problems;  // lines that cannot be read, and candidates that occur twice
+  bool all_read = true;
+  ProblemList problems;  // lines that cannot be read, and candidates that occur twice
 };
 
 /// Reads rejections.jsonl. `candidates` holds the slot and attempt of each task and takes those of the rejections;
-/// `tasks` are the names of the tasks.
-RejectionCounts count_rejections(const std::filesystem::path& folder, KeyList& candidates, const TaskNames& tasks);
+/// `tasks` are the names of the tasks. `on_line` gets each line that can be read, with its place for messages.
+RejectionCounts count_rejections(const std::filesystem::path& folder, KeyList& candidates, const TaskNames& tasks,
+                                 const std::function<void(const RejectionRecord&, const std::string&)>& on_line);
 
 /// The slot and attempt of a candidate as a key.
 Digest candidate_key(int slot, int attempt);
@@ -38,10 +41,13 @@ class TaskRecount {
   void add(const TaskReading& task);
 
   /// Problems with the manifest's numbers of tasks, rejections and candidates.
-  std::vector<Problem> wrong_counts(const RejectionCounts& rejections) const;
+  ProblemList wrong_counts(const RejectionCounts& rejections) const;
   /// Problems with what the configuration requires: the number of tasks, quotas by split and simulator, modes,
   /// templates, seed.
-  std::vector<Problem> wrong_quotas(const RejectionCounts& rejections) const;
+  ProblemList wrong_quotas(const RejectionCounts& rejections) const;
+  /// Problems with what the manifest says of the writers of the instructions. `edited`: texts by people, or removed
+  /// tasks, which it counts as they were before.
+  std::vector<Problem> wrong_writers(int edited) const;
   bool all_read() const { return all_read_; }
 
  private:
@@ -50,8 +56,8 @@ class TaskRecount {
   const ManifestRecord& manifest_;
   int tasks_ = 0;
   bool all_read_ = true;  // false: split, simulator and template of some task are not known
-  NameCounts splits_, simulators_, templates_;
-  std::vector<Problem> quota_problems_;  // of single tasks, up to the first that cannot be read
+  NameCounts splits_, simulators_, templates_, writers_;
+  ProblemList quota_problems_;  // of single tasks, up to the first that cannot be read
 };
 
 /// Problems with the manifest's balance figures. `counts`: of the tasks.

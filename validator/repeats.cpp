@@ -53,11 +53,11 @@ void RepeatSearch::add(std::size_t place, const TaskFacts& facts) {
   texts_.add(facts.text_key, place);
 }
 
-std::vector<Problem> RepeatSearch::problems(const TaskNames& names) {
-  std::vector<Problem> problems;
+ProblemList RepeatSearch::problems(const TaskNames& names) {
+  ProblemList problems;
   const auto found = [&](ProblemKind kind, std::size_t place, std::string message) {
-    problems.push_back(of_task(kind, std::string(kTasksFile) + ":" + std::to_string(place + 1), names.name(place),
-                               std::move(message)));
+    problems.add(of_task(kind, std::string(kTasksFile) + ":" + std::to_string(place + 1), names.name(place),
+                         std::move(message)));
   };
   for (const auto& [place, first] : starts_.repeats())
     found(ProblemKind::RepeatedStart, place, "has the same template, binding, goal and start as " + names.name(first));
@@ -108,7 +108,7 @@ void LeakSearch::add(const TaskReading& task, const TaskFacts& facts, const std:
   if (!task.record) return;
   const TaskRecord& record = *task.record;
   const auto found = [&](ProblemKind kind, std::string message) {
-    of_tasks_.push_back(of_task(kind, task.where, task.name, std::move(message)));
+    of_tasks_.add(of_task(kind, task.where, task.name, std::move(message)));
   };
   if (other_.home_keys.contains(facts.home_key)) {
     found(ProblemKind::SharedLayout, "the rooms and furniture of " + record.layout + " are also in " + other_.folder);
@@ -129,12 +129,12 @@ void LeakSearch::add(const TaskReading& task, const TaskFacts& facts, const std:
                                         " on it is a copy)");
 }
 
-std::vector<Problem> LeakSearch::problems(std::uint64_t seed) const {
-  std::vector<Problem> problems;
+ProblemList LeakSearch::problems(std::uint64_t seed) const {
+  ProblemList problems;
   if (seed == other_.seed)
-    problems.push_back(problem_in(ProblemKind::SharedSeed, "manifest.json",
-                                  "the run's seed " + std::to_string(seed) + " is also that of " + other_.folder));
-  append(problems, of_tasks_);
+    problems.add(problem_in(ProblemKind::SharedSeed, "manifest.json",
+                            "the run's seed " + std::to_string(seed) + " is also that of " + other_.folder));
+  problems.add(of_tasks_);
   return problems;
 }
 

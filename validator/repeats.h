@@ -13,6 +13,7 @@
 #include "validator/likeness_report.h"
 #include "validator/nearest_tasks.h"
 #include "validator/problem.h"
+#include "validator/problem_list.h"
 #include "validator/task_facts.h"
 #include "validator/task_reading.h"
 
@@ -23,7 +24,7 @@ class RepeatSearch {
  public:
   /// The next task, by place in tasks.jsonl. Nothing is known of one whose scene does not read: its keys are "".
   void add(std::size_t place, const TaskFacts& facts);
-  std::vector<Problem> problems(const TaskNames& names);
+  ProblemList problems(const TaskNames& names);
 
  private:
   KeyList starts_, texts_;
@@ -49,14 +50,14 @@ class LeakSearch {
   /// The next task. `facts` may be those of a task whose scene does not read, which has no `nearest`.
   void add(const TaskReading& task, const TaskFacts& facts, const std::optional<Nearest>& nearest);
   /// `seed`: of the run.
-  std::vector<Problem> problems(std::uint64_t seed) const;
+  ProblemList problems(std::uint64_t seed) const;
   LikenessReport likeness() const { return count_.report(); }
 
  private:
   SetPrint other_;  // without `compared`
   NearestTasks search_;
   LikenessCount count_;
-  std::vector<Problem> of_tasks_;
+  ProblemList of_tasks_;
 };
 
 }  // namespace unietp

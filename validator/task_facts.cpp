@@ -36,6 +36,32 @@ std::string start_key_of(const TaskRecord& task, const Scene& start) {
   return key + home_key_of(start) + "\n" + content_of(start);
 }
 
+std::string arguments_text(const Command& command) {
+  std::vector<std::string> texts;
+  for (const Argument& argument : command.args) {
+    if (!argument.box) {
+      texts.push_back(argument.id);
+      continue;
+    }
+    std::vector<std::string> edges;
+    for (const int edge : *argument.box) edges.push_back(std::to_string(edge));
+    texts.push_back("{\"bbox\":[" + join(edges, ",") + "]}");
+  }
+  return join(texts, ", ");
+}
+
+std::vector<TextRow> rows_of_steps(const std::map<Mode, DemonstrationRecord>& shown) {
+  std::vector<TextRow> rows;
+  for (const auto& [mode, demonstration] : shown) {
+    for (std::size_t i = 0; i < demonstration.steps.size(); ++i) {
+      const StepRecord& step = demonstration.steps[i];
+      rows.push_back({std::string(name_of(mode)), std::to_string(i + 1), step.command.action,
+                      arguments_text(step.command), step.success ? "1" : "0", step.failure});
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::string plain_words(std::string_view text) {
@@ -67,24 +93,37 @@ std::string home_key_of(const Scene& home) {
   return text_of(digest.digest());
 }
 
-TaskFacts facts_of(const TaskRecord& task, const Scene& home, const Scene& start, const DemonstrationRecord* shown) {
+TaskFacts facts_of(const TaskRecord& task, const Scene& home, const Scene& start,
+                   const std::map<Mode, DemonstrationRecord>& shown, const Knowledge& knowledge) {
   TaskFacts facts;
   facts.start_key = start_key_of(task, start);
   facts.text_key = task.layout + "\n" + plain_words(task.instruction);
   facts.home_key = home_key_of(home);
   std::set<std::string> handled;
-  if (shown != nullptr) {
-    for (const auto& step : shown->steps) {
+  if (const auto in_m1 = shown.find(Mode::M1); in_m1 != shown.end()) {
+    for (const auto& step : in_m1->second.steps) {
       for (const Argument& argument : step.command.args) handled.insert(argument.id);
     }
   }
   std::map<std::string, std::string> type_of;
-  for (const Room& room : start.rooms) type_of[room.id] = room.type;
+  std::set<std::string> types;
+  for (const Room& room : start.rooms) {
+    type_of[room.id] = room.type;
+    types.insert(room.type);
+  }
   for (const Edge& edge : start.edges) {
     if (edge.relation != Predicate::InRoom || handled.count(edge.from) == 0) continue;
     if (const auto type = type_of.find(edge.to); type != type_of.end())
       facts.rooms.insert(task.simulator + "/" + type->second);
   }
+  for (const auto& [placeholder, value] : task.bindings) {
+    if (knowledge.find(value) != nullptr) {
+      facts.bound_categories.insert(task.simulator + "/" + value);
+    } else if (types.contains(value)) {
+      facts.bound_rooms.insert(task.simulator + "/" + value);
+    }
+  }
+  if (shown.size() == task.expert.size()) facts.steps = rows_of_steps(shown);
   return facts;
 }
 

@@ -11,11 +11,16 @@
 #include "core/share_work.h"
 #include "record/dataset_reader.h"
 #include "record/manifest_record.h"
+#include "validator/candidate_check.h"
 #include "validator/database_check.h"
+#include "validator/derived_files.h"
 #include "validator/file_check.h"
+#include "validator/home_check.h"
+#include "validator/proof_memory.h"
 #include "validator/prove.h"
 #include "validator/recount.h"
 #include "validator/repeats.h"
+#include "validator/review_check.h"
 
 namespace unietp {
 namespace {
@@ -23,27 +28,28 @@ namespace {
 namespace fs = std::filesystem;
 
 std::optional<ManifestRecord> manifest_in(const fs::path& folder, std::string_view knowledge_digest,
-                                          std::vector<Problem>& problems) {
+                                          ProblemList& problems) {
   const auto text = read_file(folder, kManifest);
   auto manifest = text ? read_manifest(kManifest, *text) : Result<ManifestRecord>(text.error());
   if (!manifest) {
-    problems.push_back({ProblemKind::Manifest, "", manifest.error()});
+    problems.add({ProblemKind::Manifest, "", manifest.error()});
     return std::nullopt;
   }
   if (manifest->knowledge_digest != knowledge_digest)
-    problems.push_back(problem_in(ProblemKind::OtherKnowledge, kManifest,
-                                  "was made with different tables, profiles, layouts or templates (digest " +
-                                      manifest->knowledge_digest.substr(0, 12) + ") than the current ones (digest " +
-                                      std::string(knowledge_digest.substr(0, 12)) +
-                                      "); use --data to select the right ones"));
+    problems.add(problem_in(ProblemKind::OtherKnowledge, kManifest,
+                            "was made with different tables, profiles, layouts or templates (digest " +
+                                manifest->knowledge_digest.substr(0, 12) + ") than the current ones (digest " +
+                                std::string(knowledge_digest.substr(0, 12)) +
+                                "); use --data to select the right ones"));
   return std::move(*manifest);
 }
 
-std::vector<Problem> check_files(const FileCheck& files, int threads) {
+ProblemList check_files(const FileCheck& files, int threads) {
   std::vector<std::vector<Problem>> found(files.files().size());
   share_work(threads, found.size(), [&](std::size_t i) { found[i] = files.of(files.files()[i]); });
-  std::vector<Problem> problems;
-  for (auto& own : found) append(problems, std::move(own));
+  ProblemList problems;
+  problems.add(files.listing());
+  for (auto& own : found) problems.add(std::move(own));
   return problems;
 }
 
@@ -51,7 +57,13 @@ std::vector<Problem> check_files(const FileCheck& files, int threads) {
 class WholeSet {
  public:
   WholeSet(const fs::path& folder, const ManifestRecord& manifest, const ValidationOptions& options)
-      : folder_(folder), manifest_(manifest), recount_(manifest), database_(folder) {
+      : folder_(folder),
+        manifest_(manifest),
+        options_(options),
+        recount_(manifest),
+        candidates_(manifest),
+        database_(folder),
+        reviews_(folder, manifest) {
     for (const auto& other : options.against) {
       auto print = print_of(other, options.threads);
       if (print) {
@@ -73,8 +85,13 @@ class WholeSet {
   void add(std::size_t place, const TaskReading& task, const TaskFacts& facts,
            const std::vector<std::optional<Nearest>>& nearest) {
     recount_.add(task);
-    if (task.record) candidates_.add(candidate_key(task.record->slot, task.record->attempt), place);
+    if (task.record) {
+      candidate_keys_.add(candidate_key(task.record->slot, task.record->attempt), place);
+      candidates_.add(*task.record, task.name, task.where);
+      reviews_.add(*task.record);
+    }
     if (recount_.all_read()) database_.add(task, facts);
+    if (task.record) homes_.insert(task.record->layout);
     repeats_.add(place, facts);
     for (std::size_t i = 0; i < leaks_.size(); ++i) {
       if (leaks_[i]) leaks_[i]->add(task, facts, nearest.empty() ? std::nullopt : nearest[i]);
@@ -89,18 +106,31 @@ class WholeSet {
     return reports;
   }
 
-  std::vector<Problem> problems(const TaskNames& names) {
-    const auto rejections = count_rejections(folder_, candidates_, names);
-    auto problems = recount_.wrong_counts(rejections);
-    append(problems, recount_.wrong_quotas(rejections));
-    if (recount_.all_read()) {
-      append(problems, database_.finish(rejections.lines));
-      append(problems, check_balance(manifest_, database_.traits()));
+  ProblemList problems(TaskNames& names) {
+    const bool tasks_read = recount_.all_read();
+    const auto rejections = count_rejections(folder_, candidate_keys_, names,
+                                             [&](const RejectionRecord& rejection, const std::string& where) {
+                                               candidates_.add(rejection, where);
+                                               reviews_.add(rejection);
+                                               if (tasks_read) database_.add(rejection);
+                                             });
+    ProblemList problems = recount_.wrong_counts(rejections);
+    problems.add(recount_.wrong_quotas(rejections));
+    if (tasks_read) {
+      problems.add(recount_.wrong_writers(reviews_.edited()));
+      problems.add(database_.finish());
+      problems.add(check_balance(manifest_, database_.traits()));
     }
-    append(problems, repeats_.problems(names));
+    if (tasks_read && rejections.all_read) problems.add(candidates_.finish());
+    problems.add(reviews_.finish(names));
+    problems.add(check_derived_files(folder_, manifest_, options_.derive_files));
+    if (tasks_read)
+      problems.add(
+          check_homes(folder_, manifest_, {homes_.begin(), homes_.end()}, options_.make_home, options_.threads));
+    problems.add(repeats_.problems(names));
     for (const auto& search : leaks_) {
-      if (search) append(problems, search->problems(manifest_.run.seed));
-      if (!search) problems.push_back({ProblemKind::Unreadable, "", search.error()});
+      if (search) problems.add(search->problems(manifest_.run.seed));
+      if (!search) problems.add({ProblemKind::Unreadable, "", search.error()});
     }
     return problems;
   }
@@ -108,9 +138,13 @@ class WholeSet {
  private:
   const fs::path& folder_;
   const ManifestRecord& manifest_;
+  const ValidationOptions& options_;
   TaskRecount recount_;
-  KeyList candidates_;
+  std::set<std::string> homes_;  // of the tasks
+  KeyList candidate_keys_;
+  CandidateCheck candidates_;
   DatabaseCheck database_;
+  ReviewCheck reviews_;
   RepeatSearch repeats_;
   std::vector<Result<LeakSearch>> leaks_;
 };
@@ -122,11 +156,25 @@ struct TaskVerdict {
   std::vector<std::optional<Nearest>> nearest;
 };
 
+/// Proves a task, or takes its proof from the memory of an earlier call.
+TaskProof proof_of(const TaskReading& task, const TaskLines& lines, const ProofTools& tools) {
+  ProofMemory* memory = tools.options.memory;
+  const auto home = tools.manifest == nullptr ? std::map<std::string, RecordedFile>::const_iterator()
+                                              : tools.manifest->files.find(home_file(task.record->layout));
+  if (memory == nullptr || tools.manifest == nullptr || home == tools.manifest->files.end())
+    return prove_task(task, lines, tools);
+  const auto key = ProofMemory::key_of(lines, home->second.sha256, *tools.manifest);
+  if (const auto known = memory->find(key)) return *known;
+  auto proof = prove_task(task, lines, tools);
+  memory->keep(key, proof);
+  return proof;
+}
+
 /// What all tasks showed, in the order of tasks.jsonl.
 struct SetVerdict {
   TaskNames names;
   std::vector<std::uint8_t> simulators;  // of each task; kSimulators.size() where it is not known
-  std::vector<Problem> reading, wordings, proofs;
+  ProblemList reading, wordings, proofs;
   bool lacks_wordings = false;                               // of some task; the first is named
   ProofCounts counts;                                        // without those that are proven
   std::array<ProofCounts, kSimulators.size()> by_simulator;  // likewise
@@ -155,12 +203,12 @@ void add(ProofCounts& to, const ProofCounts& other) {
 
 void take(TaskVerdict&& task, SetVerdict& set) {
   set.names.add(task.reading.name);
-  append(set.reading, std::move(task.reading.problems));
-  append(set.wordings, std::move(task.reading.wordings_problems));
+  set.reading.add(std::move(task.reading.problems));
+  set.wordings.add(std::move(task.reading.wordings_problems));
   if (task.reading.missing_wordings && !set.lacks_wordings)
-    set.wordings.push_back({ProblemKind::Wordings, "", *task.reading.missing_wordings});
+    set.wordings.add({ProblemKind::Wordings, "", *task.reading.missing_wordings});
   set.lacks_wordings = set.lacks_wordings || task.reading.missing_wordings;
-  append(set.proofs, std::move(task.proof.problems));
+  set.proofs.add(std::move(task.proof.problems));
   task.proof.counts.tasks = 1;
   add(set.counts, task.proof.counts);
   const auto simulator =
@@ -171,20 +219,13 @@ void take(TaskVerdict&& task, SetVerdict& set) {
 }
 
 void take_left_over_lines(DatasetLines& lines, SetVerdict& set) {
-  while (const auto stray = lines.next_stray())
-    (stray->mode ? set.reading : set.wordings).push_back(stray_problem(*stray));
+  while (const auto stray = lines.next_stray()) (stray->mode ? set.reading : set.wordings).add(stray_problem(*stray));
 }
 
 /// Tasks of which nothing is wrong count as proven.
-void count_proven(const std::vector<Problem>& problems, SetVerdict& set) {
-  std::vector<bool> wrong(set.names.size());
-  std::set<std::string_view> done;
-  for (const Problem& problem : problems) {
-    if (problem.task.empty() || !done.insert(problem.task).second) continue;
-    for (const std::size_t place : set.names.places(problem.task)) wrong[place] = true;
-  }
-  for (std::size_t place = 0; place < wrong.size(); ++place) {
-    if (wrong[place]) continue;
+void count_proven(const ProblemList& problems, SetVerdict& set) {
+  for (std::size_t place = 0; place < set.names.size(); ++place) {
+    if (problems.blames(set.names.name(place))) continue;
     ++set.counts.proven;
     if (set.simulators[place] < kSimulators.size()) ++set.by_simulator[set.simulators[place]].proven;
   }
@@ -195,10 +236,16 @@ void count_proven(const std::vector<Problem>& problems, SetVerdict& set) {
 ValidationReport validate_dataset(const fs::path& folder, const std::vector<ValidationBackend>& backends,
                                   std::string_view knowledge_digest, const ValidationOptions& options) {
   ValidationReport report;
-  auto& problems = report.problems;
-  const auto stop_with = [&](Error error) {
-    problems.push_back({ProblemKind::Unreadable, "", std::move(error)});
+  ProblemList problems;
+  const auto reported = [&] {
+    for (const auto& about : all_problems())
+      report.found[static_cast<std::size_t>(about.kind)] = problems.count(about.kind);
+    report.problems = problems.take();
     return report;
+  };
+  const auto stop_with = [&](Error error) {
+    problems.add({ProblemKind::Unreadable, "", std::move(error)});
+    return reported();
   };
   std::error_code code;
   if (!fs::is_directory(folder, code))
@@ -209,7 +256,7 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
   if (!reader) return stop_with(reader.error());
 
   RestCheck rest(options.rest_m);
-  const ProofTools tools{*reader, backends, options, rest, manifest ? manifest->phrasings : "all"};
+  const ProofTools tools{*reader, backends, options, rest, manifest ? &*manifest : nullptr};
   std::optional<WholeSet> whole;
   if (manifest) whole.emplace(folder, *manifest, options);
   SetVerdict set;
@@ -218,7 +265,7 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
       [&](const TaskLines& lines) {
         TaskVerdict task{read_task_lines(*reader, lines), {}, {}};
         if (!task.reading.record) return task;
-        task.proof = prove_task(task.reading, lines, tools);
+        task.proof = proof_of(task.reading, lines, tools);
         if (const auto home = reader->homes().home(task.reading.record->layout); home && whole)
           task.nearest = whole->nearest(task.reading, **home);
         return task;
@@ -230,26 +277,24 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
       });
   take_left_over_lines(reader->lines(), set);
 
-  append(problems, std::move(set.reading));
+  problems.add(std::move(set.reading));
   for (const auto& [place, first] : set.names.repeats()) {
-    problems.push_back(problem_in(ProblemKind::RepeatedTask, reader->lines().task_at(static_cast<int>(place) + 1),
-                                  "an earlier task has the same id"));
-    problems.back().task = set.names.name(place);
+    auto problem = problem_in(ProblemKind::RepeatedTask, reader->lines().task_at(static_cast<int>(place) + 1),
+                              "an earlier task has the same id");
+    problem.task = set.names.name(place);
+    problems.add(std::move(problem));
   }
-  if (manifest) {
-    const FileCheck files(folder, *manifest);
-    append(problems, files.listing());
-    append(problems, check_files(files, options.threads));
-  }
-  append(problems, std::move(set.wordings));
-  append(problems, std::move(set.proofs));
-  if (whole) append(problems, whole->problems(set.names));
-  sort_by_task(problems, set.names);
+  if (manifest) problems.add(check_files(FileCheck(folder, *manifest), options.threads));
+  problems.add(std::move(set.wordings));
+  problems.add(std::move(set.proofs));
+  if (whole) problems.add(whole->problems(set.names));
   count_proven(problems, set);
   if (whole) report.likeness = whole->likeness();
   report.counts = set.counts;
   report.by_simulator = set.by_simulator;
   if (manifest) report.counts.tasks = std::max(report.counts.tasks, manifest->tasks);
+  reported();
+  sort_by_task(report.problems, set.names);
   return report;
 }
 

@@ -8,7 +8,7 @@
 
 #include "scene/simulator.h"
 #include "validator/likeness_report.h"
-#include "validator/problem.h"
+#include "validator/problem_list.h"
 #include "validator/proof_counts.h"
 #include "validator/validation_options.h"
 
@@ -19,11 +19,13 @@ struct ValidationReport {
   std::array<ProofCounts, kSimulators.size()> by_simulator;  // in the order of kSimulators
   std::vector<Problem> problems;                             // folder-wide ones first, then in the order of tasks.jsonl
   std::vector<LikenessReport> likeness;                      // to each set of ValidationOptions::against that reads
+  std::array<std::int64_t, kProblemKinds> found{};           // of each kind; of one with many, some are not in the list
   bool sound() const { return problems.empty() && counts.proven == counts.tasks; }
 };
 
-/// Verifies a finished data set, given only its files, as docs/validate.md explains. Reports all problems. Shares no
-/// code with the stages that made the data set. Memory: some tasks at a time, and a few hundred bytes of each.
+/// Verifies a finished data set, given only its files, as docs/validate.md explains. Reports the first
+/// ProblemList::kKept problems of each kind and counts all. Shares no code with the stages that made the data set.
+/// Memory: some tasks at a time, and a few hundred bytes of each.
 /// Deterministic for any number of threads. `backends` are in the order of kSimulators; `knowledge_digest` is compared
 /// with the manifest's.
 ValidationReport validate_dataset(const std::filesystem::path& folder, const std::vector<ValidationBackend>& backends,

@@ -1,10 +1,17 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "akb/knowledge.h"
+#include "core/result.h"
+#include "record/manifest_record.h"
+#include "record/task_record.h"
+#include "scene/scene.h"
 #include "simulation/profile.h"
+#include "validator/problem.h"
 #include "validator/stated_goal.h"
 
 namespace unietp {
@@ -15,11 +22,33 @@ struct ValidationBackend {
   const Profile* profile = nullptr;
 };
 
+/// What the manifest says follows from other files, made again by the functions that wrote it. Whoever calls the
+/// validator brings them.
+struct DerivedFiles {
+  std::string card;                     // the text of README.md
+  std::vector<RecordedSource> sources;  // of the facts
+};
+using DeriveFiles = std::function<Result<DerivedFiles>(const ManifestRecord&)>;
+
+/// Holds a task against its template: what is wrong with it, without task and place. Called by several threads at once.
+using TemplateCheck =
+    std::function<std::vector<Problem>(const TaskRecord&, const Formula& goal, const ManifestRecord&)>;
+
+/// Makes a home of a run again by its name. Errors: Usage for a name that no home of the run has. Called by several
+/// threads at once.
+using MakeHome = std::function<Result<Scene>(const ManifestRecord&, const std::string& name)>;
+
+class ProofMemory;
+
 struct ValidationOptions {
   int threads = 1;
-  double rest_m = 0.005;  // a body that moves farther than this when physics runs on was not at rest
-  TextCheck check_text;   // none: instructions are not read
+  double rest_m = 0.005;         // a body that moves farther than this when physics runs on was not at rest
+  TextCheck check_text;          // none: instructions are not read
+  TemplateCheck check_template;  // none: templates are not looked up
+  MakeHome make_home;            // none: homes are only held against physics
+  DeriveFiles derive_files;      // none: README.md and the sources are not compared
   std::vector<std::filesystem::path> against;  // finished data sets with which nothing may be shared
+  ProofMemory* memory = nullptr;               // proofs of an earlier call, to which those of this one are added
 };
 
 }  // namespace unietp

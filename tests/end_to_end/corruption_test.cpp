@@ -174,6 +174,30 @@ TEST(Corruption, WhatConcernsTheFolderIsNamed) {
   EXPECT_THAT(kinds, Contains(std::pair(std::string("database"), third)));
 }
 
+/// What is written from other files is made again and compared.
+TEST(Corruption, WhatFollowsFromOtherFilesIsNamed) {
+  SpoiltCopy copy;
+  copy.write("README.md", replace_all(copy.read("README.md"), "# 40 verified", "# 41 verified"));
+  copy.write("reviews.jsonl",
+             R"({"format":"unietp-review-mark/1","task":"nobody-00001","verdict":"accept","comment":""})"
+             "\n");
+  const Json first = Json::parse(split(copy.read("tasks.jsonl"), '\n').at(0));
+  const std::string home = home_file(first["layout"]);
+  auto scene = Json::parse(*read_maybe_gzip(copy.folder() / home));
+  scene["wall_height"] = scene["wall_height"].get<double>() + 1;
+  copy.write(home, gzip(scene.dump()));
+  auto manifest = Json::parse(copy.read("manifest.json"));
+  manifest["sources"].erase(0);
+  manifest["files"].push_back({{"path", "reviews.jsonl"}, {"bytes", 0}, {"sha256", ""}});
+  std::sort(manifest["files"].begin(), manifest["files"].end(),
+            [](const Json& a, const Json& b) { return a["path"] < b["path"]; });
+  copy.write("manifest.json", manifest.dump(2) + "\n");
+  copy.vouch();
+  const auto kinds = told(validate(copy.folder()));
+  for (const char* kind : {"card", "sources", "reviews", "home"})
+    EXPECT_THAT(kinds, Contains(std::pair(std::string(kind), std::string()))) << kind;
+}
+
 TEST(Corruption, RepeatedTasksAreNamed) {
   SpoiltCopy copy;
   auto lines = split(copy.read("tasks.jsonl"), '\n');
@@ -291,7 +315,8 @@ TEST(Corruption, EveryKindIsTested) {
   std::set<std::string> tested{"manifest",      "other-knowledge", "missing-file",  "unlisted-file", "changed-file",
                                "counts",        "quota",           "balance",       "rejections",    "database",
                                "repeated-task", "repeated-start",  "repeated-text", "shared-layout", "shared-seed",
-                               "shared-text",   "similar-home",    "similar-task",  "text-phrasing", "wordings"};
+                               "shared-text",   "similar-home",    "similar-task",  "text-phrasing", "wordings",
+                               "card",          "sources",         "reviews",       "home"};
   for (const auto& corruption : kCorruptions) tested.insert(corruption.kind);
   const auto kinds = run_program({"validate", "--kinds"});
   ASSERT_EQ(kinds.code, 0);

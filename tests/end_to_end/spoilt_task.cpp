@@ -335,6 +335,27 @@ const std::vector<Corruption> kCorruptions{
        s.scene["nodes"].back()["category"] = "unicorn";
        return true;
      }},
+    {"ASceneOfAnotherName", "task-name",
+     [](SpoiltTask& s) {
+       s.task["scene"] = "elsewhere";
+       return true;
+     }},
+    {"AnEditThatWasNotMade", "edits",
+     [](SpoiltTask& s) {
+       s.task["start"]["edits"].push_back("added Unicorn unicorn_1 on table_1");
+       return true;
+     }},
+    {"ARefinementThatWasNotMade", "template",
+     [](SpoiltTask& s) {
+       if (s.task["refinement"] != "") return false;
+       s.task["refinement"] = "by-room";
+       return true;
+     }},
+    {"ACheckThatWasNotMade", "text-record",
+     [](SpoiltTask& s) {
+       s.task["instruction"]["checks"].push_back("judged-back");
+       return true;
+     }},
     {"NoWords", "no-text",
      [](SpoiltTask& s) {
        s.task["instruction"]["text"] = " ";

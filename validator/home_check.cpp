@@ -1,0 +1,51 @@
+#include "validator/home_check.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/digest.h"
+#include "core/files.h"
+#include "core/share_work.h"
+#include "record/home_cache.h"
+#include "scene/scene_json.h"
+
+namespace unietp {
+namespace {
+
+/// What is wrong with a home's text; nullopt when nothing is.
+std::optional<std::string> home_fault(const std::string& name, const std::string& text, const ManifestRecord& manifest,
+                                      const MakeHome& make) {
+  const auto& given = manifest.run.scenes;
+  if (!given.empty()) {
+    if (std::find(given.begin(), given.end(), name + " " + sha256(text)) != given.end()) return std::nullopt;
+    return "is not one of the homes that the configuration was given";
+  }
+  if (!make) return std::nullopt;
+  const auto home = make(manifest, name);
+  if (!home) return "cannot be made again: " + home.error().message;
+  if (scene_to_json(*home) == text) return std::nullopt;
+  return "differs from the home that the configuration gives under this name";
+}
+
+}  // namespace
+
+ProblemList check_homes(const std::filesystem::path& folder, const ManifestRecord& manifest,
+                        const std::vector<std::string>& used, const MakeHome& make, int threads) {
+  std::vector<std::optional<std::string>> faults(used.size());
+  share_work(threads, used.size(), [&](std::size_t i) {
+    const auto text = read_maybe_gzip(folder, home_file(used[i]));
+    if (text) faults[i] = home_fault(used[i], *text, manifest, make);  // else reported where it is read
+  });
+  ProblemList problems;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (faults[i]) problems.add(problem_in(ProblemKind::HomeFile, home_file(used[i]), *faults[i]));
+  }
+  for (const auto& [path, unused] : manifest.files) {
+    const bool home = path.starts_with("homes/");
+    if (home && std::none_of(used.begin(), used.end(), [&](const auto& name) { return path == home_file(name); }))
+      problems.add(problem_in(ProblemKind::HomeFile, path, "is the home of no task"));
+  }
+  return problems;
+}
+
+}  // namespace unietp
