@@ -1,0 +1,152 @@
+#include "forged_set.h"
+
+#include <gtest/gtest.h>
+
+#include "core/digest.h"
+#include "core/files.h"
+#include "core/sqlite_file.h"
+#include "data_set.h"
+#include "dataset/configuration_json.h"
+#include "program.h"
+#include "resources/resources.h"
+#include "rewording/check_template.h"
+#include "rewording/check_text.h"
+#include "rewording/expected_files.h"
+#include "run/make_home.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+const Resources& library() {
+  static const ResourcesReading kReading = [] {
+    DataFolders folders;
+    folders.root = UNIETP_SOURCE_DIR;
+    folders.cache = fs::temp_directory_path();
+    return load_resources(folders);
+  }();
+  return kReading.resources;
+}
+
+fs::path licences() { return fs::path(UNIETP_SOURCE_DIR) / "data" / "licences.csv"; }
+
+void expect_success(const Ended& ended) { EXPECT_EQ(ended.code, 0) << ended.out << ended.err; }
+
+/// Accepts, takes out and edits a task each; the new text is the one that the paired wordings have.
+std::string review_of(const fs::path& folder) {
+  const auto tasks = json_lines(folder / "tasks.jsonl"), wordings = json_lines(folder / "wordings.jsonl");
+  Json reviews = Json::array();
+  const auto add = [&](std::size_t i, const char* verdict, const char* comment) {
+    reviews.push_back({{"task", tasks.at(i)["id"]},
+                       {"verdict", verdict},
+                       {"instruction", tasks.at(i)["instruction"]["text"]},
+                       {"comment", comment}});
+  };
+  add(0, "accept", "good");
+  add(1, "reject", "dull");
+  for (std::size_t i = 2; i < tasks.size(); ++i) {
+    const auto& text = wordings.at(i)["direct"]["text"];
+    if (tasks[i]["instruction"]["style"] != "direct" || tasks[i]["instruction"]["text"] == text) continue;
+    add(i, "edit", "clearer");
+    reviews.back()["text"] = text;
+    break;
+  }
+  const auto bytes = read_file(folder / "tasks.jsonl");
+  return Json{{"format", "unietp-review/1"}, {"set", "set"}, {"tasks_sha256", sha256(*bytes)}, {"reviews", reviews}}
+      .dump();
+}
+
+void make(const fs::path& folder, const ScratchFolder& scratch) {
+  expect_success(run_program({"generate", "--count", "20", "--seed", "5", "--rooms", "5", "--objects", "25", "--modes",
+                              "M2,M3", "--out", folder.string(), "--threads", "2"}));
+  expect_success(run_program({"annotate", folder.string(), "--paired", "--seed", "9"}));
+  const std::string reviews = scratch.at("review.json");
+  EXPECT_TRUE(write_file(reviews, review_of(folder)));
+  expect_success(run_program({"review", folder.string(), "--apply", reviews}));
+}
+
+}  // namespace
+
+ForgedSet::ForgedSet() : folder_(scratch_.at("set")) {
+  make(folder_, scratch_);
+  bytes_ = bytes_below(folder_);
+  for (const auto& [file, bytes] : bytes_) {
+    const auto text = read_maybe_gzip(folder_ / file);
+    texts_[file] = text ? *text : bytes;
+  }
+}
+
+std::vector<std::string> ForgedSet::files() const {
+  std::vector<std::string> all;
+  for (const auto& [file, unused] : texts_) all.push_back(file);
+  return all;
+}
+
+void ForgedSet::write(const std::string& file, const std::string& bytes) const {
+  EXPECT_TRUE(write_file(folder_ / file, bytes));
+}
+
+std::string ForgedSet::vouching_for(const std::string& file, const std::string& bytes) const {
+  auto manifest = Json::parse(bytes_.at("manifest.json"));
+  for (auto& one : manifest["files"]) {
+    if (one["path"] != file) continue;
+    one["bytes"] = bytes.size();
+    one["sha256"] = sha256(bytes);
+  }
+  return manifest.dump(2) + "\n";
+}
+
+ValidationReport ForgedSet::validated() {
+  const Resources& resources = library();
+  std::vector<ValidationBackend> backends;
+  for (const auto& backend : resources.backends) backends.push_back({&backend.knowledge, &backend.profile});
+  ValidationOptions options;
+  options.check_text = [&](const StatedGoal& stated) {
+    return check_text(stated, resources.backend(stated.simulator));
+  };
+  options.check_template = [&](const TaskRecord& task, const Formula& goal, const ManifestRecord& manifest) {
+    return check_template(task, goal, manifest, resources);
+  };
+  options.make_home = [&](const ManifestRecord& manifest, const std::string& name) {
+    const auto configuration = configuration_from_json(kManifest, manifest.run.text);
+    return configuration ? make_home(*configuration, resources, name) : Result<Scene>(configuration.error());
+  };
+  options.derive_files = [&](const ManifestRecord& manifest) {
+    return expected_files(manifest, resources, licences());
+  };
+  options.memory = &memory_;
+  return validate_dataset(folder_, backends, resources.digest, options);
+}
+
+ValidationReport ForgedSet::with(const std::string& file, const std::string& text) {
+  const std::string bytes = file.ends_with(".gz") ? gzip(text) : text;
+  write(file, bytes);
+  if (file != "manifest.json") write("manifest.json", vouching_for(file, bytes));
+  auto report = validated();
+  write(file, bytes_.at(file));
+  write("manifest.json", bytes_.at("manifest.json"));
+  return report;
+}
+
+ValidationReport ForgedSet::with_database(const std::string& sql) {
+  const std::string file = "dataset.sqlite";
+  const fs::path forged = scratch_.at("forged.sqlite");
+  EXPECT_TRUE(write_file(forged, bytes_.at(file)));
+  {
+    SqliteFile database(forged, SqliteFile::Mode::Create);
+    database.run(sql.c_str());
+  }
+  const auto bytes = read_file(forged);
+  return with(file, bytes ? *bytes : "");
+}
+
+ValidationReport ForgedSet::unchanged() { return validated(); }
+
+ForgedSet& forged_set() {
+  static ForgedSet set;
+  return set;
+}
+
+}  // namespace unietp
