@@ -1,0 +1,62 @@
+#include "homes/foreign_scenes.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+#include "interchange/format_facts.h"
+#include "tests/support/scratch_folder.h"
+
+namespace unietp {
+namespace {
+
+using ::testing::ElementsAre;
+
+std::vector<Backend> backends_without_things() {
+  std::vector<Backend> backends;
+  for (const auto simulator : kSimulators) {
+    Knowledge knowledge(simulator, {}, {}, {}, {}, {});
+    NounTable nouns(knowledge);
+    backends.push_back({std::move(knowledge), Profile{}, std::move(nouns)});
+  }
+  return backends;
+}
+
+/// The ids of the homes in a file of iTHOR's scenes with these names.
+std::vector<std::string> ids_of(const std::vector<std::string>& scene_names) {
+  std::string lines;
+  for (const auto& name : scene_names) {
+    const nlohmann::json home = {
+        {"sceneName", name},
+        {"objects",
+         nlohmann::json::array(
+             {{{"objectId", "Floor|1"}, {"objectType", "Floor"}, {"position", {{"x", 0}, {"y", 0}, {"z", 0}}}}})}};
+    lines += home.dump() + "\n";
+  }
+  const ScratchFolder folder;
+  EXPECT_TRUE(write_file(folder.path() / "scenes.jsonl", lines));
+  const auto reading =
+      read_foreign_scenes("ithor", {folder.path() / "scenes.jsonl"}, backends_without_things(), FormatFacts());
+  EXPECT_TRUE(reading.errors.empty()) << format(reading.errors.front());
+  std::vector<std::string> ids;
+  for (const auto& home : reading.homes) ids.push_back(home.source.id);
+  return ids;
+}
+
+TEST(ForeignScenes, OfOneNameAreToldApartWithoutRegardToCase) {
+  EXPECT_THAT(ids_of({"a", "A", "a-2", "a", "b/../c", ".."}), ElementsAre("a", "A-2", "a-2-2", "a-3", "b_.._c", "_."));
+}
+
+TEST(ForeignScenes, OfOneNameAreReadInLinearTime) {
+  const std::vector<std::string> names(20'000, "house");  // would take minutes if each number were looked for from 2
+  auto ids = ids_of(names);
+  ASSERT_EQ(ids.size(), names.size());
+  EXPECT_EQ(ids.back(), "house-20000");
+  EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), names.size());
+}
+
+}  // namespace
+}  // namespace unietp
