@@ -107,6 +107,9 @@ const std::map<std::string, std::function<void(const Folder&, Errors&)>, std::le
        }},
       {"synsets.csv", [](const Folder& folder,
                          Errors& errors) { keep_error(read_bddl_synsets(folder.path() / "synsets.csv"), errors); }},
+      {"replicacad_words.csv", read_scene_file_tables},
+      {"procthor_doors.csv", read_scene_file_tables},
+      {"procthor_floors.csv", read_scene_file_tables},
   };
   return all;
 }
