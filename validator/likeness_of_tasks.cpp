@@ -107,7 +107,7 @@ double likeness_of_goals(const GoalPrint& a, const GoalPrint& b) {
 TextPrint print_of_text(std::string_view text) {
   TextPrint print;
   for (const auto& word : split(plain_words(text), ' ')) {
-    if (word == "a" || word == "an" || word == "the") continue;
+    if (word.empty() || word == "a" || word == "an" || word == "the") continue;
     print.words.push_back(static_cast<std::uint32_t>(Digester().add(word).digest().a));
   }
   print.sorted = print.words;

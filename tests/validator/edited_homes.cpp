@@ -99,12 +99,7 @@ Scene turned_a_quarter(Scene home, Rng rng) {
 }
 Scene turned_by_any_angle(Scene home, Rng rng) { return turned(std::move(home), rng.uniform(0, 6)); }
 
-Scene all_moved_a_centimetre(Scene home, Rng rng) {
-  edit_nodes(home, [&rng](std::vector<Node>& nodes) {
-    for (Node& node : nodes) node.pose.position += Vec3(rng.uniform(-0.01, 0.01), rng.uniform(-0.01, 0.01), 0);
-  });
-  return home;
-}
+Scene all_moved_a_centimetre(Scene home, Rng rng) { return shaken(std::move(home), rng, 0.01); }
 
 Scene half_of_the_rooms(Scene home, Rng) {
   const size_t half = home.rooms.size() / 2;
@@ -174,6 +169,13 @@ Scene renumbered(Scene home, Rng rng) {
   edit_nodes(home, [&rng](std::vector<Node>& nodes) {
     rng.shuffle(nodes);
     for (size_t i = 0; i < nodes.size(); ++i) nodes[i].id = "thing_" + std::to_string(i);
+  });
+  return home;
+}
+
+Scene shaken(Scene home, Rng rng, double most_m) {
+  edit_nodes(home, [&rng, most_m](std::vector<Node>& nodes) {
+    for (Node& node : nodes) node.pose.position += Vec3(rng.uniform(-most_m, most_m), rng.uniform(-most_m, most_m), 0);
   });
   return home;
 }
