@@ -21,12 +21,14 @@ struct Laid {
   std::vector<Tables> tables;
   std::vector<Error> errors;
 };
-Laid lay(const std::string& rows) {
+Laid lay(const std::string& rows, const std::string& later_rows = "") {
   const ScratchFolder folder;
   test::write_small_tables(folder.path() / "t", test::small_tables());
   EXPECT_TRUE(write_file(folder.path() / "mine.csv", kHeader + rows));
   Laid laid;
-  laid.tables = read_all_tables(folder.path() / "t", {folder.path() / "mine.csv"}, laid.errors);
+  EXPECT_TRUE(write_file(folder.path() / "later.csv", kHeader + later_rows));
+  laid.tables =
+      read_all_tables(folder.path() / "t", {folder.path() / "mine.csv", folder.path() / "later.csv"}, laid.errors);
   return laid;
 }
 
@@ -107,9 +109,9 @@ TEST(Override, ANewEffectNeedsWhatTheToolsOthersNeed) {
 
 TEST(Override, AnEffectKeepsItsOwnNeedsWhenItsResultChanges) {
   const std::string own = "habitat,fridge,cools:mug,true,drinks\nhabitat,fridge,cools:mug:needs,power_on,tried\n";
-  const auto laid = lay(own + "habitat,fridge,cools:mug,plate,a trick\n");
+  const auto laid = lay(own, "habitat,fridge,cools:mug,plate,a trick\n");
   ASSERT_TRUE(laid.errors.empty()) << format(laid.errors.front());
-  EXPECT_EQ(said(laid, "fridge", "cools:mug"), "plate [override:mine.csv]");
+  EXPECT_EQ(said(laid, "fridge", "cools:mug"), "plate [override:later.csv]");
   EXPECT_EQ(said(laid, "fridge", "cools:mug:needs"), "power_on [override:mine.csv]");
   EXPECT_EQ(said(laid, "fridge", "cools:apple:needs"), "closed|inside [curated]");
 }

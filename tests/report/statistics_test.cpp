@@ -70,7 +70,7 @@ class SetOfThree {
     set.name = "three";
     std::filesystem::create_directories(scratch_.path() / "homes");
     for (const auto& home : {home_of("first", 2), home_of("second", 5)})
-      EXPECT_TRUE(write_file(scratch_.path() / home_file(home.id), scene_to_json(home)));
+      EXPECT_TRUE(write_file(scratch_.path() / home_file(home.id), gzip(scene_to_json(home))));
     add("first", "open-one", "Put the mug on a table.", "(at-end (exists (?a - Mug) (clean ?a)))");
     add("first", "open-one", "put THE mug's lid on two mugs, please!", "(exists (?a - Mug) (sometime (held ?a)))");
     add("second", "close-one", "Wash 2 stir-fry pans -", "(at-end (exists (?a - Mug) (not (clean ?a))))");
