@@ -63,15 +63,17 @@ SetPrint print_of_tasks(const std::vector<HomeTask>& tasks) {
 /// The kinds of what is wrong with tasks of which `other` has the second ones, without those of the seed.
 std::vector<ProblemKind> leaks(const std::vector<HomeTask>& own, const std::vector<HomeTask>& other) {
   LeakSearch search(print_of_tasks(other));
+  const Knowledge nothing_known(Simulator::Ai2thor, {}, {}, {}, {}, {});
   for (const auto& task : own) {
     TaskReading reading;
     reading.name = task.record.id;
     reading.where = "tasks.jsonl:1";
     reading.record = task.record;
-    search.add(reading, facts_of(task.record, task.home, task.home, nullptr), search.nearest(reading, task.home));
+    search.add(reading, facts_of(task.record, task.home, task.home, {}, nothing_known),
+               search.nearest(reading, task.home));
   }
   std::vector<ProblemKind> kinds;
-  for (const auto& problem : search.problems(1)) kinds.push_back(problem.kind);
+  for (const auto& problem : search.problems(1).take()) kinds.push_back(problem.kind);
   return kinds;
 }
 
