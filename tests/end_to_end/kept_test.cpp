@@ -1,0 +1,280 @@
+// Whatever happens to a command that writes, what was there before is there afterwards, or the new, whole.
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "core/folder_lock.h"
+#include "core/rng.h"
+#include "core/text.h"
+#include "file_watch.h"
+#include "tests/support/refused_calls.h"
+#include "writing_commands.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using Files = std::map<std::string, std::string>;
+
+/// Of a folder that gets its files one by one: those that are there are whole.
+bool are_whole(const Files& files, const Undisturbed& known) {
+  return std::all_of(files.begin(), files.end(), [&](const auto& file) {
+    const auto found = known.after.find(file.first);
+    return file.first.ends_with(".tmp") || (found != known.after.end() && found->second == file.second);
+  });
+}
+
+void expect_old_or_new(const Workbench& bench, const WritingCommand& command, const Undisturbed& known) {
+  const auto files = bench.files(command.makes);
+  EXPECT_TRUE(files == known.before || files == known.after || (command.in_parts && are_whole(files, known)));
+}
+
+/// Kills the command after so many changes to files, looks, and runs it again. Whether it was still running.
+bool survives_a_kill(const WritingCommand& command, const Undisturbed& known, int changes) {
+  SCOPED_TRACE(command.name + ", killed after " + std::to_string(changes) + " of " + std::to_string(known.changes));
+  const Workbench bench;
+  const auto others = bench.others(command);
+  bool killed = false;
+  {
+    FileWatch watch(bench.path());
+    RunningProgram program("/bin/sh", bench.words(command), bench.path());
+    killed = killed_after(program, watch, changes);
+  }
+  expect_old_or_new(bench, command, known);
+  for (const auto& [name, bytes] : others) {
+    EXPECT_EQ(read_file(bench / name).value(), bytes) << name;
+  }
+  const bool was_done = bench.files(command.makes) == known.after;
+  const auto again = bench.run(command);
+  // What stands there complete may be refused as such; nothing else may be.
+  EXPECT_TRUE(again.code == 0 || (was_done && again.code == 2)) << again.code << again.out << again.err;
+  auto files = bench.files(command.makes);
+  if (command.in_parts) std::erase_if(files, [](const auto& file) { return file.first.ends_with(".tmp"); });
+  EXPECT_EQ(files, known.after);
+  if (!command.in_parts && !was_done) {
+    EXPECT_EQ(bench.others(command), others);  // nothing lies about
+  }
+  return killed;
+}
+
+int kills_of(const char* variable, int usual) {
+  const char* text = std::getenv(variable);
+  return text == nullptr ? usual : std::atoi(text);
+}
+
+TEST(Kept, KillsAtRandomPointsOfEveryWritingCommandLoseNothing) {
+  std::vector<std::pair<WritingCommand, Undisturbed>> commands;
+  for (const auto& command : writing_commands()) commands.emplace_back(command, undisturbed(command));
+  const int wanted = kills_of("UNIETP_KILLS", 200);
+  Rng rng(200);
+  int kills = 0, rounds = 0;
+  for (; kills < wanted && rounds < 10 * wanted && !HasFailure(); ++rounds) {
+    const auto& [command, known] = commands[static_cast<std::size_t>(rounds) % commands.size()];
+    if (survives_a_kill(command, known, 1 + static_cast<int>(rng.below(static_cast<std::uint64_t>(known.changes)))))
+      ++kills;
+  }
+  EXPECT_EQ(kills, wanted) << "in " << rounds << " runs";
+}
+
+/// The same for two commands at fixed points, for every run of the tests.
+TEST(Kept, AFewKillsLoseNothing) {
+  for (const auto& command : writing_commands()) {
+    if (command.name != "annotate" && command.name != "export pddl") continue;
+    const auto known = undisturbed(command);
+    for (const int part : {1, 3, 4}) (void)survives_a_kill(command, known, 1 + known.changes * part / 5);
+  }
+}
+
+TEST(Kept, FilesThatCannotGrowBeyondFiftySizesLoseNothing) {
+  for (const auto& command : writing_commands()) {
+    if (command.in_parts) continue;
+    const auto known = undisturbed(command);
+    std::size_t largest = 0;
+    for (const auto& [name, bytes] : known.after) largest = std::max(largest, bytes.size());
+    Rng rng(largest);
+    int refused = 0;
+    const int sizes = command.makes == "data" || command.name == "export sft" ? 50 : 4;
+    for (int i = 0; i < sizes && !::testing::Test::HasFailure(); ++i) {
+      const auto size = i == 0 ? 0 : rng.below(largest);  // so that the largest file does not fit
+      SCOPED_TRACE(command.name + ", files of at most " + std::to_string(size));
+      const Workbench bench;
+      Ended ended;
+      {
+        const RefusedGrowth growth(size);
+        ended = bench.run(command);
+      }
+      EXPECT_EQ(ended.code, 2) << ended.err;
+      refused += ended.code == 2 ? 1 : 0;
+      EXPECT_EQ(bench.files(command.makes), known.before);
+    }
+    EXPECT_EQ(refused, sizes);
+  }
+}
+
+/// In a name space of its own, so that nothing is left mounted.
+bool can_mount_a_disk() {
+  const ScratchFolder folder;
+  return run_script("unshare -Urm mount -t tmpfs none " + folder.at(""), folder.path()).code == 0;
+}
+
+TEST(Kept, ADiskThatIsFullAtFiftySizesLosesNothing) {
+  if (!can_mount_a_disk()) GTEST_SKIP() << "needs to mount a small disk: run as root, or allow user namespaces";
+  const Workbench bench;
+  fs::create_directory(bench / "disk");
+  // The disk has room for the data set and 0, 4, 8, ... KiB more. Failed runs must leave it as it is to the byte.
+  ASSERT_TRUE(write_file(bench / "script", R"sh(
+cp -r data after; unietp annotate after --seed 5 > said
+mount -t tmpfs -o size=100m none disk; cp -r data disk/data
+used=$(df --output=used -k disk | tail -1)
+for i in $(seq 0 49); do
+  mount -o remount,size=$((used + 4 * i))k disk
+  code=0; unietp annotate disk/data --seed 5 > said 2> message || code=$?
+  echo $code >> codes
+  if [ $code = 0 ]; then
+    diff -r after disk/data; mount -o remount,size=100m disk; rm -r disk/data; cp -r data disk/data
+  else
+    diff -r data disk/data; test "$(ls disk)" = data; test -s message
+  fi
+  code=0; unietp export disk/data --format pddl --out disk/out > said 2> message || code=$?
+  echo $code >> codes
+  if [ $code = 0 ]; then rm -r disk/out; else test "$(ls disk)" = data; test -s message; fi
+done
+)sh"));
+  const auto ended = run_script("unshare -Urm sh -e script", bench.path());
+  ASSERT_EQ(ended.code, 0) << ended.out << ended.err;
+  const auto codes = split(*read_file(bench / "codes"), '\n');
+  EXPECT_EQ(codes.size(), 101U);
+  EXPECT_GT(std::count(codes.begin(), codes.end(), "2"), 20);
+  EXPECT_GT(std::count(codes.begin(), codes.end(), "0"), 5);
+}
+
+TEST(Kept, AFolderOfAnotherProcessIsNotTouchedAndTheProcessIsNamed) {
+  for (const auto& command : writing_commands()) {
+    if (command.in_parts || command.makes.find('.') != std::string::npos) continue;  // single files have no lock
+    SCOPED_TRACE(command.name);
+    const Workbench bench;
+    const auto lock = FolderLock::take(bench / command.makes);
+    ASSERT_TRUE(lock);
+    const auto before = bytes_below(bench.path());
+    const auto ended = bench.run(command);
+    EXPECT_EQ(ended.code, 2) << ended.out;
+    EXPECT_THAT(ended.err, HasSubstr("process " + std::to_string(::getpid()) + " on "));
+    EXPECT_EQ(bytes_below(bench.path()), before);
+  }
+}
+
+TEST(Kept, CommandsAtOnceOnOneFolderGiveWholeFoldersAndNoFalseSuccess) {
+  const auto of_seed = [](const std::string& seed) {
+    return WritingCommand{"annotate", "annotate data --seed " + seed, "data"};
+  };
+  const auto first = undisturbed(of_seed("5")), second = undisturbed(of_seed("6"));
+  const WritingCommand sft{"export", "export data --format sft --out out", "out"};
+  std::vector<Files> exports{undisturbed(sft).after};
+  for (const char* seed : {"5", "6"}) {
+    const Workbench bench;
+    ASSERT_EQ(bench.run(of_seed(seed)).code, 0);
+    ASSERT_EQ(bench.run(sft).code, 0);
+    exports.push_back(bench.files("out"));
+  }
+  for (int round = 0; round < 10; ++round) {
+    SCOPED_TRACE(round);
+    const Workbench bench;
+    RunningProgram one("/bin/sh", bench.words(of_seed("5")), bench.path());
+    RunningProgram two("/bin/sh", bench.words(of_seed("6")), bench.path());
+    RunningProgram three("/bin/sh", bench.words(sft), bench.path());
+    RunningProgram four("/bin/sh", bench.words(sft), bench.path());
+    const auto ends = std::array{one.wait(), two.wait(), three.wait(), four.wait()};
+    for (const auto& ended : ends) EXPECT_TRUE(ended.code == 0 || ended.code == 2) << ended.code << ended.err;
+    const auto data = bench.files("data");
+    EXPECT_EQ(ends[0].code == 0 || ends[1].code == 0, data != first.before);
+    EXPECT_TRUE(data == first.before || (ends[0].code == 0 && data == first.after) ||
+                (ends[1].code == 0 && data == second.after));
+    EXPECT_LE((ends[2].code == 0 ? 1 : 0) + (ends[3].code == 0 ? 1 : 0), 1);
+    const auto out = bench.files("out");
+    EXPECT_EQ(ends[2].code == 0 || ends[3].code == 0, !out.empty());
+    if (!out.empty()) {
+      EXPECT_NE(std::find(exports.begin(), exports.end(), out), exports.end());
+    }
+    EXPECT_FALSE(fs::exists(bench / "data.lock") || fs::exists(bench / "data.writing"));
+    EXPECT_FALSE(fs::exists(bench / "out.lock") || fs::exists(bench / "out.writing"));
+  }
+}
+
+TEST(Kept, AnExportDoesNotRemoveAnUnfinishedRunOfTheSameName) {
+  const Workbench bench;
+  ASSERT_TRUE(write_file(bench / "out.partial/run.json", "{}"));
+  ASSERT_TRUE(write_file(bench / "out.partial/ledger.sqlite", "days of work"));
+  EXPECT_EQ(bench.run("export data --format ltlf --out out").code, 0);
+  EXPECT_EQ(bench.run("merge part-1 part-2 --out out").code, 2);
+  fs::remove_all(bench / "out");
+  const auto merged = bench.run("merge part-1 part-2 --out out");
+  EXPECT_EQ(merged.code, 2);
+  EXPECT_THAT(merged.err, HasSubstr("unfinished run"));
+  EXPECT_EQ(*read_file(bench / "out.partial/ledger.sqlite"), "days of work");
+}
+
+/// The folder `data` is none, so that a command that looks at it first would say so instead.
+TEST(Kept, APlaceThatCannotBeWrittenIsToldBeforeTheWork) {
+  const ScratchFolder folder;
+  ASSERT_TRUE(write_file(folder.at("file"), ""));
+  ASSERT_TRUE(write_file(folder.path() / "data/tasks.jsonl", ""));
+  for (const char* arguments :
+       {"report data --out file/below.html", "report data --out data", "review data --out file/below.html",
+        "annotate data --out file/below", "export data --format sft --out file/below",
+        "generate --count 9000 --out file/below", "training --out file/below",
+        "generate --count 9000 --out out --ledger file/below", "scene make --benchmark --out file/below"}) {
+    SCOPED_TRACE(arguments);
+    const auto ended = run_script(std::string("unietp ") + arguments, folder.path());
+    EXPECT_EQ(ended.code, 2) << ended.out;
+    EXPECT_THAT(ended.err, ::testing::AnyOf(HasSubstr("file/below"), HasSubstr("is a folder")));
+    EXPECT_FALSE(fs::exists(folder.at("out")));
+  }
+}
+
+TEST(Kept, AHomeThatCannotBeWrittenIsTold) {
+  const ScratchFolder folder;
+  ASSERT_TRUE(write_file(folder.at("file"), ""));
+  ASSERT_TRUE(write_file(folder.at("own.csv"), "simulator,category,fact,value,reason\n"));
+  for (const char* home : {"file/home", "/proc/unietp"}) {
+    // A fact of one's own makes the knowledge another one than what the program came with.
+    const auto ended = run_script(
+        std::string("HOME=") + home + " XDG_CACHE_HOME= unietp --overrides own.csv generate --count 1 --out out",
+        folder.path());
+    EXPECT_EQ(ended.code, 2) << ended.out;
+    EXPECT_THAT(ended.err, HasSubstr(home));
+    EXPECT_FALSE(fs::exists(folder.at("out")));
+  }
+}
+
+TEST(Output, WhatCannotBePrintedGivesAnErrorAndACode) {
+  const ScratchFolder folder;
+  const auto codes = [&](const std::string& script) {
+    const auto ended = run_script(script, folder.path());
+    EXPECT_EQ(ended.signal, 0);
+    return std::pair{ended.code, ended.err};
+  };
+  const auto [full, why_full] = codes("unietp template list > /dev/full");
+  EXPECT_EQ(full, 2);
+  EXPECT_THAT(why_full, HasSubstr("standard output: file error: cannot write: No space left"));
+  const auto [closed, why_closed] = codes("unietp template list >&-");
+  EXPECT_EQ(closed, 2);
+  EXPECT_THAT(why_closed, HasSubstr("standard output: usage error: is closed"));
+  const auto [piped, why_piped] =
+      codes("{ unietp template list 2> why || echo $? > code; } | true; cat why >&2; cat code");
+  EXPECT_EQ(piped, 0);
+  EXPECT_EQ(*read_file(folder.at("code")), "2\n");
+  EXPECT_THAT(why_piped, HasSubstr("Broken pipe"));
+  EXPECT_EQ(codes("unietp help modes > /dev/full").first, 2);
+  EXPECT_EQ(codes("unietp template list > /dev/null 2>&- <&-").first, 0);
+  EXPECT_EQ(codes("ulimit -f 0; unietp template list > said").first, 2);
+}
+
+}  // namespace
+}  // namespace unietp
