@@ -17,9 +17,11 @@ namespace unietp {
 
 /// What a language model may be asked about a category.
 enum class FactKind : std::uint8_t { Size, Mass, Synset, Aliases, Function, Context, Placements, Affordances };
+/// In the order of the enum, which is that of the requests.
 std::span<const FactKind> all_fact_kinds();
 std::string_view name_of(FactKind kind);  // "size"
 std::optional<FactKind> fact_kind_named(std::string_view name);
+/// Aliases for a synonym, else Function or Context.
 FactKind kind_of(const Alias& alias);
 
 /// Facts that language models completed for one simulator, as they stand in `data/akb/completed/<simulator>/`:
@@ -56,6 +58,7 @@ inline constexpr double kLeastConfidence = 0.5;
 /// context, one place on or in something (furniture needs none), one affordance.
 StatedFacts stated_by(const Tables& tables);
 StatedFacts stated_by(const CompletedFacts& facts);
+/// Whether the category has a fact of this kind.
 bool is_stated(const StatedFacts& stated, FactKind kind, std::string_view category);
 
 /// The folder of one simulator below that of the tables.

@@ -17,7 +17,9 @@ struct Counted {
   std::size_t facts = 0;
   double confidence_sum = 0;
   std::map<std::string, std::size_t> by_kind, by_source;  // facts by kind_of and by whole source
+  /// 0 when there are no facts.
   double mean_confidence() const { return facts == 0 ? 0 : confidence_sum / static_cast<double>(facts); }
+  /// Counts one more fact.
   void add(const Source& source);
 };
 

@@ -14,6 +14,7 @@ namespace unietp {
 // only one row says (an alias, the name of an asset) stands in the row. For people there is a view of each table with
 // the columns of its CSV file and `simulator` before them.
 
+/// Stored in the file; a file of another format is refused.
 inline constexpr std::string_view kDatabaseFormat = "unietp-knowledge/4";
 
 /// Statements that make all tables and views in an empty file.

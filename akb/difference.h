@@ -12,6 +12,7 @@ namespace unietp {
 struct Difference {
   std::string category, name;    // of the fact
   std::optional<Fact> old, now;  // at least one of them
+  /// Only the source or the confidence differs.
   bool same_value() const { return old && now && old->value == now->value; }
   bool operator==(const Difference&) const = default;
 };

@@ -31,6 +31,7 @@ const std::vector<std::string>& fact_properties();
 /// Errors: Usage with `where` "fact": an unknown word with the nearest one, nothing after the colon.
 /// Whether a category of the name after the colon exists is not looked at.
 Result<FactName> parse_fact(std::string_view text);
+/// The inverse of parse_fact.
 std::string to_text(const FactName& fact);
 
 /// A fact and what it says: `true`; a number; three lengths `0.1 x 0.09 x 0.1` (width, depth, height); words joined by

@@ -22,6 +22,7 @@ std::optional<Room3> room_of(const Category& receptacle, std::string_view relati
 /// True when an upright object, turned about z by a quarter turn at will, finds room with a centimetre to spare in each
 /// direction. Out of an open hollow it may stick by its own height at most once.
 bool fits(const Vec3& object, const Room3& room);
+/// The same for an object of typical size and the room of a receptacle.
 bool fits(const Category& object, std::string_view relation, const Category& receptacle);
 
 /// True when both stand next to one another on the top of `support`, 2 cm apart, each turned as it likes.

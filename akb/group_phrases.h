@@ -14,6 +14,7 @@ namespace unietp {
 /// thirsty." A group is a synset or a kind of kinds.csv.
 class GroupPhrases {
  public:
+  /// `kind` is `function` or `context`. Phrases keep the order in which they were added.
   void add(const std::string& group, const std::string& kind, const std::string& text);
   /// The phrases of a kind (function, context) that the first group with any has.
   std::vector<std::string> of(const std::vector<std::string>& groups, const std::string& kind) const;

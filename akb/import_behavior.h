@@ -51,6 +51,7 @@ Result<Metadata> read_behavior(const std::filesystem::path& folder, const std::f
 class Words {
  public:
   Words(const std::filesystem::path& curated, const Metadata& metadata, std::vector<Error>& errors);
+  /// What a category is called, what kind of thing it is, and its body. It must be one of the metadata.
   Word word(const std::string& name) const;
   /// Kinds that are kept in the same places as another.
   const std::map<std::string, std::string>& like() const { return like_; }
@@ -91,6 +92,7 @@ struct Pieces {
   std::string category;
   int amount = 0;
 };
+/// By category, for those of the builder that are sliced.
 std::map<std::string, Pieces> pieces_of(const TableBuilder& builder, const Metadata& metadata,
                                         const nlohmann::json& transitions);
 

@@ -44,7 +44,10 @@ class TableBuilder {
   /// order of the word's own (rule `word-axes`), since upstream boxes are rotated now and then; a mass within 3.
   void add(const RawCategory& raw);
 
+  /// Adds an affordance; of two sources for one, the first stays. Ignored for a category that was not added, and for
+  /// `openable` where the archetype has no joint.
   void afford(const std::string& category, std::string_view affordance, const std::string& source, double confidence);
+  /// Whether the category has the affordance so far.
   bool has(const std::string& category, std::string_view affordance) const;
   /// Lays curated/<simulator>/affordance.csv over, then adds receptacle and container from the archetype (rule
   /// `archetype`) where nothing says so yet.
@@ -71,18 +74,23 @@ class TableBuilder {
   /// is none or the box is empty or longer than 20 m. Call it after `add`.
   void model(Asset asset);
 
+  /// Adds what a tool does. Ignored when it names a category that was not added, or repeats an effect.
   void effect(Effect effect);
   /// A further name or phrase; curated ones of the same kind come first (see curated/aliases*.csv).
   void alias(Alias alias);
   /// Adds the aliases, then lays curated tables over, drops what does not fit (rule `footprint` gives capacities) and
   /// normalises likelihoods. Errors: everything wrong in a curated file, the first one reported.
   Result<Tables> finish();
+  /// To append to: `finish` reports them.
   std::vector<Error>& errors() { return errors_; }
 
+  /// A category that was added; nullptr when none has the name.
   const Category* find(const std::string& name) const;
+  /// What kind of thing the category is (Word::kind); "" when no word says.
   std::string kind(const std::string& name) const;
   bool is_kind(const std::string& name, std::string_view wanted) const { return kind(name) == wanted; }
   bool is_kind(const std::string& name, KindGroup group) const { return groups_.at(group).contains(kind(name)); }
+  /// All categories that were added, sorted.
   std::vector<std::string> names() const;
 
  private:

@@ -15,6 +15,7 @@ Result<Tables> import_ai2thor(const std::filesystem::path& upstream, const std::
 Result<Tables> import_virtualhome(const std::filesystem::path& upstream, const std::filesystem::path& curated);
 Result<Tables> import_habitat(const std::filesystem::path& upstream, const std::filesystem::path& curated);
 Result<Tables> import_behavior(const std::filesystem::path& upstream, const std::filesystem::path& curated);
+/// The importer of one simulator.
 Result<Tables> import_simulator(Simulator simulator, const std::filesystem::path& upstream,
                                 const std::filesystem::path& curated);
 

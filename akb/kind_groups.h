@@ -31,9 +31,11 @@ enum class KindGroup : std::uint8_t {
   HoldsNothing,  // nothing is put on or in it, whatever its shape
   FlatFood,      // nothing is put on it, though it is flat
 };
+/// Number of groups.
 inline constexpr std::size_t kKindGroupCount = static_cast<std::size_t>(KindGroup::FlatFood) + 1;
 std::string_view name_of(KindGroup group);  // "heated_vessel"
 
+/// The kinds of each group.
 using KindGroups = std::map<KindGroup, std::set<std::string>>;
 /// Reads curated/kind_groups.csv (group,kind,source). Errors are appended, with line and column: a group that is not
 /// one of the above, or has no row.

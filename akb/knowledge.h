@@ -23,22 +23,28 @@ class Knowledge {
 
   Simulator simulator() const { return simulator_; }
   const std::vector<Category>& categories() const { return categories_; }
+  /// nullptr for an unknown name. In all queries below, an unknown name gives nothing: nullptr, false or an empty list.
+  /// Pointers are valid as long as this value.
   const Category* find(std::string_view name) const;
   bool has(std::string_view category, std::string_view affordance) const;
+  /// Names of categories, sorted.
   std::vector<std::string> with_affordance(std::string_view affordance) const;
   std::vector<std::string> affordances_of(std::string_view category) const;
   std::vector<const AffordanceFact*> affordance_facts_of(std::string_view category) const;
 
   const std::vector<Placement>& placements() const { return placements_; }
+  /// Whether and how often an object of one category is on, inside, next to or under one of another.
   const Placement* placement(std::string_view object, std::string_view relation, std::string_view receptacle) const;
   std::vector<const Placement*> placements_of(std::string_view object, std::string_view relation) const;
   std::vector<const Placement*> placements_at(std::string_view receptacle, std::string_view relation) const;
 
   const std::vector<Effect>& effects() const { return effects_; }
+  /// What the tool does to the target, if it does that at all.
   const Effect* effect(std::string_view tool, std::string_view effect, std::string_view target) const;
   std::vector<const Effect*> effects_on(std::string_view target, std::string_view effect) const;
   std::vector<const Effect*> effects_of(std::string_view tool, std::string_view effect) const;
 
+  /// The names or phrases of one kind: synonym, function or context.
   std::vector<const Alias*> aliases_of(std::string_view category, std::string_view kind) const;
   /// Models of a category whose boxes a scene may use (`usable` of akb/fit.h), by name; empty when none is known.
   std::vector<const Asset*> assets_of(std::string_view category) const;

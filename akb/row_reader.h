@@ -17,23 +17,31 @@ class RowReader {
   RowReader(std::string where, std::string_view text, const std::vector<std::string>& columns,
             std::vector<Error>& errors);
 
+  /// Rows of the right length, in order; none when a column is missing.
   const std::vector<CsvRow>& rows() const { return file_.rows; }
   /// Starts a row: `sound()` tells afterwards whether all its cells read well.
   void at(const CsvRow& row);
   bool sound() const { return sound_; }
 
+  /// The cell as it stands; may be empty.
   const std::string& text(std::string_view column) const;
+  /// An error when the cell is empty.
   std::string required(std::string_view column);
   bool flag(std::string_view column);  // true or false
+  /// A number up to `high`, and at least or above `low`.
   double number(std::string_view column, double low, double high, bool low_allowed);
   int integer(std::string_view column, int low);           // >= low
   std::vector<std::string> list(std::string_view column);  // joined by |
+  /// One of the names; the error lists them and suggests the nearest. `noun` says what they name: "archetype".
   std::string one_of(std::string_view column, const std::vector<std::string>& names, std::string_view noun);
   /// The same for many names: of the category table.
   std::string one_of(std::string_view column, const NameTable& names, std::string_view noun);
+  /// A list, joined by |, of such names.
   std::vector<std::string> all_of(std::string_view column, const std::vector<std::string>& names,
                                   std::string_view noun);
+  /// A well-formed source with a confidence in (0, 1].
   Source source(std::string_view source_column, std::string_view confidence_column);
+  /// Adds a Schema error at a cell of the row.
   void fail(std::string_view column, std::string message);
   SourcePos place(std::string_view column) const { return cell(column).pos; }
 

@@ -25,6 +25,7 @@ struct SynsetName {
   std::string lemma;
   int sense = 0;  // >= 1
 };
+/// nullopt when the text has another form.
 std::optional<SynsetName> synset_named(std::string_view synset);
 
 }  // namespace unietp

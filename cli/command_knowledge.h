@@ -25,9 +25,11 @@ std::vector<Knowledge> load_some(const CommandLine& program, const std::vector<S
 /// Errors: Usage with the nearest name.
 Result<const Category*> category_named(const Knowledge& knowledge, std::string_view name);
 
+/// To stdout, with a line feed.
 void print_line(const std::string& text);
 /// "[curated, confidence 0.8]"
 std::string source_text(const Source& source);
+/// As the schemas knowledge-show and knowledge-why have it.
 nlohmann::ordered_json json_of(const Fact& fact);
 
 /// Prints the number of facts of each simulator, one line each.

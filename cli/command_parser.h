@@ -24,6 +24,7 @@ class CommandOption {
  public:
   CommandOption(CLI::Option* option, OptionPage page) : option_(option), page_(std::move(page)) {}
 
+  /// Each returns this option, so that calls can follow one another.
   CommandOption* required(bool is_required = true);
   CommandOption* within(int low, int high);        // both included
   CommandOption* within(double low, double high);  // both included
@@ -31,6 +32,7 @@ class CommandOption {
   CommandOption* one_of(const std::vector<std::string>& values);
   CommandOption* existing_file();
   CommandOption* existing_folder();
+  /// This option is refused without the other, or together with it.
   CommandOption* needs(const CommandOption* other);
   CommandOption* excludes(const CommandOption* other);
   CommandOption* type_name(const std::string& name);                // placeholder in help: "NAME,..."
@@ -42,6 +44,7 @@ class CommandOption {
 
   /// Only after parsing.
   bool given() const;
+  /// What help and completion say of it.
   const OptionPage& page() const { return page_; }
 
  private:
@@ -77,11 +80,15 @@ class CommandParser {
   CommandOption* add_option(const std::string& name, std::vector<std::string>& target, const std::string& help);
   CommandOption* add_option(const std::string& name, std::vector<std::filesystem::path>& target,
                             const std::string& help);
+  /// An option without a value: `target` becomes true when it is given.
   CommandOption* add_flag(const std::string& name, bool& target, const std::string& help);
 
+  /// What runs when this command was asked for, after all options were read.
   void callback(std::function<void()> run);
+  /// Refuses the command alone, without one of its subcommands.
   void require_subcommand();
   void fall_through();  // options of the program may follow the command
+  /// A flag that prints the text and ends parsing.
   void version_flag(const std::string& name, const std::function<std::string()>& version);
 
   /// Runs the callback of the command that was asked for. `before` is called first with the command's name as typed

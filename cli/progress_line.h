@@ -16,7 +16,9 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine() { wipe(); }
+  /// Shows the text in place of the last one; ignored within 0.2 s of the last.
   void draw(const std::string& text);
+  /// Erases the line, so that other output can be written.
   void wipe();
 
  private:

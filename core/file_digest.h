@@ -9,6 +9,7 @@
 
 namespace unietp {
 
+/// What tells whether a file is still the same.
 struct FileDigest {
   std::uint64_t bytes = 0;
   std::string sha256;  // 64 lower-case hexadecimal digits, as core/digest.h gives them

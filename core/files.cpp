@@ -24,9 +24,9 @@ struct FreePacker {
 using Compressor = std::unique_ptr<libdeflate_compressor, FreePacker>;
 using Decompressor = std::unique_ptr<libdeflate_decompressor, FreePacker>;
 
-/// What a gzip file's last four bytes say of its size, unless they cannot be right.
+/// The unpacked size that a gzip file's last four bytes state; nothing when it cannot be right.
 std::size_t expected_size(std::string_view packed) {
-  constexpr std::size_t kLeast = 1024, kMostFold = 1032;  // no deflate stream unpacks to more times its size
+  constexpr std::size_t kLeast = 1024, kMostFold = 1032;  // deflate cannot shrink data by more than this factor
   std::uint32_t said = 0;
   for (std::size_t i = 0; i < 4 && i < packed.size(); ++i)
     said = (said << 8) | static_cast<unsigned char>(packed[packed.size() - 1 - i]);
@@ -112,7 +112,7 @@ Result<Done> write_file(const std::filesystem::path& root, std::string_view inne
 }
 
 std::string gzip(std::string_view bytes) {
-  // Of a scene the best compression saves 25 % of the bytes and takes ten times as long.
+  // For a scene, the best compression would save another 25 % of the bytes but take ten times as long.
   constexpr int kLevel = 1;
   const Compressor compressor(libdeflate_alloc_compressor(kLevel));
   std::string packed(libdeflate_gzip_compress_bound(compressor.get(), bytes.size()), '\0');

@@ -7,8 +7,8 @@
 
 namespace unietp {
 
-/// Of more than `most` things those with the least of a measure, in its order and else in theirs; fewer are left as
-/// they are. Each is measured once.
+/// Keeps the `most` things with the smallest measure, sorted by measure and, among equals, in their order. Does nothing
+/// to a list that is not longer. Each thing is measured once.
 template <class Thing, class Measure>
 void keep_least(std::vector<Thing>& things, std::size_t most, const Measure& measure) {
   if (things.size() <= most) return;

@@ -10,16 +10,16 @@
 
 namespace unietp {
 
-/// The first few things by a measure that is costly to compute, one at a time, ties in the order in which they were
-/// added. A thing is measured once, and only when it may be the next one.
+/// Gives things one at a time in order of a measure that is costly to compute; ties in the order in which they were
+/// added. Each is measured at most once, and only when it may be the next.
 template <class Thing, class Rank>
 class LeastFirst {
  public:
-  /// nullopt: the thing is none of those.
+  /// nullopt leaves the thing out.
   using Measure = std::function<std::optional<Rank>(const Thing&)>;
   LeastFirst(std::size_t most, Measure measure) : left_(most), measure_(std::move(measure)) {}
 
-  /// `bound` is never more than the measure.
+  /// `bound` must not be greater than the measure.
   void add(Thing thing, Rank bound) {
     things_.push_back(std::move(thing));
     push({std::move(bound), false, things_.size() - 1});

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The bounds that readers enforce on what they are given, each with its reason. What is beyond one is refused with an
-/// error that names the bound, or counted in a report.
+/// Limits on input, each with its reason. Input beyond one is refused with an error that names the limit, or counted in
+/// a report.
 namespace unietp::limits {
 
 // Names that may become names of files (core/plain_name.h). Most file systems allow 255 bytes, and endings are added.

@@ -39,7 +39,7 @@ int distance(const Colour& a, const Colour& b) {
   return sum;
 }
 
-/// At most 256 colours, the most frequent ones, and for each colour which of them stands for it.
+/// At most 256 colors, the most frequent ones, and for each color of the image the one that replaces it.
 std::map<Colour, std::uint8_t> palette_of(std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& palette) {
   std::map<Colour, int> counts;
   for (std::size_t i = 0; i < rgb.size(); i += 3) ++counts[{rounded(rgb[i]), rounded(rgb[i + 1]), rounded(rgb[i + 2])}];

@@ -20,6 +20,7 @@ class [[nodiscard]] Result {
   const T& operator*() const { return value(); }
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
+  /// Only when there is a value: asserted.
   T& value() {
     assert(*this);
     return *std::get_if<0>(&content_);
@@ -28,6 +29,7 @@ class [[nodiscard]] Result {
     assert(*this);
     return *std::get_if<0>(&content_);
   }
+  /// Only when there is none: asserted.
   const Error& error() const {
     assert(!*this);
     return *std::get_if<1>(&content_);

@@ -14,6 +14,7 @@ class Rng {
  public:
   explicit constexpr Rng(std::uint64_t seed) : key_(seed), state_(seed) {}
 
+  /// The next 64 random bits.
   std::uint64_t next();
   std::uint64_t below(std::uint64_t bound);  // uniform in [0, bound), bound > 0, by rejection
   double unit();                             // uniform in [0, 1), 53 bits

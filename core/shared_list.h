@@ -102,6 +102,7 @@ class SharedList {
   std::size_t size_ = 0;
 };
 
+/// A random-access iterator; valid until the list changes.
 template <class T>
 class SharedList<T>::Place {
  public:

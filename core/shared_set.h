@@ -13,9 +13,8 @@
 
 namespace unietp {
 
-/// Elements in order, each once, whose copies have in common what none of them has changed since: a copy, or comparing
-/// a set with what it became, costs a pointer for some 50 elements, and a change copies as many. Copies may belong to
-/// different threads.
+/// A sorted set without repeats whose copies share memory. Copying it, or comparing it with a changed copy, costs one
+/// pointer for about 50 elements; a change copies about as many elements. Copies may belong to different threads.
 template <class T>
 class SharedSet {
   static constexpr std::size_t kPiece = 96;       // at most, then it is cut in two
@@ -28,7 +27,7 @@ class SharedSet {
   using const_iterator = Place;
 
   SharedSet() = default;
-  /// In any order, the same ones perhaps more than once.
+  /// From elements in any order; repeats are dropped.
   SharedSet(std::vector<T> elements) {
     sort_unique(elements);
     size_ = elements.size();
@@ -46,7 +45,8 @@ class SharedSet {
   Place begin() const { return {pieces_.data(), 0}; }
   Place end() const { return {pieces_.data() + pieces_.size(), 0}; }
 
-  /// The first element of which `before` is not true, which must be true of those before it and of no other.
+  /// The first element for which `before` is false. `before` must be true for all elements before it and false for all
+  /// after it.
   template <class Before>
   Place partition_point(const Before& before) const {
     const auto piece =
@@ -60,7 +60,7 @@ class SharedSet {
     return at != end() && *at == element;
   }
 
-  /// Whether it was not there before.
+  /// Returns whether the element is new.
   bool insert(T element) {
     auto piece = piece_for(element);
     if (piece == pieces_.end()) {
@@ -80,7 +80,7 @@ class SharedSet {
     }
     return true;
   }
-  /// Whether it was there.
+  /// Returns whether the set had the element.
   bool erase(const T& element) {
     const auto piece = piece_for(element);
     if (piece == pieces_.end()) return false;
@@ -134,6 +134,7 @@ class SharedSet {
   std::size_t size_ = 0;
 };
 
+/// A bidirectional iterator; valid until the set changes.
 template <class T>
 class SharedSet<T>::Place {
  public:

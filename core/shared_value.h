@@ -7,7 +7,7 @@
 
 namespace unietp {
 
-/// A value whose copies are one object in memory until one of them is changed: a copy costs a pointer. Copies may
+/// A value whose copies share one object in memory until one of them is changed, so a copy costs a pointer. Copies may
 /// belong to different threads.
 template <class T>
 class SharedValue {
@@ -17,12 +17,12 @@ class SharedValue {
 
   const T& operator*() const { return value_ == nullptr ? nothing() : *value_; }
   const T* operator->() const { return &**this; }
-  /// Of one that was given a value: that, without a look whether it was.
+  /// The value, without a check whether one was ever given; only after the constructor with a value or `edit`.
   const T& given() const { return *value_; }
-  /// Whether the two are one object in memory; two of which neither was ever given a value are.
+  /// Whether the two share one object in memory. Two that were never given a value do.
   bool is(const SharedValue& other) const { return value_ == other.value_; }
 
-  /// The value, to be changed. The reference is good until this is copied.
+  /// The value, to be changed. The reference is valid until this object is copied.
   T& edit() {
     if (!is_sole_owner(value_)) value_ = std::make_shared<T>(**this);
     return *value_;

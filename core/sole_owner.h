@@ -5,7 +5,8 @@
 
 namespace unietp {
 
-/// Whether `owner` alone has its value and may change it. Reads by former owners in other threads are then over.
+/// Whether `owner` is the only owner of its value and may change it. What former owners in other threads did with the
+/// value has then finished.
 template <class T>
 bool is_sole_owner(const std::shared_ptr<T>& owner) {
   if (owner.use_count() != 1) return false;

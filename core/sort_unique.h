@@ -5,7 +5,7 @@
 
 namespace unietp {
 
-/// Sorts, and keeps one of what is equal.
+/// Sorts, and removes repeats.
 template <class T>
 void sort_unique(std::vector<T>& values) {
   std::sort(values.begin(), values.end());

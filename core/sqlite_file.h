@@ -16,19 +16,22 @@ struct sqlite3_stmt;
 
 namespace unietp {
 
-/// One prepared statement, which its file gives again to whoever asks for the same one later; it must not outlive the
-/// file. A failure (a file that is no database, a table that it lacks) throws std::runtime_error, caught in the file of
-/// each room that uses it; only core's .cpp file sees SQLite.
+/// A prepared statement. When it is destroyed, the file keeps it for the next `prepare` of the same text. It must not
+/// outlive the file. Failures (a file that is no database, a missing table) throw std::runtime_error, which each user
+/// catches in the one file that calls this; only core's .cpp file includes SQLite.
 class Statement {
  public:
   Statement(Statement&&) = default;
   ~Statement();
+  /// The value of the parameter at `index`, counted from 1. Texts are copied.
   void bind(int index, std::string_view text);
   void bind(int index, double value);
   void bind(int index, std::int64_t value);
   bool step();  // true while there is a row
+  /// Back to before the first row, to be bound and stepped again.
   void reset();
   std::string_view text(int column);  // valid until the next step
+  /// Value of a column, counted from 0, in the row that `step` found.
   double number(int column);
   std::int64_t integer(int column);
 
@@ -53,7 +56,9 @@ class SqliteFile {
   enum class Mode { Create, Read };
   /// Errors: std::runtime_error with SQLite's message.
   SqliteFile(const std::filesystem::path& path, Mode mode);
+  /// Runs statements that give no rows. Errors: std::runtime_error.
   void run(const char* sql);
+  /// One statement with parameters `?`. Errors: std::runtime_error.
   Statement prepare(std::string_view sql);
 
  private:

@@ -6,11 +6,17 @@
 
 namespace unietp {
 
+/// The parts between separators; one part more than separators, also empty ones.
 std::vector<std::string> split(std::string_view text, char separator);
+/// The parts with the separator between them.
 std::string join(const std::vector<std::string>& parts, std::string_view separator);
+/// Without blanks, tabs and line ends at both ends.
 std::string_view trim(std::string_view text);
+/// ASCII letters in lower case; other bytes stay.
 std::string lower(std::string_view text);
+/// True for a, e, i, o, u in either case, whatever the word sounds like.
 bool starts_with_vowel_letter(std::string_view word);
+/// Each `from`, left to right, replaced by `to`; what is put in is not searched again.
 std::string replace_all(std::string text, std::string_view from, std::string_view to);
 
 /// The candidate with the smallest edit distance to `name`, or "" when none is near (more than a third of the letters

@@ -9,8 +9,8 @@
 
 namespace unietp {
 
-/// The position of one thing among all things of a kind. Each kind has a type of its own by its `Tag`: ids of different
-/// kinds do not convert into each other, nor from or to plain numbers, so they cannot be swapped.
+/// A position in a list of things of one kind. Each kind has its own type, by its `Tag`: ids of different kinds, and
+/// plain numbers, do not convert into each other, so they cannot be mixed up.
 template <class Tag>
 class TypedId {
  public:
@@ -19,13 +19,14 @@ class TypedId {
   explicit constexpr TypedId(std::size_t position) : value_(static_cast<std::uint32_t>(position)) {
     if (position >= kNone) throw std::length_error("too many things of a kind");
   }
-  /// That of nothing: greater than all others.
+  /// The id of nothing; greater than all others.
   static constexpr TypedId none() {
     TypedId id;
     id.value_ = kNone;
     return id;
   }
 
+  /// The position as an index of a container, or as 32 bits.
   constexpr std::size_t index() const { return value_; }
   constexpr std::uint32_t value() const { return value_; }
 
@@ -42,6 +43,7 @@ class TypedId {
 
 }  // namespace unietp
 
+/// For unordered containers.
 template <class Tag>
 struct std::hash<unietp::TypedId<Tag>> {
   std::size_t operator()(unietp::TypedId<Tag> id) const noexcept { return std::hash<std::uint32_t>()(id.value()); }

@@ -15,6 +15,7 @@ namespace unietp {
 
 /// The properties over which a data set is balanced.
 enum class Dimension { Template, Category, Receptacle, Room, Scene };
+/// Number of dimensions.
 inline constexpr std::size_t kDimensionCount = static_cast<std::size_t>(Dimension::Scene) + 1;
 std::string_view name_of(Dimension dimension);  // "receptacle"
 std::optional<Dimension> dimension_named(std::string_view name);
@@ -53,6 +54,7 @@ class Frequencies {
   void add(const std::vector<Trait>& traits) {
     for (const auto& trait : traits) add(trait);
   }
+  /// The shares added so far; 0 for a new value.
   double count(Dimension dimension, const std::string& value) const;
   /// How much a value is wanted: 1 for a new one, falling with the square of how often it was used.
   double weight(Dimension dimension, const std::string& value) const;

@@ -24,6 +24,7 @@ class DatasetDatabase {
   /// `traits`: the properties over which the data set is balanced (balance.h); they are not in the task's line.
   Result<Done> add_task(const TaskRow& task, const std::vector<Trait>& traits);
   Result<Done> add_rejection(const RejectionEntry& rejection);
+  /// Writes the file; nothing may be added afterwards.
   Result<Done> finish();
 
  private:

@@ -41,6 +41,7 @@ struct TaskEntry {
   std::uint64_t run_seed = 0;
   int slot = 0, attempt = 0;
 };
+/// Format `unietp-task/1`. Equal entries give equal bytes.
 std::string line_of(const TaskEntry& task);
 
 /// A step of a demonstration; refers to values that outlive it.
@@ -60,6 +61,7 @@ struct RejectionEntry {
   std::string template_name, simulator, split, stage, reason, detail;
   bool operator==(const RejectionEntry&) const = default;
 };
+/// Format `unietp-rejection/1`.
 std::string line_of(const RejectionEntry& rejection);
 
 /// A line of wordings.jsonl: one episode in several wordings.
@@ -70,6 +72,7 @@ struct WordingsEntry {
   std::string referring_goal;  // that `referring` states
   std::optional<Instruction> complex;
 };
+/// Format `unietp-wordings/1`.
 std::string line_of(const WordingsEntry& wordings);
 
 /// A line of reviews.jsonl: a person's verdict that is in force.
@@ -78,6 +81,7 @@ struct ReviewMarkEntry {
   std::string before;  // the instruction that an edit replaced; "" for other verdicts
   std::string comment;
 };
+/// Format `unietp-review-mark/1`.
 std::string line_of(const ReviewMarkEntry& mark);
 
 /// A file of such lines, written one after the other.

@@ -15,9 +15,13 @@ class Choices {
       : situation_(situation), experience_(experience), beam_(beam) {}
 
   using List = std::vector<Alternative>;
+  /// No way: it cannot be done.
   static List none() { return {}; }
+  /// One way, which takes nothing.
   static List nothing_to_do() { return {Alternative{}}; }
+  /// One way: to leave a truth as it is when it holds at the start, else to make it true.
   List single(Literal literal) const;
+  /// The cheapest of both lists.
   List either(List a, List b) const;
   /// `to` becomes either(to, more).
   void add(List& to, List more) const;

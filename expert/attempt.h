@@ -30,19 +30,24 @@ class Attempt {
   bool act(ActionType type, const std::string& argument);
   bool act(ActionType type) { return act(Action{type, {}}); }
 
+  /// What it was made with, and what it has come to: the world now, and the actions that succeeded.
   const Situation& situation() const { return *situation_; }
   const Alternative& alternative() const { return *alternative_; }
   const World& world() const { return world_; }
   const std::vector<Action>& actions() const { return actions_; }
 
+  /// Truth of a literal in the world as it is now; of a slice that is not cut yet nothing holds.
   bool holds(const Literal& literal) const;
+  /// Whether a moment of the alternative has come, by its position.
   bool has_come(std::size_t moment) const { return come_[moment]; }
   /// Node that an entity stands for by then; nullptr for a slice before the cut, for rooms and the agent.
   const Node* node(EntityIndex entity) const;
   /// Id of an entity of any kind; "" for a slice before the cut.
   std::string id_of(EntityIndex entity) const;
+  /// Whether the agent holds the object now.
   bool is_held(std::string_view id) const;
 
+  /// What went wrong last.
   struct Trouble {
     RejectionReason reason = RejectionReason::ActionFailed;
     Action action;
@@ -50,8 +55,11 @@ class Attempt {
     std::string text;
     std::string blocker = "";  // id of the object that a door or lid would hit, or ""
   };
+  /// nullopt as long as nothing went wrong.
   const std::optional<Trouble>& trouble() const { return trouble_; }
+  /// Number of actions that failed or were taken back.
   int failures() const { return failures_; }
+  /// A budget is used up, so that no further action is done.
   bool exhausted() const { return exhausted_; }
 
  private:

@@ -23,6 +23,7 @@ class Course {
   /// The rehearsal must outlive it.
   Course(Rehearsal& rehearsal, Mode mode);
 
+  /// Executes one action more, or several.
   Outcome go_on(const Action& action);
   void go_on(std::span<const Action> actions);
 

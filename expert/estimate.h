@@ -11,6 +11,7 @@ namespace unietp {
 struct Experience {
   std::vector<std::pair<Literal, double>> literals;
   std::vector<std::pair<EntityIndex, double>> things;
+  /// 0 for what was never part of a failure.
   double surcharge(const Literal& literal) const;
   double surcharge(EntityIndex thing) const;
 };

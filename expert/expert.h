@@ -17,6 +17,7 @@ namespace unietp {
 /// the backend, replans on failure, stops. Knows no template. Kept only if the goal holds on the executed trace by the
 /// direct evaluator. Deterministic.
 std::variant<Demonstration, Rejection> demonstrate(Rehearsal& rehearsal, const ExpertOptions& options);
+/// The same from a start of which nothing is known yet. Rejected as `no-plan`, too, when the start cannot be built.
 std::variant<Demonstration, Rejection> demonstrate(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                                                    const Profile& profile, const ExpertOptions& options);
 

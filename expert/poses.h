@@ -25,6 +25,7 @@ class Poses {
  public:
   using Key = std::array<long, 4>;  // poses of equal keys are the same
 
+  /// Ignored when a pose of this key is there at no greater cost.
   void add(ReachedPose pose, const Key& key);
   /// The next one to look at; none when all were. What is added later may still come before others.
   std::optional<std::size_t> next();

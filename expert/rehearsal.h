@@ -27,6 +27,7 @@ class Rehearsal {
   static Result<Rehearsal> of(const Formula& goal, const Scene& start, const Knowledge& knowledge,
                               const Profile& profile, KnownStart known);
 
+  /// What it was made of.
   const Formula& goal() const { return *goal_; }
   const Scene& start() const { return *start_; }
   const Knowledge& knowledge() const { return *knowledge_; }
@@ -39,6 +40,7 @@ class Rehearsal {
 
   /// All things that were there in any branch, those at the start first.
   const EntityList& entities() const { return reader_.entities(); }
+  /// nullopt for what was in no world so far.
   std::optional<EntityIndex> find(std::string_view id) const { return reader_.find(id); }
 
   /// Does the action in a world that goes back to this start by steps of this rehearsal.

@@ -37,13 +37,16 @@ struct Situation {
   /// The closed container around it, or kNobody; of an imagined slice the one around its whole.
   EntityIndex shut_in(EntityIndex index) const;
   const NodeIndex& places() const { return rehearsal_->places(); }
+  /// Entity of the start by id; nullopt when there is none.
   std::optional<EntityIndex> find(std::string_view id) const;
   /// From where the agent stands, capped at kFar_m; of an imagined slice its whole's.
   double walk_m(EntityIndex index) const;
   /// No more than that, and found at once.
   double straight_m(EntityIndex index) const;
+  /// What holds at the start.
   const Facts& facts() const { return trace.states.front(); }
   const Entity& entity(EntityIndex index) const { return trace.entities[index]; }
+  /// Whether it is a slice that is not cut yet; `slice` says which.
   bool is_imagined(EntityIndex index) const { return index != kNobody && index >= first_imagined; }
   const ImaginedSlice& slice(EntityIndex index) const { return imagined[index.index() - first_imagined.index()]; }
 

@@ -19,6 +19,7 @@ struct Literal {
   bool positive = true;
   auto operator<=>(const Literal&) const = default;
 };
+/// For messages: "not inside(mug_1, fridge_1)".
 std::string to_text(const Literal& literal, const Situation& situation);
 
 /// Truths that have to hold together at one position of the trace.
@@ -42,6 +43,7 @@ struct Truths {
   std::vector<Literal> yes, no;
   bool operator==(const Truths&) const = default;
 };
+/// Sorted and split by `positive`.
 Truths truths_of(std::vector<Literal> literals);
 /// What holds in both.
 Truths together(const Truths& a, const Truths& b);
@@ -56,6 +58,7 @@ struct Alternative {
   std::vector<Keep> keeps;
   double cost = 0;  // estimated actions, plus a little for the way
 };
+/// Its moments and what it wants of the end: tells the alternatives of one goal apart.
 std::string to_text(const Alternative& alternative, const Situation& situation);
 /// The same without what holds at the start.
 std::string changes_text(const Alternative& alternative, const Situation& situation);

@@ -20,6 +20,7 @@ struct BddlState {
   std::string_view name;
   bool negated = false;
 };
+/// nullopt for what BDDL has no word for.
 std::optional<BddlState> bddl_state(Predicate predicate);
 /// "ontop"; "" for what BDDL has no word for.
 std::string_view bddl_relation(Predicate predicate);
@@ -29,6 +30,7 @@ using BddlSynsets = std::map<std::string, std::string, std::less<>>;
 /// Errors: Io; those of a table that is none.
 Result<BddlSynsets> read_bddl_synsets(const std::filesystem::path& file);
 
+/// A goal in BDDL.
 struct BddlGoal {
   std::string text;
   std::vector<std::string> categories;  // that it ranges over, sorted

@@ -21,6 +21,7 @@ struct LtlfProposition {
   std::vector<EntityIndex> entities;  // of the arguments; a word has none
 };
 
+/// A grounded goal with the propositions that it is about.
 struct LtlfGoal {
   std::string formula;                        // with ! & | F G U, true and false
   std::vector<LtlfProposition> propositions;  // in order of name; those that the formula names

@@ -29,6 +29,7 @@ class ReleaseBinder {
 
   /// The first reason why the goal cannot be expressed; "" for none.
   const std::string& why() const { return why_; }
+  /// Notes a reason; only the first counts.
   void refuse(const std::string& why) {
     if (why_.empty()) why_ = why;
   }

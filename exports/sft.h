@@ -12,6 +12,7 @@ namespace unietp {
 enum class SftUnit { Episode, Step };              // a sample is a whole demonstration, or one step of it
 enum class SftObservation { Boxes, Image, Both };  // in a user's turn; M3 always shows only pictures
 
+/// What samples contain.
 struct SftOptions {
   SftUnit unit = SftUnit::Episode;
   SftObservation observation = SftObservation::Boxes;
@@ -20,6 +21,7 @@ struct SftOptions {
   int threads = 1;
 };
 
+/// What was written.
 struct SftExport {
   std::size_t samples = 0, pictures = 0;
   std::vector<Mode> modes;     // written

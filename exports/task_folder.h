@@ -10,6 +10,7 @@
 
 namespace unietp {
 
+/// How many tasks the format could say, and how many it could not.
 struct ExportedTasks {
   std::size_t said = 0, left_out = 0;
 };

@@ -36,6 +36,7 @@ bool concerns(const Formula& start, const std::string& category);
 struct Picked {
   int in = 0, out = 0;
 };
+/// Both 0 when nothing is known of the home.
 Picked picked_by(const Formula& test, const GoalVariable& variable, const SceneOffer& offer);
 
 }  // namespace unietp

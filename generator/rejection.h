@@ -18,6 +18,7 @@ enum class RejectionStage : std::uint8_t {
   Pipeline,  // the choice among finished candidates
   Review,    // by a person
 };
+/// "generator", as in files.
 std::string_view name_of(RejectionStage stage);
 
 /// Why a candidate is given up: a counted outcome, not an error. Each reason belongs to one stage; files name both.
@@ -74,6 +75,7 @@ enum class RejectionReason : std::uint8_t {
   // review
   Rejected,
 };
+/// Number of reasons.
 inline constexpr std::size_t kRejectionReasonCount = static_cast<std::size_t>(RejectionReason::Rejected) + 1;
 
 std::string_view name_of(RejectionReason reason);  // "no-free-place"

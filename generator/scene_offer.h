@@ -17,6 +17,7 @@ struct SceneOffer {
 /// How many objects or rooms of a domain the home has now; those of its `:where`, when it has one. 0 when nothing is
 /// known.
 int number_in(const SceneOffer& offer, const Domain& domain, const std::string& variable);
+/// The same for a category or a room type.
 int number_of(const SceneOffer& offer, const std::string& category);
 
 /// Types of room of which the home has exactly one: "the kitchen" says which. Sorted.

@@ -19,7 +19,9 @@ class StartDraft {
 
   /// Changes one object for one broken constraint. False when nothing is broken any more, or nothing can be done.
   bool improve();
+  /// Whether all of `init` holds.
   bool sound() const { return broken_.empty(); }
+  /// The start as it is; only when it is sound.
   SymbolicStart finished() &&;
 
  private:

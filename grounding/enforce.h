@@ -23,7 +23,9 @@ class Enforcer {
 
   /// Tries to make a closed state formula true; false when it is not afterwards (SceneEditor::failure says why).
   bool make_true(const Formula& formula);
+  /// The same for a formula that must not hold.
   bool make_false(const Formula& formula);
+  /// Truth of a closed state formula in the scene as it is.
   bool holds(const Formula& formula);
   /// The present state as a trace of length one.
   const Trace& now();

@@ -11,6 +11,7 @@ namespace unietp {
 /// For each category that a goal speaks of: the categories of receptacles and the room types that the goal relates it
 /// to. What is added or moved for a start keeps away from those, so that it does not do the task's work.
 using GoalPlaces = std::map<std::string, std::set<std::string>>;
+/// From the atoms of the goal, wherever they stand in it.
 GoalPlaces goal_places(const Formula& goal);
 
 /// Every domain of a quantifier in the formula with its variable, outside of `:where`, outermost first.
@@ -20,6 +21,7 @@ struct QuantifiedDomain {
   Domain domain;
   bool certain = true;  // false below `or`, `imply` and `not`: the goal may not need it, and it may be empty
 };
+/// In the order in which the formula has them.
 std::vector<QuantifiedDomain> quantified_domains(const Formula& formula);
 
 /// Members of the domain come about by cutting.

@@ -12,6 +12,7 @@ namespace unietp {
 struct LabelBox {
   Vec2 centre = Vec2::Zero(), size = Vec2::Zero();
 };
+/// Whether the two share an area.
 bool overlap(const LabelBox& a, const LabelBox& b);
 
 /// A text that wants a place in a drawing.

@@ -26,6 +26,7 @@ struct Host {
   Predicate relation;
   double weight;
 };
+/// By category of the receptacle, then in the order of nodes, `on` before `inside`.
 std::vector<Host> hosts_for(const Workspace& workspace, const Node& object);
 
 }  // namespace unietp

@@ -16,9 +16,11 @@ class SvgCanvas {
   /// The part of W from `low` to `high`.
   SvgCanvas(const Vec2& low, const Vec2& high, std::string_view title);
 
+  /// Where a point of W is in the picture, pixels from the upper left corner.
   Vec2 pixels(const Vec2& point) const;
   /// `style` are SVG attributes: fill="#fff" stroke="#000".
   void polygon(const std::vector<Vec2>& corners, std::string_view style);
+  /// An open line through the points, and a circle; `radius` is in meters.
   void line(const std::vector<Vec2>& points, std::string_view style);
   void circle(const Vec2& centre, double radius, std::string_view style);
   /// A rectangle with round corners, its size in pixels.
@@ -30,6 +32,7 @@ class SvgCanvas {
   void begin_group(std::string_view words);
   void end_group();
 
+  /// The whole SVG. Equal calls give equal bytes.
   std::string finish() &&;
 
  private:

@@ -23,6 +23,7 @@ class Workspace {
 
   /// The scene; of a home's, without its edges.
   const Scene& scene() const { return scene_; }
+  /// The knowledge base, and the solids for physics and for placement.
   const Knowledge& knowledge() const { return *knowledge_; }
   PhysicsWorld& physics() { return physics_; }
   const PhysicsWorld& physics() const { return physics_; }
@@ -52,6 +53,7 @@ class Workspace {
   Delta changes() const;
   /// The scene of a workspace of its own.
   Scene take() && { return std::move(scene_); }
+  /// To be moved; the agent has no solid here.
   Agent& agent() { return scene_.agent; }
 
   /// The space that the doors and drawers of furniture pass through, by node; empty bounds for nodes without.

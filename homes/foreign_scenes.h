@@ -25,6 +25,7 @@ struct ForeignHome {
   SourceScene source;
 };
 
+/// The homes of some files, and what could not be read.
 struct ForeignReading {
   std::vector<ForeignHome> homes;  // in order of the files
   std::vector<Error> errors;       // empty when every file could be read

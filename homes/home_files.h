@@ -18,8 +18,10 @@ struct HomeInFile {
   std::variant<Scene, ForeignHome> content;
 };
 
+/// That of the scene, or of the format.
 Simulator simulator_of(const HomeInFile& home);
 
+/// The homes of some files and folders, and what could not be read.
 struct HomesReading {
   std::vector<HomeInFile> homes;  // ours first, then the others; in order of the files
   std::vector<Error> errors;      // empty when every file could be read

@@ -29,6 +29,7 @@ struct HomeInputsReading {
 };
 HomeInputsReading load_home_inputs(const DataFolders& folders);
 
+/// Which new homes to plan.
 struct NewHomeOptions {
   int count = 1;
   std::uint64_t seed = 1;

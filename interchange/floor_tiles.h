@@ -22,6 +22,7 @@ void align(std::vector<Tile*> tiles, double gap_m);
 std::optional<std::vector<Vec2>> outline_of(const std::vector<Tile>& tiles, const std::vector<Tile>& holes = {});
 /// The rectangle around all tiles; at least one.
 Tile bounds_of(const std::vector<Tile>& tiles);
+/// Counter-clockwise from the lower left one.
 std::vector<Vec2> corners_of(const Tile& tile);
 
 /// Rectangles that cover the polygon and nothing else; empty when a side is not along an axis.

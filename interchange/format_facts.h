@@ -24,6 +24,7 @@ struct FormatFacts {
   std::map<std::string, std::string, std::less<>> floor_materials;   // each type of ProcTHOR's rooms → a material
 };
 
+/// The facts, of use only without errors.
 struct FormatFactsReading {
   FormatFacts facts;
   std::vector<Error> errors;  // empty when sound

@@ -38,6 +38,8 @@ struct ExportedScene {
   std::vector<std::string> left_out;              // for people: "mug_3: no AI2-THOR asset fits its box"
   std::map<std::string, std::string> names = {};  // of our objects, by id, where the file names its objects
 };
+/// A house for AI2-THOR's CreateHouse, a VirtualHome environment graph, a Habitat scene instance. Deterministic.
+/// Errors: for a scene of another simulator; for a house, also without a room.
 Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
 Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge);
 Result<ExportedScene> write_habitat(const Scene& scene, const Knowledge& knowledge);

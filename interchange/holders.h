@@ -21,6 +21,7 @@ class Holders {
   const std::vector<std::size_t>& children(std::size_t node) const { return children_[node]; }
   /// Everything that holds a node, directly or through others, sorted.
   const std::vector<std::size_t>& above(std::size_t node) const { return above_[node]; }
+  /// Directly or through others.
   bool held_by(std::size_t node, std::size_t holder) const;
   /// By the volume of the boxes, ties by order.
   bool smaller(std::size_t a, std::size_t b) const;

@@ -13,6 +13,7 @@ namespace unietp {
 /// Rounded to 1 / per_unit, and never -0: houses are written to a tenth of a millimetre, angles to a thousandth of a
 /// degree.
 double house_number(double value, double per_unit);
+/// {"x", "y", "z"}, rounded as house_number does.
 nlohmann::ordered_json house_xyz(const Vec3& unity, double per_unit = 10000);
 /// A point of the floor plan at a height.
 nlohmann::ordered_json house_point(const Vec2& w, double height = 0);

@@ -17,6 +17,7 @@ namespace unietp {
 class LooseFields {
  public:
   LooseFields(JsonReader& reader, const JsonAt& at) : reader_(&reader), at_(&at) {}
+  /// nullopt when it is absent or null.
   std::optional<JsonAt> find(std::string_view name) const;
   /// An error when it is absent.
   std::optional<JsonAt> need(std::string_view name) const;

@@ -19,12 +19,14 @@ struct SceneModel {
   double mass = 0;           // kilograms, 0 when not known
   bool operator==(const SceneModel&) const = default;
 };
+/// By the bare name of the model (bare_template).
 using SceneModels = std::map<std::string, SceneModel, std::less<>>;
 
 /// `{"frl_apartment_bowl_01": {"category": "bowl", "size": [w, d, h], "mass": 0.3}, …}`, each field optional, others
 /// passed over, as a whole or in a field `templates` or `objects`. Names without folders and endings.
 /// Errors: Parse, Schema with a JSON pointer.
 Result<SceneModels> read_scene_models(const std::string& where, std::string_view text);
+/// The same from a table that stands inside a file; errors go to the reader.
 SceneModels scene_models_from_json(JsonReader& reader, const JsonAt& table);
 
 /// The same of BEHAVIOR's inventory of models: named `category-model`, sizes along the models' own axes, fronts along

@@ -24,6 +24,7 @@ std::string_view virtualhome_state(Predicate predicate);
 struct VirtualhomeProperty {
   std::string_view affordance, property;
 };
+/// In the order in which a written graph lists them.
 inline constexpr std::array<VirtualhomeProperty, 11> kVirtualhomeProperties{{{"pickupable", "GRABBABLE"},
                                                                              {"receptacle", "SURFACES"},
                                                                              {"container", "CONTAINERS"},

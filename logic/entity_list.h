@@ -56,6 +56,7 @@ class EntityList {
   std::vector<Entity> own_;
 };
 
+/// A forward iterator; valid until the list changes.
 class EntityList::Iterator {
  public:
   using iterator_category = std::random_access_iterator_tag;

@@ -15,6 +15,7 @@ bool holds_in(const Formula& formula, const Trace& trace, std::size_t position);
 
 /// As holds_in with some variables given (name, entity).
 using Assignment = std::vector<std::pair<std::string, EntityIndex>>;
+/// The same with free variables, which the assignment must all name.
 bool holds_in(const Formula& formula, const Trace& trace, std::size_t position, const Assignment& assignment);
 
 /// Entities in a domain, in index order: over the whole trace, `:where` read at position 0. `variable` is the name that

@@ -68,16 +68,19 @@ struct Formula {
   bool operator==(const Formula&) const;
 };
 
+/// True for at-end, sometime, always, until and before.
 bool is_temporal(Formula::Op op);
 
 // Builders.
 Formula atom(Predicate predicate, std::vector<std::string> variables);  // names of variables; for symbols see below
+/// An atom whose last place is a symbol: (filled ?x water).
 Formula atom_with_symbol(Predicate predicate, std::string variable, std::string symbol);
 Formula conjunction(std::vector<Formula> parts);  // one part stays itself
 Formula negation(Formula part);
 Formula exists(std::string variable, Domain domain, Formula body);
 Formula forall(std::string variable, Domain domain, Formula body);
 Formula at_end(Formula part);
+/// The objects of one category.
 Domain of_category(std::string category);
 
 /// Where a formula is going to be used decides what is accepted.
@@ -97,6 +100,7 @@ Result<Formula> parse_formula(std::string_view where, const Sexpr& expression, F
 
 /// Canonical one-line text; parse_formula(to_text(f)) == f.
 std::string to_text(const Formula& formula);
+/// A domain as it stands in a quantifier: "Mug", "(either Mug Cup)", "(Mug :where (dirty ?x))".
 std::string to_text(const Domain& domain);
 std::string_view symbol_of(Comparison comparison);  // ">="
 
@@ -111,6 +115,7 @@ struct NameBinding {
   std::string name;
   std::vector<std::string> values;
 };
+/// Also in nested domains.
 Formula substitute_names(const Formula& formula, const std::vector<NameBinding>& bindings);
 /// Renames a free variable.
 Formula rename_variable(const Formula& formula, const std::string& from, const std::string& to);

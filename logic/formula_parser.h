@@ -24,7 +24,9 @@ class FormulaParser {
 
   FormulaParser(std::string_view where, const std::vector<std::string>& bound);
 
+  /// The formula that an expression says; nullopt after an error, which is kept in the list.
   std::optional<Formula> formula(const Sexpr& expression, const Place& place);
+  /// All errors so far, in the order in which they were met.
   std::vector<Error> take_errors() { return std::move(errors_); }
 
  private:
@@ -68,6 +70,7 @@ class FormulaParser {
 std::string quoted(std::string_view word);
 /// The source in short: "'(open …)'".
 std::string shown(const Sexpr& expression);
+/// Whether an expression is a word that begins with `?`.
 bool is_variable(const Sexpr& expression);
 /// "(inside ?x ?y)"
 std::string example_of(const PredicateInfo& predicate);

@@ -33,6 +33,7 @@ inline constexpr std::array<OperatorWord, 14> kOperatorWords = {{
     {Formula::Op::Before, "before", "(before f g)", "both happen, and f happens first before g does"},
 }};
 
+/// A comparison and what it says of a count.
 struct ComparisonWord {
   Comparison comparison;
   std::string_view says;

@@ -31,6 +31,7 @@ void update_part(Part& part, const Program& program, const Known& known, Residua
 
 /// Whether every continuation makes the part false (`Lost`) or true (`Won`); `Open` where that is not known.
 enum class Outlook : std::uint8_t { Lost, Won, Open };
+/// The outlook of one part after the states so far.
 Outlook outlook_of(const Part& part, const Program& program);
 
 }  // namespace unietp::monitoring

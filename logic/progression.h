@@ -32,9 +32,11 @@ class Progression {
 
   bool now(const Node& node);  // if the trace ends here
   Ref next(NodeId node);       // what is asked of the next state on
+  /// A node of the program that is run.
   const Node& node(NodeId id) const { return program_.nodes[id]; }
   /// What a variable stands for at present; may be set to read a body.
   Value& value(Slot slot) { return values_[slot]; }
+  /// What an argument stands for with the variables as they are bound now.
   Value value(const Node::Argument& argument) const;
 
  private:

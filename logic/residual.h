@@ -18,7 +18,9 @@ class Value {
   explicit Value(EntityIndex entity) : word_(entity.value()) {
     if (word_ >= kNothing) throw std::length_error("too many entities for a monitor");
   }
+  /// No entity, and no variable that waits for one.
   static Value nothing() { return from_word(kNothing); }
+  /// A variable whose entity does not exist yet.
   static Value waiting(Slot slot) { return from_word(kWaits | slot); }
 
   bool waits() const { return (word_ & kWaits) != 0; }
@@ -43,6 +45,7 @@ class Value {
 
 /// Position of a residual in its store.
 using Ref = std::uint32_t;
+/// The two residuals that are decided.
 inline constexpr Ref kFalse = 0, kTrue = 1;
 
 /// What is still asked of the rest of a trace. Equal residuals are one: each is stored once, and/or are flat sorted
@@ -72,8 +75,11 @@ class Residuals {
   Ref pending(NodeId node, std::span<const std::uint32_t> values);
   // Each gives the residual of that form, simplified: parts that are true or false are left out, repeated ones merged.
   Ref same(Value a, Value b, bool positive);
+  /// Simplified: decided and repeated parts are dropped, and the parts are sorted, so that equal residuals have equal
+  /// refs.
   Ref conjunction(std::vector<Ref> parts) { return junction(Kind::And, std::move(parts)); }
   Ref disjunction(std::vector<Ref> parts) { return junction(Kind::Or, std::move(parts)); }
+  /// `body` for every entity that appears later, or for at least one, in the place of `slot`.
   Ref for_new(Slot slot, Ref body);
   Ref some_new(Slot slot, Ref body);
 
@@ -88,6 +94,7 @@ class Residuals {
     int weight;
     auto operator<=>(const NewTerm&) const = default;
   };
+  /// A comparison of a number of true terms with a constant.
   Ref sum(Relation relation, int constant, std::vector<Term> terms, std::vector<NewTerm> news);
   struct SumView {
     Relation relation;
@@ -95,6 +102,7 @@ class Residuals {
     std::vector<Term> terms;
     std::vector<NewTerm> news;
   };
+  /// The parts of a residual that is a sum.
   SumView view_sum(Ref ref) const;
 
   /// The residual with the waiting variable of a slot replaced by an entity.

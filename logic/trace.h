@@ -37,6 +37,7 @@ class Facts {
   bool exists(EntityIndex entity) const;
   /// The entities that exist, one bit each, lowest bit first.
   const std::vector<std::uint64_t>& existing() const { return *existing_; }
+  /// Whether a state without a symbol, or a relation, is true here.
   bool holds(Predicate predicate, EntityIndex entity) const;
   bool holds(Predicate predicate, EntityIndex first, EntityIndex second) const;
   /// With the symbol `any`: for some symbol.

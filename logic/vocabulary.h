@@ -62,11 +62,13 @@ enum class Predicate : std::uint8_t {
   OnFloor,
   InRoom,
 };
+/// Number of predicates.
 inline constexpr std::size_t kPredicateCount = static_cast<std::size_t>(Predicate::InRoom) + 1;
 
 /// What may stand at one place of a predicate.
 enum class ArgumentKind : std::uint8_t { Object, Room, Symbol };
 
+/// All that is known of one predicate: a row of logic/vocabulary.cpp.
 struct PredicateInfo {
   Predicate predicate;
   std::string_view name;  // "next_to"
@@ -78,6 +80,7 @@ struct PredicateInfo {
   bool by_default = false;
 };
 
+/// The row of a predicate. Every predicate has one.
 const PredicateInfo& info(Predicate predicate);
 /// The predicate of this name, or nullopt.
 std::optional<Predicate> predicate_named(std::string_view name);

@@ -16,6 +16,7 @@
 
 namespace unietp {
 
+/// File names in a data set's folder (docs/files.md).
 inline constexpr const char* kTasksFile = "tasks.jsonl";
 inline constexpr const char* kWordingsFile = "wordings.jsonl";
 std::string demonstrations_file(Mode mode);  // "demonstrations/M1.jsonl"

@@ -35,6 +35,7 @@ class DatasetReader {
 
   /// The lines of the tasks, in order. The functions below parse them; several threads may call those.
   DatasetLines& lines() { return lines_; }
+  /// For error messages: where a line stands.
   const DatasetLines& lines() const { return lines_; }
   /// The homes of the data set.
   HomeCache& homes() const { return *homes_; }

@@ -25,6 +25,7 @@ Result<Done> read_line(std::string_view where, int line, std::string_view text, 
 void read_format(JsonReader& reader, JsonFields& fields, std::string_view expected);
 int read_whole(JsonReader& reader, const JsonAt& at);           // 0 to 1e9
 std::uint64_t read_seed(JsonReader& reader, const JsonAt& at);  // 0 to 2^53 - 1, which a double holds exactly
+/// Any text, also an empty one.
 std::string text_or_empty(JsonReader& reader, const JsonAt& at);
 
 /// Reads a value with one of the readers of scene/; the JSON pointer of an error is completed.

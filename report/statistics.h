@@ -17,8 +17,10 @@ using Tally = std::map<std::string, int>;
 struct Histogram {
   std::map<int, int> counts;
   void add(int value) { ++counts[value]; }
+  /// How many integers were added.
   int total() const;
   double mean() const;  // 0 when empty, as those below
+  /// Of an even number the mean of the two in the middle.
   double median() const;
   int least() const;
   int most() const;

@@ -22,6 +22,7 @@ struct Backend {
   NounTable nouns;  // of the knowledge base
 };
 
+/// Where the compiled tables are.
 struct CompiledKnowledge {
   std::filesystem::path database;  // SQLite
   std::vector<Error> errors;       // empty when sound

@@ -12,7 +12,10 @@
 
 namespace unietp {
 
+/// Who writes: the grammar, a language model that is asked now, or the answers that a model gave to a batch of
+/// requests.
 enum class Writer { Grammar, Llm, Batch };
+/// "grammar", as on the command line.
 std::string_view name_of(Writer writer);
 std::optional<Writer> writer_named(std::string_view name);
 
@@ -26,6 +29,7 @@ struct AnnotateOptions {
   LlmWriterOptions llm;               // its phrasings are the grammar's, too; the rest is for the other two writers
 };
 
+/// What was written.
 struct AnnotateReport {
   int tasks = 0;
   std::map<std::string, int> by_writer;

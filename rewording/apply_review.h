@@ -10,6 +10,7 @@
 
 namespace unietp {
 
+/// How verdicts are applied.
 struct ApplyOptions {
   bool accept_unchecked = false;  // take edits whose text does not pass the checks, too
   bool keep_rejected = false;     // mark rejected tasks and leave them in

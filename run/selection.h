@@ -20,6 +20,7 @@ class Selection {
   std::vector<int> open_slots() const;
   /// Takes an accepted candidate for its open slot unless it repeats a task already taken; says what it repeats.
   enum class Verdict { Taken, SameStart, SameText };
+  /// The slot of the record must be one of the block's.
   Verdict offer(const CandidateRecord& record);
   /// Offers all that were accepted, which come in order of attempt, then slot, to the slots that are still open.
   void offer_all(const std::vector<CandidateRecord>& outlines);

@@ -30,6 +30,7 @@ std::string_view name_of(Stage stage);
 /// output.
 struct StageCosts {
   std::array<double, kStageCount> seconds{};
+  /// Sums stage by stage.
   void add(const StageCosts& other);
 };
 
@@ -41,10 +42,12 @@ class StageTimer {
   ~StageTimer() { stop(); }
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;
+  /// From now on time counts for this stage.
   void enter(Stage stage) {
     add_elapsed();
     stage_ = stage;
   }
+  /// Time no longer counts; the destructor does the same.
   void stop() {
     add_elapsed();
     costs_ = nullptr;

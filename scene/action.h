@@ -63,13 +63,19 @@ enum class ActionType : std::uint8_t {
   Break,
   Read,
 };
+/// Number of action types, those of `wide` included.
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionType::Read) + 1;
 
+/// What an action's one argument names. A tool is an object that treats what the agent holds.
 enum class ActionArgument : std::uint8_t { None, Object, ObjectOrRoom, Tool };
+/// Movement: body, camera and hand in small steps. Reach: going and turning to an object. Manipulation: what the hand
+/// does. Composite: several manipulations with an appliance, in M1 only. Control: `stop`.
 enum class ActionClass : std::uint8_t { Movement, Reach, Manipulation, Composite, Control };
+/// How much an agent is told: all ids (M1), the ids of what it has seen (M2), pictures only (M3). See docs/modes.md.
 enum class Mode : std::uint8_t { M1, M2, M3 };
 inline constexpr std::array kModes{Mode::M1, Mode::M2, Mode::M3};
 std::string_view name_of(Mode mode);  // "M1"
+/// nullopt for an unknown name; likewise for the other `..._named` of this header.
 std::optional<Mode> mode_named(std::string_view name);
 /// Which actions agents are offered: the 38, or `wide`, in which the extension actions take the places of the seven
 /// small moves of head and hand.
@@ -120,6 +126,7 @@ struct ActionChange {
   std::optional<Predicate> only_if;
 };
 
+/// All that is known of one action type: a row of scene/action_table.cpp.
 struct ActionInfo {
   ActionType type;
   std::string_view name;  // "pick_up"
@@ -132,6 +139,7 @@ struct ActionInfo {
   std::span<const ActionChange> changes;         // of the target's states; the first is what the action is for
   bool starts_tool;  // afterwards the target treats what is on or in it (scene/treatment.h), if it is a tool that can
 };
+/// The row of a type. Every type has one.
 const ActionInfo& info(ActionType type);
 std::optional<ActionType> action_named(std::string_view name);
 /// A failure for each need that is not met, without repeats, in order of checking. All actions can also fail as
@@ -147,6 +155,7 @@ bool is_extension(ActionType type);
 /// The 38, and those that only `wide` offers.
 std::span<const ActionInfo> all_actions();
 std::span<const ActionInfo> extension_actions();
+/// Whether the simulator, or the mode, has the action in any profile.
 bool offers(const ActionInfo& action, Simulator simulator);
 bool offers(const ActionInfo& action, Mode mode);
 
@@ -214,6 +223,7 @@ enum class Failure : std::uint8_t {
   NotSeenYet,
   NoObjectThere,
 };
+/// Number of kinds of failure, None included.
 inline constexpr std::size_t kFailureCount = static_cast<std::size_t>(Failure::NoObjectThere) + 1;
 std::string_view name_of(Failure failure);  // "too_far"
 std::optional<Failure> failure_named(std::string_view name);

@@ -33,7 +33,9 @@ enum class Archetype : std::uint8_t {
 };
 
 std::string_view name_of(Archetype archetype);  // "cabinet"
+/// nullopt for an unknown name.
 std::optional<Archetype> archetype_named(std::string_view name);
+/// In the order of the enum.
 std::span<const Archetype> all_archetypes();
 
 }  // namespace unietp

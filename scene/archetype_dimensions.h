@@ -12,11 +12,13 @@ inline constexpr double kSurfaceEdge_m = 0.01;  // things are not set down neare
 inline constexpr double kDoorGap_m = 0.002;     // between a door, lid or drawer and its frame
 inline constexpr double kLidTravel_rad = 1.9;   // leans back past upright
 
+/// A top on four legs.
 struct TableDimensions {
   double top = 0, leg = 0;  // thickness of the top, side of a leg
 };
 TableDimensions table_dimensions(const Vec3& size);
 
+/// A seat slab with a backrest behind it.
 struct SeatDimensions {
   double back = 0;  // thickness of the backrest; the seat is half as high as it
 };
@@ -29,6 +31,7 @@ struct BedDimensions {
 };
 BedDimensions bed_dimensions(const Vec3& size);
 
+/// Boards between two sides and a back.
 struct ShelfDimensions {
   int bays = 0;      // spaces between boards; 0: too low for sides, a single board on a wall
   double board = 0;  // thickness of boards, sides and back
@@ -36,6 +39,7 @@ struct ShelfDimensions {
 };
 ShelfDimensions shelf_dimensions(const Vec3& size);
 
+/// A hollow body with shelves inside and a door in front.
 struct CabinetDimensions {
   double wall = 0;      // thickness of the walls, shelves and doors
   int bays = 1;         // spaces between shelves

@@ -34,7 +34,7 @@ void collect(const Formula& formula, Scope& scope, Compared& compared) {
   if (binds) scope.pop_back();
 }
 
-/// Where the things stand that are compared, with all others of their categories.
+/// Positions in the list of nodes of all things that are compared, with the others of their categories.
 std::vector<std::size_t> places_of(const SharedList<Node>& nodes, const Compared& compared) {
   std::vector<std::size_t> places;
   const auto named = [&](const std::string& category) {

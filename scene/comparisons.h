@@ -10,19 +10,20 @@
 
 namespace unietp {
 
-/// The things whose `size` or `nearest` something asks for. Comparing all of a scene costs the square of what it holds;
-/// most formulas name two categories.
+/// The objects for which a formula asks `size` or `nearest`. Comparing all objects of a scene takes time quadratic in
+/// their number, and most formulas name only one or two categories.
 struct Compared {
   bool all = false;                     // every thing
   std::vector<std::string> categories;  // else those of these categories and slices of them
 
+  /// Whether nothing is compared.
   bool none() const { return !all && categories.empty(); }
-  /// Also what a closed formula or one of its domains compares.
+  /// Adds what a closed formula, or one of its domains, compares.
   void add(const Formula& formula);
 };
 
-/// Facts that `reader` read of the scene without comparisons, and what comes of comparing these things: all that
-/// formulas which compare no others can tell from a reading with every comparison.
+/// `facts`, which `reader` read from the scene without comparisons, with those of `compared` added. A formula that
+/// compares nothing else has the same value on the result as on a reading with all comparisons.
 Facts with_comparisons(const Facts& facts, const Scene& scene, const FactReader& reader, const Compared& compared);
 
 /// A scene as a trace of length one, with these comparisons.

@@ -8,6 +8,7 @@
 
 namespace unietp {
 
+/// Neighbors in an EdgeSet; valid until the set changes.
 using EdgeRange = std::ranges::subrange<EdgeSet::const_iterator>;
 
 /// The edges of one relation that start at a thing.
@@ -19,11 +20,11 @@ std::vector<Edge> edges_from(const EdgeSet& edges, std::string_view from);
 struct EdgeChange {
   std::vector<Edge> added, removed;
 
-  /// The edges from one thing were `before` and are `after`, both sorted.
+  /// Notes that the edges that start at one object were `before` and are now `after`; both sorted.
   void replace(const std::vector<Edge>& before, const std::vector<Edge>& after);
-  /// After the last `replace`: both lists sorted.
+  /// Sorts both lists. Call it once, after the last `replace`.
   void sort();
-  /// The edges that become of the given ones, at the cost of the change.
+  /// The given edges after this change. Takes time in proportion to the change.
   EdgeSet applied_to(EdgeSet edges) const;
 };
 

@@ -12,7 +12,7 @@ double yaw_of(const Pose& pose) {
 }
 
 bool contains(const std::vector<Vec2>& polygon, const Vec2& point) {
-  // Of most polygons that are asked the point lies far outside.
+  // Most calls are about a point far outside of the polygon's bounds: those are answered first.
   bool right = false, left = false, above = false, below = false;
   for (const Vec2& corner : polygon) {
     (corner.x() > point.x() ? right : left) = true;

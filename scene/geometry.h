@@ -27,18 +27,22 @@ inline Vec3 rotated(const Quat& rotation, const Vec3& v) {
   return v + rotation.w() * twice + rotation.vec().cross(twice);
 }
 
+/// Coordinates in frame A of a point given in frame B.
 inline Vec3 operator*(const Pose& a_from_b, const Vec3& point_b) {
   return a_from_b.position + rotated(a_from_b.rotation, point_b);
 }
+/// Composition: the pose of C in A.
 inline Pose operator*(const Pose& a_from_b, const Pose& b_from_c) {
   return {a_from_b * b_from_c.position, a_from_b.rotation * b_from_c.rotation};
 }
+/// b_from_a of a_from_b.
 inline Pose inverse(const Pose& pose) {
   const Quat back = pose.rotation.conjugate();
   return {-rotated(back, pose.position), back};
 }
 /// Upright pose turned by `yaw` radians about z.
 Pose upright(const Vec3& position, double yaw);
+/// Angle of the pose's x axis about z, radians in (-pi, pi]; for upright poses.
 double yaw_of(const Pose& pose);
 
 /// Axis-aligned box in W, metres.
@@ -51,6 +55,8 @@ inline Bounds bounds_of(const Pose& pose, const Vec3& size) {
   const Vec3 reach = pose.rotation.toRotationMatrix().cwiseAbs() * size / 2;
   return {pose.position - reach, pose.position + reach};
 }
+/// Whether two boxes, with less than `gap` meters between them, count as touching. Boxes that only share a face do not
+/// overlap with gap 0.
 inline bool overlap(const Bounds& a, const Bounds& b, double gap = 0.0) {
   for (int axis = 0; axis < 3; ++axis) {
     if (a.low[axis] >= b.high[axis] + gap || b.low[axis] >= a.high[axis] + gap) return false;

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kFewFields = 64;  // are searched one by one
+constexpr std::size_t kFewFields = 64;  // up to so many, names are compared one by one
 
 /// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …" from the library without what
 /// our own position says already.

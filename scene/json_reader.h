@@ -14,25 +14,30 @@
 
 namespace unietp {
 
-/// A JSON value and the way to it; the way is spelt out only for an error.
+/// A JSON value with its path in the file; the path is only made into text for an error.
 struct JsonAt {
   const nlohmann::ordered_json& json;
   const JsonAt* parent = nullptr;
   std::string_view key = {};  // of an object's field
   std::size_t index = 0;      // of an array's item
 
+  /// The way as a JSON pointer: "/nodes/3/pose"; "" for the whole text.
   std::string pointer() const;
 };
 
-/// Reads values strictly and remembers the first error; after one, readings are of no use but still safe.
+/// Reads values strictly and keeps the first error. After an error, calls stay safe but their results mean nothing.
 class JsonReader {
  public:
   explicit JsonReader(std::string_view where) : where_(where) {}
 
+  /// The first error, or nullopt as long as all was well.
   const std::optional<Error>& error() const { return error_; }
+  /// Notes a Schema error at a place, unless there is one already.
   void fail(const JsonAt& at, std::string message);
   void fail(const std::string& pointer, std::string message);
 
+  /// Each of these notes an error for a value of another type and then returns a default. `number` and `positive` take
+  /// finite numbers only; `positive` must be greater than 0.
   double number(const JsonAt& at);
   double positive(const JsonAt& at);
   bool boolean(const JsonAt& at);
@@ -53,6 +58,7 @@ class JsonReader {
   /// A vector in metres, each of whose numbers is within [-most, most].
   Vec2 vec2_within(const JsonAt& at, double most);
   Vec3 vec3_within(const JsonAt& at, double most);
+  /// An item of an array; `index` must be less than items(array), and `array` outlive the result.
   JsonAt item(const JsonAt& array, std::size_t index);
   /// A list of names that are not empty.
   std::vector<std::string> texts(const JsonAt& at);
@@ -74,7 +80,9 @@ class JsonFields {
 
   /// The field, or nothing and an error when it is missing.
   std::optional<JsonAt> required(std::string_view name);
+  /// The field, or nothing when the object lacks it.
   std::optional<JsonAt> optional(std::string_view name);
+  /// Notes an error when the object has a field that was not asked for.
   void finish();
 
  private:

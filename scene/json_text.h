@@ -7,12 +7,14 @@
 
 namespace unietp {
 
-/// Appends compact JSON to a text, value by value: no tree is built. Numbers are the shortest that read back to the
-/// same bits, with a decimal point or an exponent; broken UTF-8 becomes U+FFFD. What is opened has to be closed.
+/// Writes compact JSON directly into a string, value by value, without building a tree. Numbers are the shortest text
+/// that reads back to the same bits, with a decimal point or an exponent; invalid UTF-8 becomes U+FFFD. Every object
+/// and list that is opened must be closed.
 class JsonText {
  public:
   explicit JsonText(std::string& text) : text_(text) {}
 
+  /// What is opened becomes the next item of the list, or the value of the last key.
   void open_object() { open('{'); }
   void close_object() { close('}'); }
   void open_list() { open('['); }
@@ -21,13 +23,15 @@ class JsonText {
   void key(std::string_view name);
   void value(std::string_view text);
   void value(const std::string& text) { value(std::string_view(text)); }
-  void value(const char* text) { value(std::string_view(text)); }  // without it a text would become a truth
+  void value(const char* text) {
+    value(std::string_view(text));
+  }                           // otherwise the compiler would choose the overload for bool
   void value(double number);  // one that is not finite becomes null, which no reader takes
   void value(bool truth);
   void value(int number);
-  /// A tree, its numbers as above: text of this class that was read and is written again stays as it was.
+  /// A whole JSON value, with numbers as above. Text written by this class, parsed and written again, does not change.
   void tree(const nlohmann::ordered_json& json);
-  /// JSON that is written already.
+  /// A value that is JSON text already.
   void raw(std::string_view json);
 
  private:
@@ -45,7 +49,7 @@ class JsonText {
     first_ = false;
   }
   std::string& text_;
-  bool first_ = true;  // nothing stands before in the innermost list or object, or a key does
+  bool first_ = true;  // the innermost list or object has no item yet, or a key was just written
 };
 
 }  // namespace unietp

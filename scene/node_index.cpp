@@ -57,7 +57,7 @@ void NodeIndex::add(std::size_t place, const Node& node) {
 }
 
 void NodeIndex::remove(std::size_t place, const Node& node) {
-  // Another may have come there, or the node to another place, before this is told.
+  // A second node may have been added at this place, or the node at another, before this removal is reported.
   if (find(node.id) == place) by_id_.insert_or_assign(node.id, std::nullopt);
   Places& places = own(node.category);
   const auto at = std::lower_bound(places.begin(), places.end(), place);

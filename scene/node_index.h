@@ -12,8 +12,8 @@
 
 namespace unietp {
 
-/// At which places of Scene::nodes things stand: by id and by category. Copies have what was there when it was made in
-/// common and own only what changed since, so that a candidate costs what it changes and not what the home holds.
+/// Index of Scene::nodes by id and by category. A copy shares what was known when it was made and stores only its own
+/// changes, so a candidate costs what it changes, not what the home holds.
 class NodeIndex {
  public:
   using Places = std::vector<std::size_t>;
@@ -21,13 +21,14 @@ class NodeIndex {
   NodeIndex();
   explicit NodeIndex(const SharedList<Node>& nodes);
 
+  /// Place of the node with this id; nullopt when there is none.
   std::optional<std::size_t> find(std::string_view id) const;
   /// Ascending.
   const Places& of(std::string_view category) const;
-  /// All that something is of, sorted.
+  /// The categories of all nodes, sorted.
   std::vector<std::string_view> categories() const;
 
-  /// A node came to a place, or left it.
+  /// Tells the index that a node was put at a place, or removed from it.
   void add(std::size_t place, const Node& node);
   void remove(std::size_t place, const Node& node);
 

@@ -6,12 +6,13 @@
 
 namespace unietp {
 
-/// The parts that a scene and a delta share. Numbers must be finite. Readers report through `reader` and then return
-/// a value of no use.
+/// The parts that a scene and a delta have in common. Numbers must be finite. Readers report errors through `reader`;
+/// what they return then means nothing.
 void write(JsonText& json, const Vec2& v);
 void write(JsonText& json, const Node& node);
 void write(JsonText& json, const Edge& edge);
 void write(JsonText& json, const Agent& agent);
+/// The inverse of `write`.
 Node node_from_json(JsonReader& reader, const JsonAt& at);
 Edge edge_from_json(JsonReader& reader, const JsonAt& at);
 Agent agent_from_json(JsonReader& reader, const JsonAt& at);

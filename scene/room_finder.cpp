@@ -24,7 +24,7 @@ RoomFinder::RoomFinder(const std::vector<Room>& rooms) {
   }
 }
 
-/// Of what lies aside of all rooms, the first or the last. Never less for a larger x.
+/// Strip of an x coordinate; points left or right of all rooms count to the first or the last. Never decreases with x.
 std::size_t RoomFinder::strip(double x) const {
   const double at = (x - low_) / strip_m_, last = static_cast<double>(strips_.size() - 1);
   return at > 0 ? static_cast<std::size_t>(std::min(at, last)) : 0;

@@ -8,7 +8,8 @@
 
 namespace unietp {
 
-/// Which room lies around a point, asked again and again: as room_at, with a look at the few rooms that may be it.
+/// Finds the room that contains a point, as room_at does, but fast for many points: it looks only at the rooms near the
+/// point's x.
 class RoomFinder {
  public:
   RoomFinder() = default;

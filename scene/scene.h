@@ -14,6 +14,7 @@
 
 namespace unietp {
 
+/// A room: a floor of one height with walls around it.
 struct Room {
   std::string id;    // "kitchen_1"
   std::string type;  // lower case: "kitchen", "living_room", "bedroom", "bathroom", "dining_room", "corridor", …
@@ -65,6 +66,7 @@ struct Edge {
 };
 using EdgeSet = SharedSet<Edge>;  // in order of relation, then from, then to
 
+/// Where the agent stands and looks, in W.
 struct Agent {
   Vec2 position = Vec2::Zero();
   double yaw = 0;                 // radians, 0 = +x, counter-clockwise from above
@@ -87,10 +89,13 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
+/// nullptr when the scene has no such id. Takes time linear in the nodes; NodeIndex is faster.
 const Node* find_node(const Scene& scene, std::string_view id);
 /// The same, to be changed.
 Node* edit_node(Scene& scene, std::string_view id);
+/// nullptr when there is no such room.
 const Room* find_room(const Scene& scene, std::string_view id);
+/// Whether the relation holds between the two, by their ids.
 bool has_edge(const Scene& scene, Predicate relation, std::string_view from, std::string_view to);
 /// The box around a room from its floor up to a height, metres.
 Bounds room_bounds(const Room& room, double height);

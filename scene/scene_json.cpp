@@ -175,7 +175,7 @@ Ids collect_ids(JsonReader& reader, const Scene& scene) {
   return ids;
 }
 
-/// Everything that speaks of something else by its id speaks of something that is there.
+/// Checks that every id that a part of the scene refers to exists.
 void check_references(JsonReader& reader, const Scene& scene, const std::vector<Edge>& edges) {
   const Ids ids = collect_ids(reader, scene);
   const auto names = [&](const std::string& id, Kind kind) {
@@ -210,7 +210,7 @@ void check_references(JsonReader& reader, const Scene& scene, const std::vector<
   }
 }
 
-/// Sorts the edges; the first of two that are equal is reported by its names, since its place is gone.
+/// Sorts the edges. Reports a repeated one by its names, since sorting loses its position in the text.
 void sort_edges(JsonReader& reader, std::vector<Edge>& edges, const std::string& pointer) {
   std::sort(edges.begin(), edges.end());
   const auto twice = std::adjacent_find(edges.begin(), edges.end());

@@ -21,8 +21,7 @@ std::string scene_to_json(const Scene& scene);
 /// type, an unknown name, a duplicate id, an edge to nowhere, a size that is not positive. No input makes it throw.
 Result<Scene> scene_from_json(std::string_view where, std::string_view text);
 
-/// What a scene must be beyond its parts: no id twice, nothing that speaks of what is not there.
-/// Errors: Schema with a JSON pointer.
+/// Checks what the parts alone cannot show: ids are unique, and every id that is referred to exists.
 Result<Scene> check_whole(std::string_view where, Scene scene);
 
 /// data/schemas/delta.schema.json and action.schema.json. Empty parts of a delta are left out. Errors: Schema, as

@@ -12,15 +12,15 @@
 namespace unietp {
 namespace {
 
-/// A thing among others of its category, all in order of x.
+/// An object of a category, with its center; the objects of a category are sorted by x.
 struct Placed {
   Vec3 at;
   std::size_t thing = 0;
 };
 using Alike = std::vector<Placed>;
 
-/// Which of them is nearest to a point, clearly nearer than the next, the thing `except` aside. Goes from the point's
-/// own x outwards as long as there may be a nearer one.
+/// The object nearest to a point, if clearly nearer than the second nearest; `except` is skipped. Searches outward from
+/// the point's x and stops where no nearer object can follow.
 std::optional<std::size_t> clear_winner(const Alike& alike, const Vec3& point, std::size_t except) {
   struct {
     double distance = std::numeric_limits<double>::infinity(), next = distance;  // squared
@@ -50,7 +50,7 @@ std::optional<std::size_t> clear_winner(const Alike& alike, const Vec3& point, s
     const auto middle = std::lower_bound(alike.begin(), alike.end(), point.x(),
                                          [](const Placed& one, double x) { return one.at.x() < x; });
     auto up = middle, down = middle;
-    // By turns, so that what is near on one side spares the other.
+    // Alternates between the two sides, so that a near object on one side ends the search on the other.
     for (bool more = true; more;) {
       more = false;
       if (up != alike.end() && !beyond(*up)) look(*up++), more = true;
@@ -84,7 +84,7 @@ std::vector<NearestPair> nearest_pairs(const SharedList<Node>& nodes, const std:
     std::stable_sort(alike.begin(), alike.end(), [](const Placed& a, const Placed& b) { return a.at.x() < b.at.x(); });
   }
   std::vector<NearestPair> found;
-  // Of each winner's next pair; at first, how many the winner before it has.
+  // Where the next pair of each winner goes; before that, the number of pairs of the winner before it.
   std::vector<std::size_t> next_of(places.size() + 1, 0);
   for (std::size_t y = 0; y < places.size(); ++y) {
     for (const Alike& alike : categories) {

@@ -17,6 +17,7 @@ inline constexpr double kClearlyLarger = 1.3;
 /// x is `nearest` to y when every other of x's category is further from y by this length and by this share of x's own
 /// distance, centre to centre.
 inline constexpr double kClearlyNearer_m = 0.25, kClearlyNearer = 0.2;
+/// Whether a distance is shorter than another by both margins. Meters.
 bool clearly_nearer(double distance_m, double other_m);
 
 /// x is `nearest` to y, by places in the list of nodes.

@@ -14,7 +14,7 @@ std::string said(const Edge& edge) {
   return std::string(info(edge.relation).name) + " from " + in_quotes(edge.from) + " to " + in_quotes(edge.to);
 }
 
-/// What of a change cannot be done to the home; "" when all can.
+/// The part of a change that does not fit the home, in words; "" when all fits.
 std::string misfit(const Scene& home, const Delta& changes) {
   for (const std::string& id : changes.removed) {
     if (find_node(home, id) == nullptr) return "no object " + in_quotes(id) + " in the home that could be gone";

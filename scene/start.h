@@ -9,19 +9,20 @@
 
 namespace unietp {
 
-/// What differs between a home and a scene that grew out of it, the nodes in order of id: equal starts have equal
-/// changes, whatever order their nodes are in.
+/// The difference between a home and a scene made from it, with nodes in order of id, so that equal starts have equal
+/// changes whatever order their nodes are in.
 Delta changes_of(const Scene& home, const Scene& scene);
 
-/// The start that the changes make of the home. Changed nodes keep their place, new ones are appended in order of id,
-/// then each that is gone leaves its place to the last: the others stay where the home has them, so that whoever knows
-/// the home finds what differs without a search, and has in common with it what stayed. The changes must fit the home.
-/// `places`: of the home's nodes.
+/// The home with the changes applied. Nodes that change keep their place, new ones are appended in order of id, and the
+/// last node takes the place of each one that is removed; all others keep the place and the memory that they have in
+/// the home, so that differences are found without a search. The changes must fit the home. `places` is the index of
+/// the home's nodes.
 Scene start_in(Scene home, const NodeIndex& places, const Delta& changes);
 Scene start_in(const Scene& home, const Delta& changes);
 
-/// The same for changes that were read, under a name of its own. Errors: Schema, naming `where`, for changes that do
-/// not fit: what is gone or no longer holds was never there, what is new holds already, a relation speaks of nothing.
+/// The same for changes from a file; the start gets the given id. Errors: Schema, naming `where`, for changes that do
+/// not fit: a removed node or relation that does not exist, an added one that exists already, a relation of unknown
+/// ids.
 Result<Scene> start_in(std::string_view where, const Scene& home, const Delta& changes, const std::string& id);
 
 }  // namespace unietp

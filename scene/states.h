@@ -29,12 +29,14 @@ std::optional<Predicate> opposite_of(Predicate state);
 /// Sorted states with the exclusive groups kept: setting `hot` takes `cool` away.
 class StateSet {
  public:
+  /// Adds the state and removes the others of its group, if it has one (state_groups).
   void set(State state);
   /// Takes the predicate away, with every symbol.
   void clear(Predicate predicate);
   /// With any symbol.
   bool has(Predicate predicate) const;
   bool has(const State& state) const;
+  /// Sorted by predicate, then by symbol.
   const std::vector<State>& all() const { return states_; }
   bool operator==(const StateSet&) const = default;
 

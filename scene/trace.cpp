@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-/// Finds nodes by id; quick when asked in the order of the list, which is how a scene and its successor mostly agree.
+/// Finds nodes by id. Fast when asked in the order of the list: two scenes in a row mostly have the same order.
 class NodeFinder {
  public:
   explicit NodeFinder(const SharedList<Node>& nodes) : nodes_(nodes) {}
@@ -171,7 +171,7 @@ Facts FactReader::read(const Scene& scene) {
   for (const Node& node : scene.nodes) {
     if (!node.slice_of.empty()) relate(Predicate::SliceOf, node.id, node.slice_of);
   }
-  std::sort(relations.begin(), relations.end());  // facts are kept sorted: in order, each goes to the end at once
+  std::sort(relations.begin(), relations.end());  // in this order each fact is appended at the end
   if (with_comparisons_) {
     const auto edges = static_cast<std::ptrdiff_t>(relations.size());
     std::vector<std::size_t> all(scene.nodes.size());
@@ -179,7 +179,7 @@ Facts FactReader::read(const Scene& scene) {
     for (const NearestPair& pair : nearest_pairs(scene.nodes, all))
       relations.push_back({index_of_node[pair.winner], Predicate::Nearest, index_of_node[pair.other]});
     const auto nearest = relations.begin() + edges;
-    if (!std::is_sorted(nearest, relations.end())) std::sort(nearest, relations.end());  // known in another order
+    if (!std::is_sorted(nearest, relations.end())) std::sort(nearest, relations.end());  // stored in another order
     std::inplace_merge(relations.begin(), nearest, relations.end());
     for (const auto& [i, size] : sizes_of(scene.nodes, all)) facts.set(Predicate::Size, index_of_node[i], size);
   }

@@ -18,9 +18,11 @@ struct Delta {
   std::vector<std::string> removed;  // ids of nodes that are gone
   std::vector<Edge> edges_added, edges_removed;
   std::optional<Agent> agent;
+  /// Whether nothing changed.
   bool empty() const;
   bool operator==(const Delta&) const = default;
 };
+/// What changed from one scene to another of the same home. Node order and rooms are not compared.
 Delta difference(const Scene& before, const Scene& after);
 /// Changed nodes keep their place, new ones are appended in order. Rooms and openings never change.
 Scene apply(Scene before, const Delta& delta);
@@ -35,13 +37,16 @@ inline constexpr EntityIndex kAgentEntity(0);
 class FactReader {
  public:
   explicit FactReader(bool with_comparisons = false);
+  /// All facts of a scene. Entities that are new are appended; none is ever removed.
   Facts read(const Scene& scene);
   /// The facts after a change, at the cost of the change: what `read` of the changed scene would give, but with the
   /// comparisons of the things as they were before.
   Facts read(Facts before, const Delta& change);
   /// Copies made from now on have all entities up to here in common.
   void share();
+  /// All entities so far; indices stay valid.
   const EntityList& entities() const { return entities_; }
+  /// The entity with this id; nullopt when it was never read.
   std::optional<EntityIndex> find(std::string_view id) const;
 
  private:

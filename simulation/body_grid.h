@@ -18,6 +18,7 @@ class BodyGrid {
   /// Covers the given bounds.
   explicit BodyGrid(const Bounds& around);
 
+  /// `erase` takes the same bounds that a body was inserted with.
   void insert(std::uint32_t number, const Bounds& bounds);
   void erase(std::uint32_t number, const Bounds& bounds);
   /// Numbers in the cells that the bounds touch; may repeat a number.

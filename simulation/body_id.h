@@ -53,6 +53,7 @@ std::vector<std::size_t> nodes_of(std::span<const BodyId> bodies);
 
 }  // namespace unietp
 
+/// For unordered containers.
 template <>
 struct std::hash<unietp::BodyId> {
   std::size_t operator()(unietp::BodyId id) const noexcept { return std::hash<std::uint32_t>()(id.number()); }

@@ -20,6 +20,7 @@ struct Camera {
   Vec3 ray(double x, double y) const {
     return ahead + ((x - width / 2.0) / focal) * right + ((y - height / 2.0) / focal) * down;
   }
+  /// Distance along the view direction, meters; negative behind the camera.
   double depth(const Vec3& point) const { return (point - at).dot(ahead); }
   /// Pixel coordinates of a point, which may lie outside of the image; nullopt when it is behind the camera.
   std::optional<Vec2> pixel(const Vec3& point) const;

@@ -32,6 +32,7 @@ struct Collider {
   bool rolls = false;
   Digest digest;  // of all of the above: equal colliders have equal ones
 
+  /// Bounds in W of the body at a pose, kSkin_m larger; and its solids there.
   Bounds bounds(const Pose& pose) const;
   std::vector<Convex> placed(const Pose& pose) const;
 };

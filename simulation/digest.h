@@ -26,6 +26,7 @@ struct Digest {
 /// Hashes a sequence of words. Two lanes of the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
 class Digester {
  public:
+  /// Takes in one more item. Order matters; a number counts by its bits, a text also by its length.
   Digester& add(std::uint64_t word) {
     a_ = mix(a_ ^ word) + 0x9e3779b97f4a7c15ULL;
     b_ = mix(b_ + word * 0xd1342543de82ef95ULL) ^ 0x2545f4914f6cdd1dULL;
@@ -45,6 +46,7 @@ class Digester {
     }
     return add(word);
   }
+  /// Of all that was added so far.
   Digest digest() const { return {mix(a_ + b_), mix(b_ ^ (a_ << 1))}; }
 
  private:

@@ -30,6 +30,7 @@ class ModeEpisode {
   Outcome step(const Command& command);
   /// Whether it was stopped or has reached a limit of the mode.
   bool over() const;
+  /// Commands so far, and how many of them failed; those after the end do not count.
   int steps() const { return steps_; }
   int failures() const { return failures_; }
 

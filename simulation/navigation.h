@@ -31,8 +31,10 @@ class NavigationGrid {
   /// Of all blockers: grids of one home with equal digests have equal free cells.
   const Digest& digest() const { return digest_; }
 
+  /// Whether the body's middle may be there.
   bool free(Cell cell) const { return free_.has(cell.x, cell.y); }
   const CellSet& free_cells() const { return free_; }
+  /// The cell that holds a point of the floor plan, and the middle of a cell. Meters, W.
   Cell cell_at(const Vec2& point) const {
     const Vec2 cells = (point - origin_) / kCell_m;
     return {static_cast<std::int32_t>(std::floor(cells.x())), static_cast<std::int32_t>(std::floor(cells.y()))};

@@ -58,6 +58,7 @@ class PhysicsWorld {
   void set(BodyId id, const Shape& shape, const Pose& pose, double opening, double mass);
   void move(BodyId id, const Pose& pose);
   void remove(BodyId id);
+  /// Whether there is such a body.
   bool has(BodyId id) const;
 
   /// Sets the rooms of `floor()`.
@@ -82,6 +83,7 @@ class PhysicsWorld {
   std::optional<RayHit> ray(const Vec3& from, const Vec3& to, std::span<const BodyId> ignore = {}) const;
   /// Bodies whose bounds come nearer than `gap` to the given bounds, in order of BodyId.
   std::vector<BodyId> near(const Bounds& bounds, double gap) const;
+  /// Of a body that is there, W, meters.
   Bounds bounds(BodyId id) const;
 
   /// Lets the given bodies fall and slide until they rest, all others fixed. Does not change the world: apply the poses

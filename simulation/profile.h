@@ -31,6 +31,7 @@ struct Profile {
   bool attaching = false;                                   // place_on attaches as the knowledge base says (`wide`)
   bool power_needs_plug = false;                            // devices with a plug run only when plugged in (`wide`)
 
+  /// Whether the agent may do it in this simulator and profile.
   bool offers(ActionType type) const { return actions[static_cast<std::size_t>(type)]; }
 };
 

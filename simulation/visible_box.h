@@ -31,6 +31,7 @@ class VisibleBoxes {
   /// Both must outlive it. Of solids at equal depths the first in the list is visible.
   VisibleBoxes(const Camera& camera, const std::vector<Outline>& outlines);
 
+  /// The box of an object by the number of its outlines' owner; nullopt when no pixel shows it.
   std::optional<PixelBox> of(std::int32_t owner);
 
  private:

@@ -63,6 +63,7 @@ class World {
   const SharedList<Node>& nodes() const;
   /// Positions of nodes in `nodes()` by id and by category.
   const NodeIndex& places() const;
+  /// The node as it is now; nullptr when there is none. Valid until the next action.
   const Node* find(std::string_view id) const;
   const Agent& agent() const;
   bool holds(std::string_view id) const;  // in the agent's hands
@@ -96,6 +97,8 @@ class World {
   double walking_distance(std::string_view id) const;
   /// Lower bound of the walking distance, without obstacles; cheap.
   double straight_distance(const Node& node) const;
+  /// Whether the agent could act on the object from where it stands: not in its hand, nothing closed around it, within
+  /// reach and in sight.
   bool in_reach(std::string_view id) const;
   /// The same from another position.
   bool in_reach_from(const Vec2& place, std::string_view id) const;

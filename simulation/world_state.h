@@ -98,6 +98,7 @@ class WorldState {
   FailureReference reference(std::size_t i) const;
   /// The same for a body: a node, the floor or a wall.
   FailureReference reference_to_body(BodyId body) const;
+  /// Whether the relation holds between two nodes, by position.
   bool linked(std::size_t from, Predicate relation, std::size_t to) const;
   const std::vector<Link>& links(std::size_t i) const { return links_.of(i); }
   /// What lies directly on or in a node. Sorted.
@@ -145,6 +146,7 @@ class WorldState {
   /// Moves held objects, with all that rests on or in them, to the hand's pose.
   void carry_along();
 
+  /// A point to go back to.
   std::size_t mark() const { return log_.size(); }
   void back_to(std::size_t mark);
 

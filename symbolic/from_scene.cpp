@@ -14,7 +14,7 @@ std::vector<std::string> categories_of(const std::vector<const Node*>& nodes) {
   return {names.begin(), names.end()};
 }
 
-/// How many containers are around a thing: of two that it is inside, the one with more around it is the nearer.
+/// Number of containers around a thing. Of two containers of one thing, the one with more around it is the inner one.
 std::ptrdiff_t depth_of(const Scene& scene, const std::string& id) {
   return std::count_if(scene.edges.begin(), scene.edges.end(),
                        [&](const Edge& edge) { return edge.relation == Predicate::Inside && edge.from == id; });

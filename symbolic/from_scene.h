@@ -8,7 +8,8 @@
 
 namespace unietp::symbolic {
 
-/// A physical scene, or a part of it, without its geometry. Does not move: the setting points to the rules.
+/// A physical scene, or a part of it, as symbols without geometry. Cannot be copied or moved: the setting points to the
+/// rules.
 struct SceneSymbols {
   Rules rules;
   Setting setting;
@@ -16,13 +17,14 @@ struct SceneSymbols {
   Trace seen;            // the scene's own facts, from which `:where` is read
   std::vector<Id> cast;  // by entity of `seen`; kNobody for what was left out
 
-  /// `nodes` are of the scene and of categories that the knowledge base has; with each is what it rests on or in. The
-  /// agent stands by nothing yet.
+  /// `nodes` must be nodes of the scene, of categories that the knowledge base has, each together with what it rests on
+  /// or in. At the start the agent has gone to nothing yet.
   SceneSymbols(const Scene& scene, const Knowledge& knowledge, ActionProfile profile,
                const std::vector<const Node*>& nodes);
   SceneSymbols(const SceneSymbols&) = delete;
   SceneSymbols& operator=(const SceneSymbols&) = delete;
 
+  /// The formula over these things. The result refers to this value.
   Goal goal(const Formula& formula) const { return {formula, setting, start, {&seen, &cast}}; }
 };
 

@@ -89,7 +89,7 @@ class GoalWriter {
         return constant(has_attribute(formula.predicate, atom.first, second.name));
       } else if (second.name != "any") {
         const auto symbol = setting_.rules->symbol_named(second.name);
-        if (!symbol) return constant(false);  // nothing here gives it, nothing has it
+        if (!symbol) return constant(false);  // a substance that no tool gives and no vessel holds
         atom.symbol = *symbol;
       }
     }
@@ -175,8 +175,8 @@ class GoalWriter {
     return found;
   }
 
-  /// The body for each member. A piece that does not exist yet counts in once it does: `forall` asks nothing of it
-  /// before, and nothing else can hold of it.
+  /// The body for each member. A piece that does not exist yet counts only once it exists: before that, `forall` asks
+  /// nothing of it, and nothing else can be true of it.
   std::vector<std::size_t> instances(const Formula& quantifier, bool universal) {
     std::vector<std::size_t> written;
     for (const Id id : members(quantifier)) {

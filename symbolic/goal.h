@@ -15,16 +15,16 @@ struct Atom {
   std::optional<SubstanceId> symbol;  // of filled and covered; nullopt: any
 };
 
-/// The facts from which each `:where` is read, when they are not those of a world: a physical scene's, which also knows
-/// what is next to and nearest to what. `ids`, by entity: kNobody for what is in no world.
+/// The facts from which each `:where` is read when they come from a physical scene rather than a symbolic world: such a
+/// scene also shows what is next to and nearest to what. `ids` maps entities to ids; kNobody for what the world lacks.
 struct SeenStart {
   const Trace* trace = nullptr;
   const std::vector<Id>* ids = nullptr;
 };
 
-/// A goal with its quantifiers written out over a cast: `exists` is a disjunction over the members, `forall` a
+/// A goal with its quantifiers expanded over a cast: `exists` becomes a disjunction over the members, `forall` a
 /// conjunction, a count a list of members. Made for one start, in which each `:where` is read. Pieces that do not exist
-/// yet are members that have to come into being first.
+/// yet are members too; they have to be made first.
 class Goal {
  public:
   enum class Op : std::uint8_t { Atom, And, Or, Not, Count, Compare, AtEnd, Sometime, Always, Until, Before };
@@ -41,8 +41,10 @@ class Goal {
   /// A goal or a state formula.
   Goal(const Formula& goal, const Setting& setting, const World& start, const SeenStart& seen = {});
 
+  /// A node by its position; `root` is that of the whole goal.
   const Node& node(std::size_t index) const { return nodes_[index]; }
   std::size_t root() const { return root_; }
+  /// Number of temporal parts, each with its place in Progress.
   std::size_t memories() const { return memories_; }
   /// False when a temporal operator stands inside another: then truths here are only a guess.
   bool understood() const { return understood_; }
@@ -61,6 +63,7 @@ class Progress {
   explicit Progress(const Goal& goal) : parts_(goal.memories(), Part::Open) {}
   /// Takes in the next state of the trace, the start first.
   void observe(const Goal& goal, const Setting& setting, const World& world);
+  /// What has happened of one temporal part (Goal::Node::memory), and of all.
   Part part(std::size_t memory) const { return parts_[memory]; }
   bool operator==(const Progress&) const = default;
   const std::vector<Part>& parts() const { return parts_; }

@@ -115,7 +115,7 @@ Wish Guide::towards_number(const std::vector<std::size_t>& children, int least, 
 
 Wish Guide::towards_comparison(const Goal::Node& node, bool wanted, const World& world,
                                const Progress& progress) const {
-  if (!wanted) return kNothing;  // not asked for by any goal of the library; the search tells what comes of it
+  if (!wanted) return kNothing;  // no goal of the library asks for it; the search itself finds out what happens
   const auto middle = node.children.begin() + static_cast<std::ptrdiff_t>(node.split);
   const std::vector<std::size_t> firsts(node.children.begin(), middle), seconds(middle, node.children.end());
   const auto number = [&](const std::vector<std::size_t>& children) {
@@ -153,7 +153,7 @@ Wish Guide::towards_moment(const Goal::Node& node, const World& world, const Pro
       if (part == Progress::Part::FirstDone) return second;
       auto first = towards(node.children[0], true, world, progress);
       if (!first.possible() || !second.possible()) return kNever;
-      first.cost += second.cost;  // only the first is to be worked on now
+      first.cost += second.cost;  // add up the costs, but work only on the first now
       return first;
     }
     default:

@@ -9,9 +9,10 @@
 
 namespace unietp::symbolic {
 
-/// A few different steps; what does not fit in any more is left out. In place, since a search makes many.
+/// A set of at most 16 steps; further ones are dropped. Stored in place, since a search makes many of these.
 class FewSteps {
  public:
+  /// Ignored when it is there already or there is no room.
   void add(const Step& step);
   void add(const FewSteps& more);
   bool empty() const { return size_ == 0; }
@@ -23,7 +24,7 @@ class FewSteps {
   std::size_t size_ = 0;
 };
 
-/// How far it is to a truth, and what to do next.
+/// An estimate of the way to make something true: its cost, and possible next steps.
 struct Wish {
   static constexpr int kImpossible = 1000000;
   int cost = 0;    // actions other than going somewhere, as if parts did not get in each other's way
@@ -32,13 +33,13 @@ struct Wish {
 };
 inline const Wish kNever{Wish::kImpossible, {}};
 
-/// Reads off from a world what has to be done next for a truth: the step that brings it about, or, where that step
-/// needs something first, the step towards that. An estimate that guides a search: what it says may fail or take more.
+/// Estimates from a world how to make something true: the step that does it or, if that step has unmet needs, a step
+/// towards those. A heuristic for a search: its steps may fail, and its costs may be too low.
 class Guide {
  public:
   Guide(const Setting& setting, const Goal& goal) : setting_(setting), goal_(goal) {}
 
-  /// Towards the goal's holding if the trace ends soon after `world`.
+  /// The way to a world in which the goal holds, if the trace ends there.
   Wish wish(const World& world, const Progress& progress) const;
 
  private:
@@ -52,16 +53,18 @@ class Guide {
   const Goal& goal_;
 };
 
-/// Towards one truth of one world, or, with `wanted` false, away from it.
+/// The way to make one atom true or, with `wanted` false, false.
 Wish towards(const Setting& setting, const World& world, const Atom& atom, bool wanted);
 
-/// What one needs after another: costs add up, and what is still to be done of any of them may be done now.
+/// Both are needed: costs add up, and the next steps of either may come first.
 Wish together(Wish first, const Wish& second);
-/// One of several ways: the cheapest decides, the two next stay open.
+/// One of several ways is enough: the cost is that of the cheapest; the first steps of the next two are kept too.
 class Choice {
  public:
+  /// Ignored when it is impossible or dearer than three others.
   void add(const Wish& way);
   std::size_t size() const { return size_; }  // ways that are possible, at most three
+  /// The cheapest way, with the first steps of the others; kNever when there is none.
   Wish wish() const;
 
  private:

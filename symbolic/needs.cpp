@@ -17,7 +17,8 @@ bool carries_something(const World& world, Id thing) {
   });
 }
 
-/// Whether a tool has an effect on a thing that an action brings about. What only a held tool does is done by hand.
+/// Whether a tool has an effect on a thing that belongs to this action. An effect that needs the tool in the hand
+/// belongs to the actions by hand.
 bool has_effect(const Setting& setting, Id tool, ActionType action, Id thing) {
   const auto& reactions = setting.rules->reactions(setting.kind_number(tool), setting.kind_number(thing));
   return std::any_of(reactions.begin(), reactions.end(), [action](const Reaction& reaction) {

@@ -17,7 +17,7 @@ Failure go_to(World& world, Id target) {
   return Failure::None;
 }
 
-/// What stood beside a thing no longer does once it is lifted.
+/// A thing that is lifted no longer has neighbors.
 void leave_neighbours(World& world, Id thing) {
   world[thing].beside = kNobody;
   for (Thing& other : world.things) {
@@ -93,7 +93,7 @@ void change(const Setting& setting, World& world, const ActionInfo& action, Id i
   if (action.starts_tool) run_processes(setting, world, id, false);
 }
 
-/// With the first effect of the tool that the action stands for.
+/// Uses the first effect of the tool that belongs to the action.
 Failure treat(const Setting& setting, World& world, const Step& step) {
   for (const TreatmentInfo& row : all_treatments()) {
     if (row.treats != step.action) continue;

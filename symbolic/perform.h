@@ -8,8 +8,9 @@
 
 namespace unietp::symbolic {
 
-/// One action of the catalogue. Physics shows next to what a thing comes to rest; here the step says it: `beside`
-/// stands on or in the same place, or, when dropped, where the agent stands. With `under`, it is dropped under it.
+/// One action of the table. Physics would show next to what a thing comes to rest; here the step says it: `beside`
+/// stands on or in the same place or, when the thing is dropped, where the agent stands. With `under`, the thing is
+/// dropped under it.
 struct Step {
   ActionType action = ActionType::Stop;
   Id target = kNobody;  // thing or room
@@ -19,10 +20,10 @@ struct Step {
 };
 std::string to_text(const Setting& setting, const Step& step);  // "place_on(table_1)"
 
-/// Does the step by the needs and changes of scene/action_table.h, with the side effects that simulation/ has, but for
-/// geometry: what is asked of reach is that the agent went to the thing or to what it rests on or in; what fits where
-/// is what the knowledge base says of things of one kind; those of other kinds take no room from them. A failed step
-/// leaves the world as it was. Actions of the body and the camera change nothing here.
+/// Performs the step by the needs and changes of scene/action_table.h, with the side effects that simulation/ has, but
+/// without geometry. In reach is what the agent went to, and what rests on or in that. What fits is what the knowledge
+/// base says of things of one kind; things of other kinds take no room. A failed step leaves the world as it was.
+/// Actions of the body and the camera change nothing here.
 Failure perform(const Setting& setting, World& world, const Step& step);
 
 /// The first need of the step's action that is not met; Failure::None when all are. Needs of kind Special are not
@@ -36,13 +37,14 @@ Failure out_of_reach(const Setting& setting, const World& world, Id thing);
 /// Whether a thing has room on or inside another (`relation`), as things are now.
 bool has_room(const Setting& setting, const World& world, Id thing, Predicate relation, Id place);
 
-/// Does to all that rests on or in a tool what the tool does by itself as things are now.
+/// Applies the tool's effects to everything that rests on or in it, if the conditions are met.
 void run_processes(const Setting& setting, World& world, Id tool, bool tap_runs);
 
 // Below: a step whose needs in the table are met, offered or not.
 Failure perform_checked(const Setting& setting, World& world, const Step& step);
-/// With every check of the atomic steps that it stands for.
+/// A composite action, with all checks of the atomic steps that it stands for.
 Failure treat_with(const Setting& setting, World& world, Id tool, Treatment treatment);
+/// The actions of these names, by the thing they are done to, with what the hand holds.
 Failure slice(const Setting& setting, World& world, Id thing);
 Failure pour_to(const Setting& setting, World& world, Id target);
 Failure wipe(const Setting& setting, World& world, Id thing);

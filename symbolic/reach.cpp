@@ -46,7 +46,7 @@ void Reach::spread() {
       changed = changed || !(next == outlooks_[i]);
       outlooks_[i] = next;
     }
-    for (std::size_t i = 0; i < outlooks_.size(); ++i) {  // pieces are as their wholes may be
+    for (std::size_t i = 0; i < outlooks_.size(); ++i) {  // a piece may have every state that its whole may have
       const Id whole = setting_.cast.things[i].whole;
       if (whole == kNobody || !may_have(whole, Predicate::Sliced)) continue;
       Outlook next = outlooks_[i];
@@ -130,7 +130,7 @@ bool Reach::may_be_at(Id id, Predicate relation, Id place, int depth) const {
   const auto action = relation == Predicate::On ? ActionType::PlaceOn : ActionType::PlaceIn;
   if (of(id).held && fits(relation, place) && offered(action)) return true;
   if (relation == Predicate::On || depth > 2) return false;
-  for (std::size_t i = 0; i < outlooks_.size(); ++i) {  // by way of something that is inside
+  for (std::size_t i = 0; i < outlooks_.size(); ++i) {  // indirectly, through something that is inside
     const auto between = Id::thing(i);
     if (between == id || between == place || !of(between).exists) continue;
     const bool there =
@@ -169,7 +169,7 @@ bool Reach::may(const Atom& atom, bool wanted) const {
     case Predicate::SliceOf:
       return setting_.cast.role(atom.first).whole == atom.second;
     case Predicate::Nearest:
-      return true;  // things move
+      return true;  // the agent can move things apart
     case Predicate::Filled:
       return has_it(of(atom.first).fillings);
     case Predicate::Covered:

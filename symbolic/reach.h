@@ -7,13 +7,13 @@
 
 namespace unietp::symbolic {
 
-/// What could ever come about from a start by the actions that are offered, when nothing that was once true is lost: an
-/// over-approximation that is cheap, so that what it excludes is truly out of reach.
+/// What could ever become true from a start by the offered actions, if nothing that was once true were lost. A cheap
+/// over-approximation: what it excludes is really impossible.
 class Reach {
  public:
   Reach(const Setting& setting, const World& start);
 
-  /// Whether the atom may once hold (`wanted`) or once fail.
+  /// Whether the atom may ever become true (`wanted`), or false.
   bool may(const Atom& atom, bool wanted) const;
 
  private:

@@ -5,7 +5,7 @@
 namespace unietp::symbolic {
 namespace {
 
-/// Walks a goal, and remembers the first truth that cannot be.
+/// Walks through a goal and keeps the first atom that is out of reach.
 class Walk {
  public:
   Walk(const Goal& goal, const Reach& reach, const Setting& setting, const World& start)

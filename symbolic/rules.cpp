@@ -103,7 +103,7 @@ void Rules::read_reactions(const Knowledge& knowledge, std::size_t tools, std::s
         Reaction reaction;
         reaction.treatment = static_cast<Treatment>(t);
         reaction.needs = needs_of(*row);
-        // As everywhere, the first row of a tool, effect and target decides.
+        // As in simulation/, the first row of a tool, effect and target counts.
         if (!known.empty() && known.back().treatment == reaction.treatment) continue;
         if (reaction.treatment == Treatment::Slices) {
           reaction.piece = kind_named(row->gives.empty() ? row->target : row->gives);

@@ -24,13 +24,14 @@ struct Offer {
   bool attaching = false;            // place_on attaches what the tables say attaches
   bool has(ActionType type) const { return actions[static_cast<std::size_t>(type)]; }
 };
-/// What the action catalogue says of the simulator. The rules are those of data/simulators: all have the two of
-/// appliances; in the profile `wide`, plugs matter where they can be handled, and BEHAVIOR attaches.
+/// From the action table and the rules of data/simulators: all simulators have the two rules of appliances; in the
+/// profile `wide`, plugs matter where they can be handled, and BEHAVIOR attaches.
 Offer offer_of(Simulator simulator, ActionProfile profile = ActionProfile::Unietp);
 
-/// What has to be so before a treatment happens; bits of Reaction::needs.
+/// Conditions of a treatment, as bits of Reaction::needs.
 enum Need : std::uint8_t { kClosed = 1, kPowerOn = 2, kInside = 4, kOn = 8, kUnderTap = 16, kHeld = 32, kUnknown = 64 };
 
+/// The needs of an effect as bits of Need; kUnknown for a word that is not listed.
 std::uint8_t needs_of(const Effect& row);
 
 /// Position of a kind in Rules::kinds().
@@ -45,7 +46,7 @@ struct Reaction {
   int pieces = 0;               // slices: how many
 };
 
-/// A category as far as actions ask about it.
+/// What the actions need to know of a category.
 struct Kind {
   std::string category;
   bool movable = false, pickupable = false, openable = false, switchable = false, sliceable = false, fillable = false,
@@ -59,13 +60,14 @@ struct Kind {
   bool has_group_of(Predicate state) const;
 };
 
-/// The knowledge base cut down to some categories and turned into numbers, for one simulator: what the symbolic actions
-/// look up. Kinds are numbered in the order of the given categories, then the pieces that slicing them makes.
+/// The knowledge base reduced to some categories of one simulator, with numbers in place of names, for the symbolic
+/// actions. Kinds are numbered in the order of the given categories, followed by the pieces that slicing them makes.
 class Rules {
  public:
   /// Categories that the knowledge base does not have are left out.
   Rules(const Knowledge& knowledge, const Offer& offer, const std::vector<std::string>& categories);
 
+  /// What the agent may do.
   const Offer& offer() const { return offer_; }
   const std::vector<Kind>& kinds() const { return kinds_; }
   const Kind& kind(KindId id) const { return kinds_[id.index()]; }
@@ -81,8 +83,9 @@ class Rules {
 
   /// Substances, numbered; "any" is none of them.
   const std::vector<std::string>& symbols() const { return symbols_; }
+  /// nullopt for one that no row names, and for "any".
   std::optional<SubstanceId> symbol_named(std::string_view symbol) const;
-  /// The number of a substance, new if need be. All are told apart.
+  /// The number of a substance; a new one is added.
   SubstanceId symbol_number(const std::string& symbol);
 
  private:

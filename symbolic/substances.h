@@ -10,10 +10,10 @@ namespace unietp::symbolic {
 
 /// Position of a substance in Rules::symbols().
 using SubstanceId = TypedId<struct SubstanceTag>;
-/// In the place of a substance: whichever it is.
+/// Stands for any substance.
 inline constexpr std::nullopt_t kAnySymbol = std::nullopt;
 
-/// A set of substances, of any number. An empty one takes no memory of its own.
+/// A set of substances. An empty one allocates no memory.
 class SubstanceSet {
  public:
   bool empty() const { return words_.empty(); }

@@ -68,7 +68,7 @@ Failure slice(const Setting& setting, World& world, Id thing) {
   for (std::size_t i = 0; i < world.things.size() && made < cut->pieces; ++i) {
     const Role& role = setting.cast.things[i];
     if (role.whole != thing || role.kind != cut->piece) continue;
-    Thing piece = world[thing];  // where the whole is, and as it is, but neither whole nor sliced
+    Thing piece = world[thing];  // at the place of the whole, with its states except for `whole` and `sliced`
     piece.clear(Predicate::Whole);
     piece.clear(Predicate::Sliced);
     piece.beside = kNobody;
@@ -97,7 +97,7 @@ Failure pour_to(const Setting& setting, World& world, Id target) {
 }
 
 Failure wipe(const Setting& setting, World& world, Id thing) {
-  // Dust comes off with a dry cloth; everything else wants a wet one.
+  // A dry cloth removes dirt; everything else needs a wet one.
   const auto dust = setting.rules->symbol_named("dust");
   if ((world[thing].coats.has_other_than(dust) || world[thing].has(Predicate::Dirty)) &&
       world[world.held].has(Predicate::Dry))

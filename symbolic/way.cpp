@@ -5,7 +5,7 @@
 namespace unietp::symbolic {
 namespace {
 
-constexpr std::size_t kMostPlaces = 3;  // places tried where any will do
+constexpr std::size_t kMostPlaces = 3;  // number of places that are tried where any place will do
 
 Wish one_step(const Step& step) {
   Wish wish{1, {}};
@@ -115,7 +115,7 @@ Wish Way::to_place(Id id, Predicate relation, Id place, Id beside, int depth) co
   if (fits == 0 || id == place || depth > kDeepestNeed) return kNever;
   Wish need;
   if (!takes(id, relation, place) && root_of(world_, place) != id) need = to_make_room(id, relation, place, depth);
-  if (world_.held != id && root_of(world_, place) == world_.held) {  // the hand is freed once for both
+  if (world_.held != id && root_of(world_, place) == world_.held) {  // one put-down frees the hand for both
     if (!kind(id).pickupable) return kNever;
     need = together(together(std::move(need), to_free_hand(depth + 1)), after(to_reach(id, depth), 1));
   } else {
@@ -127,7 +127,7 @@ Wish Way::to_place(Id id, Predicate relation, Id place, Id beside, int depth) co
   const auto action = relation == Predicate::On ? ActionType::PlaceOn : ActionType::PlaceIn;
   const Wish put = then(std::move(need), {action, place, beside});
   if (!treats_by_power(place, id)) return put;
-  Choice ways;  // what runs treats what is put there, which may be what is wanted or not
+  Choice ways;  // a running appliance treats what is put into it, wanted or not
   ways.add(put);
   ways.add(together(to_state(place, Predicate::PowerOff, kAnySymbol, depth + 1), put));
   return ways.wish();
@@ -155,7 +155,7 @@ Wish Way::to_make_room(Id id, Predicate relation, Id place, int depth) const {
   for (std::size_t i = 0; i < world_.things.size(); ++i) {
     const auto other = Id::thing(i);
     if (other == id || !world_[other].exists || world_[other].where != where || world_[other].at != place) continue;
-    if (setting_.kind_number(other) != setting_.kind_number(id)) continue;  // those take no room from it
+    if (setting_.kind_number(other) != setting_.kind_number(id)) continue;  // other kinds take no room from it
     ways.add(after(to_hold(other, depth + 1), 1));
   }
   return ways.wish();

@@ -17,7 +17,7 @@ class Way {
  private:
   bool offered(ActionType action) const { return setting_.rules->offer().has(action); }
   const Kind& kind(Id id) const { return setting_.kind_of(id); }
-  /// The one of the atom's things that does not exist yet.
+  /// Of the things that the atom is about, the one that does not exist yet; kNobody if all exist.
   Id missing_of(const Atom& atom) const;
   static Wish after(Wish need, int more) {
     if (need.possible()) need.cost += more;
@@ -39,7 +39,7 @@ class Way {
   Wish to_bring(Id id, Id room, int depth) const;
   Wish to_neighbour(const Atom& atom, int depth) const;
   Wish to_bring_beside(Id id, Id other, bool under, int depth) const;
-  /// To a place that takes both, where neither goes to where the other is.
+  /// Brings both to a third place, where neither can go to the place of the other.
   Wish to_bring_both(Id first, Id second, int depth) const;
   /// No longer beside or under each other.
   Wish to_part(const Atom& atom, int depth) const;

@@ -70,7 +70,7 @@ Wish Way::by_itself(Id id, Id tool, const Reaction& reaction, int depth) const {
   }
   if (shut && !world_[tool].has(Predicate::Closed)) return to_state(tool, Predicate::Closed, kAnySymbol, depth + 1);
   if (power && !world_[tool].has(Predicate::PowerOn)) return to_state(tool, Predicate::PowerOn, kAnySymbol, depth + 1);
-  return after(to_hold(id, depth), 2);  // it has been there without effect: once more
+  return after(to_hold(id, depth), 2);  // it lies there already without effect, so it is taken out and put in again
 }
 
 Wish Way::to_fill(Id id, std::optional<SubstanceId> symbol, int depth) const {
@@ -94,7 +94,7 @@ Wish Way::to_fill(Id id, std::optional<SubstanceId> symbol, int depth) const {
 }
 
 Wish Way::to_empty(Id id, int depth) const {
-  Choice drains, vessels;  // what is poured into another vessel fills that one
+  Choice drains, vessels;  // prefer a drain: pouring into another vessel fills that vessel
   for (std::size_t i = 0; i < world_.things.size(); ++i) {
     const auto target = Id::thing(i);
     if (target == id || !world_[target].exists) continue;
@@ -129,7 +129,7 @@ Wish Way::directly(Id id, ActionType action, int depth) const {
   for (const ActionNeed& one : about.needs) {
     if (!applies(setting_, one.rule, id)) continue;
     const auto other = opposite_of(one.state);
-    const bool own = one.state == aim || other == aim;  // it holds, or the state would be wanted already
+    const bool own = one.state == aim || other == aim;  // that it is not so yet, which the caller knows
     if (one.kind == Kind::IsNot && !own && world_[id].has(one.state) && other)
       need = together(std::move(need), to_state(id, *other, kAnySymbol, depth + 1));
     if (one.kind == Kind::Is && !own && !world_[id].has(one.state))

@@ -10,10 +10,11 @@
 namespace unietp::symbolic {
 namespace {
 
-constexpr int kEagerness = 3;           // an estimated action weighs as much as this many done ones
-constexpr std::size_t kLongestRun = 3;  // of steps that are left out together
+constexpr int kEagerness = 3;           // weight of an estimated action relative to one already done
+constexpr std::size_t kLongestRun = 3;  // longest run of steps that is tried without
 
-/// A world on the way, with the steps that led to it from its parent: the action, and going there first.
+/// A world of the search, and the steps that lead to it from its parent: an action, with a go_to before it where one is
+/// needed.
 struct Place {
   World world;
   Progress progress;
@@ -143,7 +144,7 @@ class Search {
     return std::nullopt;
   }
 
-  /// Steps are left out singly, with all that fails without them, and in short runs.
+  /// Tries the plan without each step (and the steps that fail without it), then without short runs of steps.
   std::optional<std::vector<Step>> minimal(std::vector<Step> plan) const {
     for (std::size_t run = 1; run <= kLongestRun;) {
       const auto before = plan.size();

@@ -26,7 +26,7 @@ const std::array<std::uint64_t, kPredicateCount>& group_masks() {
 
 double spot_of(const Setting& setting, const World& world, Id thing) {
   const Id root = root_of(world, thing);
-  return setting.cast.role(root).spot_m + 1e-3 * static_cast<double>(thing.index());  // no two at one spot
+  return setting.cast.role(root).spot_m + 1e-3 * static_cast<double>(thing.index());  // no two at the same spot
 }
 
 /// The nearest of the things of `thing`'s category to `other`, `other` itself aside.

@@ -30,6 +30,7 @@ struct Cast {
     std::string id, type;
   };
   std::vector<Room> rooms;
+  /// By id, which must be a thing of this cast, or a room.
   const Role& role(Id thing) const { return things[thing.index()]; }
   Role& role(Id thing) { return things[thing.index()]; }
   const Room& room(Id id) const { return rooms[id.index()]; }
@@ -37,6 +38,7 @@ struct Cast {
   Id named(std::string_view name) const;
 };
 
+/// How a thing is at its place.
 enum class Where : std::uint8_t { Floor, On, Inside, Hand };
 
 /// What may change about a thing.
@@ -57,7 +59,7 @@ struct Thing {
   void clear(Predicate state) { states &= ~(std::uint64_t{1} << static_cast<unsigned>(state)); }
 };
 
-/// One moment: a value, cheap to copy.
+/// The state of everything at one moment: a value that is cheap to copy.
 struct World {
   std::vector<Thing> things;
   Id held = kNobody;
@@ -74,6 +76,7 @@ struct Setting {
   const Rules* rules = nullptr;  // outlives the setting
   Cast cast;
   bool with_nearest = false;  // facts say which thing is nearest to which; quadratic, so only where a formula asks
+  /// The kind of a thing, and its number.
   const Kind& kind_of(Id thing) const { return rules->kind(cast.role(thing).kind); }
   KindId kind_number(Id thing) const { return cast.role(thing).kind; }
 };
@@ -86,9 +89,9 @@ void add_pieces(Setting& setting, World& world);
 /// Name of a thing, a room or the agent, for people.
 const std::string& name_of(const Setting& setting, Id id);
 
-/// The lowest thing below, on the floor or in the hand: where one has to stand to reach it.
+/// The lowest thing below a thing, on the floor or in the hand: what the agent has to go to.
 Id root_of(const World& world, Id thing);
-/// As physics shows it: inside every enclosing cavity, also by way of what lies in it.
+/// Whether a thing is inside a container, directly or through others, as physics decides it.
 bool is_inside(const World& world, Id thing, Id container);
 /// Whether `upper` rests on or in `lower`, directly or through others.
 bool rests_on(const World& world, Id upper, Id lower);
@@ -96,7 +99,7 @@ bool rests_on(const World& world, Id upper, Id lower);
 Id closed_around(const Setting& setting, const World& world, Id thing);
 /// The room whose floor a thing stands on or above, kNobody while it is in the hand.
 Id room_of(const World& world, Id thing);
-/// A truth of one moment. `second` is a thing, a room or kNobody; `symbol` a substance or kAnySymbol.
+/// Whether an atom is true in a world. `second` is a thing, a room or kNobody; `symbol` a substance or kAnySymbol.
 bool holds(const Setting& setting, const World& world, Predicate predicate, Id first, Id second,
            std::optional<SubstanceId> symbol);
 

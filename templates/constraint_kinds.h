@@ -37,6 +37,7 @@ struct PlaceholderUse {
   std::string name;    // "A"
   bool slice = false;  // written `A/slice`
 };
+/// "A/slice" is the placeholder A and a slice.
 PlaceholderUse placeholder_use(std::string_view argument);
 /// The placeholders that a well-formed constraint speaks of, in order; not its number, nor a substance that it names.
 std::vector<PlaceholderUse> placeholders_of(const DomainConstraint& constraint);

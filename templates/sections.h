@@ -19,6 +19,7 @@ std::span<const TemplateSection> template_sections();
 struct StartForm {
   std::string_view usage, says;
 };
+/// In the order in which help lists them.
 std::span<const StartForm> start_shapes();
 std::span<const StartForm> start_literal_forms();
 

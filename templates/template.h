@@ -60,6 +60,7 @@ struct TemplateReading {
   std::vector<Template> templates;  // in order of file name
   std::vector<Error> errors;
 };
+/// One template from its text; `file` names it in errors.
 TemplateReading parse_template(std::string_view file, std::string_view text);
 /// All `*.template` files below a folder, in order of path; a file with an error is refused and the rest still load.
 TemplateReading load_templates(const std::filesystem::path& folder);

@@ -21,6 +21,7 @@ struct Repeat {
 /// for.
 class KeyList {
  public:
+  /// Adds the key of a task, by its place in tasks.jsonl. A text counts by its digest.
   void add(const Digest& key, std::size_t place) {
     entries_.push_back({key, place});
     sorted_ = false;

@@ -82,6 +82,7 @@ enum class ProblemKind : std::uint8_t {
 };
 inline constexpr std::size_t kProblemKinds = static_cast<std::size_t>(ProblemKind::Wordings) + 1;
 
+/// A row of the table of problems.
 struct ProblemInfo {
   ProblemKind kind;
   std::string_view name;     // "goal-at-start"

@@ -48,6 +48,7 @@ class TaskRecount {
   /// Problems with what the manifest says of the writers of the instructions. `edited`: texts by people, or removed
   /// tasks, which it counts as they were before.
   std::vector<Problem> wrong_writers(int edited) const;
+  /// Whether every task could be read, so that the counts are complete.
   bool all_read() const { return all_read_; }
 
  private:

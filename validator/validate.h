@@ -14,12 +14,14 @@
 
 namespace unietp {
 
+/// What a validation found.
 struct ValidationReport {
   ProofCounts counts;
   std::array<ProofCounts, kSimulators.size()> by_simulator;  // in the order of kSimulators
   std::vector<Problem> problems;                             // folder-wide ones first, then in the order of tasks.jsonl
   std::vector<LikenessReport> likeness;                      // to each set of ValidationOptions::against that reads
   std::array<std::int64_t, kProblemKinds> found{};           // of each kind; of one with many, some are not in the list
+  /// Every task is proven and nothing else is wrong.
   bool sound() const { return problems.empty() && counts.proven == counts.tasks; }
 };
 
