@@ -149,8 +149,9 @@ class Overlay {
     const auto& fact = override_->fact;
     const Category* receptacle = category(fact.object, override_->fact_at);
     if (receptacle == nullptr) return;
+    const auto relation = placement_relation_named(fact.word).value_or(Predicate::On);  // parse_fact accepts no other
     const auto same = [&](const Placement& p) {
-      return p.object == override_->category && p.relation == fact.word && p.receptacle == fact.object;
+      return p.object == override_->category && p.relation == relation && p.receptacle == fact.object;
     };
     Placement* row = row_where(tables_.placements, same);
     if (!fact.detail.empty()) return capacity(row);
@@ -162,8 +163,8 @@ class Overlay {
       return;
     }
     if (row == nullptr) {
-      const int fitting = std::max(1, capacity_of(*subject_, fact.word, *receptacle));
-      tables_.placements.push_back({override_->category, fact.word, fact.object, usual_likelihood(), fitting, source_});
+      const int fitting = std::max(1, capacity_of(*subject_, relation, *receptacle));
+      tables_.placements.push_back({override_->category, relation, fact.object, usual_likelihood(), fitting, source_});
       row = &tables_.placements.back();
     }
     if (likelihood) row->likelihood = *likelihood;
@@ -193,8 +194,9 @@ class Overlay {
   void effect() {
     const auto& fact = override_->fact;
     if (category(fact.object, override_->fact_at) == nullptr) return;
+    const auto treatment = treatment_named(fact.word).value_or(Treatment::Heats);  // parse_fact accepts no other
     const auto same = [&](const Effect& e) {
-      return e.tool == override_->category && e.effect == fact.word && e.target == fact.object;
+      return e.tool == override_->category && e.treatment == treatment && e.target == fact.object;
     };
     if (!fact.detail.empty()) return needs(same);
     const auto flag = flag_in(override_->value);
@@ -202,9 +204,9 @@ class Overlay {
       std::erase_if(tables_.effects, same);
       return;
     }
-    Effect made{override_->category, fact.word, fact.object, "", 0, usual_needs(), source_};
+    Effect made{override_->category, treatment, fact.object, "", 0, usual_needs(treatment), source_};
     Effect* row = row_where(tables_.effects, same);
-    if (fact.word == "slices") {
+    if (treatment == Treatment::Slices) {
       if (!flag && !pieces(made)) return;
       if (flag && row == nullptr)
         return bad_value("a number of slices and their category, such as 5 AppleSliced, or false");
@@ -236,18 +238,20 @@ class Overlay {
   void needs(const Test& same) {
     auto words = words_in(override_->value, need_names());
     if (!words) return bad_value("nothing or, joined by |, some of " + join(need_names(), ", "));
+    std::vector<EffectNeed> needs;
+    for (const auto& word : *words) needs.push_back(effect_need_named(word).value());
     bool found = false;
     for (auto& e : tables_.effects) {
       if (!same(e)) continue;
-      e.needs = *words;
+      e.needs = needs;
       e.source = source_;
       found = true;
     }
     if (!found) does_not_hold();
   }
-  std::vector<std::string> usual_needs() const {
+  std::vector<EffectNeed> usual_needs(Treatment treatment) const {
     for (const auto& e : tables_.effects) {
-      if (e.tool == override_->category && e.effect == override_->fact.word) return e.needs;
+      if (e.tool == override_->category && e.treatment == treatment) return e.needs;
     }
     return {};
   }
@@ -255,12 +259,10 @@ class Overlay {
   void alias() {
     const auto& text = override_->fact.object;
     const auto flag = flag_in(override_->value);
-    const auto& kinds = alias_kinds();
-    if (!flag && std::find(kinds.begin(), kinds.end(), override_->value) == kinds.end())
-      return bad_value("true (a synonym), false or one of " + join(kinds, ", "));
+    const auto kind = flag ? std::optional(AliasKind::Synonym) : alias_kind_named(override_->value);
+    if (!kind) return bad_value("true (a synonym), false or one of " + join(alias_kinds(), ", "));
     std::erase_if(tables_.aliases, [&](const Alias& a) { return a.category == override_->category && a.text == text; });
-    if (!flag || *flag)
-      tables_.aliases.push_back({override_->category, text, flag ? "synonym" : override_->value, source_});
+    if (!flag || *flag) tables_.aliases.push_back({override_->category, text, *kind, source_});
   }
 
   void asset() {

@@ -41,7 +41,7 @@ struct Known {
     }
     for (const auto& f : all.affordances) affordances[f.category].insert(f.affordance);
     for (const auto& a : all.aliases) {
-      if (a.kind == "synonym") named[a.text].insert(a.category);
+      if (a.kind == AliasKind::Synonym) named[a.text].insert(a.category);
     }
   }
 };
@@ -155,7 +155,9 @@ class Entry {
     if (!value.is_string()) return reject(value, "not in the requested form");
     const auto& text = value.get_ref<const std::string&>();
     if (const auto wrong = wrong_with(text); !wrong.empty()) return reject(value, wrong);
-    const char* kind = kind_ == FactKind::Aliases ? "synonym" : kind_ == FactKind::Function ? "function" : "context";
+    const AliasKind kind = kind_ == FactKind::Aliases    ? AliasKind::Synonym
+                           : kind_ == FactKind::Function ? AliasKind::Function
+                                                         : AliasKind::Context;
     for (const auto& a : out_.accepted.aliases) {
       if (a.category == category_.name && a.kind == kind && a.text == text) return reject(value, "a duplicate");
     }
@@ -167,12 +169,15 @@ class Entry {
       return value.is_object() && value.contains(name) && value.at(name).is_string() ? value.at(name).get<std::string>()
                                                                                      : std::string();
     };
-    const auto relation = text("relation"), receptacle = text("receptacle");
-    if (relation.empty() || receptacle.empty() || !value.contains("likelihood") || !value.at("likelihood").is_number())
+    const auto word = text("relation"), receptacle = text("receptacle");
+    if (word.empty() || receptacle.empty() || !value.contains("likelihood") || !value.at("likelihood").is_number())
       return reject(value, "not in the requested form");
     const double likelihood = value.at("likelihood").get<double>();
     if (!std::isfinite(likelihood) || likelihood < kSmallest || likelihood > 1) return reject(value, "out of bounds");
-    if (relation != "on" && relation != "inside") return reject(value, "an unknown relation");
+    const auto known_relation = placement_relation_named(word);
+    if (known_relation != Predicate::On && known_relation != Predicate::Inside)
+      return reject(value, "an unknown relation");
+    const Predicate relation = *known_relation;
     const auto at = known_.categories.find(receptacle);
     if (at == known_.categories.end()) return reject(value, "an unknown category");
     const auto affordances = known_.affordances.find(receptacle);
@@ -189,9 +194,10 @@ class Entry {
   std::string_view wrong_with_affordance(const std::string& name) const {
     if (std::find(affordance_names().begin(), affordance_names().end(), name) == affordance_names().end())
       return "an unknown affordance";
-    const bool against_body =
-        (name == "pickupable" && !category_.movable) || (name == "openable" && !opens(category_.archetype)) ||
-        (name == "container" && !room_of(category_, "inside")) || (name == "receptacle" && !room_of(category_, "on"));
+    const bool against_body = (name == "pickupable" && !category_.movable) ||
+                              (name == "openable" && !opens(category_.archetype)) ||
+                              (name == "container" && !room_of(category_, Predicate::Inside)) ||
+                              (name == "receptacle" && !room_of(category_, Predicate::On));
     return against_body ? "not possible with its shape" : "";
   }
 

@@ -105,8 +105,8 @@ std::string known_of(const Category& c, const Tables& tables, const CompletionBa
     if (f.category == c.name) affordances.push_back(f.affordance);
   }
   for (const auto& a : tables.aliases) {
-    if (a.category == c.name && a.kind == "synonym") synonyms.push_back(a.text);
-    if (a.category == c.name && a.kind == "function") functions.push_back(a.text);
+    if (a.category == c.name && a.kind == AliasKind::Synonym) synonyms.push_back(a.text);
+    if (a.category == c.name && a.kind == AliasKind::Function) functions.push_back(a.text);
   }
   add("is", affordances);
   add("also called", synonyms);
@@ -128,7 +128,7 @@ std::string receptacles_for(const Tables& tables, const std::vector<const Catego
   std::map<std::string, std::set<std::string, std::less<>>, std::less<>> affordances;
   for (const auto& f : tables.affordances) affordances[f.category].insert(f.affordance);
   std::string text;
-  for (const char* relation : {"on", "inside"}) {
+  for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
     std::vector<std::string> names;
     for (const auto& receptacle : tables.categories) {
       const auto& holds = affordances[receptacle.name];
@@ -136,7 +136,7 @@ std::string receptacles_for(const Tables& tables, const std::vector<const Catego
                       [&](const Category* c) { return can_be_kept(*c, relation, receptacle, holds); }))
         names.push_back(receptacle.name);
     }
-    text += std::string("Receptacles for ") + relation + ": " + join(names, ", ") + "\n";
+    text += "Receptacles for " + std::string(info(relation).name) + ": " + join(names, ", ") + "\n";
   }
   return text;
 }

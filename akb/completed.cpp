@@ -24,7 +24,7 @@ bool is_stand_in(const Source& source) {
   return source.source.starts_with("derived:") && source.confidence < kLeastConfidence;
 }
 
-bool is_place(const Placement& p) { return p.relation == "on" || p.relation == "inside"; }
+bool is_place(const Placement& p) { return p.relation == Predicate::On || p.relation == Predicate::Inside; }
 
 const std::vector<std::string>& columns_of_file(std::string_view file) {
   static const std::vector<std::string> size{"category", "width", "depth", "height", "source", "confidence"};
@@ -65,8 +65,15 @@ std::optional<FactKind> fact_kind_named(std::string_view name) {
 }
 
 FactKind kind_of(const Alias& alias) {
-  if (alias.kind == "function") return FactKind::Function;
-  return alias.kind == "context" ? FactKind::Context : FactKind::Aliases;
+  switch (alias.kind) {
+    case AliasKind::Synonym:
+      return FactKind::Aliases;
+    case AliasKind::Function:
+      return FactKind::Function;
+    case AliasKind::Context:
+      return FactKind::Context;
+  }
+  return FactKind::Aliases;
 }
 
 StatedFacts stated_by(const Tables& tables) {
@@ -177,18 +184,18 @@ CompletedFacts read_completed(const std::filesystem::path& folder, const Tables&
   });
   with_rows("relation", [&](RowReader& row) -> Key {
     Placement p{row.one_of("object", names, "category"),
-                row.one_of("relation", {"on", "inside"}, "relation"),
+                row.value_of("relation", {"on", "inside"}, "relation", placement_relation_named),
                 row.one_of("receptacle", names, "category"),
                 row.number("likelihood", 0, 1, false),
                 row.integer("capacity", 1),
                 source(row)};
     if (row.sound()) facts.placements.push_back(p);
-    return {p.object, p.relation, p.receptacle};
+    return {p.object, std::string(info(p.relation).name), p.receptacle};
   });
   with_rows("alias", [&](RowReader& row) -> Key {
-    Alias a{category(row), row.required("text"), row.one_of("kind", alias_kinds(), "kind of alias"), source(row)};
+    Alias a{category(row), row.required("text"), read_alias_kind(row), source(row)};
     if (row.sound()) facts.aliases.push_back(a);
-    return {a.category, a.kind, a.text};
+    return {a.category, std::string(name_of(a.kind)), a.text};
   });
   return facts;
 }

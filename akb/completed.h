@@ -85,7 +85,7 @@ void lay_completed(const std::filesystem::path& tables_folder, Simulator simulat
                    Tables& tables, std::vector<Error>& errors);
 
 /// True when the relation (on, inside) can hold between the two by their bodies and affordances.
-bool can_be_kept(const Category& object, std::string_view relation, const Category& receptacle,
+bool can_be_kept(const Category& object, Predicate relation, const Category& receptacle,
                  const std::set<std::string, std::less<>>& receptacle_affordances);
 
 }  // namespace unietp

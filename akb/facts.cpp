@@ -73,9 +73,9 @@ void add_properties(Collector& into, const Category& c) {
 }
 
 void add_placements(Collector& into, const Knowledge& knowledge, const std::string& name) {
-  for (const auto& relation : relation_names()) {
+  for (const Predicate relation : kPlacementRelations) {
     for (const Placement* p : knowledge.placements_of(name, relation)) {
-      const std::string fact = relation + ":" + p->receptacle;
+      const std::string fact = std::string(info(relation).name) + ":" + p->receptacle;
       into.add(fact, number_text(p->likelihood), p->source);
       into.add(fact + ":capacity", std::to_string(p->capacity), p->source);
     }
@@ -83,27 +83,27 @@ void add_placements(Collector& into, const Knowledge& knowledge, const std::stri
 }
 
 void add_effects(Collector& into, const Knowledge& knowledge, const std::string& name) {
-  for (const auto& effect : effect_names()) {
-    const auto rows = knowledge.effects_of(name, effect);
+  for (const TreatmentInfo& treatment : all_treatments()) {
+    const auto rows = knowledge.effects_of(name, treatment.treatment);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Effect& e = *rows[i];
-      const std::string fact = effect + ":" + e.target;
+      const std::string fact = std::string(treatment.name) + ":" + e.target;
       const std::string given = e.gives.empty() ? "true" : e.gives;
       into.add(fact, e.amount > 0 ? std::to_string(e.amount) + " " + given : given, e.source);
       const bool last = i + 1 == rows.size() || rows[i + 1]->target != e.target;
-      if (last) into.add_unless_empty(fact + ":needs", join(e.needs, "|"), e.source);
+      if (last) into.add_unless_empty(fact + ":needs", join(names_of(e.needs), "|"), e.source);
     }
   }
 }
 
 void add_aliases(Collector& into, const Knowledge& knowledge, const std::string& name) {
   std::vector<const Alias*> aliases;
-  for (const auto& kind : alias_kinds()) {
+  for (const AliasKind kind : kAliasKinds) {
     const auto some = knowledge.aliases_of(name, kind);
     aliases.insert(aliases.end(), some.begin(), some.end());
   }
   std::stable_sort(aliases.begin(), aliases.end(), [](const Alias* a, const Alias* b) { return a->text < b->text; });
-  for (const Alias* alias : aliases) into.add("alias:" + alias->text, alias->kind, alias->source);
+  for (const Alias* alias : aliases) into.add("alias:" + alias->text, std::string(name_of(alias->kind)), alias->source);
 }
 
 }  // namespace
@@ -129,10 +129,10 @@ Result<FactName> parse_fact(std::string_view text) {
     fact.kind = FactName::Kind::Alias;
   } else if (fact.word == "asset") {
     fact.kind = FactName::Kind::Asset;
-  } else if (among(relation_names(), fact.word)) {
+  } else if (placement_relation_named(fact.word)) {
     fact.kind = FactName::Kind::Placement;
     fact.detail = take_detail(fact.object, "capacity");
-  } else if (among(effect_names(), fact.word)) {
+  } else if (treatment_named(fact.word)) {
     fact.kind = FactName::Kind::Effect;
     fact.detail = take_detail(fact.object, "needs");
   } else {

@@ -87,10 +87,10 @@ std::optional<Room3> below(const Category& c) {
 
 }  // namespace
 
-std::optional<Room3> room_of(const Category& receptacle, std::string_view relation) {
-  if (relation == "inside") return hollow(receptacle);
-  if (relation == "on") return top(receptacle);
-  if (relation == "under") return below(receptacle);
+std::optional<Room3> room_of(const Category& receptacle, Predicate relation) {
+  if (relation == Predicate::Inside) return hollow(receptacle);
+  if (relation == Predicate::On) return top(receptacle);
+  if (relation == Predicate::Under) return below(receptacle);
   return std::nullopt;
 }
 
@@ -101,13 +101,13 @@ bool fits(const Vec3& object, const Room3& room) {
   return small + kMargin_m <= narrow && large + kMargin_m <= wide && height + kMargin_m <= room.clearance;
 }
 
-bool fits(const Category& object, std::string_view relation, const Category& receptacle) {
+bool fits(const Category& object, Predicate relation, const Category& receptacle) {
   const auto room = room_of(receptacle, relation);
   return room && fits(object.size, *room);
 }
 
 bool fit_side_by_side(const Category& a, const Category& b, const Category& support) {
-  const auto room = room_of(support, "on");
+  const auto room = room_of(support, Predicate::On);
   if (!room || std::max(a.size.z(), b.size.z()) + kMargin_m > room->clearance) return false;
   const auto as = std::minmax(a.size.x(), a.size.y()), bs = std::minmax(b.size.x(), b.size.y());
   const double narrow = std::min(room->width, room->depth), wide = std::max(room->width, room->depth);
@@ -118,7 +118,7 @@ bool fit_side_by_side(const Category& a, const Category& b, const Category& supp
 }
 
 bool usable(const Asset& asset, const Category& category) {
-  const bool holds = room_of(category, "on") || room_of(category, "inside");
+  const bool holds = room_of(category, Predicate::On) || room_of(category, Predicate::Inside);
   const auto close = [&](const Vec3& size) {
     const Vec3 ratio = size.cwiseQuotient(category.size);
     return ratio.minCoeff() >= (holds ? kSmallerHolder : kSmallerModel) && ratio.maxCoeff() <= kLargerModel;
@@ -129,7 +129,7 @@ bool usable(const Asset& asset, const Category& category) {
   return close(asset.size) || (no_front && close({asset.size.y(), asset.size.x(), asset.size.z()}));
 }
 
-int capacity_of(const Category& object, std::string_view relation, const Category& receptacle) {
+int capacity_of(const Category& object, Predicate relation, const Category& receptacle) {
   const auto room = room_of(receptacle, relation);
   if (!room || !fits(object.size, *room)) return 0;
   const auto count = [&](double w, double d) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "akb/rows.h"
 
@@ -17,13 +16,13 @@ struct Room3 {
 
 /// The rectangle that a category offers for a relation (`on`, `inside` or `under`), or nothing when its archetype has
 /// none. Conservative: a shape built with walls of up to 2 cm (1 cm for small things) has at least this much room.
-std::optional<Room3> room_of(const Category& receptacle, std::string_view relation);
+std::optional<Room3> room_of(const Category& receptacle, Predicate relation);
 
 /// True when an upright object, turned about z by a quarter turn at will, finds room with a centimetre to spare in each
 /// direction. Out of an open hollow it may stick by its own height at most once.
 bool fits(const Vec3& object, const Room3& room);
 /// The same for an object of typical size and the room of a receptacle.
-bool fits(const Category& object, std::string_view relation, const Category& receptacle);
+bool fits(const Category& object, Predicate relation, const Category& receptacle);
 
 /// True when both stand next to one another on the top of `support`, 2 cm apart, each turned as it likes.
 bool fit_side_by_side(const Category& a, const Category& b, const Category& support);
@@ -35,6 +34,6 @@ bool usable(const Asset& asset, const Category& category);
 
 /// How many such objects fit side by side on all levels with 2 cm between them, at most 12 and six tenths of the full
 /// grid (rule `footprint`); 0 when none fits.
-int capacity_of(const Category& object, std::string_view relation, const Category& receptacle);
+int capacity_of(const Category& object, Predicate relation, const Category& receptacle);
 
 }  // namespace unietp

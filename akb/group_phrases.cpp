@@ -7,11 +7,11 @@
 
 namespace unietp {
 
-void GroupPhrases::add(const std::string& group, const std::string& kind, const std::string& text) {
+void GroupPhrases::add(const std::string& group, AliasKind kind, const std::string& text) {
   texts_[{group, kind}].push_back(text);
 }
 
-std::vector<std::string> GroupPhrases::of(const std::vector<std::string>& groups, const std::string& kind) const {
+std::vector<std::string> GroupPhrases::of(const std::vector<std::string>& groups, AliasKind kind) const {
   for (const auto& group : groups) {
     const auto found = texts_.find({group, kind});
     if (found != texts_.end()) return found->second;
@@ -29,8 +29,9 @@ GroupPhrases read_group_phrases(const std::filesystem::path& path, std::vector<E
   RowReader row(path.string(), *text, {"group", "kind", "text"}, errors);
   for (const auto& cells : row.rows()) {
     row.at(cells);
-    const auto group = row.required("group"), kind = row.one_of("kind", alias_kinds(), "kind of alias"),
-               words = row.required("text");
+    const auto group = row.required("group");
+    const AliasKind kind = read_alias_kind(row);
+    const auto words = row.required("text");
     if (row.sound()) phrases.add(group, kind, words);
   }
   return phrases;

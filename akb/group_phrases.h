@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "akb/rows.h"
 #include "core/error.h"
 
 namespace unietp {
@@ -14,13 +15,13 @@ namespace unietp {
 /// thirsty." A group is a synset or a kind of kinds.csv.
 class GroupPhrases {
  public:
-  /// `kind` is `function` or `context`. Phrases keep the order in which they were added.
-  void add(const std::string& group, const std::string& kind, const std::string& text);
-  /// The phrases of a kind (function, context) that the first group with any has.
-  std::vector<std::string> of(const std::vector<std::string>& groups, const std::string& kind) const;
+  /// `kind` is Function or Context. Phrases keep the order in which they were added.
+  void add(const std::string& group, AliasKind kind, const std::string& text);
+  /// The phrases of a kind that the first group with any has.
+  std::vector<std::string> of(const std::vector<std::string>& groups, AliasKind kind) const;
 
  private:
-  std::map<std::pair<std::string, std::string>, std::vector<std::string>> texts_;  // by group and kind
+  std::map<std::pair<std::string, AliasKind>, std::vector<std::string>> texts_;  // by group and kind
 };
 
 /// Reads curated/phrases.csv (group,kind,text). Errors are appended, with line and column.

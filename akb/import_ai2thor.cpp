@@ -112,10 +112,10 @@ void add_affordances(TableBuilder& builder, const Json& types, const Json& alfre
 
 /// A receptacle that the metadata names holds an object inside when it is hollow, else on top; a chest's drawer counts
 /// as inside only where the type can be opened.
-std::string relation_at(const TableBuilder& builder, const std::string& receptacle) {
+Predicate relation_at(const TableBuilder& builder, const std::string& receptacle) {
   const auto archetype = builder.find(receptacle)->archetype;
   const bool drawers = archetype == Archetype::Drawers && builder.has(receptacle, "openable");
-  return builder.has(receptacle, "container") || drawers ? "inside" : "on";
+  return builder.has(receptacle, "container") || drawers ? Predicate::Inside : Predicate::On;
 }
 
 /// `built_in`: furniture that stands in other furniture.
@@ -151,22 +151,24 @@ void add_placements(TableBuilder& builder, const Json& types, const Json& recept
 /// What follows from lists of the metadata; single effects stand in curated/ai2thor/effect.csv.
 void add_effects(TableBuilder& builder, const Json& types, const Json& alfred) {
   const auto& actions = alfred.at("VAL_ACTION_OBJECTS");
-  const auto add = [&](const std::string& tool, const std::string& effect, const std::string& target,
-                       const std::string& gives, std::vector<std::string> needs, const Source& source) {
-    builder.effect({tool, effect, target, gives, 0, std::move(needs), source});
+  const auto add = [&](const std::string& tool, Treatment treatment, const std::string& target,
+                       const std::string& gives, std::vector<EffectNeed> needs, const Source& source) {
+    builder.effect({tool, treatment, target, gives, 0, std::move(needs), source});
   };
   for (const auto& type : words(actions.at("Heatable"))) {
-    add("Microwave", "heats", type, "", {"closed", "power_on", "inside"}, {kAlfred, 1});
+    add("Microwave", Treatment::Heats, type, "", {EffectNeed::Closed, EffectNeed::PowerOn, EffectNeed::Inside},
+        {kAlfred, 1});
   }
   for (const auto& type : words(actions.at("Coolable"))) {
-    add("Fridge", "cools", type, "", {"closed", "inside"}, {kAlfred, 1});
+    add("Fridge", Treatment::Cools, type, "", {EffectNeed::Closed, EffectNeed::Inside}, {kAlfred, 1});
   }
   for (const auto& [type, row] : types.items()) {
     if (!builder.has(type, "pickupable")) continue;
-    if (builder.has(type, "dirtyable")) add("Sink", "washes", type, "", {"under_tap"}, {kAlfred, 0.9});
+    if (builder.has(type, "dirtyable"))
+      add("Sink", Treatment::Washes, type, "", {EffectNeed::UnderTap}, {kAlfred, 0.9});
     if (!builder.has(type, "fillable")) continue;
-    add("Sink", "fills", type, "water", {"under_tap"}, {"curated", 0.9});
-    for (const char* drain : {"Sink", "Bathtub"}) add(drain, "drains", type, "", {}, {"curated", 0.9});
+    add("Sink", Treatment::Fills, type, "water", {EffectNeed::UnderTap}, {"curated", 0.9});
+    for (const char* drain : {"Sink", "Bathtub"}) add(drain, Treatment::Drains, type, "", {}, {"curated", 0.9});
   }
 }
 

@@ -48,12 +48,12 @@ void add_aliases(TableBuilder& builder, const Metadata& metadata, const behavior
                  const WordNetWords& wordnet, const GroupPhrases& phrases) {
   for (const auto& name : builder.names()) {
     for (auto& word : wordnet.usual_words(metadata.categories.at(name).synset)) {
-      builder.alias({name, std::move(word), "synonym", {"derived:wordnet", 0.7}});
+      builder.alias({name, std::move(word), AliasKind::Synonym, {"derived:wordnet", 0.7}});
     }
     if (!builder.find(name)->movable) continue;
     auto groups = words.chain(name);
     groups.push_back(builder.kind(name));
-    for (const char* kind : {"function", "context"}) {
+    for (const AliasKind kind : {AliasKind::Function, AliasKind::Context}) {
       for (const auto& text : phrases.of(groups, kind)) builder.alias({name, text, kind, {"derived:kind", 0.7}});
     }
   }
@@ -102,7 +102,7 @@ Result<Tables> import_behavior(const std::filesystem::path& upstream, const std:
     builder.add(usual.contains(name) ? listed(name, facts) : derived(name, facts, words, *wordnet));
   }
   builder.prefer(usual);
-  builder.keep_best({{"on", 8}, {"inside", 7}, {"next_to", 5}, {"under", 3}});
+  builder.keep_best({{Predicate::On, 8}, {Predicate::Inside, 7}, {Predicate::NextTo, 5}, {Predicate::Under, 3}});
   builder.kept_like(words.like());
   behavior::add_affordances(builder, *metadata, *transitions);
   builder.place_by_kind(1);

@@ -13,11 +13,11 @@ using Json = nlohmann::json;
 /// Furniture and appliances that stand in homes; the others do the same but no home has them.
 bool in_homes(const TableBuilder& builder, const std::string& name) { return !builder.find(name)->rooms.empty(); }
 
-std::vector<std::string> needs_of(const Json& source) {
-  std::vector<std::string> needs;
-  if (source.value("requires_closed", 0.0) > 0) needs.emplace_back("closed");
-  if (source.value("requires_toggled_on", 0.0) > 0) needs.emplace_back("power_on");
-  needs.emplace_back(source.value("requires_inside", 0.0) > 0 ? "inside" : "on");
+std::vector<EffectNeed> needs_of(const Json& source) {
+  std::vector<EffectNeed> needs;
+  if (source.value("requires_closed", 0.0) > 0) needs.push_back(EffectNeed::Closed);
+  if (source.value("requires_toggled_on", 0.0) > 0) needs.push_back(EffectNeed::PowerOn);
+  needs.push_back(source.value("requires_inside", 0.0) > 0 ? EffectNeed::Inside : EffectNeed::On);
   return needs;
 }
 
@@ -26,14 +26,14 @@ void add_heat(TableBuilder& builder, const std::string& tool, const Json& source
   const bool flame = builder.is_kind(tool, "stove");
   for (const auto& target : builder.names()) {
     if (!builder.has(target, "pickupable")) continue;
-    const auto add = [&](const char* effect) {
-      builder.effect({tool, effect, target, "", 0, needs_of(source), {kAnnotations, 1}});
+    const auto add = [&](Treatment treatment) {
+      builder.effect({tool, treatment, target, "", 0, needs_of(source), {kAnnotations, 1}});
     };
     // An open flame burns food that lies on it, a closed oven cooks it.
     const bool burns = flame && builder.has(target, "burnable");
-    if (burns) add("burns");
-    if (!burns && builder.has(target, "heatable")) add("heats");
-    if (!flame && builder.has(target, "cookable")) add("cooks");
+    if (burns) add(Treatment::Burns);
+    if (!burns && builder.has(target, "heatable")) add(Treatment::Heats);
+    if (!flame && builder.has(target, "cookable")) add(Treatment::Cooks);
   }
 }
 
@@ -41,11 +41,11 @@ void add_cold(TableBuilder& builder, const std::string& tool, const Json& source
   if (!builder.is_kind(tool, KindGroup::Cooler)) return;
   for (const auto& target : builder.names()) {
     if (!builder.has(target, "pickupable")) continue;
-    const auto add = [&](const char* effect) {
-      builder.effect({tool, effect, target, "", 0, needs_of(source), {kAnnotations, 1}});
+    const auto add = [&](Treatment treatment) {
+      builder.effect({tool, treatment, target, "", 0, needs_of(source), {kAnnotations, 1}});
     };
-    if (builder.has(target, "heatable")) add("cools");
-    if (builder.has(target, "freezable") && source.value("temperature", 0.0) < 0) add("freezes");
+    if (builder.has(target, "heatable")) add(Treatment::Cools);
+    if (builder.has(target, "freezable") && source.value("temperature", 0.0) < 0) add(Treatment::Freezes);
   }
 }
 
@@ -64,18 +64,18 @@ void add_washing(TableBuilder& builder) {
     if (!builder.is_kind(tool, KindGroup::Washer) || !in_homes(builder, tool)) continue;
     for (const auto& target : builder.names()) {
       if (!builder.has(target, "pickupable")) continue;
-      const auto add = [&](const char* effect, const char* gives, std::vector<std::string> needs) {
-        builder.effect({tool, effect, target, gives, 0, std::move(needs), {"curated", 0.9}});
+      const auto add = [&](Treatment treatment, const char* gives, std::vector<EffectNeed> needs) {
+        builder.effect({tool, treatment, target, gives, 0, std::move(needs), {"curated", 0.9}});
       };
       const bool cloth = builder.is_kind(target, KindGroup::Laundry);
       const bool dirty = builder.has(target, "dirtyable");
       if (builder.is_kind(tool, "sink")) {
-        if (dirty) add("washes", "", {"under_tap"});
-        if (builder.has(target, "fillable")) add("fills", "water", {"under_tap"});
-        if (builder.has(target, "fillable")) add("drains", "", {});
-        if (builder.has(target, "soakable")) add("soaks", "water", {"under_tap"});
+        if (dirty) add(Treatment::Washes, "", {EffectNeed::UnderTap});
+        if (builder.has(target, "fillable")) add(Treatment::Fills, "water", {EffectNeed::UnderTap});
+        if (builder.has(target, "fillable")) add(Treatment::Drains, "", {});
+        if (builder.has(target, "soakable")) add(Treatment::Soaks, "water", {EffectNeed::UnderTap});
       } else if (dirty && cloth == builder.is_kind(tool, "washer")) {
-        add("washes", "", {"closed", "power_on", "inside"});
+        add(Treatment::Washes, "", {EffectNeed::Closed, EffectNeed::PowerOn, EffectNeed::Inside});
       }
     }
   }
@@ -88,7 +88,7 @@ void add_wiping(TableBuilder& builder, const std::set<std::string>& usual) {
       const bool cloth = builder.is_kind(target, KindGroup::WornOrSpread);
       if (tool == target || cloth || !builder.has(target, "coverable")) continue;
       if (!builder.has(target, "pickupable") && !in_homes(builder, target)) continue;
-      builder.effect({tool, "wipes", target, "", 0, {"held"}, {"curated", 0.9}});
+      builder.effect({tool, Treatment::Wipes, target, "", 0, {EffectNeed::Held}, {"curated", 0.9}});
     }
   }
 }
@@ -100,7 +100,8 @@ void add_slicing(TableBuilder& builder, const Metadata& metadata, const Json& tr
     for (const auto& tool : builder.names()) {
       if (!metadata.categories.at(tool).properties.contains("slicer") || !builder.has(tool, "pickupable")) continue;
       if (builder.is_kind(tool, "cutlery") != food) continue;
-      builder.effect({tool, "slices", whole, pieces.category, pieces.amount, {"held"}, {kSlicing, 1}});
+      builder.effect(
+          {tool, Treatment::Slices, whole, pieces.category, pieces.amount, {EffectNeed::Held}, {kSlicing, 1}});
     }
   }
 }
@@ -131,7 +132,7 @@ void add_spreading(TableBuilder& builder, const Metadata& metadata, const std::s
       if (!builder.has(target, "coverable")) continue;
       // One word, as formulas name it: (covered ?x dish_soap).
       const auto symbol = replace_all(substance, " ", "_");
-      builder.effect({tool, "dispenses", target, symbol, 0, {"held"}, {"curated", 0.8}});
+      builder.effect({tool, Treatment::Dispenses, target, symbol, 0, {EffectNeed::Held}, {"curated", 0.8}});
     }
   }
 }
@@ -142,7 +143,8 @@ void add_coffee(TableBuilder& builder) {
     if (!builder.is_kind(tool, "coffee_machine") || !builder.has(tool, "switchable")) continue;
     for (const auto& target : builder.names()) {
       if (!builder.is_kind(target, "cup") || !builder.has(target, "fillable")) continue;
-      builder.effect({tool, "fills", target, "coffee", 0, {"power_on", "on"}, {"curated", 0.9}});
+      builder.effect(
+          {tool, Treatment::Fills, target, "coffee", 0, {EffectNeed::PowerOn, EffectNeed::On}, {"curated", 0.9}});
     }
   }
 }

@@ -178,12 +178,12 @@ void TableBuilder::afford_by_archetype() {
   overlay_affordances();
   for (const auto& [name, c] : categories_) {
     if (is_kind(name, KindGroup::HoldsNothing)) continue;
-    if (room_of(c, "inside") && c.archetype != Archetype::Drawers) {
+    if (room_of(c, Predicate::Inside) && c.archetype != Archetype::Drawers) {
       afford(name, "container", "derived:archetype", 0.9);
     }
     const bool flat_food = c.archetype == Archetype::Plate && is_kind(name, KindGroup::FlatFood);
     const bool furniture = !c.movable || c.archetype == Archetype::Plate;
-    if (furniture && !flat_food && room_of(c, "on")) afford(name, "receptacle", "derived:archetype", 0.9);
+    if (furniture && !flat_food && room_of(c, Predicate::On)) afford(name, "receptacle", "derived:archetype", 0.9);
   }
 }
 
@@ -196,13 +196,13 @@ void TableBuilder::model(Asset asset) {
 
 void TableBuilder::effect(Effect effect) {
   if (!categories_.contains(effect.tool) || !categories_.contains(effect.target)) return;
-  if (effect.effect == "slices" && !categories_.contains(effect.gives)) return;
-  effects_.try_emplace({effect.tool, effect.effect, effect.target, effect.gives}, effect);
+  if (effect.treatment == Treatment::Slices && !categories_.contains(effect.gives)) return;
+  effects_.try_emplace({effect.tool, name_of(effect.treatment), effect.target, effect.gives}, effect);
 }
 
 void TableBuilder::alias(Alias alias) {
   if (!categories_.contains(alias.category)) return;
-  aliases_.try_emplace({alias.category, alias.kind, alias.text}, alias);
+  aliases_.try_emplace({alias.category, name_of(alias.kind), alias.text}, alias);
 }
 
 const Category* TableBuilder::find(const std::string& name) const {

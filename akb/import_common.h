@@ -54,7 +54,7 @@ class TableBuilder {
   void afford_by_archetype();
 
   /// A placement seen in metadata; weights of one pair add up.
-  void seen(const std::string& object, std::string_view relation, const std::string& receptacle, double weight,
+  void seen(const std::string& object, Predicate relation, const std::string& receptacle, double weight,
             const std::string& source);
   /// Placements of placement_rules.csv (rule `kind`) for every pair that metadata does not name; `scale` says how much
   /// they weigh against metadata. All four relations; `next_to` is of things that can stand on one support.
@@ -65,9 +65,9 @@ class TableBuilder {
   void kept_like(std::map<std::string, std::string> kinds) { like_ = std::move(kinds); }
   /// At most so many derived placements of one object for a relation are kept: the likeliest, where each further
   /// receptacle of a kind counts less than the one before.
-  void keep_best(std::map<std::string, std::size_t, std::less<>> most) { most_ = std::move(most); }
+  void keep_best(std::map<Predicate, std::size_t> most) { most_ = std::move(most); }
   /// Object, relation and receptacle of every placement that place_by_kind would add.
-  std::set<std::tuple<std::string, std::string, std::string>> sensible_placements();
+  std::set<std::tuple<std::string, Predicate, std::string>> sensible_placements();
 
   /// A model of a category with its own box, width x, depth y and height z in the model's frame. Every model is kept,
   /// for scenes that have it; `usable` of akb/fit.h says which ones serve in scenes of ours. Ignored when the category
@@ -120,13 +120,14 @@ class TableBuilder {
   std::map<std::string, Category> categories_;
   std::map<std::string, std::string> kinds_;
   std::map<std::pair<std::string, std::string>, AffordanceFact> affordances_;
-  std::map<std::tuple<std::string, std::string, std::string>, Placement> placements_;
-  std::map<std::tuple<std::string, std::string, std::string, std::string>, Effect> effects_;
-  std::map<std::tuple<std::string, std::string, std::string>, Alias> aliases_;
+  // By the keys of the tables, in their order; the second part is the name of an enum's value.
+  std::map<std::tuple<std::string, std::string_view, std::string>, Placement> placements_;
+  std::map<std::tuple<std::string, std::string_view, std::string, std::string>, Effect> effects_;
+  std::map<std::tuple<std::string, std::string_view, std::string>, Alias> aliases_;
   std::set<std::string> preferred_;
   std::map<std::string, std::string> like_;
-  std::map<std::string, std::size_t, std::less<>> most_;  // relation -> placements of an object
-  std::map<std::string, Asset> assets_;                   // by name
+  std::map<Predicate, std::size_t> most_;  // relation -> placements of an object
+  std::map<std::string, Asset> assets_;    // by name
 };
 
 /// "CoffeeMachine" -> "coffee machine", "coffee_table" -> "coffee table".

@@ -38,27 +38,27 @@ void TableBuilder::overlay_curated() {
   const auto known = names();
   with_curated("relation", [&](RowReader& row) {
     Placement p{row.one_of("object", known, "category"),
-                row.one_of("relation", relation_names(), "relation"),
+                row.value_of("relation", relation_names(), "relation", placement_relation_named),
                 row.one_of("receptacle", known, "category"),
                 row.number("likelihood", 0, 1000, false),
                 row.integer("capacity", 1),
                 row.source("source", "confidence")};
-    if (row.sound()) placements_[{p.object, p.relation, p.receptacle}] = p;
+    if (row.sound()) placements_[{p.object, info(p.relation).name, p.receptacle}] = p;
   });
   with_curated("effect", [&](RowReader& row) {
     Effect e{row.one_of("tool", known, "category"),
-             row.one_of("effect", effect_names(), "effect"),
+             row.value_of("effect", effect_names(), "effect", treatment_named),
              row.one_of("target", known, "category"),
              row.text("gives"),
              row.integer("amount", 0),
-             row.all_of("needs", need_names(), "need"),
+             read_needs(row),
              row.source("source", "confidence")};
-    if (row.sound()) effects_[{e.tool, e.effect, e.target, e.gives}] = e;
+    if (row.sound()) effects_[{e.tool, name_of(e.treatment), e.target, e.gives}] = e;
   });
   with_curated("alias", [&](RowReader& row) {
-    Alias a{row.one_of("category", known, "category"), row.required("text"),
-            row.one_of("kind", alias_kinds(), "kind of alias"), row.source("source", "confidence")};
-    if (row.sound()) aliases_[{a.category, a.kind, a.text}] = a;
+    Alias a{row.one_of("category", known, "category"), row.required("text"), read_alias_kind(row),
+            row.source("source", "confidence")};
+    if (row.sound()) aliases_[{a.category, name_of(a.kind), a.text}] = a;
   });
 }
 
@@ -80,7 +80,7 @@ void TableBuilder::drop_removed() {
     } else if (row.text("table") == "relation") {
       removed = std::erase_if(placements_, [&](const auto& entry) {
         const auto& p = entry.second;
-        return p.object == subject && p.relation == verb && (object == "*" || p.receptacle == object);
+        return p.object == subject && info(p.relation).name == verb && (object == "*" || p.receptacle == object);
       });
     }
     if (row.text("table") == "alias") removed = aliases_.erase({subject, verb, object});
@@ -103,13 +103,14 @@ void TableBuilder::add_aliases_of(const std::filesystem::path& path) {
   for (const auto& cells : row.rows()) {
     row.at(cells);
     const auto& display = row.required("display");
-    const auto kind = row.one_of("kind", alias_kinds(), "kind of alias");
+    const AliasKind kind = read_alias_kind(row);
     const auto alias = row.required("text");
     if (!lexicon_.contains(display))
       row.fail("display", "no word '" + display + "' in lexicon*.csv; expected one of its rows");
     if (!row.sound()) continue;
     for (const auto& [name, c] : categories_) {
-      if (c.display == display) aliases_.try_emplace({name, kind, alias}, Alias{name, alias, kind, {"curated", 0.9}});
+      if (c.display == display)
+        aliases_.try_emplace({name, name_of(kind), alias}, Alias{name, alias, kind, {"curated", 0.9}});
     }
   }
 }
@@ -122,11 +123,11 @@ void TableBuilder::drop_ambiguous_aliases() {
     named[c.plural].insert(name);
   }
   for (const auto& [key, a] : aliases_) {
-    if (a.kind == "synonym") named[a.text].insert(a.category);
+    if (a.kind == AliasKind::Synonym) named[a.text].insert(a.category);
   }
   std::erase_if(aliases_, [&](const auto& entry) {
     const Alias& a = entry.second;
-    if (a.kind != "synonym") return false;
+    if (a.kind != AliasKind::Synonym) return false;
     const Category& own = categories_.at(a.category);
     return named[a.text].size() > 1 || a.text == own.display || a.text == own.plural;
   });

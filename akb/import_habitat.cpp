@@ -125,7 +125,7 @@ Result<Tables> import_habitat(const std::filesystem::path& upstream, const std::
     builder.add(raw);
     // What a hamper holds goes by its size: a lent one would be as small as the models that happen to be there.
     const auto* lent = builder.find(name);
-    if (lent != nullptr && !lent->movable && raw.extents && room_of(*lent, "inside")) {
+    if (lent != nullptr && !lent->movable && raw.extents && room_of(*lent, Predicate::Inside)) {
       raw.extents.reset();
       builder.add(raw);
     }

@@ -14,15 +14,16 @@ constexpr int kMostBeside = 4;
 
 /// Places on and in things share a sum; being beside or under something says nothing against them.
 std::string share_of(const Placement& p) {
-  return p.object + (p.relation == "next_to" || p.relation == "under" ? "\x1f" + p.relation : "");
+  const bool shares = p.relation == Predicate::On || p.relation == Predicate::Inside;
+  return p.object + (shares ? "" : "\x1f" + std::string(info(p.relation).name));
 }
 
 }  // namespace
 
-void TableBuilder::seen(const std::string& object, std::string_view relation, const std::string& receptacle,
-                        double weight, const std::string& source) {
-  auto& placement = placements_[{object, std::string(relation), receptacle}];
-  if (placement.object.empty()) placement = {object, std::string(relation), receptacle, 0, 1, {source, 0.9}};
+void TableBuilder::seen(const std::string& object, Predicate relation, const std::string& receptacle, double weight,
+                        const std::string& source) {
+  auto& placement = placements_[{object, info(relation).name, receptacle}];
+  if (placement.object.empty()) placement = {object, relation, receptacle, 0, 1, {source, 0.9}};
   placement.likelihood += weight;
 }
 
@@ -48,33 +49,34 @@ void TableBuilder::place_by_kind(double scale) {
 void TableBuilder::place_by_rule(const PlacementRule& rule, const Category& object, const Category& receptacle,
                                  double scale) {
   if (object.name == receptacle.name) return;
-  if (rule.relation == "inside" && !has(receptacle.name, "container")) return;
-  if (rule.relation == "on" && !has(receptacle.name, "receptacle")) return;
-  if (rule.relation != "next_to" && !fits(object, rule.relation, receptacle)) return;
+  if (rule.relation == Predicate::Inside && !has(receptacle.name, "container")) return;
+  if (rule.relation == Predicate::On && !has(receptacle.name, "receptacle")) return;
+  if (rule.relation != Predicate::NextTo && !fits(object, rule.relation, receptacle)) return;
   constexpr double kLessUsual = 0.8, kInNoHome = 0.3;
   const double usual = preferred_.empty() || preferred_.contains(receptacle.name) ? 1
                        : receptacle.rooms.empty()                                 ? kInNoHome
                                                                                   : kLessUsual;
   placements_.try_emplace(
-      {object.name, rule.relation, receptacle.name},
+      {object.name, info(rule.relation).name, receptacle.name},
       Placement{object.name, rule.relation, receptacle.name, rule.weight * scale * usual, 1, {"derived:kind", 0.7}});
 }
 
-std::set<std::tuple<std::string, std::string, std::string>> TableBuilder::sensible_placements() {
+std::set<std::tuple<std::string, Predicate, std::string>> TableBuilder::sensible_placements() {
   auto kept = std::move(placements_);
   placements_.clear();
   place_by_kind(1);
-  std::set<std::tuple<std::string, std::string, std::string>> found;
-  for (const auto& [key, p] : placements_) found.insert(key);
+  std::set<std::tuple<std::string, Predicate, std::string>> found;
+  for (const auto& [key, p] : placements_) found.emplace(p.object, p.relation, p.receptacle);
   placements_ = std::move(kept);
   return found;
 }
 
 /// Keeps the best derived placements of each object (its next_to when `beside`, else the others).
 void TableBuilder::drop_all_but_best(bool beside) {
-  std::map<std::pair<std::string, std::string>, std::vector<const Placement*>> derived;
+  std::map<std::pair<std::string, Predicate>, std::vector<const Placement*>> derived;
   for (const auto& [key, p] : placements_) {
-    if ((p.relation == "next_to") == beside && most_.contains(p.relation) && p.source.source == "derived:kind") {
+    if ((p.relation == Predicate::NextTo) == beside && most_.contains(p.relation) &&
+        p.source.source == "derived:kind") {
       derived[{p.object, p.relation}].push_back(&p);
     }
   }
@@ -94,7 +96,7 @@ void TableBuilder::drop_all_but_best(bool beside) {
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     for (std::size_t i = most; i < ranked.size(); ++i) {
       const Placement& p = *ranked[i].second;
-      placements_.erase(std::tuple(p.object, p.relation, p.receptacle));
+      placements_.erase({p.object, info(p.relation).name, p.receptacle});
     }
   }
 }
@@ -103,10 +105,11 @@ void TableBuilder::drop_all_but_best(bool beside) {
 int TableBuilder::room_beside(const Placement& p) const {
   int most = 0;
   const auto &object = categories_.at(p.object), &other = categories_.at(p.receptacle);
-  for (auto at = placements_.lower_bound({p.object, "on", ""});
-       at != placements_.end() && at->second.object == p.object && at->second.relation == "on"; ++at) {
+  const std::string_view on = info(Predicate::On).name;
+  for (auto at = placements_.lower_bound({p.object, on, ""});
+       at != placements_.end() && at->second.object == p.object && at->second.relation == Predicate::On; ++at) {
     const auto& support = at->second.receptacle;
-    if (support == p.receptacle || !placements_.contains({p.receptacle, "on", support})) continue;
+    if (support == p.receptacle || !placements_.contains({p.receptacle, on, support})) continue;
     if (!fit_side_by_side(object, other, categories_.at(support))) continue;
     most = std::max(most, std::clamp(at->second.capacity - 1, 1, kMostBeside));
   }
@@ -116,7 +119,7 @@ int TableBuilder::room_beside(const Placement& p) const {
 void TableBuilder::drop_unfit_placements() {
   const auto drop = [&](bool beside, const auto& capacity) {
     for (auto& [key, p] : placements_) {
-      if ((p.relation == "next_to") == beside) p.capacity = capacity(p);
+      if ((p.relation == Predicate::NextTo) == beside) p.capacity = capacity(p);
     }
     std::erase_if(placements_, [](const auto& entry) { return entry.second.capacity == 0; });
     drop_all_but_best(beside);
@@ -124,9 +127,9 @@ void TableBuilder::drop_unfit_placements() {
   drop(false, [&](const Placement& p) {
     const auto object = categories_.find(p.object), receptacle = categories_.find(p.receptacle);
     if (object == categories_.end() || receptacle == categories_.end()) return 0;
-    const bool shut =
-        p.relation == "inside" && receptacle->second.archetype == Archetype::Drawers && !has(p.receptacle, "openable");
-    const bool built_in = p.relation != "on" && !object->second.movable;  // a faucet in its sink
+    const bool shut = p.relation == Predicate::Inside && receptacle->second.archetype == Archetype::Drawers &&
+                      !has(p.receptacle, "openable");
+    const bool built_in = p.relation != Predicate::On && !object->second.movable;  // a faucet in its sink
     return shut || built_in ? 0 : capacity_of(object->second, p.relation, receptacle->second);
   });
   drop(true, [&](const Placement& p) {
@@ -140,18 +143,17 @@ void TableBuilder::drop_unfit() {
   drop_unfit_placements();
   std::erase_if(effects_, [&](const auto& entry) {
     const Effect& e = entry.second;
-    const bool inside = std::find(e.needs.begin(), e.needs.end(), "inside") != e.needs.end();
-    const bool on = std::find(e.needs.begin(), e.needs.end(), "on") != e.needs.end();
+    const bool inside = has_need(e, EffectNeed::Inside), on = has_need(e, EffectNeed::On);
     const auto &tool = categories_.at(e.tool), &target = categories_.at(e.target);
-    return (inside && !fits(target, "inside", tool)) || (on && !fits(target, "on", tool));
+    return (inside && !fits(target, Predicate::Inside, tool)) || (on && !fits(target, Predicate::On, tool));
   });
-  std::set<std::pair<std::string, std::string>> used;  // relation, receptacle
+  std::set<std::pair<Predicate, std::string>> used;  // relation, receptacle
   for (const auto& [key, p] : placements_) used.emplace(p.relation, p.receptacle);
   // A derived receptacle in or on which nothing of this simulator fits is none.
   std::erase_if(affordances_, [&](const auto& entry) {
     const auto& fact = entry.second;
     const bool holds = fact.affordance == "container" || fact.affordance == "receptacle";
-    const char* relation = fact.affordance == "container" ? "inside" : "on";
+    const Predicate relation = fact.affordance == "container" ? Predicate::Inside : Predicate::On;
     return holds && fact.source.source == "derived:archetype" && !used.contains({relation, fact.category});
   });
 }

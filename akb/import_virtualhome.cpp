@@ -73,7 +73,7 @@ class ScriptNames {
   NameTexts others_;
 };
 
-using Placements = std::set<std::tuple<std::string, std::string, std::string>>;
+using Placements = std::set<std::tuple<std::string, Predicate, std::string>>;
 
 /// What the script world adds: where one can lie down, and what has a plug.
 void add_script_affordances(TableBuilder& builder, const ScriptNames& names, const Json& properties) {
@@ -91,7 +91,7 @@ void add_script_affordances(TableBuilder& builder, const ScriptNames& names, con
 /// then weighs more than one that only the rule knows. Otherwise a water glass on a rug would pass.
 void confirm(TableBuilder& builder, const Placements& sensible, const std::string& object,
              const std::string& receptacle, double weight, const std::string& source) {
-  for (const char* relation : {"inside", "on"}) {
+  for (const Predicate relation : {Predicate::Inside, Predicate::On}) {
     if (!sensible.contains({object, relation, receptacle})) continue;
     builder.seen(object, relation, receptacle, weight, source);
     return;

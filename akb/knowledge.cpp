@@ -41,6 +41,12 @@ class Numbering {
   std::vector<std::string> strangers_;
 };
 
+/// Enums are their own numbers.
+template <class Enum>
+std::uint32_t number_of(Enum value) {
+  return static_cast<std::uint32_t>(value);
+}
+
 /// The numbers of the names by which rows are found.
 struct Keys {
   std::vector<RowKey> categories, affordances, placements, effects, aliases, assets;
@@ -59,12 +65,14 @@ Keys keys_of(const Tables& tables, Numbering& name, Numbering& word) {
     return {name(f.category), word(f.affordance)};
   });
   keys.placements = keys_of(tables.placements, [&](const Placement& p) -> RowKey {
-    return {name(p.object), word(p.relation), name(p.receptacle)};
+    return {name(p.object), number_of(p.relation), name(p.receptacle)};
   });
   keys.effects = keys_of(tables.effects, [&](const Effect& e) -> RowKey {
-    return {name(e.tool), word(e.effect), name(e.target)};
+    return {name(e.tool), number_of(e.treatment), name(e.target)};
   });
-  keys.aliases = keys_of(tables.aliases, [&](const Alias& a) -> RowKey { return {name(a.category), word(a.kind)}; });
+  keys.aliases = keys_of(tables.aliases, [&](const Alias& a) -> RowKey {
+    return {name(a.category), number_of(a.kind)};
+  });
   keys.assets = keys_of(tables.assets, [&](const Asset& a) -> RowKey { return {name(a.category)}; });
   return keys;
 }
@@ -79,13 +87,6 @@ std::vector<std::string> category_names(const Tables& tables) {
   for (const auto& c : tables.categories) names.push_back(c.name);
   return names;
 }
-std::vector<std::string> all_words() {
-  std::vector<std::string> words;
-  for (const auto* some : {&affordance_names(), &relation_names(), &effect_names(), &alias_kinds()})
-    words.insert(words.end(), some->begin(), some->end());
-  return words;
-}
-
 }  // namespace
 
 Knowledge::Knowledge(Simulator simulator, std::vector<Category> categories, std::vector<AffordanceFact> affordances,
@@ -95,7 +96,7 @@ Knowledge::Knowledge(Simulator simulator, std::vector<Category> categories, std:
   Tables tables{std::move(categories), std::move(affordances), std::move(placements),
                 std::move(effects),    std::move(aliases),     std::move(assets)};
   sort_tables(tables);
-  Numbering names(category_names(tables)), words(all_words());
+  Numbering names(category_names(tables)), words(affordance_names());
   Keys keys = keys_of(tables, names, words);
   if (!names.complete() || !words.complete()) {
     names.take_strangers();
@@ -148,29 +149,28 @@ std::vector<const AffordanceFact*> Knowledge::affordance_facts_of(std::string_vi
   return pointers(affordances_, by_category_.with(names_.number(category)));
 }
 
-const Placement* Knowledge::placement(std::string_view object, std::string_view relation,
-                                      std::string_view receptacle) const {
-  return first(placements_, by_object_.with(names_.number(object), words_.number(relation), names_.number(receptacle)));
+const Placement* Knowledge::placement(std::string_view object, Predicate relation, std::string_view receptacle) const {
+  return first(placements_, by_object_.with(names_.number(object), number_of(relation), names_.number(receptacle)));
 }
 
-std::vector<const Placement*> Knowledge::placements_of(std::string_view object, std::string_view relation) const {
-  return pointers(placements_, by_object_.with(names_.number(object), words_.number(relation)));
+std::vector<const Placement*> Knowledge::placements_of(std::string_view object, Predicate relation) const {
+  return pointers(placements_, by_object_.with(names_.number(object), number_of(relation)));
 }
 
-std::vector<const Placement*> Knowledge::placements_at(std::string_view receptacle, std::string_view relation) const {
-  return pointers(placements_, by_receptacle_.with(names_.number(receptacle), words_.number(relation)));
+std::vector<const Placement*> Knowledge::placements_at(std::string_view receptacle, Predicate relation) const {
+  return pointers(placements_, by_receptacle_.with(names_.number(receptacle), number_of(relation)));
 }
 
-const Effect* Knowledge::effect(std::string_view tool, std::string_view effect, std::string_view target) const {
-  return first(effects_, by_tool_.with(names_.number(tool), words_.number(effect), names_.number(target)));
+const Effect* Knowledge::effect(std::string_view tool, Treatment treatment, std::string_view target) const {
+  return first(effects_, by_tool_.with(names_.number(tool), number_of(treatment), names_.number(target)));
 }
 
-std::vector<const Effect*> Knowledge::effects_on(std::string_view target, std::string_view effect) const {
-  return pointers(effects_, by_target_.with(names_.number(target), words_.number(effect)));
+std::vector<const Effect*> Knowledge::effects_on(std::string_view target, Treatment treatment) const {
+  return pointers(effects_, by_target_.with(names_.number(target), number_of(treatment)));
 }
 
-std::vector<const Effect*> Knowledge::effects_of(std::string_view tool, std::string_view effect) const {
-  return pointers(effects_, by_tool_.with(names_.number(tool), words_.number(effect)));
+std::vector<const Effect*> Knowledge::effects_of(std::string_view tool, Treatment treatment) const {
+  return pointers(effects_, by_tool_.with(names_.number(tool), number_of(treatment)));
 }
 
 std::vector<const Asset*> Knowledge::assets_of(std::string_view category) const {
@@ -189,8 +189,8 @@ const Asset* Knowledge::asset(std::string_view name) const {
   return row == NameSlots::kNone ? nullptr : &assets_[row];
 }
 
-std::vector<const Alias*> Knowledge::aliases_of(std::string_view category, std::string_view kind) const {
-  return pointers(aliases_, by_alias_.with(names_.number(category), words_.number(kind)));
+std::vector<const Alias*> Knowledge::aliases_of(std::string_view category, AliasKind kind) const {
+  return pointers(aliases_, by_alias_.with(names_.number(category), number_of(kind)));
 }
 
 }  // namespace unietp

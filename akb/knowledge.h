@@ -34,18 +34,18 @@ class Knowledge {
 
   const std::vector<Placement>& placements() const { return placements_; }
   /// Whether and how often an object of one category is on, inside, next to or under one of another.
-  const Placement* placement(std::string_view object, std::string_view relation, std::string_view receptacle) const;
-  std::vector<const Placement*> placements_of(std::string_view object, std::string_view relation) const;
-  std::vector<const Placement*> placements_at(std::string_view receptacle, std::string_view relation) const;
+  const Placement* placement(std::string_view object, Predicate relation, std::string_view receptacle) const;
+  std::vector<const Placement*> placements_of(std::string_view object, Predicate relation) const;
+  std::vector<const Placement*> placements_at(std::string_view receptacle, Predicate relation) const;
 
   const std::vector<Effect>& effects() const { return effects_; }
   /// What the tool does to the target, if it does that at all.
-  const Effect* effect(std::string_view tool, std::string_view effect, std::string_view target) const;
-  std::vector<const Effect*> effects_on(std::string_view target, std::string_view effect) const;
-  std::vector<const Effect*> effects_of(std::string_view tool, std::string_view effect) const;
+  const Effect* effect(std::string_view tool, Treatment treatment, std::string_view target) const;
+  std::vector<const Effect*> effects_on(std::string_view target, Treatment treatment) const;
+  std::vector<const Effect*> effects_of(std::string_view tool, Treatment treatment) const;
 
-  /// The names or phrases of one kind: synonym, function or context.
-  std::vector<const Alias*> aliases_of(std::string_view category, std::string_view kind) const;
+  /// The names or phrases of one kind.
+  std::vector<const Alias*> aliases_of(std::string_view category, AliasKind kind) const;
   /// Models of a category whose boxes a scene may use (`usable` of akb/fit.h), by name; empty when none is known.
   std::vector<const Asset*> assets_of(std::string_view category) const;
   /// All models of a category, also those whose boxes are too far from it.
@@ -68,7 +68,7 @@ class Knowledge {
 
   // Numbers instead of names, so that a query compares no texts but those that it was asked with.
   NameTable names_;                       // of categories, and of what rows name without a category
-  NameTable words_;                       // affordances, relations, effects, kinds of alias
+  NameTable words_;                       // affordances
   RowIndex category_of_;                  // name
   RowIndex by_category_, by_affordance_;  // category, affordance; affordance, category
   RowIndex by_object_, by_receptacle_;    // object, relation, receptacle; receptacle, relation, object

@@ -26,30 +26,26 @@ std::map<std::string, std::set<std::string>> names_in(const Tables& tables) {
     named[c.plural].insert(c.name);
   }
   for (const auto& a : tables.aliases) {
-    if (a.kind == "synonym") named[a.text].insert(a.category);
+    if (a.kind == AliasKind::Synonym) named[a.text].insert(a.category);
   }
   return named;
 }
 
 void lay_aliases(const CompletedFacts& facts, const StatedFacts& stated, Tables& tables) {
-  const auto kind_of = [](const Alias& a) {
-    if (a.kind == "function") return FactKind::Function;
-    return a.kind == "context" ? FactKind::Context : FactKind::Aliases;
-  };
   std::vector<Alias> wanted;
   for (const auto& a : facts.aliases) {
     if (!is_stated(stated, kind_of(a), a.category)) wanted.push_back(a);
   }
   auto named = names_in(tables);
   for (const auto& a : wanted) {
-    if (a.kind == "synonym") named[a.text].insert(a.category);
+    if (a.kind == AliasKind::Synonym) named[a.text].insert(a.category);
   }
   for (const auto& c : tables.categories) {  // its own name is no synonym
     named[c.display].insert("");
     named[c.plural].insert("");
   }
   for (auto& a : wanted) {
-    if (a.kind != "synonym" || named[a.text].size() == 1) tables.aliases.push_back(std::move(a));
+    if (a.kind != AliasKind::Synonym || named[a.text].size() == 1) tables.aliases.push_back(std::move(a));
   }
 }
 
@@ -91,7 +87,7 @@ void drop_removed(const std::filesystem::path& path, CompletedFacts& facts, std:
                     [&](const AffordanceFact& f) { return f.category == subject && f.affordance == verb; });
     } else {
       std::erase_if(facts.placements, [&](const Placement& p) {
-        return p.object == subject && p.relation == verb && (object == "*" || p.receptacle == object);
+        return p.object == subject && info(p.relation).name == verb && (object == "*" || p.receptacle == object);
       });
     }
   }
@@ -107,10 +103,10 @@ void lay_completed(const std::filesystem::path& tables_folder, Simulator simulat
   lay_under(facts, stated, tables);
 }
 
-bool can_be_kept(const Category& object, std::string_view relation, const Category& receptacle,
+bool can_be_kept(const Category& object, Predicate relation, const Category& receptacle,
                  const std::set<std::string, std::less<>>& receptacle_affordances) {
   if (!object.movable || object.name == receptacle.name) return false;
-  const bool inside = relation == "inside";
+  const bool inside = relation == Predicate::Inside;
   if (!receptacle_affordances.contains(inside ? "container" : "receptacle")) return false;
   if (inside && receptacle.archetype == Archetype::Drawers && !receptacle_affordances.contains("openable"))
     return false;

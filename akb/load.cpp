@@ -29,6 +29,14 @@ struct Numbered {
   }
 };
 
+/// The value that a word stands for. Throws for a word that is not known.
+template <class Value>
+Value value_of(const std::string& word, std::optional<Value> (*named)(std::string_view)) {
+  const auto value = named(word);
+  if (!value) throw std::runtime_error("unknown word '" + word + "'");
+  return *value;
+}
+
 /// Reads the columns of a row one after the other, in the order of the table.
 class Columns {
  public:
@@ -108,9 +116,7 @@ Knowledge read_all(SqliteFile& file, Simulator simulator) {
     c.synset = from.text();
     c.countable = from.integer() != 0;
     c.movable = from.integer() != 0;
-    const auto& archetype = from.name();
-    if (!archetype_named(archetype)) throw std::runtime_error("unknown archetype '" + archetype + "'");
-    c.archetype = *archetype_named(archetype);
+    c.archetype = value_of(from.name(), archetype_named);
     c.size = from.size();
     c.mass = from.number();
     c.rooms = from.items();
@@ -129,7 +135,7 @@ Knowledge read_all(SqliteFile& file, Simulator simulator) {
       });
   auto placements = rows_of<Placement>(file, "relation_row", simulator, numbered, [](Columns& from, Placement& p) {
     p.object = from.name();
-    p.relation = from.name();
+    p.relation = value_of(from.name(), placement_relation_named);
     p.receptacle = from.name();
     p.likelihood = from.number();
     p.capacity = from.integer();
@@ -137,16 +143,16 @@ Knowledge read_all(SqliteFile& file, Simulator simulator) {
   });
   auto effects = rows_of<Effect>(file, "effect_row", simulator, numbered, [](Columns& from, Effect& e) {
     e.tool = from.name();
-    e.effect = from.name();
+    e.treatment = value_of(from.name(), treatment_named);
     e.target = from.name();
     e.gives = from.name();
     e.amount = from.integer();
-    e.needs = from.items();
+    for (const auto& need : from.items()) e.needs.push_back(value_of(need, effect_need_named));
     e.source = from.source();
   });
   auto aliases = rows_of<Alias>(file, "alias_row", simulator, numbered, [](Columns& from, Alias& a) {
     a.category = from.name();
-    a.kind = from.name();
+    a.kind = value_of(from.name(), alias_kind_named);
     a.text = from.text();
     a.source = from.source();
   });

@@ -29,16 +29,16 @@ void each_row(const std::filesystem::path& path, const std::vector<std::string>&
 }  // namespace
 
 std::vector<PlacementRule> read_placement_rules(const std::filesystem::path& curated, std::vector<Error>& errors) {
-  std::map<std::pair<std::string, std::string>, std::vector<std::string>> also;  // by relation and receptacle
+  std::map<std::pair<Predicate, std::string>, std::vector<std::string>> also;  // by relation and receptacle
   each_row(curated / "placement_kinds.csv", {"relation", "receptacle", "also", "source"}, errors, [&](RowReader& row) {
-    const auto relation = row.one_of("relation", relation_names(), "relation");
+    const auto relation = row.value_of("relation", relation_names(), "relation", placement_relation_named);
     auto& kinds = also[{relation, row.required("receptacle")}];
     kinds.push_back(row.required("also"));
   });
   std::vector<PlacementRule> rules;
   each_row(curated / "placement_rules.csv", {"kind", "relation", "receptacle", "weight"}, errors, [&](RowReader& row) {
     PlacementRule rule{row.required("kind"),
-                       row.one_of("relation", relation_names(), "relation"),
+                       row.value_of("relation", relation_names(), "relation", placement_relation_named),
                        {row.required("receptacle")},
                        row.number("weight", 0, 100, false)};
     if (!row.sound()) return;

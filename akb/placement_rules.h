@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "logic/vocabulary.h"
 
 namespace unietp {
 
@@ -12,7 +13,8 @@ namespace unietp {
 /// the one that the rule names, then those that also have one (a stove's oven for "oven", a cabinet's top for
 /// "dresser").
 struct PlacementRule {
-  std::string kind, relation;
+  std::string kind;
+  Predicate relation = Predicate::On;  // one of kPlacementRelations
   std::vector<std::string> receptacles;
   double weight = 1;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,12 @@ class RowReader {
   std::vector<std::string> list(std::string_view column);  // joined by |
   /// One of the names; the error lists them and suggests the nearest. `noun` says what they name: "archetype".
   std::string one_of(std::string_view column, const std::vector<std::string>& names, std::string_view noun);
+  /// The same as a value of an enum, which `named` reads; its first value after an error.
+  template <class Value>
+  Value value_of(std::string_view column, const std::vector<std::string>& names, std::string_view noun,
+                 std::optional<Value> (*named)(std::string_view)) {
+    return named(one_of(column, names, noun)).value_or(Value());
+  }
   /// The same for many names: of the category table.
   std::string one_of(std::string_view column, const NameTable& names, std::string_view noun);
   /// A list, joined by |, of such names.

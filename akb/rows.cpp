@@ -1,5 +1,7 @@
 #include "akb/rows.h"
 
+#include <algorithm>
+
 namespace unietp {
 
 bool well_formed_source(std::string_view source) {
@@ -12,5 +14,46 @@ bool well_formed_source(std::string_view source) {
   }
   return false;
 }
+
+namespace {
+
+constexpr std::array<std::string_view, kEffectNeeds.size()> kNeedNames{"closed", "power_on", "held",
+                                                                       "inside", "on",       "under_tap"};
+constexpr std::array<std::string_view, kAliasKinds.size()> kKindNames{"synonym", "function", "context"};
+
+template <class Value, std::size_t kCount>
+std::optional<Value> value_named(std::string_view name, const std::array<Value, kCount>& values,
+                                 const std::array<std::string_view, kCount>& names) {
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end()) return std::nullopt;
+  return values[static_cast<std::size_t>(at - names.begin())];
+}
+
+}  // namespace
+
+std::optional<Predicate> placement_relation_named(std::string_view name) {
+  const auto predicate = predicate_named(name);
+  const auto at = std::find(kPlacementRelations.begin(), kPlacementRelations.end(), predicate);
+  return at == kPlacementRelations.end() ? std::nullopt : predicate;
+}
+
+std::string_view name_of(EffectNeed need) { return kNeedNames[static_cast<std::size_t>(need)]; }
+std::optional<EffectNeed> effect_need_named(std::string_view name) {
+  return value_named(name, kEffectNeeds, kNeedNames);
+}
+
+bool has_need(const Effect& effect, EffectNeed need) {
+  return std::find(effect.needs.begin(), effect.needs.end(), need) != effect.needs.end();
+}
+
+std::vector<std::string> names_of(const std::vector<EffectNeed>& needs) {
+  std::vector<std::string> names;
+  names.reserve(needs.size());
+  for (const EffectNeed need : needs) names.emplace_back(name_of(need));
+  return names;
+}
+
+std::string_view name_of(AliasKind kind) { return kKindNames[static_cast<std::size_t>(kind)]; }
+std::optional<AliasKind> alias_kind_named(std::string_view name) { return value_named(name, kAliasKinds, kKindNames); }
 
 }  // namespace unietp

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "logic/vocabulary.h"
 #include "scene/archetype.h"
 #include "scene/geometry.h"
+#include "scene/treatment.h"
 
 namespace unietp {
 
@@ -38,29 +43,65 @@ struct Category {
   Source synset_source;  // that of the row, but for a completed one
 };
 
+/// The relations that a placement may have.
+inline constexpr std::array kPlacementRelations{Predicate::On, Predicate::Inside, Predicate::NextTo, Predicate::Under};
+/// nullopt for another word.
+std::optional<Predicate> placement_relation_named(std::string_view name);
+
 /// `mug on countertop: likely 0.4, at most 6`.
 struct Placement {
-  std::string object, relation, receptacle;  // relation: on, inside, next_to, under
-  double likelihood = 0;                     // share among its places on and in things; among its next_to; its under
-  int capacity = 1;                          // how many such objects fit
+  std::string object;                  // category
+  Predicate relation = Predicate::On;  // one of kPlacementRelations
+  std::string receptacle;              // category
+  double likelihood = 0;               // share among its places on and in things; among its next_to; its under
+  int capacity = 1;                    // how many such objects fit
   Source source;
 };
 
+/// What a tool or place needs for an effect.
+enum class EffectNeed : std::uint8_t {
+  Closed,    // it is closed
+  PowerOn,   // it is switched on
+  Held,      // the agent holds it
+  Inside,    // the target is inside it
+  On,        // the target is on it
+  UnderTap,  // the target is in it, and its tap runs
+};
+/// In the order of the enum.
+inline constexpr std::array kEffectNeeds{EffectNeed::Closed, EffectNeed::PowerOn, EffectNeed::Held,
+                                         EffectNeed::Inside, EffectNeed::On,      EffectNeed::UnderTap};
+std::string_view name_of(EffectNeed need);  // "power_on"
+/// nullopt for an unknown name.
+std::optional<EffectNeed> effect_need_named(std::string_view name);
+
 /// What a tool or appliance does to what: `Microwave heats Potato; needs closed,power_on`.
 struct Effect {
-  std::string tool;    // category
-  std::string effect;  // heats cools freezes washes cooks burns slices fills soaks wipes dispenses drains attaches
-  std::string target;  // category
-  std::string gives;   // slices: category of the pieces ("AppleSliced"); fills, dispenses: the substance; else ""
-  int amount = 0;      // slices: how many pieces
-  std::vector<std::string> needs;  // of the tool or place: closed, power_on, held, inside, on, under_tap
+  std::string tool;  // category
+  Treatment treatment = Treatment::Heats;
+  std::string target;             // category
+  std::string gives;              // slices: category of the pieces ("AppleSliced"); fills, dispenses: the substance
+  int amount = 0;                 // slices: how many pieces
+  std::vector<EffectNeed> needs;  // in the order of the table
   Source source;
 };
+/// Whether the effect has this need.
+bool has_need(const Effect& effect, EffectNeed need);
+/// Names of the needs, in their order.
+std::vector<std::string> names_of(const std::vector<EffectNeed>& needs);
+
+/// What a further name or phrase says of a category: another name; what it is for ("something to drink from"); when one
+/// wants it ("I am thirsty.").
+enum class AliasKind : std::uint8_t { Synonym, Function, Context };
+/// In the order of the enum.
+inline constexpr std::array kAliasKinds{AliasKind::Synonym, AliasKind::Function, AliasKind::Context};
+std::string_view name_of(AliasKind kind);  // "synonym"
+/// nullopt for an unknown name.
+std::optional<AliasKind> alias_kind_named(std::string_view name);
 
 /// A further name or description of a category.
 struct Alias {
   std::string category, text;
-  std::string kind;  // synonym, function ("something to drink from"), context
+  AliasKind kind = AliasKind::Synonym;
   Source source;
 };
 

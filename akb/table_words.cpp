@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "akb/rows.h"
+
 namespace unietp {
 namespace {
 
@@ -32,37 +34,39 @@ constexpr std::array<AffordanceMeaning, 24> kAffordances = {{
     {"switchable", "can be switched on and off"},
 }};
 
+template <class Values, class NameOf>
+std::vector<std::string> names_by(const Values& values, const NameOf& name_of) {
+  std::vector<std::string> names;
+  for (const auto& value : values) names.emplace_back(name_of(value));
+  return names;
+}
+
 }  // namespace
 
 std::span<const AffordanceMeaning> affordance_meanings() { return kAffordances; }
 
 const std::vector<std::string>& affordance_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const auto& affordance : kAffordances) all.emplace_back(affordance.name);
-    return all;
-  }();
+  static const auto names = names_by(kAffordances, [](const AffordanceMeaning& row) { return row.name; });
   return names;
 }
 
 const std::vector<std::string>& relation_names() {
-  static const std::vector<std::string> names{"on", "inside", "next_to", "under"};
+  static const auto names = names_by(kPlacementRelations, [](Predicate relation) { return info(relation).name; });
   return names;
 }
 
 const std::vector<std::string>& effect_names() {
-  static const std::vector<std::string> names{"heats", "cools", "freezes", "washes",    "cooks",  "burns",   "slices",
-                                              "fills", "soaks", "wipes",   "dispenses", "drains", "attaches"};
+  static const auto names = names_by(all_treatments(), [](const TreatmentInfo& row) { return row.name; });
   return names;
 }
 
 const std::vector<std::string>& need_names() {
-  static const std::vector<std::string> names{"closed", "power_on", "held", "inside", "on", "under_tap"};
+  static const auto names = names_by(kEffectNeeds, [](EffectNeed need) { return name_of(need); });
   return names;
 }
 
 const std::vector<std::string>& alias_kinds() {
-  static const std::vector<std::string> names{"synonym", "function", "context"};
+  static const auto names = names_by(kAliasKinds, [](AliasKind kind) { return name_of(kind); });
   return names;
 }
 

@@ -22,10 +22,10 @@ struct AffordanceMeaning {
 /// In the order of affordance_names().
 std::span<const AffordanceMeaning> affordance_meanings();
 
-const std::vector<std::string>& relation_names();  // on inside next_to under
-const std::vector<std::string>& effect_names();    // heats cools ... drains
-const std::vector<std::string>& need_names();      // closed power_on held inside on under_tap
-const std::vector<std::string>& alias_kinds();     // synonym function context
+const std::vector<std::string>& relation_names();  // of kPlacementRelations
+const std::vector<std::string>& effect_names();    // of all_treatments: heats cools ... attaches
+const std::vector<std::string>& need_names();      // of kEffectNeeds
+const std::vector<std::string>& alias_kinds();     // of kAliasKinds
 const std::vector<std::string>& room_types();      // kitchen living_room ...
 
 }  // namespace unietp

@@ -87,12 +87,12 @@ std::vector<Placement> read_placements(RowReader& row, const NameTable& names) {
     row.at(cells);
     Placement p;
     p.object = row.one_of("object", names, "category");
-    p.relation = row.one_of("relation", relation_names(), "relation");
+    p.relation = row.value_of("relation", relation_names(), "relation", placement_relation_named);
     p.receptacle = row.one_of("receptacle", names, "category");
     p.likelihood = row.number("likelihood", 0, 1, false);
     p.capacity = row.integer("capacity", 1);
     p.source = row.source("source", "confidence");
-    keys.check(row, "object", {p.object, p.relation, p.receptacle});
+    keys.check(row, "object", {p.object, std::string(info(p.relation).name), p.receptacle});
     if (row.sound()) placements.push_back(std::move(p));
   }
   return placements;
@@ -105,13 +105,13 @@ std::vector<Effect> read_effects(RowReader& row, const NameTable& names) {
     row.at(cells);
     Effect e;
     e.tool = row.one_of("tool", names, "category");
-    e.effect = row.one_of("effect", effect_names(), "effect");
+    e.treatment = row.value_of("effect", effect_names(), "effect", treatment_named);
     e.target = row.one_of("target", names, "category");
-    e.gives = e.effect == "slices" ? row.one_of("gives", names, "category") : row.text("gives");
-    e.amount = row.integer("amount", e.effect == "slices" ? 1 : 0);
-    e.needs = row.all_of("needs", need_names(), "need");
+    e.gives = e.treatment == Treatment::Slices ? row.one_of("gives", names, "category") : row.text("gives");
+    e.amount = row.integer("amount", e.treatment == Treatment::Slices ? 1 : 0);
+    e.needs = read_needs(row);
     e.source = row.source("source", "confidence");
-    keys.check(row, "tool", {e.tool, e.effect, e.target, e.gives});
+    keys.check(row, "tool", {e.tool, std::string(name_of(e.treatment)), e.target, e.gives});
     if (row.sound()) effects.push_back(std::move(e));
   }
   return effects;
@@ -124,10 +124,10 @@ std::vector<Alias> read_aliases(RowReader& row, const NameTable& names) {
     row.at(cells);
     Alias a;
     a.category = row.one_of("category", names, "category");
-    a.kind = row.one_of("kind", alias_kinds(), "kind of alias");
+    a.kind = read_alias_kind(row);
     a.text = row.required("text");
     a.source = row.source("source", "confidence");
-    keys.check(row, "category", {a.category, a.kind, a.text});
+    keys.check(row, "category", {a.category, std::string(name_of(a.kind)), a.text});
     if (row.sound()) aliases.push_back(std::move(a));
   }
   return aliases;
@@ -151,6 +151,18 @@ std::vector<Asset> read_assets(RowReader& row, const NameTable& names) {
 }
 
 }  // namespace
+
+std::vector<EffectNeed> read_needs(RowReader& row) {
+  std::vector<EffectNeed> needs;
+  for (const auto& name : row.all_of("needs", need_names(), "need")) {
+    if (const auto need = effect_need_named(name)) needs.push_back(*need);
+  }
+  return needs;
+}
+
+AliasKind read_alias_kind(RowReader& row) {
+  return row.value_of("kind", alias_kinds(), "kind of alias", alias_kind_named);
+}
 
 const std::vector<std::string>& table_names() {
   static const std::vector<std::string> names{"category", "affordance", "relation", "effect", "alias", "asset"};

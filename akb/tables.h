@@ -10,6 +10,8 @@
 
 namespace unietp {
 
+class RowReader;
+
 /// One simulator's tables as they stand in its six CSV files.
 struct Tables {
   std::vector<Category> categories;
@@ -24,6 +26,10 @@ struct Tables {
 const std::vector<std::string>& table_names();
 /// The columns that a table must have, in any order.
 const std::vector<std::string>& columns_of(std::string_view table);
+
+/// Cells that several tables have: the column `needs`, and `kind` of an alias.
+std::vector<EffectNeed> read_needs(RowReader& row);
+AliasKind read_alias_kind(RowReader& row);
 
 /// Reads and checks `<folder>/{category,...}.csv`; appends every problem to `errors` (Schema, Parse or Io with file,
 /// line and column). Rows with a problem are left out. Lists are joined by `|` in their cell.

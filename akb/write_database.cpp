@@ -33,9 +33,10 @@ void each_text(const Tables& tables, const Use& use) {
     for (const auto* s : {&c.source, &c.size_source, &c.mass_source, &c.synset_source}) source(*s);
   }
   for (const auto& f : tables.affordances) use(f.affordance), source(f.source);
-  for (const auto& p : tables.placements) use(p.relation), source(p.source);
-  for (const auto& e : tables.effects) use(e.effect), use(e.gives), use(join(e.needs, "|")), source(e.source);
-  for (const auto& a : tables.aliases) use(a.kind), source(a.source);
+  for (const auto& p : tables.placements) use(std::string(info(p.relation).name)), source(p.source);
+  for (const auto& e : tables.effects)
+    use(std::string(name_of(e.treatment))), use(e.gives), use(join(names_of(e.needs), "|")), source(e.source);
+  for (const auto& a : tables.aliases) use(std::string(name_of(a.kind))), source(a.source);
   for (const auto& a : tables.assets) source(a.source);
 }
 
@@ -86,20 +87,20 @@ void insert_facts(SqliteFile& file, Int simulator, const Tables& tables, Numbers
     insert(affordance, simulator, n.text(f.category), n.text(f.affordance), n.evidence(f.source));
   auto relation = file.prepare("INSERT INTO relation_row VALUES(?,?,?,?,?,?,?)");
   for (const auto& p : tables.placements) {
-    insert(relation, simulator, n.text(p.object), n.text(p.relation), n.text(p.receptacle), p.likelihood,
+    insert(relation, simulator, n.text(p.object), n.text(info(p.relation).name), n.text(p.receptacle), p.likelihood,
            Int{p.capacity}, n.evidence(p.source));
   }
   auto effect = file.prepare("INSERT INTO effect_row VALUES(?,?,?,?,?,?,?,?)");
   for (const auto& e : tables.effects) {
-    insert(effect, simulator, n.text(e.tool), n.text(e.effect), n.text(e.target), n.text(e.gives), Int{e.amount},
-           n.text(e.needs), n.evidence(e.source));
+    insert(effect, simulator, n.text(e.tool), n.text(name_of(e.treatment)), n.text(e.target), n.text(e.gives),
+           Int{e.amount}, n.text(names_of(e.needs)), n.evidence(e.source));
   }
 }
 
 void insert_names(SqliteFile& file, Int simulator, const Tables& tables, Numbers& n) {
   auto alias = file.prepare("INSERT INTO alias_row VALUES(?,?,?,?,?)");
   for (const auto& a : tables.aliases)
-    insert(alias, simulator, n.text(a.category), n.text(a.kind), Text(a.text), n.evidence(a.source));
+    insert(alias, simulator, n.text(a.category), n.text(name_of(a.kind)), Text(a.text), n.evidence(a.source));
   auto asset = file.prepare("INSERT INTO asset_row VALUES(?,?,?,?,?,?,?)");
   for (const auto& a : tables.assets) {
     insert(asset, simulator, n.text(a.category), Text(a.name), a.size.x(), a.size.y(), a.size.z(),

@@ -38,7 +38,7 @@ std::vector<std::string> fields(const AffordanceFact& f) {
 }
 std::vector<std::string> fields(const Placement& p) {
   return {p.object,
-          p.relation,
+          std::string(info(p.relation).name),
           p.receptacle,
           number_text(p.likelihood),
           std::to_string(p.capacity),
@@ -46,17 +46,12 @@ std::vector<std::string> fields(const Placement& p) {
           number_text(p.source.confidence)};
 }
 std::vector<std::string> fields(const Effect& e) {
-  return {e.tool,
-          e.effect,
-          e.target,
-          e.gives,
-          std::to_string(e.amount),
-          join(e.needs, "|"),
-          e.source.source,
-          number_text(e.source.confidence)};
+  return {e.tool,          std::string(name_of(e.treatment)), e.target,
+          e.gives,         std::to_string(e.amount),          join(names_of(e.needs), "|"),
+          e.source.source, number_text(e.source.confidence)};
 }
 std::vector<std::string> fields(const Alias& a) {
-  return {a.category, a.kind, a.text, a.source.source, number_text(a.source.confidence)};
+  return {a.category, std::string(name_of(a.kind)), a.text, a.source.source, number_text(a.source.confidence)};
 }
 std::vector<std::string> fields(const Asset& a) {
   return {a.name,
@@ -86,9 +81,16 @@ void sort_by(std::vector<Row>& rows, const Key& key) {
 void sort_tables(Tables& tables) {
   sort_by(tables.categories, [](const Category& c) { return std::tie(c.name); });
   sort_by(tables.affordances, [](const AffordanceFact& f) { return std::tie(f.category, f.affordance); });
-  sort_by(tables.placements, [](const Placement& p) { return std::tie(p.object, p.relation, p.receptacle); });
-  sort_by(tables.effects, [](const Effect& e) { return std::tie(e.tool, e.effect, e.target, e.gives); });
-  sort_by(tables.aliases, [](const Alias& a) { return std::tie(a.category, a.kind, a.text); });
+  sort_by(tables.placements, [](const Placement& p) {
+    return std::tuple(std::string_view(p.object), info(p.relation).name, std::string_view(p.receptacle));
+  });
+  sort_by(tables.effects, [](const Effect& e) {
+    return std::tuple(std::string_view(e.tool), name_of(e.treatment), std::string_view(e.target),
+                      std::string_view(e.gives));
+  });
+  sort_by(tables.aliases, [](const Alias& a) {
+    return std::tuple(std::string_view(a.category), name_of(a.kind), std::string_view(a.text));
+  });
   sort_by(tables.assets, [](const Asset& a) { return std::tie(a.category, a.name); });
 }
 

@@ -52,7 +52,7 @@ std::vector<std::string> faults(const std::string& text, const Specification& sp
 std::string context_of(const Specification& specification, const Knowledge& knowledge, Rng& rng) {
   std::vector<std::string> sentences;
   for (const std::string& category : categories_of(specification.goal))
-    for (const Alias* alias : knowledge.aliases_of(category, "context")) sentences.push_back(alias->text);
+    for (const Alias* alias : knowledge.aliases_of(category, AliasKind::Context)) sentences.push_back(alias->text);
   return sentences.empty() ? "" : rng.pick(sentences);
 }
 

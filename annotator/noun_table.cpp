@@ -92,9 +92,9 @@ NounTable::NounTable(const Knowledge& knowledge) {
   for (const Alias& alias : knowledge.aliases()) {
     const Category* category = knowledge.find(alias.category);
     if (category == nullptr) continue;
-    if (alias.kind == "function") served[lower(alias.text)].insert(alias.category);
-    if (alias.kind == "context") made.contexts.insert(alias.text);
-    if (alias.kind != "synonym") continue;
+    if (alias.kind == AliasKind::Function) served[lower(alias.text)].insert(alias.category);
+    if (alias.kind == AliasKind::Context) made.contexts.insert(alias.text);
+    if (alias.kind != AliasKind::Synonym) continue;
     const Name name{alias.text, category->countable ? plural_of(alias.text) : alias.text, category->countable};
     made.synonyms[alias.category].push_back(name);
     const Domain noun = of_category(alias.category);

@@ -33,10 +33,11 @@ std::string fact_of(const DomainConstraint& constraint, const Binding& binding, 
     bound.push_back(category == nullptr ? use.name : *category + (use.slice ? "/slice" : ""));
   }
   if (bound.size() < 2) return "";
-  const std::string word(kind->word);
-  if (kind->meaning == ConstraintKind::Meaning::Effect)
-    return "effect has no row (" + bound[0] + ", " + word + ", " + bound[1] + ")";
-  const auto* row = knowledge.placement(bound[0], word, bound[1]);
+  if (kind->treatment)
+    return "effect has no row (" + bound[0] + ", " + std::string(name_of(*kind->treatment)) + ", " + bound[1] + ")";
+  if (!kind->relation) return "";
+  const std::string word(info(*kind->relation).name);
+  const auto* row = knowledge.placement(bound[0], *kind->relation, bound[1]);
   if (row == nullptr) return "relation has no row (" + word + ", " + bound[0] + ", " + bound[1] + ")";
   return "relation allows " + std::to_string(row->capacity) + " " + bound[0] + " fit " + word + " " + bound[1] +
          "; the template requires " + std::to_string(capacity_of(constraint));

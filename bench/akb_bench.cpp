@@ -66,17 +66,23 @@ Tables invented(const Size& size, Rng rng) {
   for (std::size_t i = 0; i < size.affordances; ++i)
     tables.affordances.push_back({any(), one_of(affordance_names()), source()});
   for (std::size_t i = 0; i < size.placements; ++i) {
-    tables.placements.push_back({any(), one_of(relation_names()), any(),
+    tables.placements.push_back({any(), *placement_relation_named(one_of(relation_names())), any(),
                                  1e-4 * static_cast<double>(1 + rng.below(9999)), static_cast<int>(1 + rng.below(12)),
                                  source()});
   }
   for (std::size_t i = 0; i < size.effects; ++i) {
-    const auto effect = one_of(effect_names());
-    tables.effects.push_back(
-        {any(), effect, any(), effect == "slices" ? any() : "", 4, {"closed", "power_on"}, source()});
+    const auto treatment = *treatment_named(one_of(effect_names()));
+    tables.effects.push_back({any(),
+                              treatment,
+                              any(),
+                              treatment == Treatment::Slices ? any() : "",
+                              4,
+                              {EffectNeed::Closed, EffectNeed::PowerOn},
+                              source()});
   }
   for (std::size_t i = 0; i < size.aliases; ++i)
-    tables.aliases.push_back({any(), "something to use " + std::to_string(i), one_of(alias_kinds()), source()});
+    tables.aliases.push_back(
+        {any(), "something to use " + std::to_string(i), *alias_kind_named(one_of(alias_kinds())), source()});
   for (std::size_t i = 0; i < size.assets; ++i)
     tables.assets.push_back({"wooden_thing-" + std::to_string(1000000 + i), any(), {0.1, 0.2, 0.3}, source()});
   sort_tables(tables);
@@ -89,7 +95,7 @@ Tables invented(const Size& size, Rng rng) {
     return a.object == b.object && a.relation == b.relation && a.receptacle == b.receptacle;
   });
   one_a_key(tables.effects, [](const auto& a, const auto& b) {
-    return a.tool == b.tool && a.effect == b.effect && a.target == b.target && a.gives == b.gives;
+    return a.tool == b.tool && a.treatment == b.treatment && a.target == b.target && a.gives == b.gives;
   });
   return tables;
 }
@@ -207,7 +213,7 @@ void queries(benchmark::State& state) {
       benchmark::DoNotOptimize(knowledge->find(name));
       benchmark::DoNotOptimize(knowledge->has(name, "pickupable"));
       benchmark::DoNotOptimize(knowledge->placement(row.object, row.relation, row.receptacle));
-      benchmark::DoNotOptimize(knowledge->placements_at(name, "on"));
+      benchmark::DoNotOptimize(knowledge->placements_at(name, Predicate::On));
     }
     asked += static_cast<std::int64_t>(4 * categories.size());
   }

@@ -37,19 +37,20 @@ Json all_json(const Knowledge& knowledge) {
 void show_rows(const Knowledge& knowledge, const Category& category) {
   for (const auto& placement : knowledge.placements()) {
     if (placement.object == category.name || placement.receptacle == category.name)
-      print_line("  " + placement.object + " " + placement.relation + " " + placement.receptacle + ", likely " +
-                 number_text(placement.likelihood) + ", at most " + std::to_string(placement.capacity) + " " +
-                 source_text(placement.source));
+      print_line("  " + placement.object + " " + std::string(info(placement.relation).name) + " " +
+                 placement.receptacle + ", likely " + number_text(placement.likelihood) + ", at most " +
+                 std::to_string(placement.capacity) + " " + source_text(placement.source));
   }
   for (const auto& effect : knowledge.effects()) {
     if (effect.tool != category.name && effect.target != category.name) continue;
-    print_line("  " + effect.tool + " " + effect.effect + " " + effect.target +
+    print_line("  " + effect.tool + " " + std::string(name_of(effect.treatment)) + " " + effect.target +
                (effect.gives.empty() ? "" : " giving " + effect.gives) +
-               (effect.needs.empty() ? "" : ", needs " + join(effect.needs, ", ")) + " " + source_text(effect.source));
+               (effect.needs.empty() ? "" : ", needs " + join(names_of(effect.needs), ", ")) + " " +
+               source_text(effect.source));
   }
   for (const auto& alias : knowledge.aliases()) {
     if (alias.category == category.name)
-      print_line("  " + alias.kind + ": " + alias.text + " " + source_text(alias.source));
+      print_line("  " + std::string(name_of(alias.kind)) + ": " + alias.text + " " + source_text(alias.source));
   }
   for (const Asset* asset : knowledge.asset_rows_of(category.name))
     print_line("  model " + asset->name + ", " + size_text(asset->size) + " m " + source_text(asset->source));

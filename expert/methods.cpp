@@ -59,7 +59,7 @@ bool Methods::achieve(const Literal& literal) {
 bool Methods::wipe_off(const Literal& literal) {
   Literal whatever = literal;
   whatever.symbol.clear();
-  return literal.predicate == Predicate::Covered && with_held_tool(whatever, ActionType::Wipe, "wipes");
+  return literal.predicate == Predicate::Covered && with_held_tool(whatever, ActionType::Wipe, Treatment::Wipes);
 }
 
 bool Methods::change_state(const Literal& literal) {
@@ -71,13 +71,13 @@ bool Methods::change_state(const Literal& literal) {
         done = directly(way.action, id);
         break;
       case Way::ToolOnHeld:
-        done = with_tool_on_held(literal, way.action, way.needs);
+        done = with_tool_on_held(literal, way.action, *way.treatment);
         break;
       case Way::HeldToolOn:
-        done = with_held_tool(literal, way.action, way.needs);
+        done = with_held_tool(literal, way.action, *way.treatment);
         break;
       case Way::Appliance:
-        done = in_appliance(literal, way.needs);
+        done = in_appliance(literal, *way.treatment);
         break;
       case Way::FromVessel:
         done = pour_from_vessel(literal);
@@ -108,9 +108,9 @@ Methods::Tools Methods::nearest_of(const std::vector<const Effect*>& rules, cons
   return tools;
 }
 
-bool Methods::with_held_tool(const Literal& literal, ActionType action, std::string_view effect) {
+bool Methods::with_held_tool(const Literal& literal, ActionType action, Treatment treatment) {
   const std::string id = attempt_.id_of(literal.subject);
-  const StateWay way{literal.predicate, Way::HeldToolOn, action, effect};
+  const StateWay way{literal.predicate, Way::HeldToolOn, action, "", treatment};
   const Node* node = find(id);
   const auto rules = node == nullptr ? std::vector<const Effect*>()
                                      : rules_for(way, node->category, literal.symbol, attempt_.world().places(),
@@ -177,9 +177,9 @@ bool Methods::pour_from_vessel(const Literal& literal) {
   return false;
 }
 
-bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::string_view effect) {
+bool Methods::with_tool_on_held(const Literal& literal, ActionType action, Treatment treatment) {
   const std::string id = attempt_.id_of(literal.subject);
-  const StateWay way{literal.predicate, Way::ToolOnHeld, action, effect};
+  const StateWay way{literal.predicate, Way::ToolOnHeld, action, "", treatment};
   const Node* node = find(id);
   if (node == nullptr) return false;
   const auto rules =
@@ -205,29 +205,27 @@ bool Methods::with_tool_on_held(const Literal& literal, ActionType action, std::
 }
 
 /// What the tool does by itself: into it (or on it), door shut, power or water on. The object stays there.
-bool Methods::in_appliance(const Literal& literal, std::string_view effect) {
+bool Methods::in_appliance(const Literal& literal, Treatment treatment) {
   const std::string id = attempt_.id_of(literal.subject);
   const Node* node = find(id);
   if (node == nullptr || !node->movable) return false;
-  const StateWay way{literal.predicate, Way::Appliance, ActionType::PlaceIn, effect};
+  const StateWay way{literal.predicate, Way::Appliance, ActionType::PlaceIn, "", treatment};
   for (const Effect* rule :
        rules_for(way, node->category, literal.symbol, attempt_.world().places(), *attempt_.situation().knowledge)) {
-    const auto needs = [rule](std::string_view need) {
-      return std::find(rule->needs.begin(), rule->needs.end(), need) != rule->needs.end();
-    };
-    if (needs("held")) continue;  // a bottle pours from the hand
+    const auto needs = [rule](EffectNeed need) { return has_need(*rule, need); };
+    if (needs(EffectNeed::Held)) continue;  // a bottle pours from the hand
     // What needs no switch happens as a thing is put there, not to one that lay there from the beginning.
-    if (!needs("power_on") && !needs("under_tap") && !hold(id)) continue;
-    const Predicate relation = needs("on") ? Predicate::On : Predicate::Inside;
+    if (!needs(EffectNeed::PowerOn) && !needs(EffectNeed::UnderTap) && !hold(id)) continue;
+    const Predicate relation = needs(EffectNeed::On) ? Predicate::On : Predicate::Inside;
     Tools tools = nearest_of({rule}, id);
     while (const auto next = tools.next()) {
       const std::string& tool = *next;
       const bool there = attempt_.world().linked(id, relation, tool) ||
-                         put_in_grasp(id, needs("on") ? ActionType::PlaceOn : ActionType::PlaceIn, tool);
-      const bool runs = needs("power_on") || needs("under_tap");
+                         put_in_grasp(id, needs(EffectNeed::On) ? ActionType::PlaceOn : ActionType::PlaceIn, tool);
+      const bool runs = needs(EffectNeed::PowerOn) || needs(EffectNeed::UnderTap);
       if (there && !attempt_.holds(literal)) {
         if (runs && is(tool, Predicate::PowerOn)) directly(ActionType::TurnOff, tool);
-        if (needs("closed") && is(tool, Predicate::Open)) directly(ActionType::Close, tool);
+        if (needs(EffectNeed::Closed) && is(tool, Predicate::Open)) directly(ActionType::Close, tool);
         if (runs && !attempt_.holds(literal)) directly(ActionType::TurnOn, tool);
       }
       if (attempt_.holds(literal)) return true;

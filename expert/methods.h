@@ -31,10 +31,10 @@ class Methods {
   bool wipe_off(const Literal& literal);
   bool pour_away(EntityIndex vessel);
   bool change_state(const Literal& literal);
-  bool with_held_tool(const Literal& literal, ActionType action, std::string_view effect);
-  bool with_tool_on_held(const Literal& literal, ActionType action, std::string_view effect);
+  bool with_held_tool(const Literal& literal, ActionType action, Treatment treatment);
+  bool with_tool_on_held(const Literal& literal, ActionType action, Treatment treatment);
   bool pour_from_vessel(const Literal& literal);
-  bool in_appliance(const Literal& literal, std::string_view effect);
+  bool in_appliance(const Literal& literal, Treatment treatment);
   bool place(const Literal& literal);
   bool place_in_room(const std::string& id, const std::string& room);
   bool put_down_in(const std::string& id, const std::string& room);

@@ -15,7 +15,7 @@ bool ranges_over_slices(const Formula& formula) {
 
 /// The first rule by which something in the scene cuts the category; nullptr when nothing does.
 const Effect* slicing_of(const std::string& category, const Situation& situation) {
-  for (const Effect* effect : situation.knowledge->effects_on(category, "slices")) {
+  for (const Effect* effect : situation.knowledge->effects_on(category, Treatment::Slices)) {
     if (!situation.places().of(effect->tool).empty()) return effect;
   }
   return nullptr;

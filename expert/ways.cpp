@@ -11,11 +11,11 @@ namespace {
 
 /// What a held tool does to an object, and pouring; the other ways come from the tables of actions and treatments.
 constexpr std::array kByHand{
-    StateWay{Predicate::Empty, Way::ToolOnHeld, ActionType::PourTo, "drains"},
-    StateWay{Predicate::Sliced, Way::HeldToolOn, ActionType::Slice, "slices"},
-    StateWay{Predicate::Clean, Way::HeldToolOn, ActionType::Wipe, "wipes"},
-    StateWay{Predicate::Filled, Way::HeldToolOn, ActionType::PourTo, "fills"},
-    StateWay{Predicate::Covered, Way::HeldToolOn, ActionType::SpreadTo, "dispenses"},
+    StateWay{Predicate::Empty, Way::ToolOnHeld, ActionType::PourTo, "", Treatment::Drains},
+    StateWay{Predicate::Sliced, Way::HeldToolOn, ActionType::Slice, "", Treatment::Slices},
+    StateWay{Predicate::Clean, Way::HeldToolOn, ActionType::Wipe, "", Treatment::Wipes},
+    StateWay{Predicate::Filled, Way::HeldToolOn, ActionType::PourTo, "", Treatment::Fills},
+    StateWay{Predicate::Covered, Way::HeldToolOn, ActionType::SpreadTo, "", Treatment::Dispenses},
 };
 constexpr StateWay kFromVessel{Predicate::Filled, Way::FromVessel, ActionType::PourTo, "fillable"};
 
@@ -28,12 +28,12 @@ const std::vector<StateWay>& all_ways() {
       all.push_back({action.changes.front().state, Way::Direct, action.type, affordance_for(action)});
     }
     for (const TreatmentInfo& row : all_treatments()) {
-      if (row.treats) all.push_back({row.states.front(), Way::ToolOnHeld, *row.treats, row.name});
+      if (row.treats) all.push_back({row.states.front(), Way::ToolOnHeld, *row.treats, "", row.treatment});
     }
     all.insert(all.end(), kByHand.begin(), kByHand.end());
     for (const TreatmentInfo& row : all_treatments()) {
       const bool appliance = row.treats && info(*row.treats).group == ActionClass::Composite;
-      if (appliance) all.push_back({row.states.front(), Way::Appliance, ActionType::PlaceIn, row.name});
+      if (appliance) all.push_back({row.states.front(), Way::Appliance, ActionType::PlaceIn, "", row.treatment});
     }
     all.push_back(kFromVessel);
     return all;
@@ -42,7 +42,7 @@ const std::vector<StateWay>& all_ways() {
 }
 
 /// What covers a thing comes off, whatever it is.
-constexpr StateWay kWipeOff{Predicate::Covered, Way::HeldToolOn, ActionType::Wipe, "wipes"};
+constexpr StateWay kWipeOff{Predicate::Covered, Way::HeldToolOn, ActionType::Wipe, "", Treatment::Wipes};
 
 /// Something that can be poured from is filled so already, or can be.
 bool some_vessel(const Literal& literal, const Situation& situation) {
@@ -65,11 +65,11 @@ bool state_achievable(const Literal& literal, const Situation& situation) {
   const std::string& category = situation.entity(literal.subject).category;
   for (const StateWay& way : ways_to(literal.predicate, situation.profile)) {
     if (way.way == Way::Direct) {
-      if (situation.knowledge->has(category, way.needs)) return true;
+      if (situation.knowledge->has(category, way.affordance)) return true;
       continue;
     }
     if (way.way == Way::FromVessel) {
-      if (situation.knowledge->has(category, way.needs) && some_vessel(literal, situation)) return true;
+      if (situation.knowledge->has(category, way.affordance) && some_vessel(literal, situation)) return true;
       continue;
     }
     const bool in_hand = way.way == Way::ToolOnHeld || way.way == Way::Appliance;
@@ -92,7 +92,7 @@ std::vector<StateWay> ways_to(Predicate predicate, const Profile& profile) {
 std::vector<const Effect*> rules_for(const StateWay& way, std::string_view category, std::string_view symbol,
                                      const NodeIndex& places, const Knowledge& knowledge) {
   std::vector<const Effect*> rules;
-  for (const Effect* effect : knowledge.effects_on(category, way.needs)) {
+  for (const Effect* effect : knowledge.effects_on(category, *way.treatment)) {
     if (!symbol.empty() && symbol != "any" && effect->gives != symbol) continue;
     if (!places.of(effect->tool).empty()) rules.push_back(effect);
   }

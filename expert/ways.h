@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "expert/subgoal.h"
 #include "scene/action.h"
+#include "scene/treatment.h"
 
 namespace unietp {
 
@@ -23,7 +25,8 @@ struct StateWay {
   Predicate predicate;
   Way way;
   ActionType action;
-  std::string_view needs;  // Direct: an affordance of the object; else the effect that the tool must have on it
+  std::string_view affordance;              // Direct: of the object; FromVessel: of the vessel
+  std::optional<Treatment> treatment = {};  // the others: what the tool must do to the object
 };
 
 /// The ways to a state that the simulator offers, best first.

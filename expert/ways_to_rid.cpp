@@ -54,11 +54,11 @@ void WaysToRid::add_all_of(Class wanted) {
 void WaysToRid::add_all_of(std::string_view category, bool usual) {
   const Node* thing = world_.find(wish_.thing);
   const Room* within = wish_.room.empty() ? nullptr : world_.find_room(wish_.room);
-  const auto is_one = [&](const char* relation) {
+  const auto is_one = [&](Predicate relation) {
     const bool is_usual = thing != nullptr && knowledge_->placement(thing->category, relation, category) != nullptr;
     return is_usual == usual && (is_usual || knowledge_->has(category, "receptacle"));
   };
-  const bool on = is_one("on"), inside = within != nullptr && is_one("inside");
+  const bool on = is_one(Predicate::On), inside = within != nullptr && is_one(Predicate::Inside);
   if (!on && !inside) return;
   for (const std::size_t place : world_.places().of(category)) {
     const Node& piece = world_.nodes()[place];

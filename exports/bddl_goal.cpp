@@ -88,7 +88,7 @@ class Translator {
     if (synset == synsets_.end()) return refuse(member.category + " has no synset");
     bool alone = true;  // the synset is no more than the category here
     for (const Node& other : start_.nodes) {
-      for (const Effect* cut : knowledge_.effects_on(other.category, "slices")) {
+      for (const Effect* cut : knowledge_.effects_on(other.category, Treatment::Slices)) {
         if (cut->gives == member.category) return refuse("slices that do not exist at the start");
       }
       const auto its = synsets_.find(other.category);

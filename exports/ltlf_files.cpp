@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 /// Whether cutting something in the scene gives objects of this category, which are then not in the start.
 bool made_by_cutting(const std::string& category, const Scene& start, const Knowledge& knowledge) {
   return std::any_of(start.nodes.begin(), start.nodes.end(), [&](const Node& node) {
-    const auto cuts = knowledge.effects_on(node.category, "slices");
+    const auto cuts = knowledge.effects_on(node.category, Treatment::Slices);
     return std::any_of(cuts.begin(), cuts.end(), [&](const Effect* cut) { return cut->gives == category; });
   });
 }

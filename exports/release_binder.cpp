@@ -10,7 +10,7 @@ namespace unietp {
 
 bool ReleaseBinder::made_by_cutting(const std::string& category) const {
   return std::any_of(start_.nodes.begin(), start_.nodes.end(), [&](const Node& node) {
-    const auto cuts = knowledge_.effects_on(node.category, "slices");
+    const auto cuts = knowledge_.effects_on(node.category, Treatment::Slices);
     return std::any_of(cuts.begin(), cuts.end(), [&](const Effect* cut) { return cut->gives == category; });
   });
 }
@@ -67,7 +67,7 @@ void ReleaseBinder::add_room(const std::string& type, ReleaseBound& bound) {
 
 void ReleaseBinder::add_pieces(const std::string& whole, ReleaseBound& bound) {
   std::set<std::string> pieces;
-  for (const Effect* effect : knowledge_.effects_on(whole, "slices")) pieces.insert(effect->gives);
+  for (const Effect* effect : knowledge_.effects_on(whole, Treatment::Slices)) pieces.insert(effect->gives);
   if (pieces.size() != 1 || pieces.begin()->empty()) {
     refuse("the slices of " + whole + " have no single category");
     return;
@@ -75,7 +75,7 @@ void ReleaseBinder::add_pieces(const std::string& whole, ReleaseBound& bound) {
   const std::string& piece = *pieces.begin();
   for (const Node& node : start_.nodes) {
     const bool other_piece = node.category == piece && node.whole_category != whole;
-    const auto cuts = knowledge_.effects_on(node.category, "slices");
+    const auto cuts = knowledge_.effects_on(node.category, Treatment::Slices);
     const bool other_whole =
         node.category != whole && std::any_of(cuts.begin(), cuts.end(), [&](auto* cut) { return cut->gives == piece; });
     if (other_piece || other_whole) refuse("slices of " + whole + " cannot be told from other " + piece);
@@ -108,7 +108,8 @@ void ReleaseBinder::check_referents(bool counts) {
   for (const auto& [category, ids] : referents_) {
     if (plain_.contains(category)) refuse("their references select the same objects wherever a category occurs");
     const Category* own = knowledge_.find(category);
-    const auto cuts = own == nullptr ? std::vector<const Effect*>() : knowledge_.effects_on(category, "slices");
+    const auto cuts =
+        own == nullptr ? std::vector<const Effect*>() : knowledge_.effects_on(category, Treatment::Slices);
     for (const Effect* cut : cuts) {
       if (plain_.contains(their_category(cut->gives)))
         refuse("their reference would then select only the slices of these");
@@ -119,7 +120,7 @@ void ReleaseBinder::check_referents(bool counts) {
 bool ReleaseBinder::vanishes(const ReleaseBound& bound) const {
   if (knowledge_.simulator() != Simulator::Behavior) return false;
   return std::any_of(bound.ours.begin(), bound.ours.end(), [&](const std::string& category) {
-    return knowledge_.find(category) != nullptr && !knowledge_.effects_on(category, "slices").empty();
+    return knowledge_.find(category) != nullptr && !knowledge_.effects_on(category, Treatment::Slices).empty();
   });
 }
 

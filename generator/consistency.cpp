@@ -164,7 +164,7 @@ class GoalReader {
     const auto objects = categories(demand, demand.literal.terms[0]);
     const auto places = categories(demand, demand.literal.terms[1]);
     if (objects.empty() || places.empty()) return std::nullopt;
-    const auto relation = info(demand.literal.predicate).name;
+    const Predicate relation = demand.literal.predicate;
     int best = 0;
     for (const auto& object : objects) {
       for (const auto& place : places) {
@@ -173,7 +173,7 @@ class GoalReader {
       }
     }
     if (best >= demand.count) return std::nullopt;
-    const auto what = objects.front() + " " + std::string(relation) + " " + places.front();
+    const auto what = objects.front() + " " + std::string(info(relation).name) + " " + places.front();
     const auto text = text_of(demand.literal);
     if (best == 0) {
       return GateRefusal{Gate::Capacity, text,
@@ -184,7 +184,8 @@ class GoalReader {
                        "the goal asks for " + std::to_string(demand.count) + " " + what + ", but at most " +
                            std::to_string(best) + " fit",
                        "a place where " + std::to_string(demand.count) + " fit, or a constraint (fits-" +
-                           std::string(relation) + " ... " + std::to_string(demand.count) + ") in the template"};
+                           std::string(info(relation).name) + " ... " + std::to_string(demand.count) +
+                           ") in the template"};
   }
 
   bool is_furniture(const Demand& demand, const Term& term) const {
@@ -250,14 +251,13 @@ class GoalReader {
   }
 
   bool ends_by_itself(Predicate state, const std::string& object, Predicate relation, const std::string& tool) const {
-    const std::vector<std::string> by_itself{relation == Predicate::On ? "on" : "inside"};
-    for (std::size_t t = 0; t < kTreatments; ++t) {
-      const auto treatment = static_cast<Treatment>(t);
-      const auto rows = knowledge_.effects_on(object, std::string(name_of(treatment)));
+    const std::vector by_itself{relation == Predicate::On ? EffectNeed::On : EffectNeed::Inside};
+    for (const TreatmentInfo& treatment : all_treatments()) {
+      const auto rows = knowledge_.effects_on(object, treatment.treatment);
       const auto row =
           std::find_if(rows.begin(), rows.end(), [&](const Effect* effect) { return effect->tool == tool; });
       if (row == rows.end() || (*row)->needs != by_itself) continue;
-      for (const auto set : sets(treatment)) {
+      for (const Predicate set : treatment.states) {
         if (exclude_each_other(atom(state, {"x"}), atom(set, {"x"}))) return true;
       }
     }

@@ -33,7 +33,7 @@ bool placement_holds(const DomainConstraint& constraint, const ConstraintKind& k
   const auto receptacles = meant_by(constraint.arguments[1], binding, knowledge);
   for (const auto& object : meant_by(constraint.arguments[0], binding, knowledge)) {
     for (const auto& receptacle : receptacles) {
-      const auto* row = knowledge.placement(object, kind.word, receptacle);
+      const auto* row = knowledge.placement(object, *kind.relation, receptacle);
       if (row == nullptr || row->capacity < capacity_of(constraint)) return false;
     }
   }
@@ -47,7 +47,7 @@ bool effect_holds(const DomainConstraint& constraint, const ConstraintKind& kind
   for (const auto& tool : meant_by(constraint.arguments[0], binding, knowledge)) {
     for (const auto& target : meant_by(constraint.arguments[1], binding, knowledge)) {
       // A tool may have several effects of one kind, one for each substance.
-      const auto rows = knowledge.effects_of(tool, kind.word);
+      const auto rows = knowledge.effects_of(tool, *kind.treatment);
       const bool found = std::any_of(rows.begin(), rows.end(), [&](const Effect* row) {
         return row->target == target && (substance.empty() || row->gives == substance);
       });
@@ -90,27 +90,33 @@ std::optional<std::vector<std::string>> narrowed(const DomainConstraint& constra
   std::vector<std::string> names;
   if (first == placeholder && !second_bound.empty()) {
     if (kind->meaning == Meaning::Placement) {
-      for (const auto* row : knowledge.placements_at(second_bound.front(), kind->word)) names.push_back(row->object);
+      for (const auto* row : knowledge.placements_at(second_bound.front(), *kind->relation))
+        names.push_back(row->object);
     } else {
-      for (const auto* row : knowledge.effects_on(second_bound.front(), kind->word)) names.push_back(row->tool);
+      for (const auto* row : knowledge.effects_on(second_bound.front(), *kind->treatment)) names.push_back(row->tool);
     }
     return sorted_unique(std::move(names));
   }
   if (second == placeholder && !first_bound.empty()) {
     if (kind->meaning == Meaning::Placement) {
-      for (const auto* row : knowledge.placements_of(first_bound.front(), kind->word)) names.push_back(row->receptacle);
+      for (const auto* row : knowledge.placements_of(first_bound.front(), *kind->relation))
+        names.push_back(row->receptacle);
     } else {
-      for (const auto* row : knowledge.effects_of(first_bound.front(), kind->word)) names.push_back(row->target);
+      for (const auto* row : knowledge.effects_of(first_bound.front(), *kind->treatment)) names.push_back(row->target);
     }
     return sorted_unique(std::move(names));
   }
   return std::nullopt;
 }
 
+bool gives_substance(const Effect& effect) {
+  return effect.treatment == Treatment::Fills || effect.treatment == Treatment::Dispenses;
+}
+
 std::vector<std::string> substances(const Knowledge& knowledge) {
   std::vector<std::string> names;
   for (const auto& effect : knowledge.effects()) {
-    if (effect.effect == "fills" || effect.effect == "dispenses") names.push_back(effect.gives);
+    if (gives_substance(effect)) names.push_back(effect.gives);
   }
   return sorted_unique(std::move(names));
 }
@@ -129,9 +135,8 @@ std::vector<std::string> words_for(const Parameter& parameter, const Knowledge& 
 bool is_word_for(const Parameter& parameter, const std::string& word, const Knowledge& knowledge) {
   const auto& asked = parameter.affordances.front();
   if (asked == "substance") {
-    return std::any_of(knowledge.effects().begin(), knowledge.effects().end(), [&](const Effect& effect) {
-      return effect.gives == word && (effect.effect == "fills" || effect.effect == "dispenses");
-    });
+    return std::any_of(knowledge.effects().begin(), knowledge.effects().end(),
+                       [&](const Effect& effect) { return effect.gives == word && gives_substance(effect); });
   }
   return std::any_of(knowledge.categories().begin(), knowledge.categories().end(), [&](const Category& category) {
     const auto& own = asked == "colour" ? category.colours : category.materials;
@@ -268,7 +273,7 @@ bool is_room(const Parameter& parameter) {
 
 std::vector<std::string> slices_of(const std::string& category, const Knowledge& knowledge) {
   std::vector<std::string> pieces;
-  for (const auto* row : knowledge.effects_on(category, "slices")) {
+  for (const auto* row : knowledge.effects_on(category, Treatment::Slices)) {
     pieces.push_back(row->gives.empty() ? category : row->gives);
   }
   if (pieces.empty()) pieces.push_back(category);
@@ -293,7 +298,8 @@ bool satisfies(const DomainConstraint& constraint, const Binding& binding, const
   if (kind->meaning == Meaning::Usual) return usual_holds(constraint, binding, knowledge);
   if (kind->meaning == Meaning::Value) return value_holds(constraint, binding, knowledge);
   if (kind->meaning == Meaning::Words) {
-    return category != nullptr && !knowledge.aliases_of(category->name, constraint.arguments[1]).empty();
+    const auto words = alias_kind_named(constraint.arguments[1]);
+    return category != nullptr && words && !knowledge.aliases_of(category->name, *words).empty();
   }
   return kind->meaning == Meaning::Placement ? placement_holds(constraint, *kind, binding, knowledge)
                                              : effect_holds(constraint, *kind, binding, knowledge);

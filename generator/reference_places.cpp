@@ -48,7 +48,7 @@ class Landmarks {
     for (const auto relation : {Predicate::On, Predicate::Inside, Predicate::NextTo}) {
       std::vector<const Placement*> rows;
       std::vector<double> weights;
-      for (const auto* row : knowledge_.placements_of(variable_.category, info(relation).name)) {
+      for (const auto* row : knowledge_.placements_of(variable_.category, relation)) {
         const auto* other = knowledge_.find(row->receptacle);
         if (other == nullptr || row->likelihood <= 0 || !usable(row->receptacle)) continue;
         // A landmark stays where it is: furniture, or what a thing of the task is set down beside.

@@ -8,7 +8,7 @@ namespace unietp {
 namespace {
 
 /// Categories with an alias of this kind, among the movable ones that the goal speaks of.
-std::vector<std::string> with_alias(const Specification& plain, const Knowledge& knowledge, std::string_view kind) {
+std::vector<std::string> with_alias(const Specification& plain, const Knowledge& knowledge, AliasKind kind) {
   std::vector<std::string> found;
   for (const auto& name : categories_of(plain.goal)) {
     const auto* category = knowledge.find(name);
@@ -61,13 +61,13 @@ std::optional<Specification> by_function(const Specification& plain, const Knowl
   }
   rng.shuffle(choices);
   for (const auto& category : choices) {
-    const auto functions = knowledge.aliases_of(category, "function");
+    const auto functions = knowledge.aliases_of(category, AliasKind::Function);
     if (functions.empty()) continue;
     const auto& text = rng.pick(functions)->text;
     std::vector<std::string> serving;
     bool clash = false;
     for (const auto& alias : knowledge.aliases()) {
-      if (alias.kind != "function" || alias.text != text) continue;
+      if (alias.kind != AliasKind::Function || alias.text != text) continue;
       // One that could never satisfy the goal need not be among them.
       if (contradiction(substituted(plain, category, {alias.category}), knowledge)) continue;
       const bool other_part = std::any_of(plain.binding.begin(), plain.binding.end(), [&](const auto& pair) {
@@ -106,8 +106,9 @@ std::optional<Specification> refine_linguistic(const Specification& plain, const
                (style == Style::NestedSyntax && asks_for_an_end(plain)) ||
                (style == Style::Condition && asks_for_an_end(plain) && starts_with_something(plain))) {
       return reworded(plain, style);
-    } else if (!with_alias(plain, knowledge, style == Style::Alias ? "synonym" : name_of(style)).empty()) {
-      return reworded(plain, style);
+    } else if (style == Style::Alias || style == Style::Context) {
+      const AliasKind kind = style == Style::Alias ? AliasKind::Synonym : AliasKind::Context;
+      if (!with_alias(plain, knowledge, kind).empty()) return reworded(plain, style);
     }
   }
   return std::nullopt;

@@ -17,32 +17,10 @@ using Op = Formula::Op;
 constexpr std::size_t kMostWitnesses = 8;  // looked at beyond those that are wanted, as many as the expert reads
 constexpr std::size_t kMostTools = 8;      // for one thing; twice as many as the expert tries
 
-/// The effects of the knowledge base that bring a state about.
-std::vector<std::string_view> effects_for(Predicate state) {
-  switch (state) {
-    case Predicate::Hot:
-      return {"heats", "cooks", "burns"};
-    case Predicate::Cool:
-      return {"cools", "freezes"};
-    case Predicate::Frozen:
-      return {"freezes"};
-    case Predicate::Cooked:
-      return {"cooks"};
-    case Predicate::Burnt:
-      return {"burns"};
-    case Predicate::Clean:
-      return {"washes", "wipes"};
-    case Predicate::Soaked:
-      return {"soaks"};
-    case Predicate::Filled:
-      return {"fills"};
-    default:
-      return {};
-  }
-}
-
-bool needs(const Effect& effect, std::string_view need) {
-  return std::find(effect.needs.begin(), effect.needs.end(), need) != effect.needs.end();
+/// Whether a treatment brings a state about: on what lies in or on the tool, or by wiping with it.
+bool brings_about(const TreatmentInfo& treatment, Predicate state) {
+  if (treatment.by_hand == ActionType::Wipe) return state == Predicate::Clean;
+  return std::find(treatment.states.begin(), treatment.states.end(), state) != treatment.states.end();
 }
 
 class Possible {
@@ -142,7 +120,7 @@ class Possible {
   }
 
   bool is_cut_by_something(const std::string& category) {
-    const auto effects = knowledge_.effects_on(category, "slices");
+    const auto effects = knowledge_.effects_on(category, Treatment::Slices);
     const bool cut =
         effects.empty() || std::any_of(effects.begin(), effects.end(), [this](const Effect* effect) {
           const auto& tools = places_.of(effect->tool);
@@ -266,16 +244,16 @@ class Possible {
 
   /// Something in the home brings the state about: a place that takes the thing, or a tool that is found.
   bool treatable(const Formula& formula, std::size_t subject) {
-    const auto effects = effects_for(formula.predicate);
-    if (effects.empty() || !start_.nodes[subject].movable) return true;
+    if (!start_.nodes[subject].movable) return true;
     const std::string symbol = formula.terms.size() > 1 ? formula.terms[1].name : "";
     bool any_rule = false;
-    for (const std::string_view name : effects) {
-      for (const Effect* effect : knowledge_.effects_on(start_.nodes[subject].category, name)) {
+    for (const TreatmentInfo& treatment : all_treatments()) {
+      if (!brings_about(treatment, formula.predicate)) continue;
+      for (const Effect* effect : knowledge_.effects_on(start_.nodes[subject].category, treatment.treatment)) {
         if (!symbol.empty() && symbol != "any" && effect->gives != symbol) continue;
         any_rule = true;
-        const bool inside = needs(*effect, "inside") || needs(*effect, "under_tap");
-        const bool on = !inside && !needs(*effect, "held") && name != "wipes";
+        const bool inside = has_need(*effect, EffectNeed::Inside) || has_need(*effect, EffectNeed::UnderTap);
+        const bool on = !inside && !has_need(*effect, EffectNeed::Held) && treatment.treatment != Treatment::Wipes;
         auto tools = places_.of(effect->tool);
         keep_least(tools, kMostTools,
                    [&](std::size_t tool) { return away(tool, start_.nodes[subject].pose.position.head<2>()); });

@@ -45,7 +45,7 @@ ByWord means_by_word(const FitInput& own, std::span<const FitInput> all) {
 std::set<std::string> slices(const Knowledge& knowledge) {
   std::set<std::string> names;
   for (const Effect& effect : knowledge.effects()) {
-    if (effect.effect == "slices" && effect.gives != effect.target) names.insert(effect.gives);
+    if (effect.treatment == Treatment::Slices && effect.gives != effect.target) names.insert(effect.gives);
   }
   return names;
 }

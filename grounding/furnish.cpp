@@ -229,11 +229,10 @@ bool needs_front(const Node& node) {
 
 /// Such as a coffee machine or a burner.
 bool treats_what_is_on_it(const Knowledge& knowledge, const std::string& category) {
-  for (const std::string_view name : {"fills", "heats", "cooks", "burns"}) {
-    const auto effects = knowledge.effects_of(category, name);
-    if (std::any_of(effects.begin(), effects.end(), [](const Effect* effect) {
-          return std::find(effect->needs.begin(), effect->needs.end(), "on") != effect->needs.end();
-        }))
+  for (const Treatment treatment : {Treatment::Fills, Treatment::Heats, Treatment::Cooks, Treatment::Burns}) {
+    const auto effects = knowledge.effects_of(category, treatment);
+    if (std::any_of(effects.begin(), effects.end(),
+                    [](const Effect* effect) { return has_need(*effect, EffectNeed::On); }))
       return true;
   }
   return false;

@@ -56,7 +56,7 @@ std::vector<const Asset*> usable_assets(const Knowledge& knowledge, const Catego
 
 std::string draw_filling(std::string_view category, const Knowledge& knowledge, Rng& rng) {
   std::vector<std::string> substances;
-  for (const Effect* effect : knowledge.effects_on(category, "fills")) {
+  for (const Effect* effect : knowledge.effects_on(category, Treatment::Fills)) {
     if (!effect->gives.empty()) substances.push_back(effect->gives);
   }
   std::sort(substances.begin(), substances.end());

@@ -38,7 +38,7 @@ class Scatterer {
       : workspace_(workspace), recipe_(recipe), options_(options), rooms_(workspace.scene().rooms.size()) {
     for (std::size_t i = 0; i < workspace.scene().nodes.size(); ++i) enter(i);
     for (const Effect& effect : workspace.knowledge().effects()) {
-      if (effect.effect == "slices" && effect.gives != effect.target) sliced_.insert(effect.gives);
+      if (effect.treatment == Treatment::Slices && effect.gives != effect.target) sliced_.insert(effect.gives);
     }
   }
 
@@ -144,8 +144,7 @@ class Scatterer {
   std::vector<Host> hosts_in(const Wish& wish) const {
     std::vector<Host> hosts;
     for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
-      for (const Placement* placement :
-           workspace_.knowledge().placements_of(wish.category->name, relation == Predicate::On ? "on" : "inside")) {
+      for (const Placement* placement : workspace_.knowledge().placements_of(wish.category->name, relation)) {
         const auto there = rooms_[wish.room].find(placement->receptacle);
         if (placement->likelihood <= 0 || there == rooms_[wish.room].end()) continue;
         const auto usual = recipe_.held.find(placement->receptacle);
@@ -180,9 +179,9 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
     double on = 0, inside = 0;  // how likely
   };
   std::map<std::string_view, Receptacle> receptacles;
-  for (const Placement* placement : knowledge.placements_of(object.category, "on"))
+  for (const Placement* placement : knowledge.placements_of(object.category, Predicate::On))
     receptacles[placement->receptacle].on = placement->likelihood;
-  for (const Placement* placement : knowledge.placements_of(object.category, "inside"))
+  for (const Placement* placement : knowledge.placements_of(object.category, Predicate::Inside))
     receptacles[placement->receptacle].inside = placement->likelihood;
   const auto& nodes = workspace.scene().nodes;
   const std::vector<bool> usual_here = usual_rooms(workspace, *category);

@@ -9,8 +9,8 @@
 
 namespace unietp {
 bool allowed(const Knowledge& knowledge, const Node& object, Predicate relation, const Node& receptacle) {
-  return knowledge.placement(object.category, relation == Predicate::Inside ? "inside" : "on", receptacle.category) !=
-         nullptr;
+  return knowledge.placement(object.category, relation == Predicate::Inside ? Predicate::Inside : Predicate::On,
+                             receptacle.category) != nullptr;
 }
 
 Workspace::Workspace(Scene scene, const Knowledge& knowledge)

@@ -27,7 +27,7 @@ CategoryNames::CategoryNames(const Knowledge& knowledge) : knowledge_(&knowledge
   for (const Category& category : knowledge.categories()) add(category.display, &category);
   for (const Category& category : knowledge.categories()) add(category.plural, &category);
   for (const Alias& alias : knowledge.aliases()) {
-    if (alias.kind == "synonym") add(alias.text, knowledge.find(alias.category));
+    if (alias.kind == AliasKind::Synonym) add(alias.text, knowledge.find(alias.category));
   }
   by_letters_.erase("");
 }

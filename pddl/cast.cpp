@@ -34,16 +34,15 @@ class CastPicker {
 
   /// What does something to things of a category.
   void take_tools(const std::string& target) {
-    static constexpr const char* kEffects[] = {"heats", "cools", "freezes", "cooks", "burns",     "washes",
-                                               "soaks", "fills", "slices",  "wipes", "dispenses", "drains"};
-    for (const char* effect : kEffects) {
-      for (const auto* row : knowledge_.effects_on(target, effect)) take_few(row->tool, kTools);
+    for (const TreatmentInfo& row : all_treatments()) {
+      if (row.treatment == Treatment::Attaches) continue;
+      for (const auto* effect : knowledge_.effects_on(target, row.treatment)) take_few(effect->tool, kTools);
     }
   }
 
   void take_places(const std::string& category) {
     int found = 0;
-    for (const auto* row : knowledge_.placements_of(category, "on")) {
+    for (const auto* row : knowledge_.placements_of(category, Predicate::On)) {
       const auto* place = knowledge_.find(row->receptacle);
       if (place != nullptr && !place->movable && found < kPlaces) found += take_few(row->receptacle, 1);
     }

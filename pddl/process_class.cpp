@@ -19,7 +19,7 @@ std::string name_of(const ProcessClass& process) {
 
 std::optional<ProcessClass> class_of(Treatment treatment, std::uint8_t needs, bool openable, bool switchable) {
   using namespace symbolic;
-  if (sets(treatment).empty() || (needs & (kHeld | kUnknown)) != 0) return std::nullopt;
+  if (sets(treatment).empty() || (needs & kHeld) != 0) return std::nullopt;
   ProcessClass found;
   found.treatment = treatment;
   if ((needs & kInside) != 0) {
@@ -43,9 +43,7 @@ std::optional<ProcessClass> class_of(const symbolic::Setting& setting, symbolic:
 std::vector<ProcessClass> classes_of(const Knowledge& knowledge) {
   std::set<ProcessClass> found;
   for (const auto& row : knowledge.effects()) {
-    const auto treatment = treatment_named(row.effect);
-    if (!treatment) continue;
-    const auto process = class_of(*treatment, symbolic::needs_of(row), knowledge.has(row.tool, "openable"),
+    const auto process = class_of(row.treatment, symbolic::needs_of(row), knowledge.has(row.tool, "openable"),
                                   knowledge.has(row.tool, "switchable"));
     if (process) found.insert(*process);
   }

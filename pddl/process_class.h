@@ -25,8 +25,8 @@ struct ProcessClass {
 /// "heats-inside-closed-running-door": the predicate of the tools and things that the process applies to.
 std::string name_of(const ProcessClass& process);
 
-/// The class of an effect row or reaction with these needs (symbolic::Need) and such a tool; nullopt for what is done
-/// by hand.
+/// The class of an effect row or reaction with these needs (symbolic::needs_of) and such a tool; nullopt for what is
+/// done by hand.
 std::optional<ProcessClass> class_of(Treatment treatment, std::uint8_t needs, bool openable, bool switchable);
 std::optional<ProcessClass> class_of(const symbolic::Setting& setting, symbolic::Id tool,
                                      const symbolic::Reaction& reaction);

@@ -74,7 +74,7 @@ std::vector<std::string> offered_categories(const Scene& scene, const Knowledge&
   std::unordered_set<std::string_view> known(present.begin(),
                                              present.end());  // many places offer the same; never iterated
   for (const std::string_view receptacle : present) {
-    for (const char* relation : {"on", "inside"}) {
+    for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
       for (const Placement* placement : knowledge.placements_at(receptacle, relation)) {
         if (known.insert(placement->object).second) offered.push_back(placement->object);
       }

@@ -39,8 +39,9 @@ ActionResult pour_to(WorldState& state, std::size_t target) {
   if (!substance) return failed(FailureCause::VesselEmpty, state.reference(*hand));
   if (state.held(state.node(target).id)) return failed(FailureCause::InHand, state.reference(target));
   if (auto blocked = access_failure(state, target)) return *blocked;
-  const bool drains = state.knowledge->effect(state.node(target).category, "drains", state.node(*hand).category) ||
-                      state.knowledge->has(state.node(target).category, "drain");
+  const bool drains =
+      state.knowledge->effect(state.node(target).category, Treatment::Drains, state.node(*hand).category) ||
+      state.knowledge->has(state.node(target).category, "drain");
   if (!drains) {
     if (!state.knowledge->has(state.node(target).category, "fillable"))
       return failed(FailureCause::NotFillable, state.reference(target));
@@ -74,7 +75,7 @@ ActionResult wipe(WorldState& state, std::size_t i) {
   const auto hand = in_hand(state);
   if (!hand) return failed(FailureCause::NeedsCloth);
   if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
-  if (state.knowledge->effect(state.node(*hand).category, "wipes", state.node(i).category) == nullptr)
+  if (state.knowledge->effect(state.node(*hand).category, Treatment::Wipes, state.node(i).category) == nullptr)
     return failed(FailureCause::CannotBeWiped, state.reference(i), state.reference(*hand));
   if (auto blocked = access_failure(state, i)) return *blocked;
   const auto coats = coats_of(state.node(i));
@@ -93,7 +94,8 @@ ActionResult spread_to(WorldState& state, std::size_t i) {
   const auto hand = in_hand(state);
   if (!hand) return failed(FailureCause::NeedsDispenser);
   if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
-  const Effect* effect = state.knowledge->effect(state.node(*hand).category, "dispenses", state.node(i).category);
+  const Effect* effect =
+      state.knowledge->effect(state.node(*hand).category, Treatment::Dispenses, state.node(i).category);
   if (effect == nullptr) return failed(FailureCause::DispensesNothing, state.reference(*hand), state.reference(i));
   if (auto blocked = access_failure(state, i)) return *blocked;
   state.edit_states(i).set({Predicate::Covered, effect->gives});

@@ -9,45 +9,53 @@ namespace {
 
 /// The states that an effect of the knowledge base gives its target.
 struct Rule {
-  std::string_view effect;
+  Treatment treatment;
   std::vector<Predicate> sets;
 };
 
 const std::array<Rule, 8>& rules() {
   static const std::array<Rule, 8> kRules{{
-      {"heats", {Predicate::Hot}},
-      {"cools", {Predicate::Cool}},
-      {"freezes", {Predicate::Frozen, Predicate::Cool}},
-      {"cooks", {Predicate::Cooked, Predicate::Hot}},
-      {"burns", {Predicate::Burnt, Predicate::Hot}},
-      {"washes", {Predicate::Clean}},
-      {"soaks", {Predicate::Soaked}},
-      {"fills", {Predicate::Filled}},
+      {Treatment::Heats, {Predicate::Hot}},
+      {Treatment::Cools, {Predicate::Cool}},
+      {Treatment::Freezes, {Predicate::Frozen, Predicate::Cool}},
+      {Treatment::Cooks, {Predicate::Cooked, Predicate::Hot}},
+      {Treatment::Burns, {Predicate::Burnt, Predicate::Hot}},
+      {Treatment::Washes, {Predicate::Clean}},
+      {Treatment::Soaks, {Predicate::Soaked}},
+      {Treatment::Fills, {Predicate::Filled}},
   }};
   return kRules;
 }
 
-bool offered(const Profile& profile, std::string_view effect) {
-  if (effect == "washes" || effect == "fills" || effect == "soaks") return profile.washing;
-  if (effect == "slices") return profile.slicing;
+bool offered(const Profile& profile, Treatment treatment) {
+  if (treatment == Treatment::Washes || treatment == Treatment::Fills || treatment == Treatment::Soaks)
+    return profile.washing;
+  if (treatment == Treatment::Slices) return profile.slicing;
   return profile.temperature;
 }
 
-bool needs_met(const WorldState& state, const Effect& effect, std::size_t tool_at, std::size_t target, bool tap_runs) {
+bool is_met(EffectNeed need, const WorldState& state, std::size_t tool_at, std::size_t target, bool tap_runs) {
   const Node& tool = state.node(tool_at);
-  return std::all_of(effect.needs.begin(), effect.needs.end(), [&](const std::string& need) {
-    if (need == "closed") return !tool.openable || tool.states.has(Predicate::Closed);
-    if (need == "power_on") return !tool.states.has(Predicate::PowerOff);
-    if (need == "inside") return state.linked(target, Predicate::Inside, tool_at);
-    if (need == "on") return state.linked(target, Predicate::On, tool_at);
-    if (need == "under_tap") return tap_runs || tool.states.has(Predicate::PowerOn);
-    if (need == "held") return state.held(tool.id);
-    return false;
-  });
+  switch (need) {
+    case EffectNeed::Closed:
+      return !tool.openable || tool.states.has(Predicate::Closed);
+    case EffectNeed::PowerOn:
+      return !tool.states.has(Predicate::PowerOff);
+    case EffectNeed::Held:
+      return state.held(tool.id);
+    case EffectNeed::Inside:
+      return state.linked(target, Predicate::Inside, tool_at);
+    case EffectNeed::On:
+      return state.linked(target, Predicate::On, tool_at);
+    case EffectNeed::UnderTap:
+      return tap_runs || tool.states.has(Predicate::PowerOn);
+  }
+  return false;
 }
 
-bool needs(const Effect& effect, std::string_view need) {
-  return std::find(effect.needs.begin(), effect.needs.end(), need) != effect.needs.end();
+bool needs_met(const WorldState& state, const Effect& effect, std::size_t tool, std::size_t target, bool tap_runs) {
+  return std::all_of(effect.needs.begin(), effect.needs.end(),
+                     [&](EffectNeed need) { return is_met(need, state, tool, target, tap_runs); });
 }
 
 /// Runs the steps of a composite action up to the first failure.
@@ -76,14 +84,15 @@ void run_processes(WorldState& state, std::size_t tool, bool tap_runs) {
     if (target == tool) continue;
     for (const Rule& rule : rules()) {
       const Effect* effect =
-          state.knowledge->effect(state.node(tool).category, rule.effect, state.node(target).category);
-      if (effect == nullptr || !offered(*state.profile, rule.effect) || needs(*effect, "held")) continue;
+          state.knowledge->effect(state.node(tool).category, rule.treatment, state.node(target).category);
+      if (effect == nullptr || !offered(*state.profile, rule.treatment) || has_need(*effect, EffectNeed::Held))
+        continue;
       if (!needs_met(state, *effect, tool, target, tap_runs)) continue;
       StateSet& states = state.edit_states(target);
       for (const Predicate predicate : rule.sets) {
         states.set({predicate, predicate == Predicate::Filled ? effect->gives : ""});
       }
-      if (rule.effect == "washes") states.clear(Predicate::Covered);
+      if (rule.treatment == Treatment::Washes) states.clear(Predicate::Covered);
     }
   }
 }
@@ -113,26 +122,27 @@ ActionResult switch_power(WorldState& state, std::size_t i, bool on) {
   return succeeded();
 }
 
-ActionResult treat_with(WorldState& state, std::size_t tool, std::string_view effect_name) {
+ActionResult treat_with(WorldState& state, std::size_t tool, Treatment treatment) {
   if (state.agent().held.empty()) return failed(FailureCause::HandsEmpty);
   const std::size_t item = *state.index_of(state.agent().held.front());
-  const Effect* effect = state.knowledge->effect(state.node(tool).category, effect_name, state.node(item).category);
+  const Effect* effect = state.knowledge->effect(state.node(tool).category, treatment, state.node(item).category);
   // Effects of a held tool (a bottle that pours) belong to other actions.
-  if (effect == nullptr || !offered(*state.profile, effect_name) || needs(*effect, "held")) {
+  if (effect == nullptr || !offered(*state.profile, treatment) || has_need(*effect, EffectNeed::Held)) {
     return failed(FailureCause::ToolHasNoEffect, state.reference(item), state.reference(tool));
   }
   if (auto blocked = access_failure(state, tool)) return *blocked;
 
   const auto closed = [&] { return state.node(tool).openable && !state.node(tool).states.has(Predicate::Open); };
-  const bool inside = needs(*effect, "inside") || needs(*effect, "under_tap");
+  const bool inside = has_need(*effect, EffectNeed::Inside) || has_need(*effect, EffectNeed::UnderTap);
   const bool was_closed = closed();
-  const bool switches = needs(*effect, "power_on") && state.node(tool).states.has(Predicate::PowerOff);
+  const bool switches = has_need(*effect, EffectNeed::PowerOn) && state.node(tool).states.has(Predicate::PowerOff);
   Steps steps(state.reference(tool));
   if (inside && was_closed) steps.run([&] { return swing(state, tool, true); });
   steps.run([&] { return place(state, tool, inside, true); });
-  if (needs(*effect, "closed") && state.node(tool).openable) steps.run([&] { return swing(state, tool, false); });
+  if (has_need(*effect, EffectNeed::Closed) && state.node(tool).openable)
+    steps.run([&] { return swing(state, tool, false); });
   if (switches) steps.run([&] { return switch_power(state, tool, true); });
-  if (needs(*effect, "under_tap")) {
+  if (has_need(*effect, EffectNeed::UnderTap)) {
     steps.run([&] {
       run_processes(state, tool, true);
       return succeeded();
@@ -152,7 +162,7 @@ ActionResult slice(WorldState& state, std::size_t i) {
   }
   if (state.agent().held.empty()) return failed(FailureCause::NeedsKnife);
   const std::size_t knife = *state.index_of(state.agent().held.front());
-  const Effect* effect = state.knowledge->effect(state.node(knife).category, "slices", state.node(i).category);
+  const Effect* effect = state.knowledge->effect(state.node(knife).category, Treatment::Slices, state.node(i).category);
   if (effect == nullptr) return failed(FailureCause::DoesNotSlice, state.reference(knife), state.reference(i));
   if (state.node(i).states.has(Predicate::Sliced)) return failed(FailureCause::AlreadySliced, state.reference(i));
   if (auto blocked = access_failure(state, i)) return *blocked;

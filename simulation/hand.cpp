@@ -152,8 +152,9 @@ ActionResult place(WorldState& state, std::size_t target, bool inside, bool with
   if (inside && receptacle.openable && !receptacle.states.has(Predicate::Open)) {
     return failed(FailureCause::ReceptacleClosed, state.reference(target));
   }
-  const bool attaches = !inside && state.profile->attaching &&
-                        state.knowledge->effect(receptacle.category, "attaches", state.node(i).category) != nullptr;
+  const bool attaches =
+      !inside && state.profile->attaching &&
+      state.knowledge->effect(receptacle.category, Treatment::Attaches, state.node(i).category) != nullptr;
   const Spots spots = spots_on(state, target, state.node(i).size, inside, group.size() == 1, attaches);
   if (!spots.offer.any_surface) {
     return failed(inside ? FailureCause::NoInside : FailureCause::NoSurface, state.reference(target));

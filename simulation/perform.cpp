@@ -46,10 +46,10 @@ ActionResult perform_alone(WorldState& state, ActionType type) {
 /// A freezer may have the effect `freezes` without `cools`.
 ActionResult cool_with(WorldState& state, std::size_t tool) {
   const std::size_t before = state.mark();
-  const ActionResult cooled = treat_with(state, tool, "cools");
+  const ActionResult cooled = treat_with(state, tool, Treatment::Cools);
   if (cooled.failure != Failure::NoEffect) return cooled;
   state.back_to(before);
-  return treat_with(state, tool, "freezes");
+  return treat_with(state, tool, Treatment::Freezes);
 }
 
 }  // namespace
@@ -100,19 +100,19 @@ ActionResult perform(WorldState& state, const Action& action) {
     case ActionType::SpreadTo:
       return spread_to(state, *node);
     case ActionType::SoakWith:
-      return treat_with(state, *node, "soaks");
+      return treat_with(state, *node, Treatment::Soaks);
     case ActionType::HeatWith:
-      return treat_with(state, *node, "heats");
+      return treat_with(state, *node, Treatment::Heats);
     case ActionType::CoolWith:
       return cool_with(state, *node);
     case ActionType::WashWith:
-      return treat_with(state, *node, "washes");
+      return treat_with(state, *node, Treatment::Washes);
     case ActionType::CookWith:
-      return treat_with(state, *node, "cooks");
+      return treat_with(state, *node, Treatment::Cooks);
     case ActionType::BurnWith:
-      return treat_with(state, *node, "burns");
+      return treat_with(state, *node, Treatment::Burns);
     case ActionType::FillWith:
-      return treat_with(state, *node, "fills");
+      return treat_with(state, *node, Treatment::Fills);
     default:
       return perform_extension(state, action.type, *node);
   }

@@ -240,7 +240,7 @@ ActionResult wipe(WorldState& state, std::size_t node);
 /// The node is covered with what the held dispenser gives.
 ActionResult spread_to(WorldState& state, std::size_t node);
 /// soak_with and the composite actions: performs their atomic steps, each with all its checks.
-ActionResult treat_with(WorldState& state, std::size_t tool, std::string_view effect);
+ActionResult treat_with(WorldState& state, std::size_t tool, Treatment treatment);
 
 /// The actions of the profile `wide` on an object. A body that sits or lies stays at its place beside the seat and
 /// faces as the seat does.

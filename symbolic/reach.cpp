@@ -75,7 +75,7 @@ void Reach::do_alone(Id id, Outlook& next) const {
 }
 
 bool Reach::works(Id tool, Id target, const Reaction& reaction) const {
-  if ((reaction.needs & (kHeld | kUnknown)) != 0) return false;
+  if ((reaction.needs & kHeld) != 0) return false;
   const auto action = action_for(reaction.treatment);
   const bool composite = action && offered(*action);
   const bool runs = setting_.kind_of(tool).switchable && may_have(tool, Predicate::PowerOn);

@@ -14,21 +14,7 @@ Offer offer_of(Simulator simulator, ActionProfile profile) {
 
 std::uint8_t needs_of(const Effect& row) {
   std::uint8_t needs = 0;
-  for (const auto& need : row.needs) {
-    if (need == "closed") {
-      needs |= kClosed;
-    } else if (need == "power_on") {
-      needs |= kPowerOn;
-    } else if (need == "inside") {
-      needs |= kInside;
-    } else if (need == "on") {
-      needs |= kOn;
-    } else if (need == "under_tap") {
-      needs |= kUnderTap;
-    } else {
-      needs |= need == "held" ? kHeld : kUnknown;
-    }
-  }
+  for (const EffectNeed need : row.needs) needs |= bit_of(need);
   return needs;
 }
 
@@ -44,7 +30,7 @@ Rules::Rules(const Knowledge& knowledge, const Offer& offer, const std::vector<s
   const std::size_t given = kinds_.size();
   for (std::size_t i = 0; i < given; ++i) {
     if (!kinds_[i].sliceable) continue;
-    for (const Effect* row : knowledge.effects_on(std::string(kinds_[i].category), "slices")) {
+    for (const Effect* row : knowledge.effects_on(std::string(kinds_[i].category), Treatment::Slices)) {
       if (kind_named(row->tool)) add_kind(knowledge, row->gives.empty() ? row->target : row->gives);
     }
   }
@@ -53,8 +39,8 @@ Rules::Rules(const Knowledge& knowledge, const Offer& offer, const std::vector<s
   reactions_.assign(n * n, {});
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < n; ++k) {
-      const auto* on = knowledge.placement(kinds_[i].category, "on", kinds_[k].category);
-      const auto* inside = knowledge.placement(kinds_[i].category, "inside", kinds_[k].category);
+      const auto* on = knowledge.placement(kinds_[i].category, Predicate::On, kinds_[k].category);
+      const auto* inside = knowledge.placement(kinds_[i].category, Predicate::Inside, kinds_[k].category);
       capacity_[i * n + k] = {on == nullptr ? 0 : on->capacity, inside == nullptr ? 0 : inside->capacity};
     }
   }
@@ -96,7 +82,7 @@ void Rules::add_kind(const Knowledge& knowledge, const std::string& category) {
 void Rules::read_reactions(const Knowledge& knowledge, std::size_t tools, std::size_t targets) {
   for (std::size_t target = 0; target < targets; ++target) {
     for (std::size_t t = 0; t < kTreatments; ++t) {
-      for (const Effect* row : knowledge.effects_on(kinds_[target].category, name_of(static_cast<Treatment>(t)))) {
+      for (const Effect* row : knowledge.effects_on(kinds_[target].category, static_cast<Treatment>(t))) {
         const auto tool = kind_named(row->tool);
         if (!tool || tool->index() >= tools) continue;
         auto& known = reactions_[cell(*tool, KindId(target))];

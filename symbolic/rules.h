@@ -29,9 +29,12 @@ struct Offer {
 Offer offer_of(Simulator simulator, ActionProfile profile = ActionProfile::Unietp);
 
 /// Conditions of a treatment, as bits of Reaction::needs.
-enum Need : std::uint8_t { kClosed = 1, kPowerOn = 2, kInside = 4, kOn = 8, kUnderTap = 16, kHeld = 32, kUnknown = 64 };
+constexpr std::uint8_t bit_of(EffectNeed need) { return static_cast<std::uint8_t>(1U << static_cast<unsigned>(need)); }
+inline constexpr std::uint8_t kClosed = bit_of(EffectNeed::Closed), kPowerOn = bit_of(EffectNeed::PowerOn),
+                              kHeld = bit_of(EffectNeed::Held), kInside = bit_of(EffectNeed::Inside),
+                              kOn = bit_of(EffectNeed::On), kUnderTap = bit_of(EffectNeed::UnderTap);
 
-/// The needs of an effect as bits of Need; kUnknown for a word that is not listed.
+/// The needs of an effect as such bits.
 std::uint8_t needs_of(const Effect& row);
 
 /// Position of a kind in Rules::kinds().

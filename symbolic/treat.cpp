@@ -6,8 +6,8 @@ namespace unietp::symbolic {
 namespace {
 
 bool needs_met(const Setting& setting, const World& world, const Reaction& reaction, Id tool, Id thing, bool tap_runs) {
-  const auto asks = [&](Need need) { return (reaction.needs & need) != 0; };
-  if (asks(kUnknown) || asks(kHeld)) return false;
+  const auto asks = [&](std::uint8_t need) { return (reaction.needs & need) != 0; };
+  if (asks(kHeld)) return false;
   if (asks(kClosed) && setting.kind_of(tool).openable && !world[tool].has(Predicate::Closed)) return false;
   if (asks(kPowerOn) && world[tool].has(Predicate::PowerOff)) return false;
   if (asks(kInside) && !is_inside(world, thing, tool)) return false;

@@ -34,7 +34,7 @@ Wish Way::to_clean(Id id, int depth) const {
 
 void Way::treated(Id id, Treatment treatment, std::optional<SubstanceId> symbol, int depth, Choice& ways) const {
   each_tool(treatment, id, [&](Id tool, const Reaction& reaction) {
-    if ((reaction.needs & (kHeld | kUnknown)) != 0) return;
+    if ((reaction.needs & kHeld) != 0) return;
     if (treatment == Treatment::Fills && symbol && *symbol != reaction.symbol) return;
     const auto action = action_for(treatment);
     if (action && offered(*action)) ways.add(by_composite(id, tool, *action, reaction, depth));

@@ -11,30 +11,41 @@ namespace {
 
 constexpr auto kKinds = [] {
   using enum ConstraintKind::Meaning;
+  using P = Predicate;
+  using T = Treatment;
   return std::array<ConstraintKind, 22>{{
-      {"distinct", Distinct, "", "(distinct A B ...)", "the placeholders are bound to different categories"},
-      {"fits-on", Placement, "on", "(fits-on A B [n])", "at least n A fit on a B at once (default 1)"},
-      {"fits-inside", Placement, "inside", "(fits-inside A B [n])", "at least n A fit in a B at once (default 1)"},
-      {"fits-next-to", Placement, "next_to", "(fits-next-to A B [n])", "at least n A fit next to a B"},
-      {"fits-under", Placement, "under", "(fits-under A B [n])", "at least n A fit under a B"},
-      {"heats", Effect, "heats", "(heats T A)", "a T makes an A hot"},
-      {"cools", Effect, "cools", "(cools T A)", "a T makes an A cool"},
-      {"freezes", Effect, "freezes", "(freezes T A)", "a T freezes an A"},
-      {"washes", Effect, "washes", "(washes T A)", "a T makes an A clean"},
-      {"wipes", Effect, "wipes", "(wipes T A)", "an A is wiped clean with a T"},
-      {"cooks", Effect, "cooks", "(cooks T A)", "a T cooks an A"},
-      {"burns", Effect, "burns", "(burns T A)", "a T burns an A"},
-      {"slices", Effect, "slices", "(slices K A)", "a K cuts an A"},
-      {"soaks", Effect, "soaks", "(soaks T A)", "a T soaks an A"},
-      {"fills", Effect, "fills", "(fills T A substance)", "a T fills an A with the substance"},
-      {"dispenses", Effect, "dispenses", "(dispenses T A substance)", "a T spreads the substance over an A"},
-      {"drains", Effect, "drains", "(drains T A)", "an A is emptied into a T"},
-      {"attaches", Effect, "attaches", "(attaches B A)", "an A can be attached to a B"},
-      {"found-in", Usual, "", "(found-in A R)", "an A is usual in the room type R"},
-      {"comes-in", Value, "", "(comes-in A K)",
+      {"distinct", Distinct, {}, {}, "(distinct A B ...)", "the placeholders are bound to different categories"},
+      {"fits-on", Placement, P::On, {}, "(fits-on A B [n])", "at least n A fit on a B at once (default 1)"},
+      {"fits-inside", Placement, P::Inside, {}, "(fits-inside A B [n])", "at least n A fit in a B at once (default 1)"},
+      {"fits-next-to", Placement, P::NextTo, {}, "(fits-next-to A B [n])", "at least n A fit next to a B"},
+      {"fits-under", Placement, P::Under, {}, "(fits-under A B [n])", "at least n A fit under a B"},
+      {"heats", Effect, {}, T::Heats, "(heats T A)", "a T makes an A hot"},
+      {"cools", Effect, {}, T::Cools, "(cools T A)", "a T makes an A cool"},
+      {"freezes", Effect, {}, T::Freezes, "(freezes T A)", "a T freezes an A"},
+      {"washes", Effect, {}, T::Washes, "(washes T A)", "a T makes an A clean"},
+      {"wipes", Effect, {}, T::Wipes, "(wipes T A)", "an A is wiped clean with a T"},
+      {"cooks", Effect, {}, T::Cooks, "(cooks T A)", "a T cooks an A"},
+      {"burns", Effect, {}, T::Burns, "(burns T A)", "a T burns an A"},
+      {"slices", Effect, {}, T::Slices, "(slices K A)", "a K cuts an A"},
+      {"soaks", Effect, {}, T::Soaks, "(soaks T A)", "a T soaks an A"},
+      {"fills", Effect, {}, T::Fills, "(fills T A substance)", "a T fills an A with the substance"},
+      {"dispenses", Effect, {}, T::Dispenses, "(dispenses T A substance)", "a T spreads the substance over an A"},
+      {"drains", Effect, {}, T::Drains, "(drains T A)", "an A is emptied into a T"},
+      {"attaches", Effect, {}, T::Attaches, "(attaches B A)", "an A can be attached to a B"},
+      {"found-in", Usual, {}, {}, "(found-in A R)", "an A is usual in the room type R"},
+      {"comes-in",
+       Value,
+       {},
+       {},
+       "(comes-in A K)",
        "K is a color or material of A, and A has another one that is clearly different"},
-      {"comes-in-sizes", Sizes, "", "(comes-in-sizes A)", "one A can be 1.3 times as large as another"},
-      {"has-words", Words, "", "(has-words A synonym|function|context)", "the knowledge base has such words for an A"},
+      {"comes-in-sizes", Sizes, {}, {}, "(comes-in-sizes A)", "one A can be 1.3 times as large as another"},
+      {"has-words",
+       Words,
+       {},
+       {},
+       "(has-words A synonym|function|context)",
+       "the knowledge base has such words for an A"},
   }};
 }();
 
@@ -108,11 +119,6 @@ const std::vector<std::string>& pseudo_affordances() {
     for (const auto& meaning : kPseudoAffordances) names.emplace_back(meaning.word);
     return names;
   }();
-  return kNames;
-}
-
-const std::vector<std::string>& word_kinds() {
-  static const std::vector<std::string> kNames = {"synonym", "function", "context"};
   return kNames;
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "logic/vocabulary.h"
+#include "scene/treatment.h"
 #include "templates/template.h"
 
 namespace unietp {
@@ -13,18 +16,19 @@ namespace unietp {
 struct ConstraintKind {
   enum class Meaning {
     Distinct,   // the placeholders get different categories
-    Placement,  // a row of `relation`: (kind object receptacle [capacity])
-    Effect,     // a row of `effect`: (kind tool target [substance])
+    Placement,  // a row of the table of relations: (kind object receptacle [capacity])
+    Effect,     // a row of the table of effects: (kind tool target [substance])
     Usual,      // the rooms of `category`: (kind category room)
     Value,      // colours and materials of `category`: (kind category value)
     Sizes,      // `size` and the models: (kind category)
-    Words,      // a row of `alias`: (kind category synonym|function|context)
+    Words,      // a row of the table of aliases: (kind category synonym|function|context)
   };
   std::string_view name;  // "fits-on"
   Meaning meaning = Meaning::Distinct;
-  std::string_view word;   // relation or effect as the AKB names it: "on", "heats"
-  std::string_view usage;  // "(fits-on A B [n])"
-  std::string_view says;   // one line for people
+  std::optional<Predicate> relation;   // of Placement
+  std::optional<Treatment> treatment;  // of Effect
+  std::string_view usage;              // "(fits-on A B [n])"
+  std::string_view says;               // one line for people
 };
 
 /// All kinds, in the order in which help lists them.
@@ -43,8 +47,6 @@ PlaceholderUse placeholder_use(std::string_view argument);
 std::vector<PlaceholderUse> placeholders_of(const DomainConstraint& constraint);
 /// The capacity that a placement constraint asks for; 1 when it gives none.
 int capacity_of(const DomainConstraint& constraint);
-/// The kinds of words that `has-words` may ask for.
-const std::vector<std::string>& word_kinds();
 /// The substance that an effect constraint asks for, or the placeholder for one; "" when it gives none.
 std::string substance_of(const DomainConstraint& constraint);
 

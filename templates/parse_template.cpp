@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "akb/knowledge.h"
+#include "akb/rows.h"
 #include "akb/table_words.h"
 #include "core/plain_name.h"
 #include "core/text.h"
@@ -312,8 +313,7 @@ class TemplateReader {
     if (kind.meaning == Distinct) return true;
     if (kind.meaning == Value || kind.meaning == Usual) return arguments.size() == 2;
     if (kind.meaning == Words) {
-      return arguments.size() == 2 &&
-             std::find(word_kinds().begin(), word_kinds().end(), arguments[1]) != word_kinds().end();
+      return arguments.size() == 2 && alias_kind_named(arguments[1]).has_value();
     }
     if (kind.meaning == Placement)
       return arguments.size() == 2 || (arguments.size() == 3 && is_positive_number(arguments[2]));

@@ -59,9 +59,9 @@ TEST(GroupPhrases, TheNearestGroupSpeaks) {
   const auto phrases = read_group_phrases(folder.path() / "phrases.csv", errors);
   EXPECT_TRUE(errors.empty());
   const std::vector<std::string> groups{"parer.n.02", "knife.n.01", "cutlery"};
-  EXPECT_EQ(phrases.of(groups, "function"), (std::vector<std::string>{"something to cut with"}));
-  EXPECT_EQ(phrases.of(groups, "context"), (std::vector<std::string>{"The table has to be set."}));
-  EXPECT_TRUE(phrases.of({"spoon"}, "function").empty());
+  EXPECT_EQ(phrases.of(groups, AliasKind::Function), (std::vector<std::string>{"something to cut with"}));
+  EXPECT_EQ(phrases.of(groups, AliasKind::Context), (std::vector<std::string>{"The table has to be set."}));
+  EXPECT_TRUE(phrases.of({"spoon"}, AliasKind::Function).empty());
 }
 
 TEST(GroupPhrases, AnUnknownKindOfPhraseIsAnErrorAtItsPlace) {

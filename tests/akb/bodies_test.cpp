@@ -62,14 +62,15 @@ class Bodies {
       if (f.affordance == "openable") openable_.insert(f.category);
     }
     for (const auto& p : tables.placements) {
-      if (p.relation == "on") supports_[p.object].insert(p.receptacle);
+      if (p.relation == Predicate::On) supports_[p.object].insert(p.receptacle);
     }
   }
 
   bool agree(const Placement& p) const {
     const Vec3& object = by_name_.at(p.object)->size;
-    if (p.relation == "under") return goes_under(shape(p.receptacle), by_name_.at(p.receptacle)->size.z(), object);
-    if (p.relation != "next_to") return stands(shape(p.receptacle), object, p.relation == "inside");
+    if (p.relation == Predicate::Under)
+      return goes_under(shape(p.receptacle), by_name_.at(p.receptacle)->size.z(), object);
+    if (p.relation != Predicate::NextTo) return stands(shape(p.receptacle), object, p.relation == Predicate::Inside);
     const auto own = supports_.find(p.object), its = supports_.find(p.receptacle);
     if (own == supports_.end() || its == supports_.end()) return false;
     return std::any_of(own->second.begin(), own->second.end(), [&](const std::string& support) {
@@ -97,7 +98,7 @@ TEST(PlacementsInBodies, EveryPlacementHasRoomInTheBodies) {
     for (const auto& p : tables.placements) {
       if (bodies.agree(p)) continue;
       ++bad;
-      ADD_FAILURE() << name_of(simulator) << ": " << p.object << " " << p.relation << " " << p.receptacle;
+      ADD_FAILURE() << name_of(simulator) << ": " << p.object << " " << info(p.relation).name << " " << p.receptacle;
       if (bad > 20) return;
     }
   }
@@ -106,11 +107,11 @@ TEST(PlacementsInBodies, EveryPlacementHasRoomInTheBodies) {
 TEST(PlacementsInBodies, AWrongOneIsSeen) {
   const auto tables = test::committed(Simulator::Ai2thor);
   const Bodies bodies(tables);
-  EXPECT_TRUE(bodies.agree({"Mug", "on", "DiningTable", 1, 1, {}}));
-  EXPECT_FALSE(bodies.agree({"Sofa", "on", "Mug", 1, 1, {}}));
-  EXPECT_FALSE(bodies.agree({"Sofa", "under", "DiningTable", 1, 1, {}}));
-  EXPECT_FALSE(bodies.agree({"Boots", "under", "Bed", 1, 1, {}}));
-  EXPECT_FALSE(bodies.agree({"Mug", "next_to", "Fridge", 1, 1, {}}));
+  EXPECT_TRUE(bodies.agree({"Mug", Predicate::On, "DiningTable", 1, 1, {}}));
+  EXPECT_FALSE(bodies.agree({"Sofa", Predicate::On, "Mug", 1, 1, {}}));
+  EXPECT_FALSE(bodies.agree({"Sofa", Predicate::Under, "DiningTable", 1, 1, {}}));
+  EXPECT_FALSE(bodies.agree({"Boots", Predicate::Under, "Bed", 1, 1, {}}));
+  EXPECT_FALSE(bodies.agree({"Mug", Predicate::NextTo, "Fridge", 1, 1, {}}));
 }
 
 TEST(PlacementsInBodies, EveryOpenableHasAJoint) {

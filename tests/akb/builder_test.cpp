@@ -109,10 +109,12 @@ TEST(TableBuilder, ASynonymOfTwoCategoriesOrOfTheNameOfOneIsLeftOut) {
   const Source source{"metadata:names.json", 1};
   const auto own = builder.find("Fork")->display;
   for (const auto& [category, text, kind] :
-       {std::tuple("Apple", std::string("roundel"), "synonym"), std::tuple("Plate", std::string("roundel"), "synonym"),
-        std::tuple("Apple", std::string("windfall"), "synonym"), std::tuple("Plate", own, "synonym"),
-        std::tuple("Fork", own, "synonym"), std::tuple("Apple", std::string("something round"), "function"),
-        std::tuple("Plate", std::string("something round"), "function")})
+       {std::tuple("Apple", std::string("roundel"), AliasKind::Synonym),
+        std::tuple("Plate", std::string("roundel"), AliasKind::Synonym),
+        std::tuple("Apple", std::string("windfall"), AliasKind::Synonym), std::tuple("Plate", own, AliasKind::Synonym),
+        std::tuple("Fork", own, AliasKind::Synonym),
+        std::tuple("Apple", std::string("something round"), AliasKind::Function),
+        std::tuple("Plate", std::string("something round"), AliasKind::Function)})
     builder.alias({category, text, kind, source});
   const auto tables = builder.finish();
   ASSERT_TRUE(tables) << format(tables.error());
@@ -133,16 +135,16 @@ TEST(TableBuilder, PutsThingsBesideWhatSharesASupportAndUnderTables) {
   builder.place_by_kind(1);
   const auto tables = builder.finish();
   ASSERT_TRUE(tables) << format(tables.error());
-  const auto placed = [&](const char* object, const char* relation, const char* receptacle) {
+  const auto placed = [&](const char* object, Predicate relation, const char* receptacle) {
     return std::any_of(tables->placements.begin(), tables->placements.end(), [&](const Placement& p) {
       return p.object == object && p.relation == relation && p.receptacle == receptacle;
     });
   };
-  EXPECT_TRUE(placed("Fork", "next_to", "Plate"));
-  EXPECT_FALSE(placed("Fork", "next_to", "Fridge"));
-  EXPECT_FALSE(placed("Boots", "next_to", "Plate"));
-  EXPECT_TRUE(placed("Boots", "under", "DiningTable"));
-  EXPECT_FALSE(placed("Boots", "under", "Fridge"));
+  EXPECT_TRUE(placed("Fork", Predicate::NextTo, "Plate"));
+  EXPECT_FALSE(placed("Fork", Predicate::NextTo, "Fridge"));
+  EXPECT_FALSE(placed("Boots", Predicate::NextTo, "Plate"));
+  EXPECT_TRUE(placed("Boots", Predicate::Under, "DiningTable"));
+  EXPECT_FALSE(placed("Boots", Predicate::Under, "Fridge"));
 }
 
 }  // namespace

@@ -16,8 +16,9 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 bool holds(const Knowledge& k, const std::string& subject, const std::string& verb, const std::string& object) {
   if (verb == "can") return k.has(subject, object);
-  if (contains(relation_names(), verb)) return k.placement(subject, verb, object) != nullptr;
-  return k.effect(subject, verb, object) != nullptr;
+  if (const auto relation = placement_relation_named(verb)) return k.placement(subject, *relation, object) != nullptr;
+  const auto treatment = treatment_named(verb);
+  return treatment && k.effect(subject, *treatment, object) != nullptr;
 }
 
 /// What the row names and the tables do not have; "" when it can be asked. Without this, a misspelt false row passes.

@@ -93,17 +93,17 @@ TEST(Complete, TakesWhatIsLackingAndNamesTheModel) {
   const auto knowledge = home.compiled();
   const Source model{"llm:tiny", 0.5};
 
-  ASSERT_EQ(knowledge.aliases_of("plate", "function").size(), 1U);
-  EXPECT_EQ(knowledge.aliases_of("plate", "function")[0]->text, "something useful at home");
-  EXPECT_EQ(knowledge.aliases_of("plate", "function")[0]->source, model);
-  ASSERT_EQ(knowledge.aliases_of("plate", "synonym").size(), 1U);  // "thingamajig" would name everything
-  EXPECT_EQ(knowledge.aliases_of("plate", "synonym")[0]->text, "etalp");
-  EXPECT_EQ(knowledge.aliases_of("apple", "context").size(), 1U);
+  ASSERT_EQ(knowledge.aliases_of("plate", AliasKind::Function).size(), 1U);
+  EXPECT_EQ(knowledge.aliases_of("plate", AliasKind::Function)[0]->text, "something useful at home");
+  EXPECT_EQ(knowledge.aliases_of("plate", AliasKind::Function)[0]->source, model);
+  ASSERT_EQ(knowledge.aliases_of("plate", AliasKind::Synonym).size(), 1U);  // "thingamajig" would name everything
+  EXPECT_EQ(knowledge.aliases_of("plate", AliasKind::Synonym)[0]->text, "etalp");
+  EXPECT_EQ(knowledge.aliases_of("apple", AliasKind::Context).size(), 1U);
   EXPECT_EQ(knowledge.find("fridge")->synset, "artifact.n.01");
   EXPECT_EQ(knowledge.find("fridge")->synset_source, model);
   EXPECT_TRUE(knowledge.has("knife", "dirtyable"));
-  ASSERT_EQ(knowledge.placements_of("half_apple", "inside").size(), 1U);  // not in the mug, which is too small
-  EXPECT_EQ(knowledge.placements_of("half_apple", "inside")[0]->source, model);
+  ASSERT_EQ(knowledge.placements_of("half_apple", Predicate::Inside).size(), 1U);  // not in the mug, which is too small
+  EXPECT_EQ(knowledge.placements_of("half_apple", Predicate::Inside)[0]->source, model);
 
   EXPECT_EQ(report.accepted.at(FactKind::Function), 5);  // of all but the mug
   EXPECT_GT(report.unused, 0);
@@ -123,17 +123,18 @@ TEST(Complete, ASynonymThatNamesTwoCategoriesIsLeftOut) {
   ASSERT_THAT(errors, IsEmpty());
   const Source model{"llm:tiny", 0.5};
   CompletedFacts facts;
-  facts.aliases = {{"apple", "snack", "synonym", model},
-                   {"half_apple", "snack", "synonym", model},
-                   {"apple", "mugs", "synonym", model},
-                   {"plate", "cup, with a handle", "synonym", model},
-                   {"apple", "windfall", "synonym", model},
-                   {"apple", "something to eat", "function", model},
-                   {"plate", "something to eat", "function", model}};
+  facts.aliases = {{"apple", "snack", AliasKind::Synonym, model},
+                   {"half_apple", "snack", AliasKind::Synonym, model},
+                   {"apple", "mugs", AliasKind::Synonym, model},
+                   {"plate", "cup, with a handle", AliasKind::Synonym, model},
+                   {"apple", "windfall", AliasKind::Synonym, model},
+                   {"apple", "something to eat", AliasKind::Function, model},
+                   {"plate", "something to eat", AliasKind::Function, model}};
   lay_under(facts, {}, tables);
   std::vector<std::string> laid;
   for (const auto& alias : tables.aliases) {
-    if (alias.source == model) laid.push_back(alias.category + " " + alias.kind + " " + alias.text);
+    if (alias.source == model)
+      laid.push_back(alias.category + " " + std::string(name_of(alias.kind)) + " " + alias.text);
   }
   EXPECT_THAT(laid, UnorderedElementsAre("apple synonym windfall", "apple function something to eat",
                                          "plate function something to eat"));
@@ -160,8 +161,8 @@ TEST(Complete, ChangesNoFactOfAnotherSource) {
     EXPECT_EQ(after.placement(p.object, p.relation, p.receptacle)->source, p.source);
     EXPECT_EQ(after.placement(p.object, p.relation, p.receptacle)->likelihood, p.likelihood);
   }
-  EXPECT_EQ(after.aliases_of("mug", "function").size(), 1U);
-  EXPECT_EQ(after.aliases_of("mug", "function")[0]->source.source, "curated");
+  EXPECT_EQ(after.aliases_of("mug", AliasKind::Function).size(), 1U);
+  EXPECT_EQ(after.aliases_of("mug", AliasKind::Function)[0]->source.source, "curated");
   EXPECT_THAT(home.completed(), Not(Contains(Key(HasSubstr("size")))));
 }
 
@@ -182,10 +183,10 @@ TEST(Complete, AFactOfAnotherSourceWinsAlsoWhenItComesLater) {
   const auto knowledge = home.compiled();
   EXPECT_EQ(knowledge.find("plate")->size, Vec3(0.24, 0.24, 0.02));
   EXPECT_EQ(knowledge.find("plate")->mass, 0.5);
-  ASSERT_EQ(knowledge.aliases_of("plate", "function").size(), 1U);
-  EXPECT_EQ(knowledge.aliases_of("plate", "function")[0]->text, "something to eat from");
+  ASSERT_EQ(knowledge.aliases_of("plate", AliasKind::Function).size(), 1U);
+  EXPECT_EQ(knowledge.aliases_of("plate", AliasKind::Function)[0]->text, "something to eat from");
   EXPECT_THAT(knowledge.affordances_of("plate"), ElementsAre("breakable"));
-  EXPECT_THAT(knowledge.placements_of("half_apple", "inside"), IsEmpty());
+  EXPECT_THAT(knowledge.placements_of("half_apple", Predicate::Inside), IsEmpty());
 }
 
 TEST(Complete, WhatWasTakenBackByHandStaysAway) {
@@ -198,7 +199,7 @@ TEST(Complete, WhatWasTakenBackByHandStaysAway) {
                          "table,subject,verb,object\naffordance,knife,dirtyable,\nrelation,half_apple,inside,*\n"));
   EXPECT_NE(*digest_of_tables(home.tables()), *digest);
   EXPECT_FALSE(home.compiled().has("knife", "dirtyable"));
-  EXPECT_THAT(home.compiled().placements_of("half_apple", "inside"), IsEmpty());
+  EXPECT_THAT(home.compiled().placements_of("half_apple", Predicate::Inside), IsEmpty());
 }
 
 TEST(Complete, AnOverrideWinsOverCompletedFacts) {
@@ -215,7 +216,7 @@ TEST(Complete, AnOverrideWinsOverCompletedFacts) {
   const auto knowledge = home.compiled();
   EXPECT_FALSE(knowledge.has("knife", "dirtyable"));
   EXPECT_THAT(knowledge.affordances_of("plate"), ElementsAre("breakable"));  // told by hand, so not by a model
-  EXPECT_EQ(knowledge.placement("half_apple", "inside", "fridge")->capacity, 2);
+  EXPECT_EQ(knowledge.placement("half_apple", Predicate::Inside, "fridge")->capacity, 2);
   std::vector<Error> errors;
   auto options = options_for({FactKind::Affordances});
   const auto plan = plan_completion(home.tables(), endpoint_of(server), options, nullptr, errors);
@@ -323,14 +324,14 @@ TEST(Complete, AnotherModelFillsOnlyWhatIsLeft) {
   });
   const Home home;
   (void)home.run(endpoint_of(server), options_for({FactKind::Function}));
-  const auto first = home.compiled().aliases_of("apple", "function").at(0)->source.source;
+  const auto first = home.compiled().aliases_of("apple", AliasKind::Function).at(0)->source.source;
   EXPECT_EQ(first, "llm:tiny");
-  EXPECT_THAT(home.compiled().aliases_of("knife", "function"), IsEmpty());
+  EXPECT_THAT(home.compiled().aliases_of("knife", AliasKind::Function), IsEmpty());
   ChatServer other(answer_all);
   (void)home.run({other.url, "large", ""}, options_for({FactKind::Function}));
   const auto knowledge = home.compiled();
-  EXPECT_EQ(knowledge.aliases_of("apple", "function").at(0)->source.source, "llm:tiny");
-  EXPECT_EQ(knowledge.aliases_of("knife", "function").at(0)->source.source, "llm:large");
+  EXPECT_EQ(knowledge.aliases_of("apple", AliasKind::Function).at(0)->source.source, "llm:tiny");
+  EXPECT_EQ(knowledge.aliases_of("knife", AliasKind::Function).at(0)->source.source, "llm:large");
 }
 
 TEST(Complete, ALimitBoundsWhatIsAskedAndTheNextRunGoesOn) {

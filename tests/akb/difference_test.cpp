@@ -51,7 +51,7 @@ TEST(Differences, AreWhatIsAddedRemovedAndChangedInOrder) {
 TEST(Differences, TurnAroundWithTheirSides) {
   const auto old = test::small_knowledge();
   const auto now = changed([](Tables& t) {
-    t.aliases.push_back({"plate", "dish", "synonym", {"curated", 1}});
+    t.aliases.push_back({"plate", "dish", AliasKind::Synonym, {"curated", 1}});
     t.effects.clear();
   });
   auto back = differences(now, old);

@@ -49,13 +49,13 @@ TEST(PlacementRules, MeanTheKindThatTheyNameAndThoseThatCountAsIt) {
   std::vector<Error> errors;
   const auto rules = read_placement_rules(kCurated, errors);
   EXPECT_THAT(errors, IsEmpty());
-  const auto rule_for = [&](std::string_view relation, std::string_view receptacle) {
+  const auto rule_for = [&](Predicate relation, std::string_view receptacle) {
     return *std::find_if(rules.begin(), rules.end(), [&](const PlacementRule& rule) {
       return rule.relation == relation && rule.receptacles.front() == receptacle;
     });
   };
-  EXPECT_THAT(rule_for("on", "dresser").receptacles, ElementsAre("dresser", "cabinet", "drawer"));
-  EXPECT_THAT(rule_for("on", "dining_table").receptacles, ElementsAre("dining_table"));
+  EXPECT_THAT(rule_for(Predicate::On, "dresser").receptacles, ElementsAre("dresser", "cabinet", "drawer"));
+  EXPECT_THAT(rule_for(Predicate::On, "dining_table").receptacles, ElementsAre("dining_table"));
 }
 
 TEST(NameTexts, RefuseANameThatStandsTwiceAndARowWithoutAMeaning) {

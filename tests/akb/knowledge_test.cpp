@@ -40,27 +40,27 @@ TEST_P(EachSimulator, EveryQueryFindsWhatALinearScanFinds) {
           k.affordances(), [&](const AffordanceFact& f) { return f.category == name && f.affordance == affordance; });
       EXPECT_EQ(k.has(name, affordance), !facts.empty());
     }
-    for (const char* relation : {"on", "inside", "next_to"}) {
+    for (const Predicate relation : {Predicate::On, Predicate::Inside, Predicate::NextTo}) {
       EXPECT_EQ(k.placements_of(name, relation),
                 scan(k.placements(), [&](const Placement& p) { return p.object == name && p.relation == relation; }));
       EXPECT_EQ(k.placements_at(name, relation), scan(k.placements(), [&](const Placement& p) {
                   return p.receptacle == name && p.relation == relation;
                 }));
     }
-    for (const char* effect : {"heats", "washes", "slices", "fills"}) {
-      EXPECT_EQ(k.effects_of(name, effect),
-                scan(k.effects(), [&](const Effect& e) { return e.tool == name && e.effect == effect; }));
-      EXPECT_EQ(k.effects_on(name, effect),
-                scan(k.effects(), [&](const Effect& e) { return e.target == name && e.effect == effect; }));
+    for (const Treatment treatment : {Treatment::Heats, Treatment::Washes, Treatment::Slices, Treatment::Fills}) {
+      EXPECT_EQ(k.effects_of(name, treatment),
+                scan(k.effects(), [&](const Effect& e) { return e.tool == name && e.treatment == treatment; }));
+      EXPECT_EQ(k.effects_on(name, treatment),
+                scan(k.effects(), [&](const Effect& e) { return e.target == name && e.treatment == treatment; }));
     }
-    for (const char* kind : {"synonym", "function", "context"}) {
+    for (const AliasKind kind : kAliasKinds) {
       EXPECT_EQ(k.aliases_of(name, kind),
                 scan(k.aliases(), [&](const Alias& a) { return a.category == name && a.kind == kind; }));
     }
   }
   for (const auto& p : k.placements()) EXPECT_EQ(k.placement(p.object, p.relation, p.receptacle), &p);
   for (const auto& e : k.effects()) {
-    const auto* found = k.effect(e.tool, e.effect, e.target);
+    const auto* found = k.effect(e.tool, e.treatment, e.target);
     ASSERT_NE(found, nullptr);
     EXPECT_EQ(found->target, e.target);
   }
@@ -94,23 +94,24 @@ TEST(Knowledge, WhatIsUnknownIsNotFound) {
   EXPECT_EQ(k.find(""), nullptr);
   EXPECT_FALSE(k.has("cup", "sliceable"));
   EXPECT_FALSE(k.has("cup", "flyable"));
-  EXPECT_EQ(k.placement("couch", "inside", "cup"), nullptr);
-  EXPECT_TRUE(k.placements_of("unicorn", "on").empty());
-  EXPECT_TRUE(k.effects_of("zzz", "heats").empty());
-  EXPECT_TRUE(k.aliases_of("cup", "nickname").empty());
+  EXPECT_EQ(k.placement("couch", Predicate::Inside, "cup"), nullptr);
+  EXPECT_TRUE(k.placements_of("unicorn", Predicate::On).empty());
+  EXPECT_TRUE(k.effects_of("zzz", Treatment::Heats).empty());
+  EXPECT_TRUE(k.aliases_of("unicorn", AliasKind::Synonym).empty());
   EXPECT_TRUE(k.affordances_of("unicorn").empty());
 }
 
 TEST(Knowledge, RowsThatNameNoCategoryAreFoundToo) {
   const Source curated{"curated", 1};
-  const Knowledge k(Simulator::Ai2thor, {}, {{"cup", "shiny", curated}}, {{"cup", "near", "shelf", 0.5, 1, curated}},
-                    {{"sink", "rinses", "cup", "", 0, {}, curated}}, {{"cup", "beaker", "nickname", curated}},
-                    {{"Cup_1", "cup", Vec3(1, 1, 1), curated}, {"Cup_2", "cup", Vec3(2, 2, 2), curated}});
+  const Knowledge k(
+      Simulator::Ai2thor, {}, {{"cup", "shiny", curated}}, {{"cup", Predicate::NextTo, "shelf", 0.5, 1, curated}},
+      {{"sink", Treatment::Washes, "cup", "", 0, {}, curated}}, {{"cup", "beaker", AliasKind::Synonym, curated}},
+      {{"Cup_1", "cup", Vec3(1, 1, 1), curated}, {"Cup_2", "cup", Vec3(2, 2, 2), curated}});
   EXPECT_TRUE(k.has("cup", "shiny"));
-  EXPECT_NE(k.placement("cup", "near", "shelf"), nullptr);
-  EXPECT_EQ(k.placements_at("shelf", "near").size(), 1U);
-  EXPECT_NE(k.effect("sink", "rinses", "cup"), nullptr);
-  EXPECT_EQ(k.aliases_of("cup", "nickname").size(), 1U);
+  EXPECT_NE(k.placement("cup", Predicate::NextTo, "shelf"), nullptr);
+  EXPECT_EQ(k.placements_at("shelf", Predicate::NextTo).size(), 1U);
+  EXPECT_NE(k.effect("sink", Treatment::Washes, "cup"), nullptr);
+  EXPECT_EQ(k.aliases_of("cup", AliasKind::Synonym).size(), 1U);
   EXPECT_EQ(k.asset_rows_of("cup").size(), 2U);
   EXPECT_EQ(k.asset("Cup_2")->size.x(), 2);
   EXPECT_EQ(k.asset("Cup_3"), nullptr);
@@ -130,7 +131,7 @@ TEST(Knowledge, OrderOfTheInputDoesNotMatterForAnySeed) {
     const Knowledge k(Simulator::Virtualhome, shuffled.categories, shuffled.affordances, shuffled.placements,
                       shuffled.effects, shuffled.aliases);
     EXPECT_EQ(k.with_affordance("pickupable"), sorted.with_affordance("pickupable"));
-    const auto here = k.placements_of("mug", "on"), there = sorted.placements_of("mug", "on");
+    const auto here = k.placements_of("mug", Predicate::On), there = sorted.placements_of("mug", Predicate::On);
     ASSERT_EQ(here.size(), there.size());
     for (std::size_t i = 0; i < here.size(); ++i) EXPECT_EQ(here[i]->receptacle, there[i]->receptacle);
   }

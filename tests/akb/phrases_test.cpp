@@ -13,7 +13,7 @@ namespace {
 
 class Phrases : public ::testing::TestWithParam<Simulator> {
  protected:
-  std::set<std::string> phrased(const std::string& kind) const {
+  std::set<std::string> phrased(AliasKind kind) const {
     std::set<std::string> names;
     for (const auto& a : tables.aliases) {
       if (a.kind == kind) names.insert(a.category);
@@ -27,7 +27,8 @@ INSTANTIATE_TEST_SUITE_P(Homes, Phrases,
                          [](const auto& simulator) { return std::string(name_of(simulator.param)); });
 
 TEST_P(Phrases, SayOfEveryMovableWhatItIsForAndWhenOneNeedsIt) {
-  const auto functions = phrased("function"), contexts = phrased("context"), synonyms = phrased("synonym");
+  const auto functions = phrased(AliasKind::Function), contexts = phrased(AliasKind::Context),
+             synonyms = phrased(AliasKind::Synonym);
   for (const auto& c : tables.categories) {
     if (!c.movable) continue;
     EXPECT_TRUE(functions.contains(c.name)) << c.name;
@@ -37,7 +38,7 @@ TEST_P(Phrases, SayOfEveryMovableWhatItIsForAndWhenOneNeedsIt) {
 }
 
 TEST_P(Phrases, SayOfFurnitureWhatItIsFor) {
-  const auto functions = phrased("function");
+  const auto functions = phrased(AliasKind::Function);
   for (const auto& c : tables.categories) {
     if (!c.movable && !c.rooms.empty()) {
       EXPECT_TRUE(functions.contains(c.name)) << c.name;
@@ -47,7 +48,7 @@ TEST_P(Phrases, SayOfFurnitureWhatItIsFor) {
 
 TEST_P(Phrases, DoNotNameTheThingThatTheyMean) {
   for (const auto& a : tables.aliases) {
-    if (a.kind == "synonym") continue;
+    if (a.kind == AliasKind::Synonym) continue;
     const auto& c = test::category(tables, a.category);
     const std::string text = " " + lower(a.text) + " ";
     EXPECT_EQ(text.find(" " + lower(c.display) + " "), std::string::npos) << a.category << ": " << a.text;
@@ -57,7 +58,7 @@ TEST_P(Phrases, DoNotNameTheThingThatTheyMean) {
 TEST_P(Phrases, AreNounPhrasesOrWholeSentences) {
   for (const auto& a : tables.aliases) {
     const bool sentence = std::isupper(static_cast<unsigned char>(a.text.front())) && a.text.ends_with('.');
-    if (a.kind == "context") {
+    if (a.kind == AliasKind::Context) {
       EXPECT_TRUE(sentence) << a.text;
     } else {
       EXPECT_FALSE(a.text.ends_with('.')) << a.text;

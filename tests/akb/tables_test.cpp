@@ -94,22 +94,22 @@ TEST_P(CommittedTables, OnlyBodiesWithAJointAreOpenable) {
 
 TEST_P(CommittedTables, WhatGoesInsideIsSmallerThanWhatHoldsItAndFitsTheRoomThere) {
   for (const auto& p : tables.placements) {
-    if (p.relation == "next_to") continue;  // bodies_test looks for the support of both
+    if (p.relation == Predicate::NextTo) continue;  // bodies_test looks for the support of both
     const Category &object = *by_name.at(p.object), &receptacle = *by_name.at(p.receptacle);
     const auto room = room_of(receptacle, p.relation);
-    ASSERT_TRUE(room) << p.object << " " << p.relation << " " << p.receptacle;
-    EXPECT_TRUE(fits(object.size, *room)) << p.object << " " << p.relation << " " << p.receptacle;
+    ASSERT_TRUE(room) << p.object << " " << info(p.relation).name << " " << p.receptacle;
+    EXPECT_TRUE(fits(object.size, *room)) << p.object << " " << info(p.relation).name << " " << p.receptacle;
     EXPECT_LE(p.capacity, capacity_of(object, p.relation, receptacle)) << p.object << " " << p.receptacle;
     const auto small = std::minmax({object.size.x(), object.size.y()});
     const auto large = std::minmax({receptacle.size.x(), receptacle.size.y()});
     EXPECT_LT(small.first, large.first) << p.object << " " << p.receptacle;
     EXPECT_LT(small.second, large.second) << p.object << " " << p.receptacle;
-    if (p.relation == "inside") {
+    if (p.relation == Predicate::Inside) {
       EXPECT_TRUE(afforded(p.receptacle, "container") || afforded(p.receptacle, "openable") ||
                   afforded(p.receptacle, "receptacle"))
           << p.receptacle;
     }
-    EXPECT_TRUE(object.movable || p.relation == "on") << p.object << " is furniture inside " << p.receptacle;
+    EXPECT_TRUE(object.movable || p.relation == Predicate::On) << p.object << " is furniture inside " << p.receptacle;
   }
 }
 
@@ -117,7 +117,7 @@ TEST_P(CommittedTables, EveryMovableHasThreePlacesToStandOn) {
   for (const auto& c : tables.categories) {
     if (!c.movable) continue;
     const auto places = std::count_if(tables.placements.begin(), tables.placements.end(), [&](const Placement& p) {
-      return p.object == c.name && p.relation == "on" && furniture(p.receptacle);
+      return p.object == c.name && p.relation == Predicate::On && furniture(p.receptacle);
     });
     EXPECT_GE(places, 3) << c.name;
   }
@@ -127,7 +127,7 @@ TEST_P(CommittedTables, EverySmallKitchenThingFitsSomethingThatOpens) {
   for (const auto& c : tables.categories) {
     if (!c.movable || c.rooms.front() != "kitchen" || c.size.maxCoeff() > 0.35) continue;
     const bool stored = std::any_of(tables.placements.begin(), tables.placements.end(), [&](const Placement& p) {
-      return p.object == c.name && p.relation == "inside" && furniture(p.receptacle) &&
+      return p.object == c.name && p.relation == Predicate::Inside && furniture(p.receptacle) &&
              afforded(p.receptacle, "openable");
     });
     EXPECT_TRUE(stored) << c.name;
@@ -138,7 +138,7 @@ TEST_P(CommittedTables, EveryOpenableFurnitureHoldsSomething) {
   for (const auto& f : tables.affordances) {
     if (f.affordance != "openable" || by_name.at(f.category)->movable) continue;
     const auto held = std::count_if(tables.placements.begin(), tables.placements.end(), [&](const Placement& p) {
-      return p.receptacle == f.category && p.relation == "inside";
+      return p.receptacle == f.category && p.relation == Predicate::Inside;
     });
     EXPECT_GE(held, 4) << f.category;
   }
@@ -147,20 +147,20 @@ TEST_P(CommittedTables, EveryOpenableFurnitureHoldsSomething) {
 TEST_P(CommittedTables, LikelihoodsOfAnObjectSumToOne) {
   std::map<std::string, double> sum;
   for (const auto& p : tables.placements) {
-    const bool place = p.relation == "on" || p.relation == "inside";
-    sum[p.object + (place ? "" : " " + p.relation)] += p.likelihood;
+    const bool place = p.relation == Predicate::On || p.relation == Predicate::Inside;
+    sum[p.object + (place ? "" : " " + std::string(info(p.relation).name))] += p.likelihood;
   }
   for (const auto& [object, total] : sum) EXPECT_NEAR(total, 1, 0.01) << object;
 }
 
 TEST_P(CommittedTables, SayWhatStandsBesideAndUnderWhat) {
-  std::map<std::string, int> count;
+  std::map<Predicate, int> count;
   for (const auto& p : tables.placements) {
     ++count[p.relation];
     EXPECT_NE(p.object, p.receptacle);
   }
-  EXPECT_GE(count["next_to"], 250);
-  EXPECT_GE(count["under"], 15);
+  EXPECT_GE(count[Predicate::NextTo], 250);
+  EXPECT_GE(count[Predicate::Under], 15);
 }
 
 TEST_P(CommittedTables, ModelsHaveBoxesOfCategories) {
@@ -174,18 +174,19 @@ TEST_P(CommittedTables, ModelsHaveBoxesOfCategories) {
 TEST_P(CommittedTables, ToolsReachTheirTargetsAndSlicesAreSmaller) {
   for (const auto& e : tables.effects) {
     const Category &tool = *by_name.at(e.tool), &target = *by_name.at(e.target);
-    for (const char* relation : {"inside", "on"}) {
-      if (std::find(e.needs.begin(), e.needs.end(), relation) != e.needs.end()) {
-        EXPECT_TRUE(fits(target, relation, tool)) << e.tool << " " << e.effect << " " << e.target;
+    for (const auto& [need, relation] :
+         {std::pair(EffectNeed::Inside, Predicate::Inside), std::pair(EffectNeed::On, Predicate::On)}) {
+      if (has_need(e, need)) {
+        EXPECT_TRUE(fits(target, relation, tool)) << e.tool << " " << name_of(e.treatment) << " " << e.target;
       }
     }
-    if (std::find(e.needs.begin(), e.needs.end(), "power_on") != e.needs.end()) {
+    if (has_need(e, EffectNeed::PowerOn)) {
       EXPECT_TRUE(afforded(e.tool, "switchable") || e.tool == "StoveBurner") << e.tool;
     }
-    if (std::find(e.needs.begin(), e.needs.end(), "held") != e.needs.end()) {
+    if (has_need(e, EffectNeed::Held)) {
       EXPECT_TRUE(tool.movable) << e.tool;
     }
-    if (e.effect == "slices") {
+    if (e.treatment == Treatment::Slices) {
       const Category& piece = *by_name.at(e.gives);
       EXPECT_TRUE(piece.movable) << e.gives;
       EXPECT_LE(piece.mass, target.mass) << e.gives;
@@ -200,18 +201,18 @@ TEST_P(CommittedTables, SynonymsNameOneCategoryOnly) {
   std::map<std::string, std::set<std::string>> named;
   for (const auto& c : tables.categories) named[c.display].insert(c.name);
   for (const auto& a : tables.aliases) {
-    if (a.kind == "synonym") named[a.text].insert(a.category);
+    if (a.kind == AliasKind::Synonym) named[a.text].insert(a.category);
   }
-  std::map<std::string, std::set<std::string>> categories;
+  std::map<AliasKind, std::set<std::string>> categories;
   for (const auto& a : tables.aliases) {
     categories[a.kind].insert(a.category);
-    if (a.kind == "synonym") {
+    if (a.kind == AliasKind::Synonym) {
       EXPECT_EQ(named[a.text].size(), 1U) << a.text;
     }
   }
-  EXPECT_GE(categories["synonym"].size(), 80U);
-  EXPECT_GE(categories["function"].size(), 30U);
-  EXPECT_GE(categories["context"].size(), 30U);
+  EXPECT_GE(categories[AliasKind::Synonym].size(), 80U);
+  EXPECT_GE(categories[AliasKind::Function].size(), 30U);
+  EXPECT_GE(categories[AliasKind::Context].size(), 30U);
 }
 
 TEST_P(CommittedTables, FurnishEveryRoomOfAHome) {

@@ -22,10 +22,10 @@ Knowledge small_knowledge() {
       category("Lamp", "lamp", "lamps"),          category("Mug", "mug", "mugs"),
       category("Table", "table", "tables"),       category("Utensil", "utensil", "utensils")};
   const Source source{"curated", 1};
-  std::vector<Alias> aliases{{"Bowl", "something to drink from", "function", source},
-                             {"Mug", "I am thirsty.", "context", source},
-                             {"Mug", "something to drink from", "function", source},
-                             {"Mug", "beaker", "synonym", source}};
+  std::vector<Alias> aliases{{"Bowl", "something to drink from", AliasKind::Function, source},
+                             {"Mug", "I am thirsty.", AliasKind::Context, source},
+                             {"Mug", "something to drink from", AliasKind::Function, source},
+                             {"Mug", "beaker", AliasKind::Synonym, source}};
   return Knowledge(Simulator::Ai2thor, categories, {}, {}, {}, aliases);
 }
 

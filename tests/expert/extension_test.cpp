@@ -16,7 +16,7 @@ Knowledge wide_knowledge() {
     affordances.push_back({category, affordance, curated});
   }
   auto effects = plain.effects();
-  effects.push_back({"SideTable", "attaches", "Mug", "", 0, {}, curated});
+  effects.push_back({"SideTable", Treatment::Attaches, "Mug", "", 0, {}, curated});
   return Knowledge(Simulator::Ai2thor, plain.categories(), affordances, plain.placements(), effects, plain.aliases());
 }
 

@@ -129,7 +129,7 @@ Knowledge with_vessels() {
   for (const char* vessel : {"Mug", "Television"}) affordances.push_back({vessel, "fillable", curated});
   affordances.push_back({"Sink", "switchable", curated});
   auto effects = plain.effects();
-  effects.push_back({"Sink", "fills", "Mug", "water", 0, {"inside", "under_tap"}, curated});
+  effects.push_back({"Sink", Treatment::Fills, "Mug", "water", 0, {EffectNeed::Inside, EffectNeed::UnderTap}, curated});
   return Knowledge(Simulator::Ai2thor, plain.categories(), affordances, plain.placements(), effects, plain.aliases());
 }
 

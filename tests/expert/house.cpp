@@ -77,21 +77,33 @@ Knowledge house_knowledge() {
   std::vector<Placement> placements;
   for (const char* thing : {"Apple", "Box", "Knife", "Lamp", "Laptop", "Mug", "Plate", "Potato"}) {
     for (const char* place : {"CounterTop", "DiningTable", "Dresser", "SideTable"}) {
-      placements.push_back({thing, "on", place, 1, 4, kCurated});
+      placements.push_back({thing, Predicate::On, place, 1, 4, kCurated});
     }
     for (const char* place : {"Box", "Dresser", "Fridge", "Microwave", "Sink"}) {
-      if (std::string_view(thing) != place) placements.push_back({thing, "inside", place, 1, 4, kCurated});
+      if (std::string_view(thing) != place) placements.push_back({thing, Predicate::Inside, place, 1, 4, kCurated});
     }
   }
   std::vector<Effect> effects{
-      {"Fridge", "cools", "Mug", "", 0, {"closed", "inside"}, kCurated},
-      {"Fridge", "cools", "Potato", "", 0, {"closed", "inside"}, kCurated},
-      {"Knife", "slices", "Apple", "AppleSliced", 4, {"held"}, kCurated},
-      {"Knife", "slices", "Potato", "PotatoSliced", 4, {"held"}, kCurated},
-      {"Microwave", "heats", "Mug", "", 0, {"closed", "inside", "power_on"}, kCurated},
-      {"Microwave", "heats", "Potato", "", 0, {"closed", "inside", "power_on"}, kCurated},
-      {"Sink", "washes", "Mug", "", 0, {"inside", "under_tap"}, kCurated},
-      {"Sink", "washes", "Plate", "", 0, {"inside", "under_tap"}, kCurated},
+      {"Fridge", Treatment::Cools, "Mug", "", 0, {EffectNeed::Closed, EffectNeed::Inside}, kCurated},
+      {"Fridge", Treatment::Cools, "Potato", "", 0, {EffectNeed::Closed, EffectNeed::Inside}, kCurated},
+      {"Knife", Treatment::Slices, "Apple", "AppleSliced", 4, {EffectNeed::Held}, kCurated},
+      {"Knife", Treatment::Slices, "Potato", "PotatoSliced", 4, {EffectNeed::Held}, kCurated},
+      {"Microwave",
+       Treatment::Heats,
+       "Mug",
+       "",
+       0,
+       {EffectNeed::Closed, EffectNeed::Inside, EffectNeed::PowerOn},
+       kCurated},
+      {"Microwave",
+       Treatment::Heats,
+       "Potato",
+       "",
+       0,
+       {EffectNeed::Closed, EffectNeed::Inside, EffectNeed::PowerOn},
+       kCurated},
+      {"Sink", Treatment::Washes, "Mug", "", 0, {EffectNeed::Inside, EffectNeed::UnderTap}, kCurated},
+      {"Sink", Treatment::Washes, "Plate", "", 0, {EffectNeed::Inside, EffectNeed::UnderTap}, kCurated},
   };
   return Knowledge(Simulator::Ai2thor, std::move(categories), std::move(affordances), std::move(placements),
                    std::move(effects), {});

@@ -107,7 +107,8 @@ TEST_F(NeedlessSteps, CountWhatIsPouredAsAPartOfTheOrder) {
   for (const auto& [category, affordance] : {std::pair("Mug", "fillable"), std::pair("Sink", "switchable")})
     affordances.push_back({category, affordance, {"curated", 1}});
   auto effects = knowledge.effects();
-  effects.push_back({"Sink", "fills", "Mug", "water", 0, {"inside", "under_tap"}, {"curated", 1}});
+  effects.push_back(
+      {"Sink", Treatment::Fills, "Mug", "water", 0, {EffectNeed::Inside, EffectNeed::UnderTap}, {"curated", 1}});
   const Knowledge wet(Simulator::Ai2thor, knowledge.categories(), affordances, knowledge.placements(), effects, {});
   Scene scene = start;
   for (const char* mug : {"mug_1", "mug_2", "mug_3"}) set_state(scene, mug, Predicate::Empty);

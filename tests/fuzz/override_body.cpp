@@ -25,9 +25,9 @@ std::vector<Tables> small_homes() {
     tables.categories.push_back(std::move(c));
   }
   tables.affordances = {{"mug", "pickupable", curated}};
-  tables.placements = {{"mug", "on", "plate", 1, 2, curated}};
-  tables.effects = {{"fridge", "cools", "mug", "", 0, {"closed"}, curated}};
-  tables.aliases = {{"mug", "cup", "synonym", curated}};
+  tables.placements = {{"mug", Predicate::On, "plate", 1, 2, curated}};
+  tables.effects = {{"fridge", Treatment::Cools, "mug", "", 0, {EffectNeed::Closed}, curated}};
+  tables.aliases = {{"mug", "cup", AliasKind::Synonym, curated}};
   tables.assets = {{"Mug_1", "mug", {0.1, 0.1, 0.1}, curated}};
   return std::vector<Tables>(kSimulators.size(), tables);
 }

@@ -19,7 +19,7 @@ bool knowledge_body(std::string_view bytes) {
     for (const Category& category : knowledge->categories()) {
       const Category* found = knowledge->find(category.name);
       require(found != nullptr && found->name == category.name);
-      for (const Placement* placement : knowledge->placements_of(category.name, "on"))
+      for (const Placement* placement : knowledge->placements_of(category.name, Predicate::On))
         require(placement->object == category.name);
     }
   }

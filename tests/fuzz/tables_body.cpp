@@ -40,7 +40,7 @@ bool tables_body(std::string_view text) {
   for (const AffordanceFact& fact : tables.affordances) require(knowledge.has(fact.category, fact.affordance));
   for (const Placement& p : tables.placements)
     require(knowledge.placement(p.object, p.relation, p.receptacle) != nullptr);
-  for (const Effect& e : tables.effects) require(knowledge.effect(e.tool, e.effect, e.target) != nullptr);
+  for (const Effect& e : tables.effects) require(knowledge.effect(e.tool, e.treatment, e.target) != nullptr);
   return true;
 }
 

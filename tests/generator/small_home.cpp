@@ -62,31 +62,34 @@ Knowledge small_home(Simulator simulator) {
   std::vector<Placement> placements;
   std::vector<Effect> effects;
   for (const auto& name : movable) {
-    for (const auto* top : {"Counter", "Shelf", "Table"}) placements.push_back({name, "on", top, 0.5, 5, kCurated});
+    for (const auto* top : {"Counter", "Shelf", "Table"})
+      placements.push_back({name, Predicate::On, top, 0.5, 5, kCurated});
     for (const auto* box : {"Cabinet", "Drawer", "Fridge"})
-      placements.push_back({name, "inside", box, 0.2, 4, kCurated});
-    placements.push_back({name, "inside", "Microwave", 0.1, 1, kCurated});
-    placements.push_back({name, "inside", "Sink", 0.1, 3, kCurated});
+      placements.push_back({name, Predicate::Inside, box, 0.2, 4, kCurated});
+    placements.push_back({name, Predicate::Inside, "Microwave", 0.1, 1, kCurated});
+    placements.push_back({name, Predicate::Inside, "Sink", 0.1, 3, kCurated});
   }
   for (const auto* name : {"Bowl", "Mug", "Plate", "Pot"})
-    effects.push_back({"Sink", "washes", name, "", 0, {}, kCurated});
+    effects.push_back({"Sink", Treatment::Washes, name, "", 0, {}, kCurated});
   for (const auto* name : {"Apple", "Bowl", "Bread", "Mug", "Plate", "Pot"}) {
-    effects.push_back({"Microwave", "heats", name, "", 0, {"closed", "power_on"}, kCurated});
-    effects.push_back({"Fridge", "cools", name, "", 0, {"closed"}, kCurated});
+    effects.push_back(
+        {"Microwave", Treatment::Heats, name, "", 0, {EffectNeed::Closed, EffectNeed::PowerOn}, kCurated});
+    effects.push_back({"Fridge", Treatment::Cools, name, "", 0, {EffectNeed::Closed}, kCurated});
   }
-  for (const auto* name : {"Bowl", "Mug", "Pot"}) effects.push_back({"Sink", "fills", name, "water", 0, {}, kCurated});
+  for (const auto* name : {"Bowl", "Mug", "Pot"})
+    effects.push_back({"Sink", Treatment::Fills, name, "water", 0, {}, kCurated});
   for (const auto* name : {"Bowl", "Pot"}) {
-    for (const auto* top : {"Counter", "Table"}) placements.push_back({name, "next_to", top, 0.5, 1, kCurated});
+    for (const auto* top : {"Counter", "Table"}) placements.push_back({name, Predicate::NextTo, top, 0.5, 1, kCurated});
   }
-  placements.push_back({"Lamp", "on", "Table", 0.5, 1, kCurated});
-  effects.push_back({"Knife", "slices", "Apple", "AppleSliced", 4, {"held"}, kCurated});
-  effects.push_back({"Knife", "slices", "Bread", "BreadSliced", 6, {"held"}, kCurated});
-  std::vector<Alias> aliases = {{"Mug", "something to drink from", "function", kCurated},
-                                {"Bowl", "something to drink from", "function", kCurated},
-                                {"Mug", "coffee cup", "synonym", kCurated},
-                                {"Book", "reading matter", "synonym", kCurated},
-                                {"Apple", "I am hungry for fruit.", "context", kCurated},
-                                {"Pot", "I want to cook soup.", "context", kCurated}};
+  placements.push_back({"Lamp", Predicate::On, "Table", 0.5, 1, kCurated});
+  effects.push_back({"Knife", Treatment::Slices, "Apple", "AppleSliced", 4, {EffectNeed::Held}, kCurated});
+  effects.push_back({"Knife", Treatment::Slices, "Bread", "BreadSliced", 6, {EffectNeed::Held}, kCurated});
+  std::vector<Alias> aliases = {{"Mug", "something to drink from", AliasKind::Function, kCurated},
+                                {"Bowl", "something to drink from", AliasKind::Function, kCurated},
+                                {"Mug", "coffee cup", AliasKind::Synonym, kCurated},
+                                {"Book", "reading matter", AliasKind::Synonym, kCurated},
+                                {"Apple", "I am hungry for fruit.", AliasKind::Context, kCurated},
+                                {"Pot", "I want to cook soup.", AliasKind::Context, kCurated}};
   return Knowledge(simulator, std::move(categories), std::move(affordances), std::move(placements), std::move(effects),
                    std::move(aliases));
 }
@@ -116,7 +119,8 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
       if (name != argument) continue;
       if (!slice) return bound;
       for (const auto& effect : knowledge.effects()) {
-        if (effect.effect == "slices" && effect.target == bound && !effect.gives.empty()) return effect.gives;
+        if (effect.treatment == Treatment::Slices && effect.target == bound && !effect.gives.empty())
+          return effect.gives;
       }
       return bound;
     }
@@ -176,20 +180,20 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
       found = std::count(rooms.begin(), rooms.end(), category_of(arguments[1])) > 0;
     } else if (constraint.kind == "has-words") {
       for (const auto& alias : knowledge.aliases()) {
-        found = found || (alias.category == category_of(arguments[0]) && alias.kind == arguments[1]);
+        found = found || (alias.category == category_of(arguments[0]) && name_of(alias.kind) == arguments[1]);
       }
     } else if (constraint.kind.starts_with("fits-")) {
       const int wanted = arguments.size() > 2 ? std::stoi(arguments[2]) : 1;
       const auto relation = replace_all(constraint.kind.substr(5), "-", "_");
       for (const auto& row : knowledge.placements()) {
         found = found || (row.object == category_of(arguments[0]) && row.receptacle == category_of(arguments[1]) &&
-                          row.relation == relation && row.capacity >= wanted);
+                          info(row.relation).name == relation && row.capacity >= wanted);
       }
     } else if (!found) {
       for (const auto& row : knowledge.effects()) {
         found =
             found || (row.tool == category_of(arguments[0]) && row.target == category_of(arguments[1]) &&
-                      row.effect == constraint.kind &&
+                      name_of(row.treatment) == constraint.kind &&
                       (arguments.size() < 3 || row.gives == arguments[2] || row.gives == category_of(arguments[2])));
       }
     }
@@ -272,9 +276,9 @@ std::vector<Trace> starts_by_rejection(const Specification& specification, const
     for (const auto& name : names) {
       std::vector<std::pair<Predicate, EntityIndex>> places;
       for (EntityIndex to; to.index() < trace.entities.size(); ++to) {
-        for (const auto& [relation, word] : {std::pair(On, "on"), std::pair(Inside, "inside")}) {
+        for (const Predicate relation : {On, Inside}) {
           for (const auto& row : knowledge.placements()) {
-            if (row.object == name && row.relation == word && row.receptacle == trace.entities[to].category) {
+            if (row.object == name && row.relation == relation && row.receptacle == trace.entities[to].category) {
               places.emplace_back(relation, to);
             }
           }

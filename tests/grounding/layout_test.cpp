@@ -12,6 +12,7 @@
 #include "grounding/reachability.h"
 #include "grounding/where.h"
 #include "homes.h"
+#include "scene/node_index.h"
 #include "scene/scene_json.h"
 #include "simulation/navigation.h"
 #include "simulation/relations.h"
@@ -243,9 +244,8 @@ TEST_P(EveryHome, PutsThingsOnlyWhereTheKnowledgeAllows) {
       const Node* object = find_node(home, edge.from);
       if (!object->movable) continue;
       ++related;
-      EXPECT_NE(
-          style_->knowledge.placement(object->category, info(edge.relation).name, find_node(home, edge.to)->category),
-          nullptr)
+      EXPECT_NE(style_->knowledge.placement(object->category, edge.relation, find_node(home, edge.to)->category),
+                nullptr)
           << edge.from << " " << info(edge.relation).name << " " << edge.to;
     }
     EXPECT_GE(related, 40);

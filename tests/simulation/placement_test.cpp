@@ -48,7 +48,7 @@ Scene bare_room(const Knowledge& knowledge, const Placement& row, double body_he
     scene.nodes.push_back(support);
   }
   Node& holder = *edit_node(scene, "receptacle");
-  if (holder.openable && row.relation == "inside") {
+  if (holder.openable && row.relation == Predicate::Inside) {
     holder.opening = 1;
     holder.states.set({Predicate::Open, ""});
   }
@@ -62,9 +62,9 @@ Scene bare_room(const Knowledge& knowledge, const Placement& row, double body_he
 /// of archetypes and relation, spread evenly over the table, that a simulator's rows stay near kRows.
 std::vector<Placement> sampled(const Knowledge& knowledge) {
   constexpr std::size_t kRows = 800;
-  std::map<std::tuple<std::string, Archetype, Archetype>, std::vector<const Placement*>> groups;
+  std::map<std::tuple<Predicate, Archetype, Archetype>, std::vector<const Placement*>> groups;
   for (const Placement& row : knowledge.placements()) {
-    if (row.relation != "on" && row.relation != "inside") continue;
+    if (row.relation != Predicate::On && row.relation != Predicate::Inside) continue;
     if (!knowledge.has(row.object, "pickupable")) continue;
     const auto archetype = [&](const std::string& name) { return knowledge.find(name)->archetype; };
     groups[{row.relation, archetype(row.object), archetype(row.receptacle)}].push_back(&row);
@@ -92,9 +92,10 @@ TEST_P(KnowledgeInPhysics, WhatTheTablesPlaceABodyCanPlace) {
     ASSERT_TRUE(world) << format(world.error());
     ActionResult outcome = world->step({ActionType::GoTo, {"receptacle"}});
     if (outcome.success) {
-      outcome = world->step({row.relation == "on" ? ActionType::PlaceOn : ActionType::PlaceIn, {"receptacle"}});
+      outcome =
+          world->step({row.relation == Predicate::On ? ActionType::PlaceOn : ActionType::PlaceIn, {"receptacle"}});
     }
-    EXPECT_TRUE(outcome.success) << row.object << " " << row.relation << " " << row.receptacle << ": "
+    EXPECT_TRUE(outcome.success) << row.object << " " << info(row.relation).name << " " << row.receptacle << ": "
                                  << feedback_with_ids(outcome.detail);
   }
   EXPECT_GT(rows.size(), 600U);

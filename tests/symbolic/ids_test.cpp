@@ -140,7 +140,8 @@ TEST(Counts, MeanTheSameInSymbolsAsInLogicForEachComparison) {
 TEST(ManyThings, EachSubstanceOfBehaviorIsToldFromEachOther) {
   std::set<std::string> substances;
   for (const auto& row : committed_knowledge(Simulator::Behavior).effects()) {
-    if ((row.effect == "fills" || row.effect == "dispenses") && !row.gives.empty()) substances.insert(row.gives);
+    if ((row.treatment == Treatment::Fills || row.treatment == Treatment::Dispenses) && !row.gives.empty())
+      substances.insert(row.gives);
   }
   ASSERT_GE(substances.size(), 45U);
   Mugs home(substances.size(), Simulator::Behavior, "mug");

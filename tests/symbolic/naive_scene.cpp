@@ -58,7 +58,7 @@ Visits visits_of(const Specification& specification, const Knowledge& knowledge)
 /// Furniture on which a category can be put aside.
 std::vector<std::string> places_of(const std::string& name, const Knowledge& knowledge) {
   std::vector<std::string> places;
-  for (const auto* row : knowledge.placements_of(name, "on")) {
+  for (const auto* row : knowledge.placements_of(name, Predicate::On)) {
     const auto* place = knowledge.find(row->receptacle);
     if (place != nullptr && !place->movable && !knowledge.has(row->receptacle, "openable"))
       places.push_back(row->receptacle);
@@ -92,7 +92,7 @@ std::vector<std::string> bystanders(const std::set<std::string>& names, const Vi
   const auto movables = knowledge.with_affordance("pickupable");
   for (int i = 0; i < 2 && !movables.empty(); ++i) {
     const auto& name = rng.pick(movables);
-    if (is_new(name) && !knowledge.placements_of(name, "on").empty()) more.push_back(name);
+    if (is_new(name) && !knowledge.placements_of(name, Predicate::On).empty()) more.push_back(name);
   }
   return more;
 }

@@ -15,9 +15,9 @@ Knowledge kitchen_with_places(Simulator simulator) {
   std::vector<Placement> placements;
   for (const auto& object : bare.categories()) {
     if (!object.movable) continue;
-    placements.push_back({object.name, "on", "CounterTop", 0.5, 5, object.source});
+    placements.push_back({object.name, Predicate::On, "CounterTop", 0.5, 5, object.source});
     for (const char* container : {"Fridge", "Microwave", "Sink", "Mug"})
-      placements.push_back({object.name, "inside", container, 0.1, 5, object.source});
+      placements.push_back({object.name, Predicate::Inside, container, 0.1, 5, object.source});
   }
   return {simulator, bare.categories(), bare.affordances(), placements, bare.effects(), {}};
 }

@@ -24,7 +24,7 @@ Knowledge roomy(Simulator simulator) {
   for (const auto& object : bare.categories()) {
     for (const auto& place : bare.categories()) {
       if (!object.movable || &object == &place) continue;
-      for (const char* relation : {"on", "inside"})
+      for (const Predicate relation : {Predicate::On, Predicate::Inside})
         placements.push_back({object.name, relation, place.name, 0.1, 1000, object.source});
     }
   }
