@@ -19,36 +19,6 @@ std::string head(const std::vector<std::string>& titles) {
   return "\n" + row(titles) + "|" + join(std::vector<std::string>(titles.size(), "---|"), "") + "\n";
 }
 
-std::string_view text_of(ActionArgument argument) {
-  switch (argument) {
-    case ActionArgument::None:
-      return "none";
-    case ActionArgument::Object:
-      return "object";
-    case ActionArgument::ObjectOrRoom:
-      return "object or room";
-    case ActionArgument::Tool:
-      return "tool";
-  }
-  return "";
-}
-
-std::string_view text_of(ActionClass group) {
-  switch (group) {
-    case ActionClass::Movement:
-      return "movement";
-    case ActionClass::Reach:
-      return "reach";
-    case ActionClass::Manipulation:
-      return "manipulation";
-    case ActionClass::Composite:
-      return "composite";
-    case ActionClass::Control:
-      return "control";
-  }
-  return "";
-}
-
 /// In which profiles a simulator offers an action.
 std::string offer(ActionType type, const Profile& plain, const Profile& wide) {
   if (plain.offers(type)) return wide.offers(type) ? "yes" : "unietp";
@@ -64,7 +34,7 @@ std::string actions(const std::vector<Profile>& plain, const std::vector<Profile
   for (const auto list : {all_actions(), extension_actions()}) {
     for (const ActionInfo& action : list) {
       std::vector<std::string> cells{std::to_string(++number), std::string(action.name),
-                                     std::string(text_of(action.argument)), std::string(text_of(action.group))};
+                                     std::string(name_of(action.argument)), std::string(name_of(action.group))};
       for (const bool mode : {action.m1, action.m2, action.m3}) cells.emplace_back(mode ? "yes" : "–");
       for (std::size_t i = 0; i < plain.size(); ++i) cells.push_back(offer(action.type, plain[i], wide[i]));
       cells.emplace_back(action.effect);

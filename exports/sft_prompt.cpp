@@ -7,88 +7,10 @@
 namespace unietp {
 namespace {
 
-/// What is missing when an action fails so, said as a need; "" for what an agent cannot look after.
+/// What an action needs that fails so when it is missing; "" for what an agent cannot look after.
 std::string need_behind(Failure failure, const Profile& profile) {
-  switch (failure) {
-    case Failure::Blocked:
-      return "free floor";
-    case Failure::NoStandingPlace:
-      return "a place to stand there";
-    case Failure::TooFar:
-      return "it in reach (" + number_text(profile.reach_m) + " m)";
-    case Failure::NotVisible:
-      return "it in sight";
-    case Failure::InsideClosed:
-      return "nothing closed around it";
-    case Failure::ReceptacleClosed:
-      return "it open";
-    case Failure::NotAReceptacle:
-      return "something that holds things";
-    case Failure::NoFreePlace:
-      return "a free place there";
-    case Failure::DoesNotFit:
-      return "what you hold to fit";
-    case Failure::NotPickupable:
-      return "something that can be picked up";
-    case Failure::TooHeavy:
-      return "at most " + number_text(profile.max_pick_mass_kg) + " kg";
-    case Failure::NotOpenable:
-      return "something with a door, drawer or lid";
-    case Failure::AlreadyOpen:
-      return "it closed";
-    case Failure::AlreadyClosed:
-      return "it open";
-    case Failure::NotSwitchable:
-      return "something with a switch";
-    case Failure::AlreadyOn:
-      return "it off";
-    case Failure::AlreadyOff:
-      return "it on";
-    case Failure::MustBeClosed:
-      return "its door shut";
-    case Failure::NotHolding:
-      return "something in your hand";
-    case Failure::HandsFull:
-      return "a free hand";
-    case Failure::NotSliceable:
-      return "something that can be cut";
-    case Failure::NoKnife:
-      return "a knife in your hand";
-    case Failure::NoEffect:
-      return "things that go together";
-    case Failure::VesselEmpty:
-      return "something in the vessel that you hold";
-    case Failure::NotFillable:
-      return "something that holds liquids";
-    case Failure::AlreadyFull:
-      return "it empty";
-    case Failure::NotConsumable:
-      return "something that is used up";
-    case Failure::NotASeat:
-      return "a seat";
-    case Failure::NotFoldable:
-      return "something that can be folded";
-    case Failure::NotBreakable:
-      return "something that breaks";
-    case Failure::NotPluggable:
-      return "something with a plug";
-    default:
-      return "";
-  }
-}
-
-std::string argument_words(ActionArgument argument) {
-  switch (argument) {
-    case ActionArgument::None:
-      return "";
-    case ActionArgument::Object:
-      return "object";
-    case ActionArgument::ObjectOrRoom:
-      return "object or room";
-    case ActionArgument::Tool:
-      return "tool";
-  }
-  return "";
+  const std::string need = replace_all(std::string(info(failure).need), "{reach_m}", number_text(profile.reach_m));
+  return replace_all(need, "{mass_kg}", number_text(profile.max_pick_mass_kg));
 }
 
 std::string action_line(const ActionInfo& action, const Profile& profile) {
@@ -98,7 +20,7 @@ std::string action_line(const ActionInfo& action, const Profile& profile) {
     if (!need.empty() && std::find(needs.begin(), needs.end(), need) == needs.end()) needs.push_back(std::move(need));
   }
   std::string line = "- " + std::string(action.name);
-  if (action.argument != ActionArgument::None) line += "(" + argument_words(action.argument) + ")";
+  if (action.argument != ActionArgument::None) line += "(" + std::string(name_of(action.argument)) + ")";
   line += ": " + std::string(action.effect);
   return line + (needs.empty() ? "" : "; needs " + join(needs, ", ")) + ".\n";
 }

@@ -1,7 +1,6 @@
 #include "generator/reference.h"
 
 #include <algorithm>
-#include <array>
 
 #include "akb/attributes.h"
 #include "logic/evaluate.h"
@@ -10,18 +9,6 @@
 
 namespace unietp {
 namespace {
-
-/// States that tell one object from another at a glance and stay as they are until the agent changes them.
-constexpr std::array kTellingStates = {Predicate::Open,   Predicate::PowerOn, Predicate::Dirty, Predicate::Hot,
-                                       Predicate::Cool,   Predicate::Cooked,  Predicate::Burnt, Predicate::Frozen,
-                                       Predicate::Soaked, Predicate::Folded};
-
-/// VirtualHome and Habitat keep few states; a task must not refer to one that the simulator cannot show.
-bool shows(Simulator simulator, Predicate state) {
-  if (simulator == Simulator::Habitat) return state == Predicate::Open;
-  if (simulator == Simulator::Virtualhome) return state == Predicate::Open || state == Predicate::PowerOn;
-  return true;
-}
 
 bool in_group(const StateGroup& group, Predicate predicate) {
   return std::find(group.predicates.begin(), group.predicates.end(), predicate) != group.predicates.end();
@@ -44,9 +31,9 @@ std::vector<Reference> by_state(const GoalVariable& variable, const Specificatio
   std::vector<Reference> found;
   for (const auto& group : state_groups()) {
     if (!knowledge.has(variable.category, group.affordance) || !is_free(group, variable, plain)) continue;
-    for (const auto state : kTellingStates) {
-      if (!in_group(group, state) || !shows(plain.simulator, state)) continue;
-      found.push_back({Referring::ByState, atom(state, {variable.variable}), {}});
+    for (const PredicateInfo& state : all_predicates()) {
+      if (!state.telling || !in_group(group, state.predicate) || !shows(plain.simulator, state.predicate)) continue;
+      found.push_back({Referring::ByState, atom(state.predicate, {variable.variable}), {}});
     }
   }
   return found;

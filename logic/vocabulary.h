@@ -78,6 +78,7 @@ struct PredicateInfo {
   // group holds of their objects, `by_default` at first. Empty for other predicates.
   std::string_view group = {};
   bool by_default = false;
+  bool telling = false;  // tells one object from another at a glance, and stays until the agent changes it
 };
 
 /// The row of a predicate. Every predicate has one.

@@ -68,9 +68,11 @@ inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionType:
 
 /// What an action's one argument names. A tool is an object that treats what the agent holds.
 enum class ActionArgument : std::uint8_t { None, Object, ObjectOrRoom, Tool };
+std::string_view name_of(ActionArgument argument);  // "object or room"
 /// Movement: body, camera and hand in small steps. Reach: going and turning to an object. Manipulation: what the hand
 /// does. Composite: several manipulations with an appliance, in M1 only. Control: `stop`.
 enum class ActionClass : std::uint8_t { Movement, Reach, Manipulation, Composite, Control };
+std::string_view name_of(ActionClass group);  // "manipulation"
 /// How much an agent is told: all ids (M1), the ids of what it has seen (M2), pictures only (M3). See docs/modes.md.
 enum class Mode : std::uint8_t { M1, M2, M3 };
 inline constexpr std::array kModes{Mode::M1, Mode::M2, Mode::M3};
@@ -225,7 +227,18 @@ enum class Failure : std::uint8_t {
 };
 /// Number of kinds of failure, None included.
 inline constexpr std::size_t kFailureCount = static_cast<std::size_t>(Failure::NoObjectThere) + 1;
-std::string_view name_of(Failure failure);  // "too_far"
+
+/// A row of the table of failures.
+struct FailureInfo {
+  Failure failure;
+  std::string_view name;  // "too_far"
+  // What is missing, as a noun phrase for planners: "a free hand". {reach_m} and {mass_kg} stand for limits of the
+  // profile. "" for what an agent cannot look after.
+  std::string_view need;
+};
+/// The row of a failure. Every failure has one.
+const FailureInfo& info(Failure failure);
+std::string_view name_of(Failure failure);
 std::optional<Failure> failure_named(std::string_view name);
 
 }  // namespace unietp

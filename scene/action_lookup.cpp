@@ -55,12 +55,44 @@ std::string to_text(const Action& action) {
 
 std::string_view name_of(Failure failure) {
   const auto index = static_cast<std::size_t>(failure);
-  return index < kFailureCount ? failure_table()[index] : std::string_view();
+  return index < kFailureCount ? failure_table()[index].name : std::string_view();
+}
+
+const FailureInfo& info(Failure failure) { return failure_table()[static_cast<std::size_t>(failure)]; }
+
+std::string_view name_of(ActionArgument argument) {
+  switch (argument) {
+    case ActionArgument::None:
+      return "none";
+    case ActionArgument::Object:
+      return "object";
+    case ActionArgument::ObjectOrRoom:
+      return "object or room";
+    case ActionArgument::Tool:
+      return "tool";
+  }
+  return "";
+}
+
+std::string_view name_of(ActionClass group) {
+  switch (group) {
+    case ActionClass::Movement:
+      return "movement";
+    case ActionClass::Reach:
+      return "reach";
+    case ActionClass::Manipulation:
+      return "manipulation";
+    case ActionClass::Composite:
+      return "composite";
+    case ActionClass::Control:
+      return "control";
+  }
+  return "";
 }
 
 std::optional<Failure> failure_named(std::string_view name) {
   for (std::size_t i = 0; i < kFailureCount; ++i) {
-    if (failure_table()[i] == name) return static_cast<Failure>(i);
+    if (failure_table()[i].name == name) return static_cast<Failure>(i);
   }
   return std::nullopt;
 }

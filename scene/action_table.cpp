@@ -195,61 +195,69 @@ constexpr bool in_enum_order() {
 }
 static_assert(in_enum_order());
 
-constexpr std::array<std::string_view, kFailureCount> kFailureNames{
-    "none",
-    "invalid_action",
-    "invalid_argument",
-    "not_offered",
-    "blocked",
-    "no_standing_place",
-    "too_far",
-    "not_visible",
-    "inside_closed",
-    "receptacle_closed",
-    "not_a_receptacle",
-    "no_free_place",
-    "did_not_rest",
-    "does_not_fit",
-    "not_pickupable",
-    "too_heavy",
-    "not_openable",
-    "already_open",
-    "already_closed",
-    "not_switchable",
-    "already_on",
-    "already_off",
-    "must_be_closed",
-    "not_holding",
-    "hands_full",
-    "not_sliceable",
-    "no_knife",
-    "no_effect",
-    "vessel_empty",
-    "not_fillable",
-    "already_full",
-    "not_consumable",
-    "not_ready",
-    "not_a_seat",
-    "seated",
-    "not_seated",
-    "not_pluggable",
-    "already_plugged_in",
-    "already_unplugged",
-    "not_plugged_in",
-    "not_foldable",
-    "already_folded",
-    "not_breakable",
-    "already_broken",
-    "not_readable",
-    "not_in_view",
-    "not_seen_yet",
-    "no_object_there",
-};
+constexpr std::array<FailureInfo, kFailureCount> kFailures{{
+    {F::None, "none", ""},
+    {F::InvalidAction, "invalid_action", ""},
+    {F::InvalidArgument, "invalid_argument", ""},
+    {F::NotOffered, "not_offered", ""},
+    {F::Blocked, "blocked", "free floor"},
+    {F::NoStandingPlace, "no_standing_place", "a place to stand there"},
+    {F::TooFar, "too_far", "it in reach ({reach_m} m)"},
+    {F::NotVisible, "not_visible", "it in sight"},
+    {F::InsideClosed, "inside_closed", "nothing closed around it"},
+    {F::ReceptacleClosed, "receptacle_closed", "it open"},
+    {F::NotAReceptacle, "not_a_receptacle", "something that holds things"},
+    {F::NoFreePlace, "no_free_place", "a free place there"},
+    {F::DidNotRest, "did_not_rest", ""},
+    {F::DoesNotFit, "does_not_fit", "what you hold to fit"},
+    {F::NotPickupable, "not_pickupable", "something that can be picked up"},
+    {F::TooHeavy, "too_heavy", "at most {mass_kg} kg"},
+    {F::NotOpenable, "not_openable", "something with a door, drawer or lid"},
+    {F::AlreadyOpen, "already_open", "it closed"},
+    {F::AlreadyClosed, "already_closed", "it open"},
+    {F::NotSwitchable, "not_switchable", "something with a switch"},
+    {F::AlreadyOn, "already_on", "it off"},
+    {F::AlreadyOff, "already_off", "it on"},
+    {F::MustBeClosed, "must_be_closed", "its door shut"},
+    {F::NotHolding, "not_holding", "something in your hand"},
+    {F::HandsFull, "hands_full", "a free hand"},
+    {F::NotSliceable, "not_sliceable", "something that can be cut"},
+    {F::NoKnife, "no_knife", "a knife in your hand"},
+    {F::NoEffect, "no_effect", "things that go together"},
+    {F::VesselEmpty, "vessel_empty", "something in the vessel that you hold"},
+    {F::NotFillable, "not_fillable", "something that holds liquids"},
+    {F::AlreadyFull, "already_full", "it empty"},
+    {F::NotConsumable, "not_consumable", "something that is used up"},
+    {F::NotReady, "not_ready", ""},
+    {F::NotASeat, "not_a_seat", "a seat"},
+    {F::Seated, "seated", ""},
+    {F::NotSeated, "not_seated", ""},
+    {F::NotPluggable, "not_pluggable", "something with a plug"},
+    {F::AlreadyPluggedIn, "already_plugged_in", ""},
+    {F::AlreadyUnplugged, "already_unplugged", ""},
+    {F::NotPluggedIn, "not_plugged_in", ""},
+    {F::NotFoldable, "not_foldable", "something that can be folded"},
+    {F::AlreadyFolded, "already_folded", ""},
+    {F::NotBreakable, "not_breakable", "something that breaks"},
+    {F::AlreadyBroken, "already_broken", ""},
+    {F::NotReadable, "not_readable", ""},
+    {F::NotInView, "not_in_view", ""},
+    {F::NotSeenYet, "not_seen_yet", ""},
+    {F::NoObjectThere, "no_object_there", ""},
+}};
+
+constexpr bool failures_in_enum_order() {
+  for (std::size_t i = 0; i < kFailures.size(); ++i) {
+    if (static_cast<std::size_t>(kFailures[i].failure) != i) return false;
+  }
+  return true;
+}
+static_assert(failures_in_enum_order());
 
 }  // namespace
 
 std::span<const ActionInfo, kActionCount> action_table() { return kActions; }
 
-std::span<const std::string_view, kFailureCount> failure_table() { return kFailureNames; }
+std::span<const FailureInfo, kFailureCount> failure_table() { return kFailures; }
 
 }  // namespace unietp

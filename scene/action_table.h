@@ -9,7 +9,7 @@ namespace unietp {
 /// simulation/ performs the actions in code of its own, and a test holds the two together.
 std::span<const ActionInfo, kActionCount> action_table();
 
-/// Names of the failures, in the order of Failure.
-std::span<const std::string_view, kFailureCount> failure_table();
+/// The rows of the failures, in the order of Failure.
+std::span<const FailureInfo, kFailureCount> failure_table();
 
 }  // namespace unietp

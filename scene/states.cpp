@@ -43,6 +43,19 @@ const std::vector<StateGroup>& state_groups() {
   return groups;
 }
 
+bool shows(Simulator simulator, Predicate state) {
+  switch (simulator) {
+    case Simulator::Habitat:
+      return state == Predicate::Open;
+    case Simulator::Virtualhome:
+      return state == Predicate::Open || state == Predicate::PowerOn;
+    case Simulator::Ai2thor:
+    case Simulator::Behavior:
+      return true;
+  }
+  return true;
+}
+
 std::optional<Predicate> opposite_of(Predicate state) {
   static const auto table = [] {
     std::array<std::optional<Predicate>, kPredicateCount> opposites;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "logic/vocabulary.h"
+#include "scene/simulator.h"
 
 namespace unietp {
 
@@ -22,6 +23,10 @@ struct StateGroup {
 };
 /// From the rows of logic/vocabulary.cpp, in the order of their first predicates.
 const std::vector<StateGroup>& state_groups();
+
+/// Whether the simulator shows a state of the vocabulary: VirtualHome and Habitat keep few, and a task must not refer
+/// to an object by one that is not shown.
+bool shows(Simulator simulator, Predicate state);
 
 /// The other state of a group of two that need no symbol (Open: Closed); nullopt for other predicates.
 std::optional<Predicate> opposite_of(Predicate state);

@@ -14,22 +14,6 @@
 namespace unietp {
 namespace {
 
-std::string class_text(ActionClass group) {
-  switch (group) {
-    case ActionClass::Movement:
-      return "movement";
-    case ActionClass::Reach:
-      return "reach";
-    case ActionClass::Manipulation:
-      return "manipulation";
-    case ActionClass::Composite:
-      return "composite";
-    case ActionClass::Control:
-      return "control";
-  }
-  return "";
-}
-
 template <class Offer>
 long count_offered(Offer offer) {
   return std::count_if(all_actions().begin(), all_actions().end(),
@@ -77,7 +61,7 @@ TEST(Actions, TheWideProfileHasTheExtensionInPlaceOfSmallMoves) {
 
 TEST(Actions, ClassesHaveTheirSizes) {
   std::map<std::string, int> sizes;
-  for (const ActionInfo& action : all_actions()) ++sizes[class_text(action.group)];
+  for (const ActionInfo& action : all_actions()) ++sizes[std::string(name_of(action.group))];
   EXPECT_EQ(sizes, (std::map<std::string, int>{
                        {"movement", 15}, {"reach", 2}, {"manipulation", 14}, {"composite", 6}, {"control", 1}}));
 }
