@@ -16,6 +16,7 @@
 #include "rewording/check_template.h"
 #include "rewording/check_text.h"
 #include "rewording/expected_files.h"
+#include "run/known_homes.h"
 #include "run/make_home.h"
 #include "validator/validate.h"
 
@@ -145,6 +146,9 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
     const auto configuration = configuration_from_json(kManifest, manifest.run.text);
     return configuration ? make_home(*configuration, resources, name) : Result<Scene>(configuration.error());
   };
+  auto known_homes = read_known_homes(folders.runs());
+  if (!known_homes) return refuse(known_homes.error());
+  options.validation.known_homes = std::move(*known_homes);
   options.validation.derive_files = [&](const ManifestRecord& manifest) {
     return expected_files(manifest, resources, folders.licences());
   };

@@ -124,9 +124,7 @@ class WholeSet {
     if (tasks_read && rejections.all_read) problems.add(candidates_.finish());
     problems.add(reviews_.finish(names));
     problems.add(check_derived_files(folder_, manifest_, options_.derive_files));
-    if (tasks_read)
-      problems.add(
-          check_homes(folder_, manifest_, {homes_.begin(), homes_.end()}, options_.make_home, options_.threads));
+    if (tasks_read) problems.add(check_homes(folder_, manifest_, {homes_.begin(), homes_.end()}, options_));
     problems.add(repeats_.problems(names));
     for (const auto& search : leaks_) {
       if (search) problems.add(search->problems(manifest_.run.seed));

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -45,10 +46,11 @@ struct ValidationOptions {
   double rest_m = 0.005;         // a body that moves farther than this when physics runs on was not at rest
   TextCheck check_text;          // none: instructions are not read
   TemplateCheck check_template;  // none: templates are not looked up
-  MakeHome make_home;            // none: homes are only held against physics
-  DeriveFiles derive_files;      // none: README.md and the sources are not compared
-  std::vector<std::filesystem::path> against;  // finished data sets with which nothing may be shared
-  ProofMemory* memory = nullptr;               // proofs of an earlier call, to which those of this one are added
+  std::map<std::string, std::string> known_homes;  // of the benchmark: the SHA-256 of their JSON, by name
+  MakeHome make_home;                              // none: homes are only held against physics
+  DeriveFiles derive_files;                        // none: README.md and the sources are not compared
+  std::vector<std::filesystem::path> against;      // finished data sets with which nothing may be shared
+  ProofMemory* memory = nullptr;                   // proofs of an earlier call, to which those of this one are added
 };
 
 }  // namespace unietp

@@ -20,16 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-const Resources& library() {
-  static const ResourcesReading kReading = [] {
-    DataFolders folders;
-    folders.root = UNIETP_SOURCE_DIR;
-    folders.cache = fs::temp_directory_path();
-    return load_resources(folders);
-  }();
-  return kReading.resources;
-}
-
 fs::path licences() { return fs::path(UNIETP_SOURCE_DIR) / "data" / "licences.csv"; }
 
 void expect_success(const Ended& ended) { EXPECT_EQ(ended.code, 0) << ended.out << ended.err; }
@@ -68,6 +58,16 @@ void make(const fs::path& folder, const ScratchFolder& scratch) {
 }
 
 }  // namespace
+
+const Resources& library() {
+  static const ResourcesReading kReading = [] {
+    DataFolders folders;
+    folders.root = UNIETP_SOURCE_DIR;
+    folders.cache = fs::temp_directory_path();
+    return load_resources(folders);
+  }();
+  return kReading.resources;
+}
 
 ForgedSet::ForgedSet() : folder_(scratch_.at("set")) {
   make(folder_, scratch_);

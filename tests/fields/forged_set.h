@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "resources/resources.h"
 #include "tests/support/scratch_folder.h"
 #include "validator/proof_memory.h"
 #include "validator/validate.h"
@@ -43,6 +44,9 @@ class ForgedSet {
   std::map<std::string, std::string> bytes_, texts_;  // by path
   ProofMemory memory_;
 };
+
+/// The committed tables and templates.
+const Resources& library();
 
 /// The one of this process.
 ForgedSet& forged_set();
