@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-const std::filesystem::path kSource = UNIETP_SOURCE_DIR;
+const std::filesystem::path kCheckout = UNIETP_SOURCE_DIR;
 
 double number_of(const std::string& digits) {
   double value = -1;
@@ -32,7 +32,7 @@ double value_of(std::string expression, const std::map<std::string, double>& kno
 
 std::map<std::string, double> bounds_of_header() {
   std::map<std::string, double> bounds;
-  for (const auto& line : split(*read_file(kSource / "core" / "limits.h"), '\n')) {
+  for (const auto& line : split(*read_file(kCheckout / "core" / "limits.h"), '\n')) {
     if (!line.starts_with("inline constexpr ")) continue;
     std::string list = line.substr(0, line.find(';'));
     list = list.substr(list.find(" k") + 1);
@@ -50,7 +50,7 @@ std::map<std::string, double> bounds_of_page() {
   const std::map<std::string, double> units{
       {"", 1}, {"bytes", 1}, {"m", 1}, {"m2", 1}, {"kg", 1}, {"Mi", std::exp2(20)}, {"MiB", std::exp2(20)}};
   std::map<std::string, double> bounds;
-  for (const auto& line : split(*read_file(kSource / "docs" / "limits.md"), '\n')) {
+  for (const auto& line : split(*read_file(kCheckout / "docs" / "limits.md"), '\n')) {
     const auto cells = split(line, '|');
     if (cells.size() != 5 || trim(cells[3]).size() < 4 || trim(cells[3]).front() != '`') continue;
     const auto accepted = split(std::string(trim(cells[2])), ' ');
