@@ -68,8 +68,8 @@ const BadTable kBad[] = {
     {"CapacityZero", "relation", "0.4,3", "0.4,0",
      "relation.csv:3:20: schema error: bad capacity '0'; expected a whole number >= 1"},
     {"UnknownEffect", "effect", "fridge,cools", "fridge,cool",
-     "effect.csv:2:8: schema error: unknown effect 'cool'; expected one of heats, cools, freezes, washes, cooks, "
-     "burns, slices, fills, soaks, wipes, dispenses, drains, attaches; did you mean 'cools'?"},
+     "effect.csv:2:8: schema error: unknown effect 'cool'; expected one of heats, cools, freezes, cooks, burns, "
+     "washes, soaks, fills, slices, wipes, dispenses, drains, attaches; did you mean 'cools'?"},
     {"UnknownNeed", "effect", "closed|inside", "shut|inside",
      "effect.csv:2:23: schema error: unknown need 'shut'; expected one of closed, power_on, held, inside, on, "
      "under_tap"},
