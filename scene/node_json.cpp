@@ -71,6 +71,8 @@ StateSet states_from_json(JsonReader& reader, const JsonAt& at) {
     states.set(*state);
     if (states.all().size() != i + 1)
       reader.fail(item, in_quotes(state_text(*state)) + " repeats or excludes one before");
+    if (!reader.error() && states.all().back() != *state)
+      reader.fail(item, in_quotes(state_text(*state)) + " is out of order; expected the order of docs/vocabulary.md");
   }
   return states;
 }

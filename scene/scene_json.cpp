@@ -1,6 +1,7 @@
 #include "scene/scene_json.h"
 
 #include <algorithm>
+#include <functional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -219,6 +220,16 @@ void sort_edges(JsonReader& reader, std::vector<Edge>& edges, const std::string&
                            " to " + in_quotes(twice->to) + " occurs twice");
 }
 
+/// Changes have one form, in which their edges are sorted.
+void check_order(JsonReader& reader, const std::vector<Edge>& edges, const std::string& pointer) {
+  const auto wrong = std::adjacent_find(edges.begin(), edges.end(), std::greater_equal<>());
+  if (wrong == edges.end()) return;
+  reader.fail(pointer, "the edge " + std::string(info(wrong->relation).name) + " from " + in_quotes(wrong->from) +
+                           " to " + in_quotes(wrong->to) +
+                           (*wrong == *(wrong + 1) ? " occurs twice"
+                                                   : " is out of order; expected them sorted by relation, from, to"));
+}
+
 }  // namespace
 
 std::string scene_to_json(const Scene& scene) {
@@ -313,8 +324,8 @@ Result<Delta> delta_from_json(std::string_view where, const Json& json) {
     if (ids.insert(delta.removed[i]).second) continue;
     reader.fail("/removed/" + std::to_string(i), in_quotes(delta.removed[i]) + " is changed or removed already");
   }
-  if (!reader.error()) sort_edges(reader, delta.edges_added, "/edges_added");
-  if (!reader.error()) sort_edges(reader, delta.edges_removed, "/edges_removed");
+  if (!reader.error()) check_order(reader, delta.edges_added, "/edges_added");
+  if (!reader.error()) check_order(reader, delta.edges_removed, "/edges_removed");
   if (reader.error()) return *reader.error();
   return delta;
 }
