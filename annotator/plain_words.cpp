@@ -70,7 +70,7 @@ constexpr std::array<std::string_view, 9> kPlainWords{
 constexpr std::string_view kDenials =
     "no. not. never. nothing. none. nobody. nowhere. without. neither. nor. don't. doesn't. isn't. aren't. won't. "
     "can't. "
-    "cannot. mustn't. shouldn't. avoid. except. instead. refrain. leave alone";
+    "cannot. mustn't. shouldn't. avoid. except. instead. refrain.";
 
 }  // namespace
 
