@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 9> kPlainWords{
     "plus. "
     "soon. immediately. straight. eventually. meanwhile. afterward. beforehand. prior. throughout. during. time. "
     "times. "
-    "moment. whole. end. start. beginning. order. way",
+    "moment. point. whole. end. start. beginning. order. way",
     // prepositions that the goal's relations need not have
     "of. to. at. by. with. without. from. off. out. up. down. over. about. through. across. along. around. away. back. "
     "between. among. via. per. together. apart. aside. on. in. ready",

@@ -267,8 +267,11 @@ class Check {
     if (kDenying.contains(specification_.style) || denies(specification_.goal) || goal_.order || goal_.throughout)
       return;
     for (std::size_t i = 0; i < words_.size(); ++i) {
-      const bool never_mind = words_[i].text == "never" && i + 1 < words_.size() && words_[i + 1].text == "mind";
-      if (is_denial(words_[i].text) && !never_mind && !says_itself(words_[i].text)) exceeds("'" + words_[i].text + "'");
+      const std::string next = i + 1 < words_.size() ? words_[i + 1].text : "";
+      const bool never_mind = words_[i].text == "never" && next == "mind";
+      const bool compares = words_[i].text == "no" && is_among(next, "fewer. less. more. later. longer.");
+      if (is_denial(words_[i].text) && !never_mind && !compares && !says_itself(words_[i].text))
+        exceeds("'" + words_[i].text + "'");
     }
   }
 
@@ -290,6 +293,7 @@ class Check {
     std::set<std::string> told;
     for (const Token& word : text_.plain) {
       const bool letters = std::isalpha(static_cast<unsigned char>(word.text.front())) != 0;
+      if (word.text == "into" && says(words_, "into slices")) continue;
       if (letters && !is_plain_word(word.text) && !says_itself(word.text) && told.insert(word.text).second)
         exceeds("nothing explains '" + word.text + "'");
     }
