@@ -14,6 +14,7 @@
 #include "fuzz_bodies.h"
 #include "grounding/home_census.h"
 #include "interchange/format_facts.h"
+#include "run/known_homes.h"
 #include "support.h"
 
 namespace unietp::fuzz {
@@ -107,6 +108,8 @@ const std::map<std::string, std::function<void(const Folder&, Errors&)>, std::le
        }},
       {"synsets.csv", [](const Folder& folder,
                          Errors& errors) { keep_error(read_bddl_synsets(folder.path() / "synsets.csv"), errors); }},
+      {"benchmark-homes.csv",
+       [](const Folder& folder, Errors& errors) { keep_error(read_known_homes(folder.path()), errors); }},
       {"replicacad_words.csv", read_scene_file_tables},
       {"procthor_doors.csv", read_scene_file_tables},
       {"procthor_floors.csv", read_scene_file_tables},

@@ -29,10 +29,22 @@ bool database_body(std::string_view bytes) {
   record.expert = {{Mode::M1, 2, 0}};
   task.record = record;
   DatabaseCheck check(folder.path());
-  check.add(task, {"start", "text", "home", {"ai2thor/kitchen"}});
-  const std::vector<Problem> problems = check.finish(1);
+  TaskFacts facts;
+  facts.start_key = "start";
+  facts.rooms = {"ai2thor/kitchen"};
+  facts.bound_categories = {"ai2thor/Fridge"};
+  facts.steps = {{"M1", "1", "open", "fridge_1", "1", "none"}, {"M1", "2", "stop", "", "1", "none"}};
+  check.add(task, facts);
+  RejectionRecord rejection;
+  rejection.slot = 1;
+  rejection.template_name = "open-one";
+  rejection.simulator = "ai2thor";
+  rejection.split = "atomic";
+  rejection.stage = "physics";
+  rejection.reason = "unrest";
+  check.add(rejection);
+  const std::vector<Problem> problems = check.finish().take();
   for (const Problem& problem : problems) check_error(problem.error);
-
   return problems.empty();
 }
 
