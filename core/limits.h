@@ -18,11 +18,14 @@ inline constexpr std::size_t kUnpackedBytes = kFileBytes;        // of a gzip fi
 inline constexpr std::size_t kLineBytes = std::size_t{8} << 20;  // one task or demonstration of a data set: some 20 kB
 
 // Text of any file. Readers of nested text are recursive, so its depth is bounded for the sake of the stack.
-inline constexpr int kFormulaDepth = 200;   // brackets of a formula, clauses of a sentence
-inline constexpr int kFormulaParts = 5000;  // operators, terms and categories of a formula
-inline constexpr int kQuantifiers = 8;      // of a formula, in one another
-inline constexpr int kTemporal = 8;         // the same for temporal operators
-inline constexpr int kJsonDepth = 64;       // objects and arrays in one another
+inline constexpr int kFormulaDepth = 200;            // brackets of a formula, clauses of a sentence
+inline constexpr std::size_t kExpressions = 20'000;  // bracketed lists and words of a template or formula
+inline constexpr std::size_t kTextBytes = 10'000;    // of an instruction, or of a goal as text
+inline constexpr int kFormulaParts = 5000;           // operators, terms and categories of a formula
+inline constexpr int kQuantifiers = 8;               // of a formula, in one another
+inline constexpr double kCombinations = 50'000'000;  // of objects that the quantifiers of a task's goal range over
+inline constexpr int kTemporal = 8;                  // the same for temporal operators
+inline constexpr int kJsonDepth = 64;                // objects and arrays in one another
 
 // JSON. A value takes up to 130 bytes of memory where its text has two. Fields of one object are counted so that no
 // input costs more time than its length.
@@ -35,6 +38,7 @@ inline constexpr std::size_t kJsonHomeFields = 4'000'000;  // where a simulator 
 inline constexpr std::size_t kRooms = 200;
 inline constexpr std::size_t kRoomCorners = 500;
 inline constexpr std::size_t kOpenings = 1000;
+inline constexpr std::size_t kWalls = 5000;        // listed in a home of a simulator
 inline constexpr std::size_t kObjects = 6000;      // imported ones and those that a template adds
 inline constexpr std::size_t kEdges = 100'000;     // relations between objects
 inline constexpr std::size_t kObjectBoards = 100;  // solids of one object

@@ -56,6 +56,8 @@ class Reader {
   Result<Sexpr> read(int depth) {
     if (depth > limits::kFormulaDepth)
       return error_at(pos_, "brackets are nested deeper than " + std::to_string(limits::kFormulaDepth));
+    if (++expressions_ > limits::kExpressions)
+      return error_at(pos_, "more than " + std::to_string(limits::kExpressions) + " lists and words");
     if (peek() == ')') return error_at(pos_, "unexpected ')' without '('");
     if (peek() == '(') return read_list(depth);
     if (peek() == '"') return read_string();
@@ -112,6 +114,7 @@ class Reader {
   std::string where_;
   std::string_view text_;
   std::size_t at_ = 0;
+  std::size_t expressions_ = 0;  // read so far
   SourcePos pos_;
   SourcePos last_;
 };

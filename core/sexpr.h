@@ -26,7 +26,8 @@ struct Sexpr {
 
 /// All top-level expressions of a text. `;` starts a comment that ends with the line; strings know \" and \\ and \n.
 /// `start` is the position of the text's first byte, for text cut out of a larger file.
-/// Errors: Parse with line and column: a missing or extra bracket, an unfinished string; nesting over 200 deep.
+/// Errors: Parse with line and column: a missing or extra bracket, an unfinished string; nesting over
+/// limits::kFormulaDepth, and more than limits::kExpressions.
 Result<std::vector<Sexpr>> read_sexprs(std::string_view where, std::string_view text, SourcePos start = {1, 1});
 
 /// Exactly one expression. Errors: as read_sexprs, and when there is none or more than one.

@@ -9,6 +9,7 @@
 #include "core/limits.h"
 #include "core/plain_name.h"
 #include "core/text.h"
+#include "interchange/json_fields.h"
 #include "scene/json_parse.h"
 
 namespace unietp {
@@ -89,12 +90,8 @@ class Homes {
     SourceScene scene = read_(reader, home, id);
     if (!reader.error()) keep_to_a_home(reader, home, scene);
     if (!reader.error()) keep_to_labels(reader, home, scene);
-    objects_ += scene.objects.size();
-    if (scenes_.size() == limits::kHomesInFile)
-      return reader.fail(home, "more than " + std::to_string(limits::kHomesInFile) + " homes in one file");
-    if (objects_ > limits::kObjectsInFile)
-      return reader.fail(home, "more than " + std::to_string(limits::kObjectsInFile) + " objects in one file");
     scenes_.push_back(std::move(scene));
+    keep_to_a_file(reader, home, scenes_);
   }
 
   void all(JsonReader& reader, const JsonAt& table, const std::string& name) {
@@ -115,7 +112,6 @@ class Homes {
   const std::vector<std::string_view>& marks_;
   const HomeReader& read_;
   std::vector<SourceScene> scenes_;
-  std::size_t objects_ = 0;  // in all of them
 };
 
 /// A whole object on the first line and something on a later one.

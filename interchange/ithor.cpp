@@ -33,14 +33,11 @@ class Reader {
  public:
   explicit Reader(std::string_view where) : reader_(where) {}
 
-  Result<std::vector<SourceScene>> read(const std::vector<Json>& values) {
-    std::vector<SourceScene> scenes;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const JsonAt root{values[i]};
-      read_value(root, values.size() == 1 ? "scene" : "scene_" + std::to_string(i + 1), scenes);
-      if (reader_.error()) return *reader_.error();
-    }
-    return scenes;
+  /// Adds the scenes of one value, called `name` if it has one without a name. Returns the first error.
+  std::optional<Error> read(const JsonAt& root, const std::string& name, std::vector<SourceScene>& scenes) {
+    read_value(root, name, scenes);
+    keep_to_a_file(reader_, root, scenes);
+    return reader_.error();
   }
 
  private:
@@ -200,9 +197,13 @@ class Reader {
 }  // namespace
 
 Result<std::vector<SourceScene>> read_ithor(const std::string& where, std::string_view text) {
-  const auto values = read_json_values(where, text);
-  if (!values) return values.error();
-  return Reader(where).read(*values);
+  std::vector<SourceScene> scenes;
+  Reader reader(where);
+  const auto read = each_json_value(where, text, [&](const JsonAt& root, int line) {
+    return reader.read(root, line == 0 ? "scene" : "scene_" + std::to_string(scenes.size() + 1), scenes);
+  });
+  if (!read) return read.error();
+  return scenes;
 }
 
 }  // namespace unietp

@@ -66,32 +66,44 @@ Vec3 vector_at(JsonReader& reader, const JsonAt& at) {
   return value;
 }
 
-Result<std::vector<Json>> read_json_values(std::string_view where, std::string_view text) {
+Result<Done> each_json_value(std::string_view where, std::string_view text,
+                             const std::function<std::optional<Error>(const JsonAt&, int line)>& take) {
   const auto first = text.find_first_not_of(" \t\r\n");
-  auto whole = parse_json(where, text, limits::kJsonTableFields);
-  std::vector<Json> values;
-  if (whole) {
-    values.push_back(std::move(*whole));
-    return values;
+  {
+    const auto whole = parse_json(where, text, limits::kJsonTableFields);
+    if (whole) {
+      if (auto error = take(JsonAt{*whole}, 0)) return *std::move(error);
+      return Done{};
+    }
+    const auto end_of_first = text.find('\n', first == std::string_view::npos ? 0 : first);
+    const auto line = end_of_first == std::string_view::npos ? std::string_view() : text.substr(0, end_of_first);
+    if (line.empty() || !parse_json(where, line, limits::kJsonTableFields)) return whole.error();
   }
-  const auto end_of_first = text.find('\n', first == std::string_view::npos ? 0 : first);
-  if (end_of_first == std::string_view::npos) return whole.error();
   int line = 0;
-  for (std::size_t at = 0; at < text.size(); ++line) {
+  for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view one = text.substr(at, end - at);
     at = end + 1;
+    ++line;
     if (one.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-    auto value = parse_json(where, one, limits::kJsonTableFields);
+    const auto value = parse_json(where, one, limits::kJsonTableFields);
     if (!value) {
-      if (values.empty()) return whole.error();
       Error error = value.error();
-      if (error.pos.line > 0) error.pos.line += line;
+      if (error.pos.line > 0) error.pos.line = line;
       return error;
     }
-    values.push_back(std::move(*value));
+    if (auto error = take(JsonAt{*value}, line)) return *std::move(error);
   }
-  return values;
+  return Done{};
+}
+
+void keep_to_a_file(JsonReader& reader, const JsonAt& home, const std::vector<SourceScene>& scenes) {
+  if (scenes.size() > limits::kHomesInFile)
+    reader.fail(home, "more than " + std::to_string(limits::kHomesInFile) + " homes in one file");
+  std::size_t objects = 0;
+  for (const SourceScene& scene : scenes) objects += scene.objects.size();
+  if (objects > limits::kObjectsInFile)
+    reader.fail(home, "more than " + std::to_string(limits::kObjectsInFile) + " objects in one file");
 }
 
 }  // namespace unietp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/result.h"
+#include "interchange/source_scene.h"
 #include "scene/json_reader.h"
 
 namespace unietp {
@@ -35,7 +37,13 @@ class LooseFields {
 /// [x, y, z] or {"x": …, "y": …, "z": …}.
 Vec3 vector_at(JsonReader& reader, const JsonAt& at);
 
-/// The values of a text: one JSON value, or one a line (JSON Lines). Errors: Parse with line and column.
-Result<std::vector<nlohmann::ordered_json>> read_json_values(std::string_view where, std::string_view text);
+/// Gives each value of a text to `take`: one JSON value, with the line 0, or one a line (JSON Lines), with its line
+/// from
+/// 1. One value is in memory at a time. Errors: Parse with line and column, and what `take` returns.
+Result<Done> each_json_value(std::string_view where, std::string_view text,
+                             const std::function<std::optional<Error>(const JsonAt& value, int line)>& take);
+
+/// Fails at `home`, the last one read, when the homes of a file exceed limits::kHomesInFile or kObjectsInFile.
+void keep_to_a_file(JsonReader& reader, const JsonAt& home, const std::vector<SourceScene>& scenes);
 
 }  // namespace unietp

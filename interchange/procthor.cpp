@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/limits.h"
 #include "interchange/formats.h"
 #include "interchange/house_names.h"
 #include "interchange/json_fields.h"
@@ -33,13 +34,13 @@ class HouseReader {
     scene_.simulator = Simulator::Ai2thor;
     scene_.wall_thickness = kWallThickness_m;
     const LooseFields fields(reader_, at);
-    each(fields.need("rooms"), [this](const JsonAt& room) { read_room(room); });
-    each(fields.find("walls"), [this](const JsonAt& wall) { read_wall(wall); });
+    each(fields.need("rooms"), limits::kRooms, [this](const JsonAt& room) { read_room(room); });
+    each(fields.find("walls"), limits::kWalls, [this](const JsonAt& wall) { read_wall(wall); });
     if (highest_ > 0.5) scene_.wall_height = highest_;
     open_missing_walls();
-    each(fields.find("doors"), [this](const JsonAt& door) { read_door(door); });
-    each(fields.need("objects"), [this](const JsonAt& object) { read_object(object, ""); });
-    each(fields.find("windows"), [this](const JsonAt& window) { read_window(window); });
+    each(fields.find("doors"), limits::kOpenings, [this](const JsonAt& door) { read_door(door); });
+    each(fields.need("objects"), limits::kListedObjects, [this](const JsonAt& object) { read_object(object, ""); });
+    each(fields.find("windows"), limits::kOpenings, [this](const JsonAt& window) { read_window(window); });
     if (const auto metadata = fields.find("metadata")) {
       if (const auto agent = LooseFields(reader_, *metadata).find("agent")) read_agent(*agent);
     }
@@ -48,15 +49,15 @@ class HouseReader {
 
  private:
   template <class Read>
-  void each(const std::optional<JsonAt>& list, Read read) {
+  void each(const std::optional<JsonAt>& list, std::size_t most, Read read) {
     if (!list) return;
-    const std::size_t count = reader_.items(*list);
+    const std::size_t count = reader_.items(*list, most);
     for (std::size_t i = 0; i < count && !reader_.error(); ++i) read(reader_.item(*list, i));
   }
 
   std::vector<Vec3> points(const std::optional<JsonAt>& at) {
     std::vector<Vec3> all;
-    each(at, [&](const JsonAt& point) { all.push_back(vector_at(reader_, point)); });
+    each(at, limits::kRoomCorners, [&](const JsonAt& point) { all.push_back(vector_at(reader_, point)); });
     return all;
   }
 
@@ -201,7 +202,7 @@ class HouseReader {
     if (!holder.empty()) object.held_by.push_back({SourceRelation::Kind::OnOrInside, holder});
     const std::string id = object.id;
     scene_.objects.push_back(std::move(object));
-    each(fields.find("children"), [&](const JsonAt& child) { read_object(child, id); });
+    each(fields.find("children"), limits::kListedObjects, [&](const JsonAt& child) { read_object(child, id); });
   }
 
   /// Euler angles, or an axis and an angle.
@@ -241,22 +242,19 @@ class HouseReader {
 
 Result<std::vector<SourceScene>> read_procthor(const std::string& where, std::string_view text,
                                                const Knowledge& knowledge) {
-  const auto values = read_json_values(where, text);
-  if (!values) return values.error();
-  JsonReader reader(where);
   std::vector<SourceScene> scenes;
-  const auto add = [&](const JsonAt& at) {
-    scenes.push_back(HouseReader(reader, knowledge).read(at, "house_" + std::to_string(scenes.size() + 1)));
-  };
-  for (std::size_t i = 0; i < values->size() && !reader.error(); ++i) {
-    const JsonAt root{(*values)[i]};
-    if (!root.json.is_array()) {
-      add(root);
-      continue;
-    }
-    for (std::size_t k = 0; k < root.json.size() && !reader.error(); ++k) add(reader.item(root, k));
-  }
-  if (reader.error()) return *reader.error();
+  const auto read = each_json_value(where, text, [&](const JsonAt& root, int) {
+    JsonReader reader(where);
+    const auto add = [&](const JsonAt& at) {
+      scenes.push_back(HouseReader(reader, knowledge).read(at, "house_" + std::to_string(scenes.size() + 1)));
+      keep_to_a_file(reader, at, scenes);
+    };
+    if (!root.json.is_array()) add(root);
+    for (std::size_t k = 0; root.json.is_array() && k < root.json.size() && !reader.error(); ++k)
+      add(reader.item(root, k));
+    return reader.error();
+  });
+  if (!read) return read.error();
   return scenes;
 }
 

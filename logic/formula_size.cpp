@@ -42,4 +42,11 @@ std::string excess_of(const Formula& formula) {
   return "";
 }
 
+double combinations_of(const Formula& formula, const std::function<double(const Domain&)>& members) {
+  double inner = 1;
+  for (const Formula& child : formula.children) inner += combinations_of(child, members);
+  for (const Formula& where : formula.domain.where) inner += combinations_of(where, members);
+  return formula.variable.empty() ? inner : inner * std::max(1.0, members(formula.domain));
+}
+
 }  // namespace unietp

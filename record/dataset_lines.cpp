@@ -38,7 +38,8 @@ std::vector<Mode> shown_modes(const std::filesystem::path& folder) {
   std::vector<Mode> modes;
   std::error_code code;
   for (const Mode mode : kModes) {
-    if (std::filesystem::exists(folder / demonstrations_file(mode), code)) modes.push_back(mode);
+    if (std::filesystem::exists(std::filesystem::symlink_status(folder / demonstrations_file(mode), code)))
+      modes.push_back(mode);  // also a link, which is refused when it is opened
   }
   return modes;
 }

@@ -76,7 +76,7 @@ class DatasetLines {
   std::string wordings_at(int line) const;
 
  private:
-  static constexpr std::size_t kLookAheadBytes = std::size_t{64} << 20;
+  static constexpr std::size_t kLookAheadBytes = std::size_t{16} << 20;
 
   /// A file with a line per task, and the lines read ahead.
   struct PartFile {

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "core/limits.h"
+#include "core/text.h"
+#include "logic/formula_size.h"
+
 namespace unietp {
 namespace {
 
@@ -11,6 +15,17 @@ Error at_line(std::string where, std::string message) {
 
 /// "tasks.jsonl" of "tasks.jsonl:3": readers of lines add the number themselves.
 std::string without_line(const std::string& where) { return where.substr(0, where.rfind(':')); }
+
+/// Members that a domain has at the start, pieces that are cut later aside.
+double members_at_most(const Domain& domain, const Scene& start) {
+  if (domain.kind == Domain::Kind::Agent) return 1;
+  if (domain.kind == Domain::Kind::Room) return static_cast<double>(start.rooms.size());
+  if (domain.kind == Domain::Kind::Object) return static_cast<double>(start.nodes.size());
+  return static_cast<double>(std::count_if(start.nodes.begin(), start.nodes.end(), [&](const Node& node) {
+    return std::any_of(domain.members.begin(), domain.members.end(),
+                       [&](const Domain::Member& member) { return member.category == node.category; });
+  }));
+}
 
 template <class Record>
 Result<Record> parse(const std::string& where, const FileLine& line,
@@ -59,7 +74,14 @@ std::optional<Error> DatasetReader::misplaced(const TaskLines& lines, Mode mode,
 }
 
 Result<Scene> DatasetReader::start(const TaskLines& lines, const TaskRecord& task) const {
-  return homes_->start(lines_.task_at(lines.task.number), task.layout, task.changes, task.scene);
+  const auto where = lines_.task_at(lines.task.number);
+  auto start = homes_->start(where, task.layout, task.changes, task.scene);
+  if (!start) return start;
+  const auto members = [&](const Domain& domain) { return members_at_most(domain, *start); };
+  if (const double all = combinations_of(task.goal_tree, members); all > limits::kCombinations)
+    return at_line(where, "its goal ranges over " + number_text(all) +
+                              " combinations of objects; accepted are at most " + number_text(limits::kCombinations));
+  return start;
 }
 
 std::optional<Error> DatasetReader::line_error(const TaskLines& lines) const {

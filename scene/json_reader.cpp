@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/in_quotes.h"
+#include "core/limits.h"
 #include "core/plain_name.h"
 #include "core/text.h"
 #include "scene/json_parse.h"
@@ -76,6 +77,8 @@ std::string JsonReader::line(const JsonAt& at) {
   std::string value = text(at);
   if (!error_ && !is_one_line(value))
     fail(at, in_quotes(value) + " has control characters; expected a text on one line");
+  if (!error_ && value.size() > limits::kTextBytes)
+    fail(at, "has " + std::to_string(value.size()) + " bytes; expected at most " + std::to_string(limits::kTextBytes));
   return value;
 }
 

@@ -44,7 +44,7 @@ class JsonReader {
   std::string text(const JsonAt& at);  // not empty
   /// An id that may name a file: core/plain_name.h.
   std::string plain_name(const JsonAt& at);
-  /// A text without control characters, so that it stays on its line of a file or terminal.
+  /// A text of at most limits::kTextBytes without control characters, so that it stays on its line of a file.
   std::string line(const JsonAt& at);
   /// An id or a word of a scene: a line of at most limits::kLabelBytes.
   std::string label(const JsonAt& at);

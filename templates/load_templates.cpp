@@ -12,7 +12,7 @@ TemplateFiles template_files(const std::filesystem::path& place, const std::stri
   namespace fs = std::filesystem;
   std::error_code failure;
   std::vector<fs::path> paths;
-  if (fs::is_regular_file(place, failure)) {
+  if (!fs::is_directory(place, failure)) {  // reading says what is wrong with anything but a file
     paths.push_back(place);
   } else {
     failure.clear();
