@@ -1,5 +1,7 @@
 #include "record/manifest_record.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
@@ -27,10 +29,21 @@ std::vector<Mode> read_modes(JsonReader& reader, const JsonAt& at) {
     const JsonAt item = reader.item(at, i);
     const auto name = reader.text(item);
     const auto mode = mode_named(name);
+    if (mode && !modes.empty() && *mode <= modes.back()) reader.fail(item, "expected the modes in order, each once");
     if (mode) modes.push_back(*mode);
     if (!mode) reader.unknown_name(item, "mode", {"M1", "M2", "M3"});
   }
   return modes;
+}
+
+/// A list of names, each once.
+std::vector<std::string> read_names(JsonReader& reader, const JsonAt& at) {
+  auto names = reader.texts(at);
+  auto sorted = names;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end()) reader.fail(at, in_quotes(*twice) + " is listed twice");
+  return names;
 }
 
 void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
@@ -39,8 +52,8 @@ void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
   read_format(reader, fields, "unietp-run/1");
   if (const auto f = fields.required("seed")) run.seed = read_seed(reader, *f);
   if (const auto f = fields.required("count")) run.count = read_whole(reader, *f);
-  if (const auto f = fields.required("simulators")) run.simulators = reader.texts(*f);
-  if (const auto f = fields.required("splits")) run.splits = reader.texts(*f);
+  if (const auto f = fields.required("simulators")) run.simulators = read_names(reader, *f);
+  if (const auto f = fields.required("splits")) run.splits = read_names(reader, *f);
   if (const auto f = fields.required("templates")) run.templates = reader.texts(*f);
   if (const auto f = fields.optional("without")) run.without = reader.texts(*f);
   if (const auto f = fields.required("modes")) run.modes = read_modes(reader, *f);
@@ -53,9 +66,9 @@ void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
     quotas.finish();
   }
   if (const auto f = fields.optional("extended")) run.extended = reader.boolean(*f);
-  if (const auto f = fields.optional("own")) run.own = reader.texts(*f);
-  if (const auto f = fields.optional("binding")) run.binding = reader.texts(*f);
-  if (const auto f = fields.optional("scenes")) run.scenes = reader.texts(*f);
+  if (const auto f = fields.optional("own")) run.own = read_names(reader, *f);
+  if (const auto f = fields.optional("binding")) run.binding = read_names(reader, *f);
+  if (const auto f = fields.optional("scenes")) run.scenes = read_names(reader, *f);
   if (const auto f = fields.required("attempts")) run.attempts = read_whole(reader, *f);
   if (const auto f = fields.required("block")) run.block = read_whole(reader, *f);
   if (const auto f = fields.required("rooms")) run.rooms = read_whole(reader, *f);
