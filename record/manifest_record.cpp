@@ -203,6 +203,7 @@ Result<ManifestRecord> read_manifest(std::string_view where, std::string_view te
   if (const auto f = fields.required("program")) {
     JsonFields program(reader, *f);
     if (const auto name = program.required("name")) manifest.program_name = reader.text(*name);
+    if (!reader.error() && manifest.program_name != "unietp") reader.fail(*f, "expected the program unietp");
     if (const auto version = program.required("version")) manifest.program_version = reader.text(*version);
     program.finish();
   }
