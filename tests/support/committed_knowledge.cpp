@@ -1,5 +1,6 @@
 #include "tests/support/committed_knowledge.h"
 
+#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -20,7 +21,8 @@ void remove_outdated(const fs::path& folder, const std::string& program, const s
   }
 }
 
-/// The name of the file holds what the compiled tables depend on: the tables and the program with the compiling code.
+/// In the build folder, or in the one that UNIETP_TEST_CACHE names, for runs that must not share it. The name of the
+/// file holds what the compiled tables depend on: the tables and the program with the compiling code.
 fs::path compiled_or_reused() {
   const fs::path tables = fs::path(UNIETP_SOURCE_DIR) / "data/akb";
   const auto digest = digest_of_tables(tables, {});
@@ -30,7 +32,8 @@ fs::path compiled_or_reused() {
   const auto built = fs::last_write_time(executable).time_since_epoch().count();
   const auto current = program + "-" + std::to_string(built) + "-" + digest->substr(0, 16);
 
-  const fs::path folder = UNIETP_TEST_CACHE;
+  const char* other = std::getenv("UNIETP_TEST_CACHE");
+  const fs::path folder = other == nullptr ? UNIETP_TEST_CACHE : other;
   const fs::path file = folder / (current + ".sqlite");
   if (fs::exists(file)) return file;
   fs::create_directories(folder);
