@@ -38,6 +38,18 @@ TEST(ReadInstruction, GivesTheGoalThatAPersonWouldUnderstand) {
                "(and (not (= ?a ?b)) (on ?a ?t) (on ?b ?c)))))))");
 }
 
+TEST(ReadInstruction, AnotherIsNoneOfThoseNamedBefore) {
+  const std::string three =
+      "(exists (?a - Mug) (exists (?b - Mug) (exists (?c - Mug) (at-end (and (not (= ?a ?b)) (not (= ?a ?c)) "
+      "(not (= ?b ?c)) (clean ?a) (hot ?b) (cool ?c))))))";
+  expect_reads("Wash a mug, heat another mug and cool another mug.", three.c_str());
+  const std::string four =
+      "(exists (?a - Mug) (exists (?b - Mug) (exists (?c - Mug) (exists (?d - Mug) (at-end (and (not (= ?a ?b)) "
+      "(not (= ?a ?c)) (not (= ?a ?d)) (not (= ?b ?c)) (not (= ?b ?d)) (not (= ?c ?d)) (clean ?a) (hot ?b) (cool ?c) "
+      "(held ?d)))))))";
+  expect_reads("Wash a mug, heat another mug, cool another mug and pick up another mug.", four.c_str());
+}
+
 TEST(ReadInstruction, KeepsTimeApartFromTheEnd) {
   expect_reads("Open a fridge and then close it again.",
                "(exists (?a - Fridge) (and (sometime (open ?a)) (at-end (closed ?a))))");
@@ -80,6 +92,30 @@ std::set<std::string> texts_of(const std::string& goal, Phrasings phrasings) {
     if (written) texts.insert(written->text);
   }
   return texts;
+}
+
+TEST(WriteInstruction, SaysAnotherOnlyOfOneThatIsNoneOfThoseBefore) {
+  // Three mugs of which each pair is told to differ or not; a text must read back as the goal or not be written.
+  const std::string body = "(clean ?a) (hot ?b) (cool ?c)";
+  const std::vector<std::string> pairs{"(not (= ?a ?b)) ", "(not (= ?a ?c)) ", "(not (= ?b ?c)) "};
+  std::size_t written = 0;
+  for (unsigned told = 0; told < 8; ++told) {
+    std::string distinct;
+    for (unsigned i = 0; i < pairs.size(); ++i) distinct += (told >> i & 1U) != 0 ? pairs[i] : "";
+    const std::string goal =
+        "(exists (?a - Mug) (exists (?b - Mug) (exists (?c - Mug) (at-end (and " + distinct + body + ")))))";
+    const auto wanted = parse_formula("test", goal, FormulaUse::Goal);
+    ASSERT_TRUE(wanted) << format(wanted.error());
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const auto text = write_instruction(asking(goal), small_knowledge(), Rng(seed));
+      if (!text) continue;
+      const auto read = parse_instruction(text->text, small_knowledge());
+      ASSERT_TRUE(read) << text->text << ": " << format(read.error());
+      EXPECT_TRUE(same_meaning(*read, *wanted)) << text->text << " for " << goal;
+      ++written;
+    }
+  }
+  EXPECT_GE(written, 40U) << "at least none and all of the pairs can be told to differ";
 }
 
 TEST(WriteInstruction, HasAtLeastTwentyTextsForASimpleGoalInTrainingAndInTheBenchmark) {

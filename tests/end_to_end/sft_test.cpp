@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/files.h"
+#include "core/text.h"
 #include "data_set.h"
 #include "schema_checker.h"
 
@@ -154,6 +155,57 @@ TEST(ExportSft, EpisodesAreChatsThatEachReaderTakes) {
         EXPECT_EQ(checker.check(answer, "action.schema.json"), "");
       }
     }
+  }
+}
+
+/// A copy of the data set in whose M2 every third step failed, the first of them the second.
+class WithFailures {
+ public:
+  WithFailures() : folder_(scratch_.at("copy")) {
+    fs::copy(data_set_in_all_modes(), folder_, fs::copy_options::recursive);
+    std::string lines;
+    for (auto line : json_lines(folder_ / "demonstrations" / "M2.jsonl")) {
+      auto& succeeded = succeeded_[line["task"].get<std::string>()];
+      for (auto& step : line["steps"]) {
+        if (succeeded.size() % 3 == 1) step["success"] = false, step["feedback"] = "Something is in the way.";
+        succeeded.push_back(step["success"]);
+      }
+      lines += line.dump() + "\n";
+    }
+    EXPECT_TRUE(write_file(folder_ / "demonstrations" / "M2.jsonl", lines));
+  }
+  const std::map<std::string, std::vector<bool>>& succeeded() const { return succeeded_; }
+
+  /// The lines of M2 as chats, one an episode or one a step.
+  std::vector<Json> chats(const std::string& unit) const {
+    const auto out = scratch_.at(unit);
+    const auto ended =
+        run_program({"export", folder_.string(), "--format", "sft", "--modes", "M2", "--unit", unit, "--out", out});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return json_lines(fs::path(out) / "M2.jsonl");
+  }
+
+ private:
+  ScratchFolder scratch_;
+  fs::path folder_;
+  std::map<std::string, std::vector<bool>> succeeded_;  // by task
+};
+
+TEST(ExportSft, OnlyWhatSucceededIsToBeLearned) {
+  const WithFailures set;
+  for (const auto& line : set.chats("episode")) {
+    const std::string id = line["id"];
+    const auto& succeeded = set.succeeded().at(id.substr(0, id.find('/')));
+    std::vector<bool> learned;
+    for (const auto& message : line["messages"]) {
+      if (message["role"] == "assistant") learned.push_back(message["loss"]);
+    }
+    EXPECT_EQ(learned, succeeded) << id;
+  }
+  for (const auto& line : set.chats("step")) {
+    const auto parts = split(line["id"].get<std::string>(), '/');  // task, mode, number of the step
+    const auto& succeeded = set.succeeded().at(std::string(parts.at(0)));
+    EXPECT_EQ(line["messages"].back()["loss"], succeeded.at(std::stoul(std::string(parts.at(2))) - 1)) << line["id"];
   }
 }
 

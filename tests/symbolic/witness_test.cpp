@@ -70,6 +70,42 @@ TEST(Witness, IsFoundForEachOperatorOfGoals) {
   }
 }
 
+/// Each comparison of a count with a number or another count, from a start in which it does not hold.
+TEST(Witness, IsFoundForEachComparisonOfCountsAndDoesNoMoreThanItAsks) {
+  const std::string outside = "(forall (?a - Mug) (not (exists (?f - Fridge) (inside ?a ?f))))";
+  const std::string inside = "(forall (?a - Mug) (exists (?f - Fridge) (inside ?a ?f)))";
+  const std::string three = "(count = 3 (?a - Mug) (and))", two = "(count = 2 (?b - Bowl) (and))";
+  const std::string bowls = "(forall (?b - Bowl) (exists (?f - Fridge) (inside ?b ?f)))";
+  const std::string numbers = "(number (?a - Mug) (inside ?a ?f)) (number (?b - Bowl) (inside ?b ?f))";
+  struct Count {
+    std::string goal, init;
+    std::size_t moved;  // the least number of things that go into or out of the fridge
+  };
+  const std::vector<Count> counts{{"> 1 (?a - Mug) (inside ?a ?f)", outside, 2},
+                                  {">= 1 (?a - Mug) (inside ?a ?f)", outside, 1},
+                                  {"< 2 (?a - Mug) (inside ?a ?f)", inside, 2},
+                                  {"<= 2 (?a - Mug) (inside ?a ?f)", inside, 1},
+                                  {"= 2 (?a - Mug) (inside ?a ?f)", inside, 1},
+                                  {"> " + numbers, outside, 1},
+                                  {"< " + numbers, inside, 2}};
+  for (const auto& [count, init, moved] : counts) {
+    SCOPED_TRACE(count);
+    const std::string held =
+        count.starts_with("< (number") ? bowls : "(forall (?b - Bowl) (not (exists (?f - Fridge) (inside ?b ?f))))";
+    const auto made = about(Simulator::Ai2thor, "(exists (?f - Fridge) (at-end (count " + count + ")))",
+                            {three, two, "(count = 1 (?f - Fridge) (and))", init, held});
+    const NaiveScenes scenes(made, committed_knowledge(Simulator::Ai2thor), Rng(1));
+    const auto scene = scenes.draw(Rng(2));
+    ASSERT_TRUE(scene);
+    const auto plan = find_witness(made.goal, scene->setting, scene->start);
+    ASSERT_TRUE(plan);
+    EXPECT_TRUE(holds(made.goal, trace_of(scene->setting, replay(scene->setting, scene->start, *plan))));
+    const auto picked = static_cast<std::size_t>(
+        std::count_if(plan->begin(), plan->end(), [](const Step& step) { return step.action == ActionType::PickUp; }));
+    EXPECT_EQ(picked, moved);
+  }
+}
+
 TEST(Witness, IsNoneWhereTheGoalHoldsAlready) {
   const auto made =
       about(Simulator::Ai2thor, "(exists (?a - Fridge) (at-end (open ?a)))", {"(forall (?a - Fridge) (open ?a))"});
