@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/digest.h"
+#include "core/in_quotes.h"
 #include "core/result.h"
 
 namespace unietp {
@@ -14,6 +15,13 @@ TEST(Error, IsFormattedWithFileLineColumnAndKind) {
   EXPECT_EQ(format({Error::Kind::Io, "a.txt", {}, "cannot read"}), "a.txt: file error: cannot read");
   EXPECT_EQ(format({Error::Kind::Unsatisfiable, "", {}, "no room"}), "unsatisfiable: no room");
   EXPECT_EQ(format({Error::Kind::Usage, "", {1, 2}, "m"}), "1:2: usage error: m");
+}
+
+TEST(Error, ShowsNothingThatMovesTheCursorOrTurnsTheText) {
+  EXPECT_EQ(
+      format({Error::Kind::Io, "a\nb\x1b[2J", {}, "k\u00fcche \u4e2d \u009b1m \u202egnp.exe\u2066 \x7f\r\u200f."}),
+      "a?b?[2J: file error: k\u00fcche \u4e2d ?1m ?gnp.exe? ???.");
+  EXPECT_EQ(for_terminal("cut\xe2\x80"), "cut\xe2\x80");
 }
 
 TEST(Locate, CountsLinesAndBytesFromOne) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/limits.h"
+
 namespace unietp {
 namespace {
 
@@ -58,6 +60,15 @@ TEST(ReadSexprs, RefusesNestingThatWouldExhaustTheStack) {
   const auto deep = read_sexprs("f", nested(100000));
   ASSERT_FALSE(deep);
   EXPECT_EQ(deep.error().message, "brackets are nested deeper than 200");
+}
+
+TEST(Sexpr, MoreThanAreReadAreRefused) {
+  std::string text;
+  for (std::size_t i = 0; i + 1 < limits::kExpressions; ++i) text += "a ";
+  EXPECT_TRUE(read_sexpr("x", "(" + text + ")"));
+  const auto more = read_sexpr("x", "(a " + text + ")");
+  ASSERT_FALSE(more);
+  EXPECT_EQ(more.error().message, "more than 20000 lists and words");
 }
 
 }  // namespace

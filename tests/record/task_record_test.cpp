@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/limits.h"
+#include "core/plain_name.h"
+
 namespace unietp {
 namespace {
 
@@ -43,6 +46,47 @@ TEST(ReadTask, TakesASoundLine) {
   const auto goal = parse_formula("goal", task->goal_text, FormulaUse::Goal);
   ASSERT_TRUE(goal);
   EXPECT_EQ(*goal, task->goal_tree);
+}
+
+TEST(ReadTask, NamesThatCouldLeadOutOfAFolderAreRefused) {
+  for (const char* field : {"id", "template", "split", "simulator", "scene", "layout"}) {
+    for (const std::string name : {"../../x", "/etc/passwd", "..", "-x", "a/b", "a b", "a\nb", "k\u00fcche"}) {
+      Json json = sound_task();
+      json[field] = name;
+      const auto task = read_task("tasks.jsonl", 1, json.dump());
+      ASSERT_FALSE(task) << field << " " << name;
+      EXPECT_THAT(task.error().message, HasSubstr(plain_name_expected()));
+    }
+  }
+  Json shown = sound_demonstration();
+  shown["task"] = "../x";
+  EXPECT_FALSE(read_demonstration("M1.jsonl", 1, shown.dump()));
+}
+
+TEST(ReadTask, TextsThatLeaveTheirLineOrAreTooLongAreRefused) {
+  const auto read_with = [](const Json::json_pointer& place, const std::string& text) {
+    Json json = sound_task();
+    json[place] = text;
+    return read_task("tasks.jsonl", 1, json.dump());
+  };
+  for (const char* place : {"/instruction/text", "/goal/text"}) {
+    EXPECT_TRUE(read_with(Json::json_pointer(place), std::string(limits::kTextBytes, 'a')));
+    EXPECT_FALSE(read_with(Json::json_pointer(place), std::string(limits::kTextBytes + 1, 'a')));
+    EXPECT_FALSE(read_with(Json::json_pointer(place), "Open it.\n(:goal (open door))"));
+  }
+  EXPECT_FALSE(read_with(Json::json_pointer("/bindings/A"), "Fridge\x1b[2J"));
+}
+
+TEST(ReadTask, AGoalNestedTooDeeplyIsRefused) {
+  Json tree = sound_task()["goal"]["tree"]["parts"][0];
+  for (int i = 1; i <= limits::kQuantifiers; ++i) {
+    tree =
+        Json{{"op", "forall"}, {"variable", "v" + std::to_string(i)}, {"domain", {{"all", "object"}}}, {"body", tree}};
+    Json json = sound_task();
+    json["goal"]["tree"]["parts"][0] = tree;
+    const auto task = read_task("tasks.jsonl", 1, json.dump());
+    EXPECT_EQ(bool(task), i < limits::kQuantifiers) << i;
+  }
 }
 
 TEST(ReadTask, ASyntaxErrorHasTheLineOfTheFile) {
