@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -64,24 +63,27 @@ bool survives_a_kill(const WritingCommand& command, const Undisturbed& known, in
   return killed;
 }
 
-int kills_of(const char* variable, int usual) {
-  const char* text = std::getenv(variable);
-  return text == nullptr ? usual : std::atoi(text);
-}
+class KilledAtRandom : public ::testing::TestWithParam<WritingCommand> {};
 
-TEST(Kept, KillsAtRandomPointsOfEveryWritingCommandLoseNothing) {
-  std::vector<std::pair<WritingCommand, Undisturbed>> commands;
-  for (const auto& command : writing_commands()) commands.emplace_back(command, undisturbed(command));
-  const int wanted = kills_of("UNIETP_KILLS", 200);
-  Rng rng(200);
-  int kills = 0, rounds = 0;
-  for (; kills < wanted && rounds < 10 * wanted && !HasFailure(); ++rounds) {
-    const auto& [command, known] = commands[static_cast<std::size_t>(rounds) % commands.size()];
+TEST_P(KilledAtRandom, LosesNothing) {
+  constexpr int kKills = 12;  // of each command, more than 200 of all
+  const WritingCommand& command = GetParam();
+  const auto known = undisturbed(command);
+  Rng rng(static_cast<std::uint64_t>(known.changes));
+  int kills = 0;
+  for (int runs = 0; kills < kKills && runs < 10 * kKills && !HasFailure(); ++runs) {
     if (survives_a_kill(command, known, 1 + static_cast<int>(rng.below(static_cast<std::uint64_t>(known.changes)))))
       ++kills;
   }
-  EXPECT_EQ(kills, wanted) << "in " << rounds << " runs";
+  EXPECT_EQ(kills, kKills);
 }
+
+INSTANTIATE_TEST_SUITE_P(Every, KilledAtRandom, ::testing::ValuesIn(writing_commands()), [](const auto& info) {
+  std::string name = info.param.name;
+  std::replace_if(
+      name.begin(), name.end(), [](char sign) { return sign == ' ' || sign == '-'; }, '_');
+  return name;
+});
 
 /// The same for two commands at fixed points, for every run of the tests.
 TEST(Kept, AFewKillsLoseNothing) {
