@@ -254,7 +254,7 @@ TEST(Corruption, CopiesWithSmallChangesAreLeaks) {
     auto& x = home["nodes"][0]["position"][0];
     x = x.get<double>() + 0.4;
     task["layout"] = home["id"] = "my-" + layout;
-    copy.write(home_file("my-" + layout), home.dump());
+    copy.write(home_file("my-" + layout), gzip(home.dump()));
     auto text = " " + task["instruction"]["text"].get<std::string>();
     text =
         text.find(" the ") != std::string::npos ? replace_all(text, " the ", " a ") : replace_all(text, " a ", " the ");
