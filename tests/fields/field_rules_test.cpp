@@ -53,7 +53,8 @@ TEST(FieldRules, AreThereForEveryFieldOfTheSchemasAndForNoOther) {
   std::set<std::string> known;
   for (const char* schema :
        {"task", "delta", "scene", "demonstration", "rejection", "wordings", "review-mark", "manifest", "run"}) {
-    for (const auto& field : SchemaFields(schema).all()) {
+    const SchemaFields fields(schema);
+    for (const auto& field : fields.all()) {
       const auto* rule = rule_of(schema, field);
       EXPECT_NE(rule, nullptr) << "add a rule for the field " << field << " of " << schema << " to field_rules.cpp";
       if (rule != nullptr) known.insert(std::string(schema) + " " + std::string(rule->field));
