@@ -78,12 +78,14 @@ TEST_P(KilledAtRandom, LosesNothing) {
   EXPECT_EQ(kills, kKills);
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, KilledAtRandom, ::testing::ValuesIn(writing_commands()), [](const auto& info) {
-  std::string name = info.param.name;
+std::string case_name(const ::testing::TestParamInfo<WritingCommand>& one) {
+  std::string name = one.param.name;
   std::replace_if(
       name.begin(), name.end(), [](char sign) { return sign == ' ' || sign == '-'; }, '_');
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, KilledAtRandom, ::testing::ValuesIn(writing_commands()), case_name);
 
 /// The same for two commands at fixed points, for every run of the tests.
 TEST(Kept, AFewKillsLoseNothing) {
