@@ -15,7 +15,7 @@ int CandidateCheck::kind_of(const std::string& simulator, const std::string& spl
 
 void CandidateCheck::add(const TaskRecord& task, const std::string& name, const std::string& where) {
   const auto wrong = [&](std::string message) {
-    problems_.add({ProblemKind::TaskName, name, {Error::Kind::Schema, where, {}, std::move(message)}});
+    of_tasks_.add({ProblemKind::TaskName, name, {Error::Kind::Schema, where, {}, std::move(message)}});
   };
   const auto id = task_id_of(task.simulator, task.slot);
   if (task.id != id) wrong("has the id " + task.id + ", but its simulator and slot give " + id);
@@ -50,7 +50,8 @@ void CandidateCheck::add(const RejectionRecord& rejection, const std::string& wh
   slot.rejected = rejection.attempt + 1;
 }
 
-ProblemList CandidateCheck::finish() {
+ProblemList CandidateCheck::finish(bool complete) {
+  if (!complete) return std::move(of_tasks_);
   const auto count_of = [](int rejected) { return std::to_string(rejected) + " rejected candidates"; };
   for (const auto& [number, slot] : slots_) {
     const int wanted = slot.filled_by < 0 ? manifest_.run.attempts : slot.filled_by;
@@ -64,7 +65,8 @@ ProblemList CandidateCheck::finish() {
   if (!slots_.empty() && slots_.rbegin()->first >= manifest_.run.count)
     found("manifest.json", "asks for " + std::to_string(manifest_.run.count) + " tasks, but slot " +
                                std::to_string(slots_.rbegin()->first) + " was tried");
-  return std::move(problems_);
+  of_tasks_.add(std::move(problems_));
+  return std::move(of_tasks_);
 }
 
 }  // namespace unietp

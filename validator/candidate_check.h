@@ -22,8 +22,8 @@ class CandidateCheck {
   void add(const TaskRecord& task, const std::string& name, const std::string& where);
   /// After the last task: the next line of rejections.jsonl, one that could be read.
   void add(const RejectionRecord& rejection, const std::string& where);
-  /// After the last line.
-  ProblemList finish();
+  /// After the last line. `complete`: all lines could be read; otherwise only the names and order of tasks are checked.
+  ProblemList finish(bool complete = true);
 
  private:
   struct Slot {
@@ -42,7 +42,7 @@ class CandidateCheck {
   std::map<std::pair<std::string, std::string>, int> kinds_;
   int last_task_ = -1, last_rejected_ = -1;  // slots
   bool reviewed_ = false;
-  ProblemList problems_;
+  ProblemList of_tasks_, problems_;
 };
 
 /// The id of the task in a slot: "ai2thor-00003" of slot 2.

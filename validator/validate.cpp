@@ -121,7 +121,7 @@ class WholeSet {
       problems.add(database_.finish());
       problems.add(check_balance(manifest_, database_.traits()));
     }
-    if (tasks_read && rejections.all_read) problems.add(candidates_.finish());
+    problems.add(candidates_.finish(tasks_read && rejections.all_read));
     problems.add(reviews_.finish(names));
     problems.add(check_derived_files(folder_, manifest_, options_.derive_files));
     if (tasks_read) problems.add(check_homes(folder_, manifest_, {homes_.begin(), homes_.end()}, options_));
