@@ -6,6 +6,7 @@
 #include "core/rng.h"
 #include "core/text.h"
 #include "json_changes.h"
+#include "scene/scene_json.h"
 #include "table_changes.h"
 
 namespace unietp {
@@ -102,7 +103,11 @@ class Forger {
              [file, change, indented](ForgedSet& set) {
                auto changed = Json::parse(set.text(file));
                change.apply(changed);
-               return set.with(file, indented ? changed.dump(2) + "\n" : changed.dump());
+               if (indented) return set.with(file, changed.dump(2) + "\n");
+               // As the writer would write it, where it still reads.
+               const auto scene = scene_from_json(file, changed.dump());
+               const std::string text = scene ? scene_to_json(*scene) : changed.dump();
+               return set.with(file, text == set.text(file) ? changed.dump() : text);
              }});
       }
     }
