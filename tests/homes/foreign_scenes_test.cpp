@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/limits.h"
 #include "interchange/format_facts.h"
 #include "tests/support/scratch_folder.h"
 
@@ -51,10 +52,11 @@ TEST(ForeignScenes, OfOneNameAreToldApartWithoutRegardToCase) {
 }
 
 TEST(ForeignScenes, OfOneNameAreReadInLinearTime) {
-  const std::vector<std::string> names(20'000, "house");  // would take minutes if each number were looked for from 2
+  const std::vector<std::string> names(limits::kHomesInFile,
+                                       "house");  // would take minutes if each number were looked for from 2
   auto ids = ids_of(names);
   ASSERT_EQ(ids.size(), names.size());
-  EXPECT_EQ(ids.back(), "house-20000");
+  EXPECT_EQ(ids.back(), "house-" + std::to_string(names.size()));
   EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), names.size());
 }
 

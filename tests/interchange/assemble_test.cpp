@@ -136,7 +136,7 @@ TEST(Assemble, ARoomAsWideAsATownIsRefused) {
   scene.rooms[0].polygon[1].x() = 1e12;
   const auto home = imported(scene);
   ASSERT_FALSE(home);
-  EXPECT_THAT(home.error().message, HasSubstr("more than 200 m"));
+  EXPECT_THAT(home.error().message, HasSubstr("accepted are at most 200 m"));
 }
 
 TEST(Assemble, AMillionObjectsAreRefusedAtOnce) {
