@@ -3,6 +3,7 @@
 
 #include "akb/upstream_sizes.h"
 #include "bodies.h"
+#include "core/files.h"
 #include "fuzz_bodies.h"
 #include "support.h"
 
@@ -15,7 +16,7 @@ bool upstream_body(std::string_view text) {
   for (const char* file : {"ai2thor/procthor_asset_database.json.gz", "ai2thor/ithor_scenes.json.gz",
                            "behavior/object_inventory.json.gz", "behavior/category_mapping.csv.gz"}) {
     const std::size_t end = text.find(kBetween);
-    folder.write(file, text.substr(0, end));
+    folder.write(file, gzip(text.substr(0, end)));
     text = end == std::string_view::npos ? "" : text.substr(end + kBetween.size());
   }
   try {
