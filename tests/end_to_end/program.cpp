@@ -96,7 +96,7 @@ Ended run_script(const std::string& script, const std::filesystem::path& folder)
 std::map<std::string, std::string> bytes_below(const std::filesystem::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
+    if (std::error_code code; !entry.is_regular_file(code)) continue;  // nor a link that leads nowhere
     const auto bytes = read_file(entry.path());
     files[std::filesystem::relative(entry.path(), folder).generic_string()] = bytes ? *bytes : "unreadable";
   }

@@ -40,6 +40,7 @@ const fs::path& tiny_set() {
 class Stranger : public ::testing::Test {
  protected:
   void SetUp() override {
+    fs::create_directories(set().parent_path());
     fs::copy(tiny_set(), set(), fs::copy_options::recursive);
     ASSERT_TRUE(write_file(scratch_.at("a/mine.txt"), "mine"));
   }
@@ -105,7 +106,7 @@ class Stranger : public ::testing::Test {
 void rename_task(Json& line, const std::string& field, const std::string& name) { line[field] = name; }
 
 TEST_F(Stranger, ATaskCannotBeCalledByAPath) {
-  for (const std::string name : {"../../x", "/tmp/unietp-x", "a/b", "-x", "..", "a\x1b[2Jb", "a\nb"}) {
+  for (const std::string name : {"/tmp/unietp-x", "a/b", "-x", "..", "a\x1b[2Jb", "a\nb", "../../x"}) {
     change("tasks.jsonl", [&](Json& line) { rename_task(line, "id", name); });
     change("demonstrations/M1.jsonl", [&](Json& line) { rename_task(line, "task", name); });
     const auto before = bytes_below(scratch_.path());
@@ -117,7 +118,7 @@ TEST_F(Stranger, ATaskCannotBeCalledByAPath) {
     }
     EXPECT_EQ(bytes_below(scratch_.path()), before);
   }
-  expect_refused("a\nb", "letters, digits");
+  expect_refused("../../x", "letters, digits");
 }
 
 TEST_F(Stranger, AStartSceneCannotBeCalledByAPath) {
@@ -202,7 +203,7 @@ TEST_F(StrangeFile, WhatIsNoRegularFileIsRefused) {
   expect_refused(folder_.at("fifo.json"), "is a FIFO; expected a file", false);
   expect_refused("/dev/zero", "is a device; expected a file", false);
   fs::create_symlink(folder_.at("loop.json"), folder_.at("loop.json"));
-  expect_refused(folder_.at("loop.json"), "Too many levels of symbolic links", false);
+  expect_refused(folder_.at("loop.json"), "Too many levels of symbolic links");
 }
 
 TEST_F(StrangeFile, AGzipFileThatUnpacksToGigabytesIsRefused) {
@@ -226,10 +227,12 @@ std::string repeated(const std::string& before, const std::string& item, int cou
 }
 
 TEST_F(StrangeFile, TooMuchJsonIsRefused) {
-  expect_refused(file("a.scene.json", repeated(R"({"format":"unietp-scene/1","nodes":[)", "{\"\":0}", 5'000'000, "]}")),
+  expect_refused(file("a.scene.json",
+                      repeated(R"({"format":"unietp-scene/1","objectId":0,"nodes":[)", "{\"\":0}", 5'000'000, "]}")),
                  "has more than 4000000 JSON values");
-  expect_refused(file("b.scene.json", R"({"format":"unietp-scene/1","nodes":)" + std::string(100'000, '[')),
-                 "nested deeper than 64 levels");
+  expect_refused(
+      file("b.scene.json", R"({"format":"unietp-scene/1","objectId":0,"nodes":)" + std::string(100'000, '[')),
+      "nested deeper than 64 levels");
 }
 
 TEST_F(StrangeFile, AHomeOfAMillionRoomsOrCornersIsRefused) {
@@ -247,10 +250,10 @@ TEST_F(StrangeFile, AHomeOfAMillionRoomsOrCornersIsRefused) {
   show("rooms.scene.json", rooms, "has 1000000 items; expected at most 200");
 
   const std::string house = R"({"objects":[],"walls":[],"rooms":[{"id":"room|1","roomType":"Kitchen","floorPolygon":[)";
-  const std::string foreign = repeated(house, R"({"x":0,"y":0,"z":1})", 1'000'000, "]}]}");
+  const std::string foreign = repeated(house, R"({"x":0,"y":0,"z":1})", 900'000, "]}]}");
   const auto ended = run_program({"scene", "import", "auto", file("house.json", foreign), "--out", folder_.at("x")});
   EXPECT_EQ(ended.code, 2) << ended.out;
-  EXPECT_THAT(ended.err, HasSubstr("corners; expected at most 500"));
+  EXPECT_THAT(ended.err, HasSubstr("has 900000 items; expected at most 500"));
   EXPECT_LT(ended.peak_bytes, kMostMemory);
 }
 
