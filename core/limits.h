@@ -38,9 +38,9 @@ inline constexpr std::size_t kJsonHomeFields = 4'000'000;  // where a simulator 
 inline constexpr std::size_t kRooms = 200;
 inline constexpr std::size_t kRoomCorners = 500;
 inline constexpr std::size_t kOpenings = 1000;
-inline constexpr std::size_t kWalls = 5000;        // listed in a home of a simulator
-inline constexpr std::size_t kObjects = 6000;      // imported ones and those that a template adds
-inline constexpr std::size_t kEdges = 100'000;     // relations between objects
+inline constexpr std::size_t kWalls = 5000;         // listed in a home of a simulator
+inline constexpr std::size_t kObjects = 6000;       // imported ones and those that a template adds
+inline constexpr std::size_t kEdges = 100'000;      // relations between objects
 inline constexpr std::size_t kObjectBoards = 1000;  // solids of one object; BEHAVIOR has one of 138
 inline constexpr double kWallHeight_m = 50, kWallThickness_m = 5;
 inline constexpr double kObject_m = 100;     // a side of an object in a scene
