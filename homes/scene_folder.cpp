@@ -8,7 +8,7 @@
 namespace unietp {
 
 Result<Done> prepare_folder(const std::filesystem::path& folder) {
-  const auto probe = folder / ("unietp-" + std::to_string(::getpid()));
+  const auto probe = folder / ("unietp-" + std::to_string(::getpid()) + ".tmp");
   if (const auto written = write_file(probe, ""); !written) {
     return Error{
         Error::Kind::Io, folder.string(), {}, written.error().message + "; choose a folder that you can write to"};
