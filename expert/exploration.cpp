@@ -106,12 +106,12 @@ class Search {
   }
   bool shows(const Agent& agent) const {
     if (standing_ == Standing::InReach && !world_.in_reach_from(agent.position, target_.id)) return false;
-    if (episode_.mode() == Mode::M2) {
+    if (episode_.rules().boxes) {
       const Vec3 eye(agent.position.x(), agent.position.y(), profile_.camera_height_m);
       if ((target_.pose.position - eye).norm() > profile_.sight_m) return false;
     }
     const auto box = world_.pictured_from(agent, target_.id);
-    return box && (episode_.mode() == Mode::M2 || shows_clearly(*box));
+    return box && (episode_.rules().boxes || shows_clearly(*box));
   }
 
   /// What lies before or behind it may have the same box in the picture, and be meant by it.

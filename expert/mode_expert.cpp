@@ -186,7 +186,7 @@ std::variant<Demonstration, Rejection> demonstrate_in(Mode mode, Rehearsal& rehe
   const auto rejected = [mode](std::string why, Failure failure = Failure::None) {
     return Rejection{not_in(mode), std::move(why), failure};
   };
-  const StepLimits limits = limits_of(mode);
+  const StepLimits limits = rules_of(mode).limits;
   auto plan = actions_of(shown);
   const auto is_offered = [mode](const Action& action) { return offers(info(action.type), mode); };
   const ExpertOptions options{.max_steps = limits.steps, .max_failures = limits.failures, .mode = mode};

@@ -81,7 +81,7 @@ class Maker {
 
   Result<Samples> make(const FinishedTask& task, Mode mode) const {
     const auto& backend = backend_of(backends_, task.start);
-    const bool boxes = options_.observation != SftObservation::Image && tells_boxes(mode);
+    const bool boxes = options_.observation != SftObservation::Image && rules_of(mode).boxes;
     const SftChat chat = chat_of(task, mode, backend, boxes, options_.reasoning);
     Samples samples;
     std::vector<std::string> files;
@@ -163,7 +163,7 @@ Result<Done> choose_modes(const fs::path& dataset, const SftOptions& options, Sf
   const auto there = shown_modes(dataset);
   for (const Mode mode : options.modes.empty() ? there : options.modes) {
     const bool shown = std::find(there.begin(), there.end(), mode) != there.end();
-    const bool blind = options.observation == SftObservation::Boxes && !tells_boxes(mode);
+    const bool blind = options.observation == SftObservation::Boxes && !rules_of(mode).boxes;
     if (!options.modes.empty() && !shown)
       return Error{
           Error::Kind::Usage, "--modes", {}, "the data set has no demonstrations of " + std::string(name_of(mode))};

@@ -49,7 +49,7 @@ std::string list(const std::string& title, const std::vector<std::string>& ids) 
 }  // namespace
 
 std::string system_prompt(const Scene& start, Mode mode, const Profile& profile, bool reasoning) {
-  const StepLimits limits = limits_of(mode);
+  const StepLimits limits = rules_of(mode).limits;
   std::string text =
       "You are a robot in a home and carry out a task, one action at a time. Before each action you are told what "
       "became "
@@ -65,7 +65,7 @@ std::string system_prompt(const Scene& start, Mode mode, const Profile& profile,
   for (const ActionInfo& action : extension_actions()) {
     if (profile.offers(action.type) && offers(action, mode)) text += action_line(action, profile);
   }
-  const GlobalInformation known = global_information(start, mode);
+  const GlobalInformation known = global_information(start, rules_of(mode));
   return text + "\nWhat you know of the home:\n" + list("Rooms", known.rooms) + list("Furniture", known.furniture) +
          list("Small things", known.movables);
 }

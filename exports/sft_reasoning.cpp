@@ -31,7 +31,7 @@ SftReasoning::SftReasoning(const FinishedTask& task, Mode mode, const Knowledge&
       knowledge_(knowledge),
       facts_(reads_comparisons(task.record.goal_tree)),
       monitor_(task.record.goal_tree) {
-  const GlobalInformation known = global_information(task.start, mode);
+  const GlobalInformation known = global_information(task.start, rules_of(mode));
   for (const auto* ids : {&known.rooms, &known.furniture, &known.movables}) told_.insert(ids->begin(), ids->end());
 }
 

@@ -11,6 +11,7 @@ using F = Failure;
 constexpr std::array<FailureCauseInfo, kFailureCauseCount> kCauses{{
     {C::None, F::None, ""},
     {C::EpisodeEnded, F::InvalidAction, "The episode has ended."},
+    {C::MalformedAnswer, F::InvalidAction, "Your answer names no action: {object}."},
     {C::UnknownAction, F::InvalidAction, "There is no action {object}."},
     {C::ActionNotOffered, F::NotOffered, "{object} does not offer {other}."},
     {C::TakesNoArgument, F::InvalidArgument, "{object} takes no argument."},
@@ -21,6 +22,7 @@ constexpr std::array<FailureCauseInfo, kFailureCauseCount> kCauses{{
     {C::NamedById, F::InvalidArgument, "In {object} objects are named by boxes in the picture."},
     {C::NotInView, F::NotInView, "That is not in view; go to a room, to furniture, or to what you see."},
     {C::NotSeenYet, F::NotSeenYet, "You have not seen that yet."},
+    {C::NoTeleport, F::NotOffered, "You cannot go into a room in one step; walk there."},
     {C::NoObjectAtBox, F::NoObjectThere, "There is no object at the given box."},
     {C::SitsOn, F::Seated, "You sit on {object}; stand up first."},
     {C::LiesOn, F::Seated, "You lie on {object}; stand up first."},

@@ -13,6 +13,7 @@ enum class FailureCause : std::uint8_t {
   None,
   // the command itself
   EpisodeEnded,
+  MalformedAnswer,
   UnknownAction,
   ActionNotOffered,
   TakesNoArgument,
@@ -23,6 +24,7 @@ enum class FailureCause : std::uint8_t {
   NamedById,
   NotInView,
   NotSeenYet,
+  NoTeleport,
   NoObjectAtBox,
   // body, camera and arm
   SitsOn,

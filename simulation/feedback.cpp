@@ -50,10 +50,12 @@ std::string feedback_in_words(const FailureWithoutIds& failure) {
   return text;
 }
 
-Outcome outcome_in(Mode mode, const ActionResult& result) {
+Outcome outcome_of(const ActionResult& result, bool with_ids) {
   if (result.success) return {true, Failure::None, ""};
   return {false, result.failure,
-          mode == Mode::M1 ? feedback_with_ids(result.detail) : feedback_in_words(without_ids(result.detail))};
+          with_ids ? feedback_with_ids(result.detail) : feedback_in_words(without_ids(result.detail))};
 }
+
+Outcome outcome_in(Mode mode, const ActionResult& result) { return outcome_of(result, mode == Mode::M1); }
 
 }  // namespace unietp

@@ -21,7 +21,9 @@ FailureWithoutIds without_ids(const FailureDetail& failure);
 std::string feedback_with_ids(const FailureDetail& failure);
 /// For the other modes: "The mug is out of reach; go to it first."
 std::string feedback_in_words(const FailureWithoutIds& failure);
-/// The one of the two that the mode asks for.
+/// The result with one of the two.
+Outcome outcome_of(const ActionResult& result, bool with_ids);
+/// With ids in M1 alone.
 Outcome outcome_in(Mode mode, const ActionResult& result);
 
 }  // namespace unietp

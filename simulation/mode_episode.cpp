@@ -17,28 +17,38 @@ const VisibleObject* find_in(const std::vector<VisibleObject>& view, std::string
   return found == view.end() || found->id != id ? nullptr : &*found;
 }
 
+/// Whether the command itself is wrong, whatever the state of the world.
+bool is_invalid(FailureCause cause) {
+  using enum FailureCause;
+  return cause == MalformedAnswer || cause == UnknownAction || cause == ActionNotOffered || cause == TakesNoArgument ||
+         cause == TakesOneArgument || cause == NoSuchObject || cause == NoSuchObjectOrRoom || cause == NamedByBox ||
+         cause == NamedById;
+}
+
+bool tells_all_ids(const ModeRules& rules) { return rules.furniture && rules.movables; }
+bool asks_what_was_seen(const ModeRules& rules) { return rules.boxes && !tells_all_ids(rules); }
+
 }  // namespace
 
 bool ModeEpisode::over() const {
-  const StepLimits limits = limits_of(mode_);
-  return world_.stopped() || steps_ >= limits.steps || failures_ >= limits.failures;
+  return world_.stopped() || steps_ >= rules_.limits.steps || failures_ >= rules_.limits.failures;
 }
 
 const std::vector<VisibleObject>& ModeEpisode::visible() const {
-  return mode_ == Mode::M3 ? world_.pictured() : world_.visible();
+  return rules_.boxes ? world_.visible() : world_.pictured();
 }
 
-const VisibleObject* ModeEpisode::in_view(std::string_view id) const { return find_in(visible(), id); }
+const VisibleObject* ModeEpisode::in_view(std::string_view id) const { return find_in(world_.pictured(), id); }
 
 bool ModeEpisode::was_seen(std::string_view id) const {
-  return std::any_of(moments_seen_.rbegin(), moments_seen_.rend(),
-                     [&](MomentId moment) { return world_.at(moment).shows(id); });
+  return seen_.contains(id) || std::any_of(moments_seen_.rbegin(), moments_seen_.rend(),
+                                           [&](MomentId moment) { return world_.at(moment).shows(id); });
 }
 
 const VisibleObject* ModeEpisode::best_match(const PixelBox& box) const {
   const VisibleObject* best = nullptr;
   double most = kLeastOverlap;
-  for (const VisibleObject& object : visible()) {
+  for (const VisibleObject& object : world_.pictured()) {
     const double overlap = overlap_of(box, object.box);
     if (overlap <= most) continue;
     most = overlap;
@@ -47,69 +57,123 @@ const VisibleObject* ModeEpisode::best_match(const PixelBox& box) const {
   return best;
 }
 
-std::optional<FailureCause> ModeEpisode::refusal_cause(const ActionInfo& about, const std::string& id) const {
-  const Node* node = mode_ == Mode::M2 ? world_.find(id) : nullptr;
-  if (node == nullptr || !node->movable || world_.holds(id)) return std::nullopt;
-  if (about.type == ActionType::GoTo) {
-    if (world_.shows(id)) return std::nullopt;
-    return FailureCause::NotInView;
+/// Whether the agent has been told the id: of a list, of a view, or because it holds the object.
+bool ModeEpisode::knows(const std::string& id) const {
+  if (tells_all_ids(rules_)) return true;
+  if (world_.holds(id) || world_.find_room(id) != nullptr) return true;
+  const Node* node = world_.find(id);
+  if (node != nullptr && (node->movable ? rules_.movables : rules_.furniture)) return true;
+  return rules_.boxes && (world_.shows(id) || was_seen(id));
+}
+
+/// Whether `go_to` may take the agent to an object of which it knows the id.
+bool ModeEpisode::may_go_to(const std::string& id) const {
+  if (rules_.teleport == Teleport::Anything && knows(id)) return true;
+  if (world_.holds(id)) return true;  // which the world refuses
+  const Node* node = world_.find(id);
+  if (node == nullptr) return false;
+  if (rules_.teleport >= Teleport::Furniture && !node->movable && knows(id)) return true;
+  return rules_.reach == Naming::Id && rules_.boxes && world_.shows(id);
+}
+
+std::optional<FailureDetail> ModeEpisode::refusal_of(const ActionInfo& about, const std::string& id) const {
+  const bool goes = about.argument == ActionArgument::ObjectOrRoom;
+  if (goes && world_.find_room(id) != nullptr) {
+    if (rules_.teleport != Teleport::Nothing) return std::nullopt;
+    return refusal(FailureCause::NoTeleport);
   }
-  if (world_.shows(id) || was_seen(id)) return std::nullopt;
-  return FailureCause::NotSeenYet;
+  const bool by_id = naming_of(about, rules_) == Naming::Id || (goes && rules_.teleport >= Teleport::Furniture);
+  if (!by_id) return refusal(FailureCause::NamedById, in_words(name_of(rules_.mode)));
+  if (goes) {
+    if (may_go_to(id)) return std::nullopt;
+    return refusal(FailureCause::NotInView);
+  }
+  if (knows(id)) return std::nullopt;
+  return refusal(FailureCause::NotSeenYet);
 }
 
 std::variant<Action, FailureDetail> ModeEpisode::action_of(const Command& command) const {
   const auto type = action_named(command.action);
   if (!type) return refusal(FailureCause::UnknownAction, unknown_name('"' + command.action + '"'));
   const ActionInfo& about = info(*type);
-  if (!offers(about, mode_)) {
-    return refusal(FailureCause::ActionNotOffered, in_words(name_of(mode_)), in_words(about.name));
+  if (!offers(about, rules_)) {
+    return refusal(FailureCause::ActionNotOffered, in_words(name_of(rules_.mode)), in_words(about.name));
   }
   Action action{*type, {}};
+  if (command.args.size() != (about.argument == ActionArgument::None ? 0U : 1U)) {
+    action.args.resize(command.args.size());
+    return action;  // which the world refuses
+  }
   for (const Argument& argument : command.args) {
-    if (mode_ != Mode::M3 && argument.box) {
-      return refusal(FailureCause::NamedByBox, in_words(name_of(mode_)));
-    }
-    if (mode_ == Mode::M3 && !argument.box) {
-      const bool room = about.argument == ActionArgument::ObjectOrRoom && world_.find_room(argument.id);
-      if (!room) return refusal(FailureCause::NamedById, in_words(name_of(mode_)));
-    }
     if (!argument.box) {
-      if (const auto cause = refusal_cause(about, argument.id)) return refusal(*cause);
+      if (auto why = refusal_of(about, argument.id)) return std::move(*why);
       action.args.push_back(argument.id);
       continue;
     }
+    if (naming_of(about, rules_) != Naming::Box)
+      return refusal(FailureCause::NamedByBox, in_words(name_of(rules_.mode)));
     const VisibleObject* object = best_match(*argument.box);
     if (object == nullptr) return refusal(FailureCause::NoObjectAtBox);
     action.args.push_back(object->id);
   }
-  return action;  // the world checks the number of arguments
+  return action;
+}
+
+Outcome ModeEpisode::count(const ActionResult& result) {
+  const bool counts = result.success || !rules_.invalid_is_free || !is_invalid(result.detail.cause);
+  if (counts) ++steps_;
+  if (counts && !result.success) ++failures_;
+  return outcome_of(result, tells_all_ids(rules_));
 }
 
 Outcome ModeEpisode::step(const Command& command) {
-  if (over()) return outcome_in(mode_, failed(FailureCause::EpisodeEnded));
-  if (mode_ == Mode::M2 && (moments_seen_.empty() || moments_seen_.back() != world_.moment()))
+  if (over()) return outcome_of(failed(FailureCause::EpisodeEnded), false);
+  if (asks_what_was_seen(rules_) && (moments_seen_.empty() || moments_seen_.back() != world_.moment()))
     moments_seen_.push_back(world_.moment());
   const auto action = action_of(command);
   const auto* refusal = std::get_if<FailureDetail>(&action);
-  const ActionResult result = refusal != nullptr ? failed(*refusal) : world_.step(std::get<Action>(action));
-  ++steps_;
-  if (!result.success) ++failures_;
-  return outcome_in(mode_, result);
+  return count(refusal != nullptr ? failed(*refusal) : world_.step(std::get<Action>(action)));
+}
+
+Outcome ModeEpisode::refuse(std::string_view expected) {
+  if (over()) return outcome_of(failed(FailureCause::EpisodeEnded), false);
+  return count(failed(FailureCause::MalformedAnswer, in_words(expected)));
 }
 
 std::optional<Command> ModeEpisode::command_for(const Action& action) const {
+  const ActionInfo& about = info(action.type);
   Command command = by_ids(action);
-  if (mode_ == Mode::M3) {
-    for (Argument& argument : command.args) {
-      if (info(action.type).argument == ActionArgument::ObjectOrRoom && world_.find_room(argument.id)) continue;
-      const VisibleObject* object = in_view(argument.id);
-      if (object == nullptr || best_match(object->box) != object) return std::nullopt;
-      argument = {"", object->box};
-    }
+  for (Argument& argument : command.args) {
+    if (naming_of(about, rules_) != Naming::Box || !refusal_of(about, argument.id)) continue;
+    const VisibleObject* object = in_view(argument.id);
+    if (object == nullptr || best_match(object->box) != object) return std::nullopt;
+    argument = {"", object->box};
   }
   if (std::holds_alternative<FailureDetail>(action_of(command))) return std::nullopt;
   return command;
+}
+
+void ModeEpisode::forget() {
+  for (const MomentId moment : moments_seen_) {
+    for (const VisibleObject& object : world_.at(moment).visible()) seen_.insert(object.id);
+  }
+  moments_seen_.clear();
+  world_.forget();
+}
+
+ModeEpisode::ModeEpisode(World world, const ModeEpisode& other)
+    : world_(std::move(world)),
+      rules_(other.rules_),
+      seen_(other.seen_),
+      steps_(other.steps_),
+      failures_(other.failures_) {}
+
+ModeEpisode ModeEpisode::apart() const {
+  ModeEpisode copy(world_.apart(), *this);
+  for (const MomentId moment : moments_seen_) {
+    for (const VisibleObject& object : world_.at(moment).visible()) copy.seen_.insert(object.id);
+  }
+  return copy;
 }
 
 }  // namespace unietp

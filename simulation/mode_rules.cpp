@@ -2,18 +2,56 @@
 
 namespace unietp {
 
-StepLimits limits_of(Mode mode) { return mode == Mode::M3 ? StepLimits{150, 30} : StepLimits{50, 10}; }
+ModeRules rules_of(Mode mode) {
+  ModeRules rules;
+  rules.mode = mode;
+  if (mode == Mode::M1) return rules;
+  rules.movables = false;
+  rules.teleport = Teleport::Furniture;
+  rules.composite = Naming::None;
+  if (mode == Mode::M2) return rules;
+  rules.boxes = rules.furniture = false;
+  rules.teleport = Teleport::Rooms;
+  rules.reach = rules.atomic = Naming::Box;
+  rules.limits = {150, 30};
+  return rules;
+}
 
-GlobalInformation global_information(const Scene& start, Mode mode) {
+Naming naming_of(const ActionInfo& action, const ModeRules& rules) {
+  switch (action.group) {
+    case ActionClass::Reach:
+      return rules.reach;
+    case ActionClass::Manipulation:
+      return rules.atomic;
+    case ActionClass::Composite:
+      return rules.composite;
+    case ActionClass::Movement:
+    case ActionClass::Control:
+      break;
+  }
+  return Naming::None;
+}
+
+bool offers(const ActionInfo& action, const ModeRules& rules) {
+  if (action.group == ActionClass::Control) return true;
+  if (action.group == ActionClass::Movement) return rules.move;
+  const bool teleports = action.argument == ActionArgument::ObjectOrRoom && rules.teleport != Teleport::Nothing;
+  const Naming naming = naming_of(action, rules);
+  // What names the object in the hand has no box for it: such actions are the ones that M2 has and M3 lacks.
+  const bool has_no_box = action.m2 && !action.m3;
+  return teleports || naming == Naming::Id || (naming == Naming::Box && !has_no_box);
+}
+
+GlobalInformation global_information(const Scene& start, const ModeRules& rules) {
   GlobalInformation known;
-  for (const Room& room : start.rooms) known.rooms.push_back(room.id);
+  if (rules.rooms) {
+    for (const Room& room : start.rooms) known.rooms.push_back(room.id);
+  }
   for (const Node& node : start.nodes) {
-    if (node.movable && mode == Mode::M1) known.movables.push_back(node.id);
-    if (!node.movable && mode != Mode::M3) known.furniture.push_back(node.id);
+    if (node.movable && rules.movables) known.movables.push_back(node.id);
+    if (!node.movable && rules.furniture) known.furniture.push_back(node.id);
   }
   return known;
 }
-
-bool tells_boxes(Mode mode) { return mode != Mode::M3; }
 
 }  // namespace unietp

@@ -18,6 +18,7 @@ std::string key_of(const Action& action) {
 
 MomentTree::MomentTree(WorldState start, Viewer viewer) : state_(std::move(start)), viewer_(std::move(viewer)) {
   moments_.emplace_back();  // digests of moments are relative to the start
+  moments_.front().stopped = state_.stopped();
   known_.emplace(Digest{}, MomentId());
 }
 
@@ -73,6 +74,20 @@ const MomentTree::Step& MomentTree::step(MomentId at, const Action& action) {
     state_.undo(log);  // a moment keeps the path by which it was reached first
   }
   return step;
+}
+
+void MomentTree::forget_all_but(MomentId moment) {
+  go(moment);
+  auto visible = std::move(moments_[moment.index()].visible);
+  auto shown = std::move(moments_[moment.index()].shown);
+  moments_.clear();
+  known_.clear();
+  here_ = MomentId();
+  Moment& first = moments_.emplace_back();
+  first.stopped = state_.stopped();
+  first.visible = std::move(visible);
+  first.shown = std::move(shown);
+  known_.emplace(Digest{}, here_);
 }
 
 const std::vector<VisibleObject>& MomentTree::visible(MomentId moment, double sight_m) {

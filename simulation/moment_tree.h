@@ -30,6 +30,8 @@ class MomentTree {
   const Step& step(MomentId at, const Action& action);
   /// The state at that moment; valid until another moment is asked for.
   const WorldState& at(MomentId moment);
+  /// Makes one moment the first and only one. All references and the ids of other moments are void.
+  void forget_all_but(MomentId moment);
   bool stopped(MomentId moment) const { return moments_[moment.index()].stopped; }
   const Profile& profile() const { return *state_.profile; }
   const std::vector<VisibleObject>& visible(MomentId moment, double sight_m);

@@ -199,10 +199,35 @@ Segmentation segmentation_of(const Scene& scene, const Profile& profile, Rays& r
   return image;
 }
 
+namespace {
+
+std::vector<std::size_t> hidden_in(const ViewedScene& viewed) {
+  std::vector<std::size_t> hidden;
+  for (std::size_t i = 0; i < viewed.scene.nodes.size(); ++i) {
+    if (viewed.hides(i)) hidden.push_back(i);
+  }
+  return hidden;
+}
+
+}  // namespace
+
 Picture picture_of(const Scene& scene, const Profile& profile, Rays& rays) {
-  const Camera camera = camera_of(scene.agent, profile);
-  rays.build(solids_of(scene, camera, kEverywhere_m, hidden_from_sight(scene), true));
-  return Painter(scene, camera, rays).paint();
+  return picture_of(viewed(scene), profile, rays);
+}
+
+Picture picture_of(const ViewedScene& viewed, const Profile& profile, Rays& rays) {
+  const Camera camera = camera_of(viewed.scene.agent, profile);
+  rays.build(solids_of(viewed.scene, camera, kEverywhere_m, hidden_in(viewed), true));
+  return Painter(viewed.scene, camera, rays).paint();
+}
+
+std::optional<std::size_t> node_at(const ViewedScene& viewed, const Profile& profile, int x, int y, Rays& rays) {
+  const Camera camera = camera_of(viewed.scene.agent, profile);
+  if (x < 0 || y < 0 || x >= camera.width || y >= camera.height) return std::nullopt;
+  rays.build(solids_of(viewed.scene, camera, kEverywhere_m, hidden_in(viewed)));
+  const auto hit = rays.first(camera.at, camera.ray(x + 0.5, y + 0.5), kEverywhere_m);
+  if (!hit || rays.solids()[hit->solid].owner < 0) return std::nullopt;
+  return static_cast<std::size_t>(rays.solids()[hit->solid].owner);
 }
 
 void draw_box(Picture& picture, const std::array<int, 4>& box, const std::array<std::uint8_t, 3>& colour) {

@@ -85,6 +85,17 @@ World World::at(MomentId moment) const {
   return other;
 }
 
+void World::forget() {
+  if (tree_.use_count() != 1) return;
+  tree_->forget_all_but(moment_);
+  moment_ = MomentId();
+  changes_ = nullptr;
+  shown_.reset();
+  pending_changes_.clear();
+}
+
+World World::apart() const { return World(std::make_shared<MomentTree>(tree_->at(moment_), tree_->viewer())); }
+
 const Profile& World::profile() const { return tree_->profile(); }
 bool World::stopped() const { return tree_->stopped(moment_); }
 
@@ -92,6 +103,16 @@ const std::vector<VisibleObject>& World::visible() const { return tree_->visible
 const std::vector<VisibleObject>& World::pictured() const { return tree_->visible(moment_, kEndless_m); }
 
 bool World::shows(std::string_view id) const { return tree_->shows(moment_, id); }
+
+Picture World::picture(const Profile& lens, Rays& rays) const {
+  return picture_of(tree_->at(moment_).viewed(), lens, rays);
+}
+
+const Node* World::pictured_at(int x, int y, Rays& rays) const {
+  const WorldState& state = tree_->at(moment_);
+  const auto node = node_at(state.viewed(), *state.profile, x, y, rays);
+  return node ? &state.node(*node) : nullptr;
+}
 
 std::optional<PixelBox> World::pictured_from(const Agent& eye, std::string_view id) const {
   const WorldState& state = tree_->at(moment_);

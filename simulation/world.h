@@ -15,7 +15,9 @@
 #include "scene/visible_object.h"
 #include "simulation/action_result.h"
 #include "simulation/moment_id.h"
+#include "simulation/picture.h"
 #include "simulation/profile.h"
+#include "simulation/rays.h"
 
 namespace unietp {
 
@@ -51,6 +53,11 @@ class World {
   MomentId moment() const { return moment_; }
   /// This world at another moment that it or a copy has been at.
   World at(MomentId moment) const;
+  /// Drops all earlier moments, as long as no copy shares them: the present one becomes the first, `changes()` empty,
+  /// and references that were given before are void. What is left takes the same memory however long the episode was.
+  void forget();
+  /// A copy of the present moment that shares nothing that is ever changed: it may go to another thread.
+  World apart() const;
 
   /// Objects in view: with a visible pixel and nearer than the profile's limit of sight. Sorted by id.
   const std::vector<VisibleObject>& visible() const;
@@ -58,6 +65,10 @@ class World {
   const std::vector<VisibleObject>& pictured() const;
   /// Whether `visible` contains the object, without computing the whole view.
   bool shows(std::string_view id) const;
+  /// What the agent sees, as picture_of gives it, with the image size and angle of `lens`. `rays` is scratch space.
+  Picture picture(const Profile& lens, Rays& rays) const;
+  /// The object that a pixel of the image shows; nullptr for none. Valid until the next action.
+  const Node* pictured_at(int x, int y, Rays& rays) const;
 
   // Parts of the scene without building the whole; references are valid until the next call on this world or a copy.
   const SharedList<Node>& nodes() const;

@@ -34,7 +34,7 @@ std::string difference_of(const Delta& recorded, const Delta& replayed) {
 }
 
 std::string limits_text(Mode mode) {
-  const StepLimits limits = limits_of(mode);
+  const StepLimits limits = rules_of(mode).limits;
   return "it ends with stop(), after " + std::to_string(limits.steps) + " steps or " + std::to_string(limits.failures) +
          " failures";
 }

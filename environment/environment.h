@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+#include "environment/answer.h"
+#include "environment/observation.h"
+#include "environment/settings.h"
+#include "environment/task.h"
+#include "scene/scene.h"
+#include "scene/trace.h"
+#include "simulation/outcome.h"
+#include "simulation/picture.h"
+
+namespace unietp {
+
+/// What one executed action came to, for programs: not part of what the agent is told.
+struct ExecutedAction {
+  Command command;      // as the mode took it; empty for an answer that could not be read
+  Outcome outcome;      // success, kind of failure, the sentence of the mode, whatever `feedback` is set to
+  Delta changes;        // of the scene
+  bool counted = true;  // as a step; an invalid action is not when those are free
+};
+
+/// What a step gives.
+struct StepResult {
+  Observation observation;
+  double reward = 0;                     // see Reward
+  bool terminated = false;               // by `stop` or the limit of failures
+  bool truncated = false;                // by the limit of steps or of answers
+  std::vector<ExecutedAction> executed;  // privileged
+};
+
+/// The privileged side: nothing of it is shown to an agent.
+struct PrivilegedState {
+  bool success = false;   // the goal would hold if the episode ended now; the verdict when it is over
+  bool hopeless = false;  // no continuation can reach the goal (sound, not complete)
+  double progress = 0;    // in [0, 1], the share of the goal's parts that are met; 1 exactly with success
+  std::string missing;    // a sentence with ids; "" with success
+  std::string goal;       // the formula's text
+  int steps = 0, failures = 0;
+  std::string ended_by;  // "", "stop", "steps", "failures" or "answers"
+};
+
+/// An episode of one task that an agent acts in. A value: `clone` is an independent copy that may go to another thread;
+/// one environment belongs to one thread at a time. After each step it forgets what it no longer needs, so that memory
+/// does not grow with the episode. Nothing that an agent says is an exception or an Error: what cannot be read or is
+/// not allowed is a failed step with a reason.
+/// Deterministic: equal tasks, settings and actions give equal results, bit for bit, on every machine.
+class Environment {
+ public:
+  /// Starts the first episode. Errors: those of check(settings); Schema when the start cannot be built.
+  static Result<Environment> make(SharedTask task, const Settings& settings);
+  Environment(Environment&&) noexcept;
+  Environment& operator=(Environment&&) noexcept;
+  ~Environment();
+
+  const EnvironmentTask& task() const;
+  const SharedTask& shared_task() const;
+  const Settings& settings() const;
+
+  /// Begins the task again from its start, in a new world.
+  const Observation& reset();
+  /// Begins another task. Errors: as `make`; the environment then stays as it was.
+  Result<Done> reset(SharedTask task);
+
+  /// What the agent may know now.
+  const Observation& observe() const;
+  /// Reads what an agent said and executes its actions, one after the other, until the episode is over; `on_fail` says
+  /// whether a list goes on after a failure. After the end nothing happens and the reward is 0.
+  StepResult step(std::string_view said);
+  /// The same for actions that are commands already; boxes in pixels.
+  StepResult step(const Command& command);
+  StepResult step(const std::vector<Command>& commands);
+  StepResult step(const Answer& answer);
+  /// Whether the episode has ended.
+  bool over() const;
+
+  /// What the head camera shows: rows from the top, three bytes a pixel, observe().image_width × image_height.
+  Picture picture() const;
+  /// The same in another size, at the same field of view from top to bottom. Errors: Usage for a size out of range.
+  Result<Picture> render(int width, int height) const;
+
+  /// The system prompt of this episode (agent_text.h).
+  std::string prompt(bool reasoning = false) const;
+  /// observe() in words (agent_text.h).
+  std::string text() const;
+
+  /// A copy of its own, on whatever thread.
+  Environment clone() const;
+  /// The present state, to come back to. Immutable: several environments, also on several threads, may restore it.
+  class Snapshot {
+   public:
+    bool operator==(const Snapshot& other) const = default;  // the same snapshot
+
+   private:
+    friend class Environment;
+    struct State;
+    std::shared_ptr<const State> state_;
+  };
+  Snapshot snapshot() const;
+  /// Goes to a snapshot of this or another environment; its task and settings come with it.
+  void restore(const Snapshot& snapshot);
+
+  // Privileged.
+  PrivilegedState privileged() const;
+  /// The scene graph with all relations.
+  const Scene& scene() const;
+  /// How many actions of M1 the expert would still take from here, `stop` included: the length of one plan of its,
+  /// which need not be the shortest. nullopt when it finds none, or after more successful actions than it can retrace
+  /// (1,000). Takes as long as planning does, 1 to some 100 ms.
+  std::optional<int> expert_steps_left() const;
+  /// What is in the picture, whatever the settings tell the agent. Sorted by id.
+  const std::vector<VisibleObject>& pictured() const;
+
+ private:
+  struct State;
+  explicit Environment(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace unietp
