@@ -70,6 +70,12 @@ inline constexpr std::uint64_t kSeed = 9'007'199'254'740'991;  // 2^53 - 1
 inline constexpr int kTasks = 1'000'000'000;                   // of a run
 inline constexpr int kAttempts = 1024;                         // for one task (dataset/candidate_number.h)
 
+// Servers. A session takes some 20 MB, and a message may hold an agent's longest answer with every sign escaped.
+inline constexpr std::size_t kMessageBytes = std::size_t{2} << 20;
+inline constexpr int kServedSessions = 256;     // that may be open at once
+inline constexpr int kServedConnections = 256;  // over HTTP and WebSocket, likewise
+inline constexpr int kIdle_s = 1'000'000;       // that a session may be allowed
+
 // Answers of language models, which may be anything.
 inline constexpr std::size_t kAnswerBytes = std::size_t{4} << 20;  // of one HTTP answer
 inline constexpr std::int64_t kAnswerTokens = 1'000'000'000;       // as a server counts them
