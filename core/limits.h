@@ -80,4 +80,12 @@ inline constexpr int kIdle_s = 1'000'000;       // that a session may be allowed
 inline constexpr std::size_t kAnswerBytes = std::size_t{4} << 20;  // of one HTTP answer
 inline constexpr std::int64_t kAnswerTokens = 1'000'000'000;       // as a server counts them
 
+// Environments. What an agent says may be anything, and many of them may be served by one process.
+inline constexpr std::size_t kAgentAnswerBytes = std::size_t{1} << 20;  // of one answer
+inline constexpr std::size_t kAgentActions = 100;                       // in one answer
+inline constexpr int kEpisodeSteps = 1'000'000'000;                     // that an episode may be allowed
+inline constexpr int kLeastImageSide = 16, kImageSide = 4096;           // pixels of a picture
+inline constexpr std::size_t kEnvironments = 4096;                      // in a batch
+inline constexpr int kProceduralHomes = 1000;                           // of a simulator, kept for new tasks
+
 }  // namespace unietp::limits

@@ -5,10 +5,8 @@
 
 #include "environment/observation.h"
 #include "environment/settings.h"
-#include "scene/command.h"
 #include "scene/scene.h"
 #include "scene/visible_object.h"
-#include "simulation/mode_rules.h"
 #include "simulation/profile.h"
 
 namespace unietp {
@@ -17,24 +15,27 @@ namespace unietp {
 // that an agent meets in one the texts that it learned from in another. All are deterministic.
 
 /// Before the episode: what the agent is, its actions with what they need, how to answer, the rules of naming, and what
-/// it may know of the home in advance. `reasoning`: it is asked for a rationale.
-std::string system_prompt(const Scene& start, const ModeRules& rules, const Profile& profile, bool reasoning);
+/// it may know of the home in advance. `reasoning`: it is asked for a rationale. `profile` gives the size of the image.
+std::string system_prompt(const Scene& start, const Settings& settings, const Profile& profile, bool reasoning);
 
 /// The actions alone: one line for each that the rules and the simulator offer, with what it needs.
 std::string action_space_text(const ModeRules& rules, const Profile& profile);
 
 /// "Task: Put a mug on the table."
 std::string task_text(const std::string& instruction);
-/// "In view: mug_1 [1,2,3,4]; table_1 [0,0,9,9]." or "Nothing is in view."
+/// "In view: mug_1 [10,20,30,40]; table_1 [0,0,9,9]." or "Nothing is in view."
 std::string view_text(const std::vector<VisibleObject>& visible);
-std::string view_text(const Observation& observation, BoxForm form);
-/// "The last action succeeded." or "The last action failed. You hold nothing."
+/// "The last action succeeded." or "The last action failed. Your hands are empty."
 std::string outcome_text(bool success, const std::string& feedback);
 /// "pick_up(mug_1): succeeded", for a history.
 std::string history_text(const std::string& action, bool success, const std::string& feedback);
 
-/// An observation as the user's turn of a chat: the task at the start, afterwards what became of the last actions; then
-/// what is in view. The picture is sent beside it.
-std::string observation_text(const Observation& observation, BoxForm form);
+/// An observation as the user's turn of a chat: the task at the start, afterwards what became of the last action, or of
+/// each action of a list as numbered lines of a history; then what is in view. As much as the settings tell; the
+/// picture is sent beside it. "" when there is nothing to tell.
+std::string observation_text(const Observation& observation, const Settings& settings);
+
+/// A box in the numbers of a form, four of them in its order; in `Unit` with three decimals.
+std::vector<double> box_in_form(const PixelBox& box, BoxForm form, int width, int height);
 
 }  // namespace unietp

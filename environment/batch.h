@@ -36,7 +36,7 @@ class EnvironmentBatch {
 
   /// Begins the next episode of each. Errors: those of `task_of`.
   Result<std::vector<Observation>> reset();
-  /// One answer for each environment, in their order. `pictures`: makes those of the settings too, in the same threads.
+  /// One answer for each environment, in their order.
   /// Errors: Usage when there are not as many answers as environments; those of `task_of` where an episode begins.
   Result<std::vector<StepResult>> step(std::span<const std::string> said);
   Result<std::vector<StepResult>> step(std::span<const Answer> answers);

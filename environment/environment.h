@@ -19,6 +19,10 @@
 
 namespace unietp {
 
+struct EpisodeState;
+
+struct EpisodeState;
+
 /// What one executed action came to, for programs: not part of what the agent is told.
 struct ExecutedAction {
   Command command;      // as the mode took it; empty for an answer that could not be read
@@ -60,8 +64,7 @@ class Environment {
   Environment& operator=(Environment&&) noexcept;
   ~Environment();
 
-  const EnvironmentTask& task() const;
-  const SharedTask& shared_task() const;
+  const SharedTask& task() const;  // never null
   const Settings& settings() const;
 
   /// Begins the task again from its start, in a new world.
@@ -100,8 +103,7 @@ class Environment {
 
    private:
     friend class Environment;
-    struct State;
-    std::shared_ptr<const State> state_;
+    std::shared_ptr<const EpisodeState> state_;
   };
   Snapshot snapshot() const;
   /// Goes to a snapshot of this or another environment; its task and settings come with it.
@@ -113,15 +115,14 @@ class Environment {
   const Scene& scene() const;
   /// How many actions of M1 the expert would still take from here, `stop` included: the length of one plan of its,
   /// which need not be the shortest. nullopt when it finds none, or after more successful actions than it can retrace
-  /// (1,000). Takes as long as planning does, 1 to some 100 ms.
+  /// (1,000). Takes as long as planning does: milliseconds to seconds.
   std::optional<int> expert_steps_left() const;
   /// What is in the picture, whatever the settings tell the agent. Sorted by id.
   const std::vector<VisibleObject>& pictured() const;
 
  private:
-  struct State;
-  explicit Environment(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit Environment(std::unique_ptr<EpisodeState> state);
+  std::unique_ptr<EpisodeState> state_;
 };
 
 }  // namespace unietp

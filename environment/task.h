@@ -28,33 +28,32 @@ struct SimulatorData {
 /// In the order of kSimulators.
 using AllSimulatorData = std::array<SimulatorData, kSimulators.size()>;
 
+/// What a task says, without its start.
+struct TaskText {
+  std::string id, instruction;
+  std::string split, template_name, layout;  // as the data set's line has them
+  std::string goal_text;
+  std::vector<TaskRecord::Count> expert;  // steps and failures of its demonstrations, by mode
+};
+
 /// A task that is ready to be acted in: what it says, its start, and what was worked out of the start once for all
 /// episodes. Immutable; environments on several threads may share it.
 struct EnvironmentTask {
-  std::string id, instruction;
-  std::string split, template_name, layout;  // as the data set's line says
+  TaskText text;
   Simulator simulator = Simulator::Ai2thor;
-  std::string goal_text;
   Formula goal;
-  std::vector<TaskRecord::Count> expert;  // steps and failures of its demonstrations, by mode
   SimulatorData data;
   Scene start;
 
   // Of the start, for each reset.
   KnownStart known;
-  Compared compared;            // what the goal compares at the start
-  bool compares_later = false;  // it does so in later states too
+  Compared compared;            // what the goal compares
+  bool compares_later = false;  // also in states after the start
   FactReader reader;
   Facts facts;
   Monitor monitor;  // has observed the start
 };
 using SharedTask = std::shared_ptr<const EnvironmentTask>;
-
-/// What a task says, without its start.
-struct TaskText {
-  std::string id, instruction, split, template_name, layout, goal_text;
-  std::vector<TaskRecord::Count> expert;
-};
 
 /// Prepares a task. Errors: Schema when the start cannot be built (World::create); Parse when the goal cannot be read.
 Result<SharedTask> prepare_task(TaskText text, Scene start, const SimulatorData& data);

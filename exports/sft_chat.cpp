@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "environment/agent_text.h"
 #include "exports/sft_reasoning.h"
 
 namespace unietp {
@@ -11,22 +12,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string seen_words(const StepRecord& step) {
-  if (step.visible.empty()) return "Nothing is in view.";
-  std::string text = "In view:";
-  for (const VisibleObject& object : step.visible) {
-    text += text.back() == ':' ? " " : "; ";
-    text += object.id + " " + Json(object.box).dump();
-  }
-  return text + ".";
-}
-
-std::string became_words(const StepRecord& step) { return step.success ? "succeeded" : "failed. " + step.feedback; }
-
 }  // namespace
 
 SftChat chat_of(const FinishedTask& task, Mode mode, const ValidationBackend& backend, bool boxes, bool reasoning) {
-  SftChat chat{system_prompt(task.start, mode, *backend.profile, reasoning), "Task: " + task.record.instruction, {}};
+  SftChat chat{system_prompt(task.start, settings_for(mode), *backend.profile, reasoning),
+               task_text(task.record.instruction),
+               {}};
   std::optional<SftReasoning> thoughts;
   if (reasoning) thoughts.emplace(task, mode, *backend.knowledge);
   Scene scene = task.start;
@@ -34,9 +25,9 @@ SftChat chat_of(const FinishedTask& task, Mode mode, const ValidationBackend& ba
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const StepRecord& step = steps[i];
     SftTurn turn;
-    if (i > 0) turn.outcome = "The last action " + became_words(steps[i - 1]) + (steps[i - 1].success ? "." : "");
-    turn.happened = to_text(step.command) + ": " + became_words(step);
-    if (boxes) turn.seen = seen_words(step);
+    if (i > 0) turn.outcome = outcome_text(steps[i - 1].success, steps[i - 1].feedback);
+    turn.happened = history_text(to_text(step.command), step.success, step.feedback);
+    if (boxes) turn.seen = view_text(step.visible);
     Json answer = Json::object();
     if (thoughts) answer["reasoning"] = thoughts->before_step(i, scene);
     answer.update(command_to_json(step.command));

@@ -27,8 +27,4 @@ struct SftChat {
 /// The task must have a demonstration of `mode`. `boxes`: describe what is in view in words. Deterministic.
 SftChat chat_of(const FinishedTask& task, Mode mode, const ValidationBackend& backend, bool boxes, bool reasoning);
 
-/// What an agent is told before it begins: its actions with their preconditions, the answer format, and what it may
-/// know of the home in advance.
-std::string system_prompt(const Scene& start, Mode mode, const Profile& profile, bool reasoning);
-
 }  // namespace unietp

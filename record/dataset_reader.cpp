@@ -36,6 +36,14 @@ Result<Record> parse(const std::string& where, const FileLine& line,
 
 }  // namespace
 
+Result<Done> check_combinations(const std::string& where, const Formula& goal, const Scene& start) {
+  const auto members = [&](const Domain& domain) { return members_at_most(domain, start); };
+  const double all = combinations_of(goal, members);
+  if (all <= limits::kCombinations) return Done{};
+  return at_line(where, "its goal ranges over " + number_text(all) + " combinations of objects; accepted are at most " +
+                            number_text(limits::kCombinations));
+}
+
 Result<DatasetReader> DatasetReader::open(const std::filesystem::path& folder, const DatasetParts& parts,
                                           FileNames names) {
   auto lines = DatasetLines::open(folder, parts, names);
@@ -77,10 +85,7 @@ Result<Scene> DatasetReader::start(const TaskLines& lines, const TaskRecord& tas
   const auto where = lines_.task_at(lines.task.number);
   auto start = homes_->start(where, task.layout, task.changes, task.scene);
   if (!start) return start;
-  const auto members = [&](const Domain& domain) { return members_at_most(domain, *start); };
-  if (const double all = combinations_of(task.goal_tree, members); all > limits::kCombinations)
-    return at_line(where, "its goal ranges over " + number_text(all) +
-                              " combinations of objects; accepted are at most " + number_text(limits::kCombinations));
+  if (auto fine = check_combinations(where, task.goal_tree, *start); !fine) return fine.error();
   return start;
 }
 

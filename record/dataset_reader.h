@@ -26,6 +26,10 @@ struct FinishedTask {
   Scene start;
 };
 
+/// Refuses a goal whose quantifiers range over more objects of a start than can be evaluated. Errors: Schema, at
+/// `where`, for more than limits::kCombinations.
+Result<Done> check_combinations(const std::string& where, const Formula& goal, const Scene& start);
+
 /// Reads a finished data set strictly, task by task. Memory use does not depend on the number of tasks.
 class DatasetReader {
  public:

@@ -130,9 +130,10 @@ Outcome ModeEpisode::step(const Command& command) {
   if (over()) return outcome_of(failed(FailureCause::EpisodeEnded), false);
   if (asks_what_was_seen(rules_) && (moments_seen_.empty() || moments_seen_.back() != world_.moment()))
     moments_seen_.push_back(world_.moment());
-  const auto action = action_of(command);
-  const auto* refusal = std::get_if<FailureDetail>(&action);
-  return count(refusal != nullptr ? failed(*refusal) : world_.step(std::get<Action>(action)));
+  auto action = action_of(command);
+  if (const auto* refusal = std::get_if<FailureDetail>(&action)) return count(failed(*refusal));
+  last_action_ = std::move(std::get<Action>(action));
+  return count(world_.step(last_action_));
 }
 
 Outcome ModeEpisode::refuse(std::string_view expected) {
@@ -165,6 +166,7 @@ ModeEpisode::ModeEpisode(World world, const ModeEpisode& other)
     : world_(std::move(world)),
       rules_(other.rules_),
       seen_(other.seen_),
+      last_action_(other.last_action_),
       steps_(other.steps_),
       failures_(other.failures_) {}
 

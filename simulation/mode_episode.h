@@ -44,6 +44,9 @@ class ModeEpisode {
   /// Objects in the picture before the next step, sorted by id: where the agent is told boxes those within the limit of
   /// sight, otherwise all.
   const std::vector<VisibleObject>& visible() const;
+  /// The action that the last command stood for, with objects by ids; of a command that the rules refused without
+  /// effect.
+  const Action& last_action() const { return last_action_; }
   /// The command for an action under the rules; nullopt when there is no way to name its object now. The action may
   /// still fail in the world.
   std::optional<Command> command_for(const Action& action) const;
@@ -70,6 +73,7 @@ class ModeEpisode {
   // view in those that were forgotten.
   std::vector<MomentId> moments_seen_;
   std::set<std::string, std::less<>> seen_;
+  Action last_action_;
   int steps_ = 0, failures_ = 0;
 };
 

@@ -1,0 +1,128 @@
+#include "environment/environment.h"
+
+#include <utility>
+
+#include "core/limits.h"
+#include "environment/agent_text.h"
+#include "environment/episode_state.h"
+#include "environment/told.h"
+#include "expert/execution.h"
+
+namespace unietp {
+
+Environment::Environment(std::unique_ptr<EpisodeState> state) : state_(std::move(state)) {}
+Environment::Environment(Environment&&) noexcept = default;
+Environment& Environment::operator=(Environment&&) noexcept = default;
+Environment::~Environment() = default;
+
+Result<Environment> Environment::make(SharedTask task, const Settings& settings) {
+  if (auto fine = check(settings); !fine) return fine.error();
+  auto state = EpisodeState::begin(std::move(task), settings);
+  if (!state) return state.error();
+  return Environment(std::move(*state));
+}
+
+const SharedTask& Environment::task() const { return state_->task; }
+const Settings& Environment::settings() const { return state_->settings; }
+const Observation& Environment::observe() const { return state_->observation; }
+bool Environment::over() const { return state_->observation.over; }
+
+const Observation& Environment::reset() {
+  state_ = std::move(*EpisodeState::begin(state_->task, state_->settings));  // its start was built before
+  return state_->observation;
+}
+
+Result<Done> Environment::reset(SharedTask task) {
+  auto state = EpisodeState::begin(std::move(task), state_->settings);
+  if (!state) return state.error();
+  state_ = std::move(*state);
+  return Done{};
+}
+
+StepResult Environment::step(std::string_view said) {
+  const auto answer = parse_answer(said, state_->frame());
+  if (answer) return step(*answer);
+  StepUnderWay step(*state_);
+  if (!over()) step.refuse(answer.error().message);
+  return std::move(step).finish();
+}
+
+StepResult Environment::step(const Answer& answer) {
+  StepUnderWay step(*state_);
+  for (const SaidAction& said : answer.actions) {
+    if (!step.goes_on()) break;
+    step.act(said);
+  }
+  return std::move(step).finish();
+}
+
+StepResult Environment::step(const std::vector<Command>& commands) {
+  Answer answer;
+  for (const Command& command : commands) answer.actions.push_back({command, std::nullopt});
+  return step(answer);
+}
+
+StepResult Environment::step(const Command& command) { return step(std::vector<Command>{command}); }
+
+Picture Environment::picture() const { return state_->episode.world().picture(*state_->profile, state_->rays); }
+
+Result<Picture> Environment::render(int width, int height) const {
+  for (const int side : {width, height}) {
+    if (side < limits::kLeastImageSide || side > limits::kImageSide)
+      return Error{Error::Kind::Usage,
+                   "size",
+                   {},
+                   "expected " + std::to_string(limits::kLeastImageSide) + " to " + std::to_string(limits::kImageSide) +
+                       " pixels a side"};
+  }
+  Profile lens = *state_->profile;
+  lens.image_width = width;
+  lens.image_height = height;
+  return state_->episode.world().picture(lens, state_->rays);
+}
+
+std::string Environment::prompt(bool reasoning) const {
+  return system_prompt(state_->task->start, state_->settings, *state_->profile, reasoning);
+}
+std::string Environment::text() const { return observation_text(state_->observation, state_->settings); }
+
+Environment Environment::clone() const { return Environment(state_->apart()); }
+
+Environment::Snapshot Environment::snapshot() const {
+  Snapshot snapshot;
+  snapshot.state_ = state_->apart();
+  return snapshot;
+}
+
+void Environment::restore(const Snapshot& snapshot) { state_ = snapshot.state_->apart(); }
+
+PrivilegedState Environment::privileged() const {
+  const EpisodeState& state = *state_;
+  PrivilegedState told;
+  told.success = state.monitor.satisfied();
+  told.hopeless = state.monitor.hopeless();
+  told.progress = state.monitor.progress();
+  told.missing = state.monitor.missing();
+  told.goal = state.task->text.goal_text;
+  told.steps = state.episode.steps();
+  told.failures = state.episode.failures();
+  told.ended_by = name_of(state.end());
+  return told;
+}
+
+const Scene& Environment::scene() const { return state_->episode.world().scene(); }
+const std::vector<VisibleObject>& Environment::pictured() const { return state_->episode.world().pictured(); }
+
+std::optional<int> Environment::expert_steps_left() const {
+  const EnvironmentTask& task = *state_->task;
+  if (!state_->done || over()) return std::nullopt;
+  auto rehearsal = Rehearsal::of(task.goal, task.start, *task.data.knowledge, *task.data.profile, task.known);
+  if (!rehearsal) return std::nullopt;
+  ExpertOptions options;
+  options.max_steps += static_cast<int>(state_->done->size());
+  const auto plan = find_plan_from(*rehearsal, {*state_->done, {}, false}, options);
+  const auto* actions = std::get_if<std::vector<Action>>(&plan);
+  return actions == nullptr ? std::nullopt : std::optional(static_cast<int>(actions->size()));
+}
+
+}  // namespace unietp

@@ -1,0 +1,157 @@
+#include "environment/episode_state.h"
+
+#include <array>
+#include <utility>
+
+#include "environment/told.h"
+
+namespace unietp {
+namespace {
+
+constexpr std::size_t kActionsKept = 1000;  // that an expert would retrace
+
+std::shared_ptr<const Profile> profile_of(const EnvironmentTask& task, const Settings& settings) {
+  if (settings.image_width == 0 && settings.image_height == 0) return task.data.profile;
+  auto profile = std::make_shared<Profile>(*task.data.profile);
+  if (settings.image_width != 0) profile->image_width = settings.image_width;
+  if (settings.image_height != 0) profile->image_height = settings.image_height;
+  return profile;
+}
+
+}  // namespace
+
+std::string_view name_of(EpisodeEnd end) {
+  static constexpr std::array<std::string_view, 5> kNames{"", "stop", "failures", "steps", "answers"};
+  return kNames[static_cast<std::size_t>(end)];
+}
+
+Result<std::unique_ptr<EpisodeState>> EpisodeState::begin(SharedTask task, const Settings& settings) {
+  auto profile = profile_of(*task, settings);
+  auto world = World::create(task->start, *task->data.knowledge, *profile, task->known);
+  if (!world) return world.error();
+  Observation first;
+  first.instruction = task->text.instruction;
+  first.home = home_information(*world, settings);
+  auto state = std::make_unique<EpisodeState>(
+      EpisodeState{task, settings, std::move(profile), ModeEpisode(std::move(*world), settings.rules), task->reader,
+                   task->facts, task->monitor, std::vector<Action>(), 0, std::move(first), Rays()});
+  state->episode.forget();  // the scene that the lists were made from
+  state->observe({});
+  return state;
+}
+
+std::unique_ptr<EpisodeState> EpisodeState::apart() const {
+  return std::make_unique<EpisodeState>(EpisodeState{task, settings, profile, episode.apart(), reader, facts, monitor,
+                                                     done, answered, observation, Rays()});
+}
+
+EpisodeEnd EpisodeState::end() const {
+  const StepLimits& limits = settings.rules.limits;
+  if (episode.world().stopped()) return EpisodeEnd::Stop;
+  if (episode.failures() >= limits.failures) return EpisodeEnd::Failures;
+  if (episode.steps() >= limits.steps) return EpisodeEnd::Steps;
+  // Invalid actions that are free must not go on for ever: the released runner ends after twice the steps.
+  if (settings.rules.invalid_is_free && answered / 2 >= limits.steps) return EpisodeEnd::Answers;
+  return EpisodeEnd::None;
+}
+
+void EpisodeState::read(const Delta& changes) {
+  if (task->compares_later) {
+    const Scene& scene = episode.world().scene();
+    facts = with_comparisons(reader.read(scene), scene, reader, task->compared);
+  } else {
+    facts = reader.read(std::move(facts), changes);
+  }
+  monitor.observe(reader.entities(), facts);
+}
+
+void EpisodeState::observe(std::vector<ActionReport> results) {
+  const StepLimits& limits = settings.rules.limits;
+  Observation& o = observation;
+  if (settings.rules.boxes) o.boxes = seen_objects(episode);
+  if (!results.empty()) o.last = results.back();
+  o.results = std::move(results);
+  o.step = episode.steps();
+  o.steps_left = limits.steps - episode.steps();
+  if (settings.feedback != Feedback::None) {
+    o.held = held_things(episode.world(), settings.rules);
+    o.failures_left = limits.failures - episode.failures();
+  }
+  o.has_picture = settings.rules.picture;
+  o.image_width = profile->image_width;
+  o.image_height = profile->image_height;
+  o.over = end() != EpisodeEnd::None;
+}
+
+StepUnderWay::StepUnderWay(EpisodeState& state) : state_(state), was_over_(state.observation.over) {
+  if (state.settings.reward == Reward::Progress) progress_before_ = state.monitor.progress();
+}
+
+bool StepUnderWay::goes_on() const {
+  return state_.end() == EpisodeEnd::None && !(failed_ && state_.settings.on_fail == OnFail::Stop);
+}
+
+/// With the object that the picture shows at a point named as the rules want it.
+Command StepUnderWay::command_of(const SaidAction& said) {
+  Command command = said.command;
+  if (!said.point) return command;
+  const World& world = state_.episode.world();
+  Argument argument{"", PixelBox{1, 1, 0, 0}};  // which holds no pixel
+  if (const Node* node = world.pictured_at(said.point->x, said.point->y, state_.rays)) {
+    for (const VisibleObject& object : world.pictured()) {
+      if (object.id == node->id) argument.box = object.box;
+    }
+  }
+  command.args.push_back(std::move(argument));
+  return command;
+}
+
+void StepUnderWay::act(const SaidAction& said) {
+  Command command = command_of(said);
+  ModeEpisode& episode = state_.episode;
+  const int steps_before = episode.steps();
+  const MomentId before = episode.world().moment();
+  Outcome outcome = episode.step(command);
+  Delta changes;
+  if (episode.world().moment() != before) {
+    changes = episode.world().changes();
+    state_.read(changes);
+  }
+  if (outcome.success && state_.done) {
+    // As the world took it: where it was named by a box, that box says nothing of later pictures.
+    state_.done->push_back(episode.last_action());
+    if (state_.done->size() > kActionsKept) state_.done.reset();
+  }
+  note(std::move(command), std::move(outcome), std::move(changes), steps_before);
+}
+
+void StepUnderWay::refuse(std::string_view expected) {
+  const int steps_before = state_.episode.steps();
+  note({}, state_.episode.refuse(expected), {}, steps_before);
+}
+
+void StepUnderWay::note(Command command, Outcome outcome, Delta changes, int steps_before) {
+  ++state_.answered;
+  failed_ = !outcome.success;
+  reports_.push_back(report_of(command, outcome, state_.episode.world(), state_.settings, state_.frame()));
+  result_.executed.push_back(
+      {std::move(command), std::move(outcome), std::move(changes), state_.episode.steps() > steps_before});
+  state_.episode.forget();
+}
+
+StepResult StepUnderWay::finish() && {
+  if (!reports_.empty()) state_.observe(std::move(reports_));
+  result_.observation = state_.observation;
+  const EpisodeEnd end = state_.end();
+  result_.terminated = end == EpisodeEnd::Stop || end == EpisodeEnd::Failures;
+  result_.truncated = end == EpisodeEnd::Steps || end == EpisodeEnd::Answers;
+  if (was_over_) return std::move(result_);
+  if (state_.settings.reward == Reward::Progress) {
+    result_.reward = state_.monitor.progress() - progress_before_;
+  } else if (end != EpisodeEnd::None) {
+    result_.reward = state_.monitor.satisfied() ? 1 : 0;
+  }
+  return std::move(result_);
+}
+
+}  // namespace unietp

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "environment/environment.h"
+#include "simulation/mode_episode.h"
+#include "simulation/rays.h"
+
+namespace unietp {
+
+/// Why an episode ended.
+enum class EpisodeEnd : std::uint8_t { None, Stop, Failures, Steps, Answers };
+std::string_view name_of(EpisodeEnd end);  // "", "stop", "failures", "steps", "answers"
+
+/// All that an environment has of one episode.
+struct EpisodeState {
+  /// At the start. Errors: as World::create.
+  static Result<std::unique_ptr<EpisodeState>> begin(SharedTask task, const Settings& settings);
+  /// A copy that shares nothing that changes.
+  std::unique_ptr<EpisodeState> apart() const;
+
+  AnswerFrame frame() const { return {settings.box_form, profile->image_width, profile->image_height}; }
+  EpisodeEnd end() const;
+  /// Reads the goal after a step that changed something.
+  void read(const Delta& changes);
+  /// Makes the observation of the present state; `results`: what was executed since the one before.
+  void observe(std::vector<ActionReport> results);
+
+  SharedTask task;
+  Settings settings;
+  std::shared_ptr<const Profile> profile;  // with the image size of the settings
+  ModeEpisode episode;
+  FactReader reader;
+  Facts facts;
+  Monitor monitor;
+  std::optional<std::vector<Action>> done;  // that succeeded; nullopt: more than are kept
+  int answered = 0;                         // actions taken, invalid ones included
+  Observation observation;
+  mutable Rays rays;  // scratch space
+};
+
+/// The actions of one answer, one after the other.
+class StepUnderWay {
+ public:
+  explicit StepUnderWay(EpisodeState& state);
+
+  /// Whether another action of the answer is to be executed.
+  bool goes_on() const;
+  void act(const SaidAction& said);
+  /// An answer that is no action.
+  void refuse(std::string_view expected);
+  StepResult finish() &&;
+
+ private:
+  Command command_of(const SaidAction& said);
+  void note(Command command, Outcome outcome, Delta changes, int steps_before);
+
+  EpisodeState& state_;
+  StepResult result_;
+  std::vector<ActionReport> reports_;
+  double progress_before_ = 0;
+  bool was_over_ = false, failed_ = false;
+};
+
+}  // namespace unietp
