@@ -45,12 +45,19 @@ void add_models(Metadata& metadata, const Json& inventory) {
   }
 }
 
-/// The tree's first way up from each synset.
-void add_hypernyms(Metadata& metadata, const Json& node, const std::string& above) {
-  const auto& name = node.at("name").get_ref<const std::string&>();
-  if (!above.empty()) metadata.hypernym.try_emplace(name, above);
-  if (!node.contains("children")) return;
-  for (const auto& child : node.at("children")) add_hypernyms(metadata, child, name);
+/// The tree's first way up from each synset. Not recursive: a file decides how deep the tree is.
+void add_hypernyms(Metadata& metadata, const Json& root) {
+  std::vector<std::pair<const Json*, std::string>> open{
+      {&root, ""}};  // nodes and what is above them, the next one last
+  while (!open.empty()) {
+    const auto [node, above] = std::move(open.back());
+    open.pop_back();
+    const auto& name = node->at("name").get_ref<const std::string&>();
+    if (!above.empty()) metadata.hypernym.try_emplace(name, above);
+    if (!node->contains("children")) continue;
+    const Json& children = node->at("children");
+    for (std::size_t i = children.size(); i-- > 0;) open.emplace_back(&children.at(i), name);
+  }
 }
 
 /// Our own lists about BEHAVIOR's scenes.
@@ -126,7 +133,7 @@ Result<Metadata> read_behavior(const std::filesystem::path& folder, const std::f
   }
   // The mapping is of an older release than the inventory.
   for (const auto& [name, synset] : *inventory_only) metadata.categories[name].synset = synset;
-  add_hypernyms(metadata, *hierarchy, "");
+  add_hypernyms(metadata, *hierarchy);
   for (auto& [name, facts] : metadata.categories) add_properties(facts, annotations);
   add_models(metadata, *inventory);
   add_rooms(metadata, *scenes, {*rooms, *no_homes});

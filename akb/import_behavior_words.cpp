@@ -84,7 +84,8 @@ Words::Words(const std::filesystem::path& curated, const Metadata& metadata, std
 
 std::vector<std::string> Words::chain(const std::string& name) const {
   std::vector<std::string> chain{metadata_.categories.at(name).synset};
-  for (auto at = metadata_.hypernym.find(chain.back()); at != metadata_.hypernym.end();
+  for (auto at = metadata_.hypernym.find(chain.back());
+       at != metadata_.hypernym.end() && chain.size() <= metadata_.hypernym.size();  // more: a file's tree has a circle
        at = metadata_.hypernym.find(chain.back())) {
     chain.push_back(at->second);
   }

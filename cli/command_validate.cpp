@@ -8,16 +8,11 @@
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
+#include "cli/full_validation.h"
 #include "cli/likeness_output.h"
 #include "core/in_quotes.h"
-#include "dataset/configuration_json.h"
 #include "record/manifest_record.h"
 #include "resources/resources.h"
-#include "rewording/check_template.h"
-#include "rewording/check_text.h"
-#include "rewording/expected_files.h"
-#include "run/known_homes.h"
-#include "run/make_home.h"
 #include "validator/validate.h"
 
 namespace unietp {
@@ -27,7 +22,8 @@ using Json = nlohmann::ordered_json;
 
 struct ValidateOptions {
   std::filesystem::path folder;
-  ValidationOptions validation;
+  std::vector<std::filesystem::path> against;
+  int threads = 1;
   bool json = false, kinds = false;
 };
 
@@ -118,7 +114,7 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
     print_kinds();
     return Exit::Ok;
   }
-  auto folders_given = options.validation.against;
+  auto folders_given = options.against;
   folders_given.push_back(options.folder);
   for (const auto& folder : folders_given) {
     if (std::error_code code; !std::filesystem::is_directory(folder, code))
@@ -135,24 +131,11 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
   const Resources& resources = reading.resources;
   std::vector<ValidationBackend> backends;
   for (const auto& backend : resources.backends) backends.push_back({&backend.knowledge, &backend.profile});
-  options.validation.check_text = [&resources](const StatedGoal& stated) {
-    return check_text(stated, resources.backend(stated.simulator));
-  };
-  options.validation.check_template = [&resources](const TaskRecord& task, const Formula& goal,
-                                                   const ManifestRecord& manifest) {
-    return check_template(task, goal, manifest, resources);
-  };
-  options.validation.make_home = [&resources](const ManifestRecord& manifest, const std::string& name) {
-    const auto configuration = configuration_from_json(kManifest, manifest.run.text);
-    return configuration ? make_home(*configuration, resources, name) : Result<Scene>(configuration.error());
-  };
-  auto known_homes = read_known_homes(folders.runs());
-  if (!known_homes) return refuse(known_homes.error());
-  options.validation.known_homes = std::move(*known_homes);
-  options.validation.derive_files = [&](const ManifestRecord& manifest) {
-    return expected_files(manifest, resources, folders.licences());
-  };
-  const auto report = validate_dataset(options.folder, backends, resources.digest, options.validation);
+  auto validation = full_validation(resources, folders.licences(), folders.runs());
+  if (!validation) return refuse(validation.error());
+  validation->threads = options.threads;
+  validation->against = options.against;
+  const auto report = validate_dataset(options.folder, backends, resources.digest, *validation);
   options.json ? print_json(report) : print_text(report);
   return report.sound() ? Exit::Ok : Exit::Wrong;
 }
@@ -176,13 +159,13 @@ void add_validate_command(CommandParser& app, CommandLine& program) {
   auto* folder = command->add_option("FOLDER", options->folder, "A finished data set")->folder();
   command
       ->add_option(
-          "--against", options->validation.against,
+          "--against", options->against,
           "Another data set: no home, seed or instruction may be in both, nor a copy of a home or task with small "
           "changes; shows how alike the two are; may be repeated")
       ->folder()
       ->one_each();
   command->add_flag("--kinds", options->kinds, "List the kinds of problems, as Markdown")->excludes(folder);
-  add_threads_option(*command, options->validation.threads, program);
+  add_threads_option(*command, options->threads, program);
   command->add_flag("--json", options->json, "Print the report as JSON");
   command->callback([options, &program] { program.exit = validate(*options, program); });
 }

@@ -11,6 +11,8 @@ using Rule = FieldRule;
 constexpr std::array<std::string_view, 6> kRuleNames{"fixed", "recomputed", "compared", "physical", "setting", "free"};
 
 constexpr std::string_view kReplayed = "equals what the replay gives";
+constexpr std::string_view kStart = "made again from goal, start constraints, home and seed; physics accepts it";
+constexpr std::string_view kDelta = "in a step: equals what the replay gives; in a start: made again";
 constexpr std::string_view kCounted = "counted again";
 constexpr std::string_view kLedger = "equals the row of the table rejection";
 constexpr std::string_view kSettled = "physics rebuilds the scene: same relations, everything at rest";
@@ -33,8 +35,8 @@ constexpr std::array kFieldRules{
               "from template and bindings, but for a refinement; equals the tree"},
     FieldInfo{"task", "goal.tree.*", Rule::Recomputed, "from the text"},
     FieldInfo{"task", "start.constraints", Rule::Recomputed, "from template and bindings, but for a refinement; hold"},
-    FieldInfo{"task", "start.edits", Rule::Compared, "name what the changes of the start change"},
-    FieldInfo{"task", "start.changes", Rule::Physical, "the shortest changes from the home to a start; see delta"},
+    FieldInfo{"task", "start.edits", Rule::Recomputed, kStart},
+    FieldInfo{"task", "start.changes", Rule::Recomputed, kStart},
     FieldInfo{"task", "instruction.text", Rule::Recomputed, kReadBack},
     FieldInfo{"task", "instruction.writer", Rule::Compared, "its checks; counts and database"},
     FieldInfo{"task", "instruction.style", Rule::Compared,
@@ -51,12 +53,11 @@ constexpr std::array kFieldRules{
     FieldInfo{"task", "seed.run", Rule::Recomputed, "the seed of the configuration"},
     FieldInfo{"task", "seed.slot", Rule::Recomputed, "the number in the id"},
     FieldInfo{"task", "seed.attempt", Rule::Recomputed, "the number of rejections of the slot"},
-    FieldInfo{"delta", "nodes[]", Rule::Physical, "in a step: equals the replay; in a start: see scene, nodes"},
-    FieldInfo{"delta", "removed", Rule::Compared, "in a step: equals the replay; in a start: named by an edit"},
-    FieldInfo{"delta", "edges_added[]", Rule::Recomputed, "in a step: equals the replay; in a start: by physics"},
-    FieldInfo{"delta", "edges_removed[]", Rule::Recomputed, "in a step: equals the replay; in a start: by physics"},
-    FieldInfo{"delta", "agent", Rule::Physical,
-              "in a step: equals the replay; in a start: what the camera sees from it"},
+    FieldInfo{"delta", "nodes[]", Rule::Recomputed, kDelta},
+    FieldInfo{"delta", "removed", Rule::Recomputed, kDelta},
+    FieldInfo{"delta", "edges_added[]", Rule::Recomputed, kDelta},
+    FieldInfo{"delta", "edges_removed[]", Rule::Recomputed, kDelta},
+    FieldInfo{"delta", "agent", Rule::Recomputed, kDelta},
     FieldInfo{"scene", "format", Rule::Fixed, kFormat},
     FieldInfo{"scene", "id", Rule::Recomputed, "the name of the file"},
     FieldInfo{"scene", "simulator", Rule::Compared, "that of its tasks"},

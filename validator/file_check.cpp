@@ -40,12 +40,12 @@ FileCheck::FileCheck(fs::path folder, const ManifestRecord& manifest)
 }
 
 std::vector<Problem> FileCheck::of(const std::string& path) const {
-  const auto digest = digest_of_file(folder_, path);
+  const auto& recorded = manifest_.files.at(path);
+  const auto digest = digest_of_file(folder_, path, recorded.bytes);
   if (!digest) {
     Problem problem{ProblemKind::Unreadable, "", digest.error()};
     return {std::move(problem)};
   }
-  const auto& recorded = manifest_.files.at(path);
   if (digest->bytes != recorded.bytes)
     return {problem_in(
         ProblemKind::ChangedFile, path,

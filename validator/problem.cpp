@@ -48,7 +48,7 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::Relations, "relations", "the relations of the scene differ from those in physics"},
     ProblemInfo{Kind::Unrest, "unrest", "an object is not at rest at the start"},
     ProblemInfo{Kind::StartConstraint, "start-constraint", "a recorded start constraint does not hold"},
-    ProblemInfo{Kind::Edits, "edits", "the edits of a start do not name what was changed"},
+    ProblemInfo{Kind::Edits, "edits", "a start, or the edits that name what was changed, is not what the run made"},
     ProblemInfo{Kind::GoalText, "goal-text", "the goal's text is not a valid goal"},
     ProblemInfo{Kind::GoalTree, "goal-tree", "the goal's tree and text are different formulas"},
     ProblemInfo{Kind::BoundCategory, "binding",

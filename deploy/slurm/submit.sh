@@ -18,7 +18,7 @@ Usage: submit.sh --shards N --out DIR [OPTIONS] -- benchmark|training|generate [
   --partition NAME   Slurm partition (default: the cluster's)
   --program FILE     The program (default: unietp on the PATH)
   --sbatch OPTION    Anything else for sbatch, such as --sbatch=--account=me; can be repeated
-  --wait             Wait for the merge and return its exit code
+  --wait             Wait for the merge and return its exit code; 2 when a shard failed, so that nothing was merged
   --help
 
 A shard that is requeued goes on where it stopped. Giving the same command again redoes what is missing: shards that are
@@ -79,6 +79,16 @@ array_job=$(sbatch --parsable --requeue --job-name=unietp-shard --array="$array"
 array_job=${array_job%%;*}
 echo "array $array_job: $shards shards, logs in $parts/logs"
 echo "merge: after $array_job, into $out"
+code=0
 sbatch $wait --parsable --job-name=unietp-merge --dependency="afterok:$array_job" --kill-on-invalid-dep=yes \
   --mem="$memory" --output="$parts/logs/merge.log" --open-mode=append "${extra[@]}" \
-  "$here/merge.sh" "$program" "$parts" "$shards" "$out"
+  "$here/merge.sh" "$program" "$parts" "$shards" "$out" || code=$?
+[ -n "$wait" ] && [ ! -d "$out" ] || exit "$code"
+
+# Slurm reports success for a merge that it canceled because a shard failed, so the folders decide.
+for ((k = 1; k <= shards; ++k)); do
+  [ -d "$parts/part-$k" ] || echo "submit.sh: shard $k failed: see $parts/logs/shard-$k.log" >&2
+done
+echo "submit.sh: $out was not made: see $parts/logs; the same command redoes only what is missing" >&2
+[ "$code" -ne 0 ] || code=2
+exit "$code"

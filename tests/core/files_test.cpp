@@ -6,6 +6,7 @@
 #include "core/digest.h"
 #include "core/file_digest.h"
 #include "core/rng.h"
+#include "tests/support/scratch_folder.h"
 
 namespace unietp {
 namespace {
@@ -136,6 +137,20 @@ TEST(DigestOfFile, IsThatOfItsBytes) {
     EXPECT_EQ(digest->sha256, sha256(bytes));
   }
   EXPECT_FALSE(digest_of_file(file / "nothing"));
+}
+
+TEST(DigestOfFile, ReadsNothingOfAFileOfAnotherLength) {
+  const ScratchFolder folder;
+  ASSERT_TRUE(write_file(folder.path() / "huge", "abc"));
+  const auto digest = digest_of_file(folder.path(), "huge", 3);
+  ASSERT_TRUE(digest) << format(digest.error());
+  EXPECT_EQ(digest->sha256, sha256("abc"));
+  constexpr std::uintmax_t kTerabyte = std::uintmax_t{1} << 40;  // with a hole, so that it takes no room
+  std::filesystem::resize_file(folder.path() / "huge", kTerabyte);
+  const auto other = digest_of_file(folder.path(), "huge", 3);
+  ASSERT_TRUE(other) << format(other.error());
+  EXPECT_EQ(other->bytes, kTerabyte);
+  EXPECT_EQ(other->sha256, "");
 }
 
 }  // namespace

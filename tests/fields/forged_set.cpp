@@ -1,18 +1,17 @@
 #include "forged_set.h"
 
+#include <memory>
+
 #include <gtest/gtest.h>
 
+#include "cli/full_validation.h"
 #include "core/digest.h"
 #include "core/files.h"
 #include "core/sqlite_file.h"
 #include "data_set.h"
-#include "dataset/configuration_json.h"
 #include "program.h"
 #include "resources/resources.h"
-#include "rewording/check_template.h"
-#include "rewording/check_text.h"
-#include "rewording/expected_files.h"
-#include "run/make_home.h"
+#include "validator/made_once.h"
 
 namespace unietp {
 namespace {
@@ -20,7 +19,25 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-fs::path licences() { return fs::path(UNIETP_SOURCE_DIR) / "data" / "licences.csv"; }
+DataFolders committed_folders() {
+  DataFolders folders;
+  folders.root = UNIETP_SOURCE_DIR;
+  folders.cache = fs::temp_directory_path();
+  return folders;
+}
+
+/// All that `validate` looks at. Homes are made once, as most forgeries are not of them.
+ValidationOptions options_of_validation(ProofMemory& memory) {
+  const auto folders = committed_folders();
+  auto options = full_validation(library(), folders.licences(), folders.runs());
+  EXPECT_TRUE(options) << format(options.error());
+  options->memory = &memory;
+  options->make_home = [make = options->make_home, homes = std::make_shared<MadeOnce<Result<Scene>>>()](
+                           const ManifestRecord& manifest, const std::string& name) {
+    return *homes->get(manifest.run.text + name, [&] { return make(manifest, name); });
+  };
+  return std::move(*options);
+}
 
 void expect_success(const Ended& ended) { EXPECT_EQ(ended.code, 0) << ended.out << ended.err; }
 
@@ -60,16 +77,11 @@ void make(const fs::path& folder, const ScratchFolder& scratch) {
 }  // namespace
 
 const Resources& library() {
-  static const ResourcesReading kReading = [] {
-    DataFolders folders;
-    folders.root = UNIETP_SOURCE_DIR;
-    folders.cache = fs::temp_directory_path();
-    return load_resources(folders);
-  }();
+  static const ResourcesReading kReading = [] { return load_resources(committed_folders()); }();
   return kReading.resources;
 }
 
-ForgedSet::ForgedSet() : folder_(scratch_.at("set")) {
+ForgedSet::ForgedSet() : folder_(scratch_.at("set")), options_(options_of_validation(memory_)) {
   make(folder_, scratch_);
   bytes_ = bytes_below(folder_);
   for (const auto& [file, bytes] : bytes_) {
@@ -102,22 +114,7 @@ ValidationReport ForgedSet::validated() {
   const Resources& resources = library();
   std::vector<ValidationBackend> backends;
   for (const auto& backend : resources.backends) backends.push_back({&backend.knowledge, &backend.profile});
-  ValidationOptions options;
-  options.check_text = [&](const StatedGoal& stated) {
-    return check_text(stated, resources.backend(stated.simulator));
-  };
-  options.check_template = [&](const TaskRecord& task, const Formula& goal, const ManifestRecord& manifest) {
-    return check_template(task, goal, manifest, resources);
-  };
-  options.make_home = [&](const ManifestRecord& manifest, const std::string& name) {
-    const auto configuration = configuration_from_json(kManifest, manifest.run.text);
-    return configuration ? make_home(*configuration, resources, name) : Result<Scene>(configuration.error());
-  };
-  options.derive_files = [&](const ManifestRecord& manifest) {
-    return expected_files(manifest, resources, licences());
-  };
-  options.memory = &memory_;
-  return validate_dataset(folder_, backends, resources.digest, options);
+  return validate_dataset(folder_, backends, resources.digest, options_);
 }
 
 ValidationReport ForgedSet::with(const std::string& file, const std::string& text) {

@@ -43,6 +43,7 @@ class ForgedSet {
   std::filesystem::path folder_;
   std::map<std::string, std::string> bytes_, texts_;  // by path
   ProofMemory memory_;
+  ValidationOptions options_;
 };
 
 /// The committed tables and templates.

@@ -1,8 +1,10 @@
 // Every field of every file of a data set is changed in turn, with the checksums made right again, as a forger would:
-// `validate` refuses them, but for free text, for settings that leave no trace, and for starts that are as sound.
+// `validate` refuses them, but for a few fields that are named here.
+#include <algorithm>
+#include <compare>
 #include <cstdio>
 #include <cstdlib>
-#include <set>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,32 +12,32 @@
 #include "core/text.h"
 #include "forger.h"
 #include "scene/scene_json.h"
-#include "validator/field_rules.h"
 
 namespace unietp {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Tally {
-  int tried = 0, refused = 0, free = 0, settings = 0;
-  std::vector<std::string> passed;  // what should have been refused
+struct FieldOfFile {
+  std::string_view file, field;
+  auto operator<=>(const FieldOfFile&) const = default;
 };
 
-bool has_rule(const Forgery& forgery, FieldRule rule) {
-  constexpr std::string_view kRun = "configuration.";
-  const std::string_view field = forgery.field;
-  const auto* found = forgery.file == "reviews.jsonl"   ? rule_of("review-mark", field)
-                      : forgery.file == "tasks.jsonl"   ? rule_of("task", field)
-                      : forgery.file != "manifest.json" ? nullptr
-                      : field.starts_with(kRun)         ? rule_of("run", field.substr(kRun.size()))
-                                                        : rule_of("manifest", field);
-  return found != nullptr && found->rule == rule;
-}
+/// The fields of which some changes pass, all that there are (docs/trust.md). Beside them, only the card's prose does.
+constexpr FieldOfFile kMayPass[] = {
+    {"manifest.json", "configuration.attempts"},  // above the number that was needed, it leaves no trace
+    {"manifest.json", "configuration.block"},     // how many tasks were planned together: likewise
+    {"manifest.json", "instructions.seed"},       // of texts that were rewritten, which may be any that say the goal
+    {"reviews.jsonl", "before"},                  // the text that a person replaced, which is gone
+    {"reviews.jsonl", "comment"},                 // a person's words
+    {"reviews.jsonl", "verdict"},                 // a person's judgment, of a task that stayed
+};
 
-std::string name_of_forgery(const Forgery& forgery) {
-  return forgery.file + " " + forgery.field + ", " + forgery.how + ": " + forgery.where;
-}
+struct Tally {
+  int tried = 0, refused = 0;
+  std::map<FieldOfFile, int> passed;  // of the fields above
+  std::vector<std::string> faults;    // what passed and should have been refused
+};
 
 Tally try_all(const std::vector<Forgery>& all) {
   Tally tally;
@@ -43,58 +45,66 @@ Tally try_all(const std::vector<Forgery>& all) {
     ++tally.tried;
     if (!forgery.validate(forged_set()).problems.empty()) {
       ++tally.refused;
-    } else if (has_rule(forgery, FieldRule::Free)) {
-      ++tally.free;
-    } else if (has_rule(forgery, FieldRule::Setting)) {
-      ++tally.settings;
-    } else {
-      tally.passed.push_back(name_of_forgery(forgery));
+      continue;
     }
+    const auto named = std::find(std::begin(kMayPass), std::end(kMayPass), FieldOfFile{forgery.file, forgery.field});
+    if (named != std::end(kMayPass)) ++tally.passed[*named];
+    if (named == std::end(kMayPass))
+      tally.faults.push_back(forgery.file + " " + forgery.field + ", " + forgery.how + ": " + forgery.where);
   }
-  std::printf("%d changes: %d refused, %d of free text, %d of settings, %zu others passed\n", tally.tried,
-              tally.refused, tally.free, tally.settings, tally.passed.size());
-  for (const auto& passed : tally.passed) std::printf("passed: %s\n", passed.c_str());
+  std::printf("%d changes, %d refused\n", tally.tried, tally.refused);
+  for (const auto& [where, count] : tally.passed)
+    std::printf("passed, as it may: %s %s, %d times\n", std::string(where.file).c_str(),
+                std::string(where.field).c_str(), count);
   return tally;
 }
 
-TEST(Mutation, TheSetItselfIsSoundAndSoIsItsTextWrittenAgain) {
-  const auto report = forged_set().unchanged();
+void expect_sound(const ValidationReport& report) {
   for (const Problem& problem : report.problems)
     ADD_FAILURE() << name_of(problem.kind) << " " << problem.task << " " << format(problem.error);
   EXPECT_EQ(report.counts.proven, 19);
+}
+
+TEST(Mutation, TheSetItselfIsSound) { expect_sound(forged_set().unchanged()); }
+
+/// What the forger does besides its changes is no reason to refuse a file: it writes lines anew, with other digits of
+/// the same numbers where its library takes a digit more than the shortest text.
+TEST(Mutation, TheSetWrittenAgainIsSound) {
   for (const auto& file : forged_set().files()) {
+    SCOPED_TRACE(file);
     const std::string& text = forged_set().text(file);
     if (file.ends_with(".gz")) {
       const auto scene = scene_from_json(file, Json::parse(text).dump());
-      EXPECT_TRUE(scene && scene_to_json(*scene) == text) << file;
+      EXPECT_TRUE(scene && scene_to_json(*scene) == text);
     }
     if (!file.ends_with(".jsonl")) continue;
-    for (const auto& line : split(text, '\n')) {
-      if (line.empty()) continue;
-      EXPECT_EQ(Json::parse(Json::parse(line).dump()), Json::parse(line)) << file;
+    auto lines = split(text, '\n');
+    for (auto& line : lines) {
+      if (!line.empty()) line = Json::parse(line).dump();
     }
+    expect_sound(forged_set().with(file, join(lines, "\n")));
   }
 }
 
 /// A change of each field, whichever way comes first.
 TEST(Mutation, ASampleIsRefused) {
-  std::set<std::string> seen;
   std::vector<Forgery> sample;
   std::size_t number = 0;
   for (auto& forgery : forgeries(forged_set(), 1)) {
     if (++number % 12 == 0) sample.push_back(std::move(forgery));
   }
-  EXPECT_GT(sample.size(), 60U);
-  const auto tally = try_all(sample);
-  EXPECT_LE(tally.passed.size() * 50, sample.size());
+  EXPECT_GT(sample.size(), 100U);
+  EXPECT_THAT(try_all(sample).faults, ::testing::IsEmpty());
 }
 
 /// Minutes: run it with UNIETP_EVERY_FIELD=1.
 TEST(Mutation, EveryFieldIsChecked) {
   if (std::getenv("UNIETP_EVERY_FIELD") == nullptr) GTEST_SKIP() << "a long run: set UNIETP_EVERY_FIELD=1";
-  const auto tally = try_all(forgeries(forged_set(), 4));
+  const auto tally = try_all(forgeries(forged_set(), 2));
   EXPECT_GE(tally.tried, 2000);
-  EXPECT_LE(tally.passed.size() * 100, static_cast<std::size_t>(tally.tried));
+  EXPECT_THAT(tally.faults, ::testing::IsEmpty());
+  for (const auto& named : kMayPass)
+    EXPECT_TRUE(tally.passed.contains(named)) << named.file << " " << named.field << " is always refused";
 }
 
 }  // namespace

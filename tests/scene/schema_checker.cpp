@@ -13,8 +13,28 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the one form of pattern in use: ^((a|b|…)|(c|d|…)\([\s\S]+\))$
+/// Whether a class such as [A-Za-z0-9_.-] has a sign.
+bool has_sign(std::string_view of_class, char sign) {
+  for (std::size_t i = 0; i < of_class.size(); ++i) {
+    const bool range = i + 2 < of_class.size() && of_class[i + 1] == '-';
+    if (range ? of_class[i] <= sign && sign <= of_class[i + 2] : of_class[i] == sign) return true;
+    if (range) i += 2;
+  }
+  return false;
+}
+
+/// ^[first][rest]*$
+bool matches_name(const std::string& text, const std::string& pattern) {
+  const auto parts = split(pattern, '[');
+  EXPECT_TRUE(parts.size() == 3 && parts[1].ends_with("]") && parts[2].ends_with("]*$")) << pattern;
+  const std::string first = parts[1].substr(0, parts[1].size() - 1), rest = parts[2].substr(0, parts[2].size() - 3);
+  return !text.empty() && has_sign(first, text.front()) &&
+         std::all_of(text.begin() + 1, text.end(), [&](char sign) { return has_sign(rest, sign); });
+}
+
+/// Of the two forms of pattern in use: the one above and ^((a|b|…)|(c|d|…)\([\s\S]+\))$
 bool matches(const std::string& text, const std::string& pattern) {
+  if (pattern.starts_with("^[")) return matches_name(text, pattern);
   const auto between = pattern.find(")|(");
   const auto end = pattern.find(")\\([\\s\\S]+\\))$");
   EXPECT_TRUE(pattern.starts_with("^((") && between != std::string::npos && end != std::string::npos) << pattern;
@@ -101,6 +121,7 @@ std::string SchemaChecker::broken(const std::string& word, const Json& rule, con
   if (word == "maxItems") return unless(value.size() <= rule);
   if (word == "uniqueItems") return unless(std::set<Json>(value.begin(), value.end()).size() == value.size());
   if (word == "minLength") return unless(!value.get<std::string>().empty());
+  if (word == "maxLength") return unless(value.get<std::string>().size() <= rule);
   if (word == "minimum") return unless(value >= rule);
   if (word == "maximum") return unless(value <= rule);
   if (word == "exclusiveMinimum") return unless(value > rule);

@@ -1,11 +1,14 @@
 // Holds what the writers write, and what the readers accept, against data/schemas/.
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/limits.h"
+#include "core/plain_name.h"
 #include "core/text.h"
 #include "random_scene.h"
 #include "scene/command.h"
@@ -132,6 +135,58 @@ TEST(Schemas, RefuseTheSameDamageAsTheReader) {
     }
   }
   EXPECT_GT(compared, 300);
+}
+
+TEST(Schemas, StateTheBoundsOfTheReaders) {
+  const std::string kScene = "scene.schema.json", kTask = "task.schema.json", kRun = "run.schema.json";
+  const std::string kNode = "/$defs/node/properties";
+  const std::tuple<std::string, std::string, double> kBounds[] = {
+      {kScene, "/$defs/plain_name/maxLength", limits::kNameBytes},
+      {kScene, "/$defs/id/maxLength", limits::kLabelBytes},
+      {kScene, kNode + "/category/maxLength", limits::kLabelBytes},
+      {kScene, kNode + "/colour/maxLength", limits::kLabelBytes},
+      {kScene, "/$defs/edge/properties/from/maxLength", limits::kLabelBytes},
+      {kScene, "/$defs/room/properties/type/maxLength", limits::kLabelBytes},
+      {kScene, "/$defs/room/properties/polygon/maxItems", limits::kRoomCorners},
+      {kScene, "/$defs/vec2/items/maximum", limits::kPosition_m},
+      {kScene, "/$defs/vec2/items/minimum", -limits::kPosition_m},
+      {kScene, "/$defs/vec3/items/maximum", limits::kPosition_m},
+      {kScene, "/$defs/opening/properties/height/maximum", limits::kWallHeight_m},
+      {kScene, kNode + "/size/items/maximum", limits::kObject_m},
+      {kScene, kNode + "/boards/maxItems", limits::kObjectBoards},
+      {kScene, kNode + "/boards/items/properties/size/items/maximum", limits::kObject_m},
+      {kScene, "/properties/wall_height/maximum", limits::kWallHeight_m},
+      {kScene, "/properties/wall_thickness/maximum", limits::kWallThickness_m},
+      {kScene, "/properties/rooms/maxItems", limits::kRooms},
+      {kScene, "/properties/openings/maxItems", limits::kOpenings},
+      {kScene, "/properties/nodes/maxItems", limits::kObjects},
+      {kScene, "/properties/edges/maxItems", limits::kEdges},
+      {kTask, "/properties/goal/properties/text/maxLength", limits::kTextBytes},
+      {kTask, "/properties/instruction/properties/text/maxLength", limits::kTextBytes},
+      {kTask, "/properties/seed/properties/run/maximum", double{limits::kSeed}},
+      {kRun, "/properties/seed/maximum", double{limits::kSeed}},
+      {kRun, "/properties/count/maximum", limits::kTasks},
+      {kRun, "/properties/attempts/maximum", limits::kAttempts},
+  };
+  for (const auto& [file, place, bound] : kBounds)
+    EXPECT_EQ(schema_file(file).at(Json::json_pointer(place)).get<double>(), bound) << file << place;
+}
+
+TEST(Schemas, NamesOfFilesHaveTheGrammarOfTheReaders) {
+  SchemaChecker checker;
+  const auto in_schema = [&](const std::string& name) {
+    auto task = Json{{"format", "unietp-review-mark/1"}, {"task", name}, {"verdict", "accept"}, {"comment", ""}};
+    return checker.check(task, "review-mark.schema.json").empty();
+  };
+  for (int sign = 1; sign < 128; ++sign) {
+    for (const std::string& name :
+         {std::string(1, static_cast<char>(sign)), "a" + std::string(1, static_cast<char>(sign))})
+      EXPECT_EQ(in_schema(name), is_plain_name(name)) << sign;
+  }
+  for (const std::size_t size : {std::size_t{0}, limits::kNameBytes, limits::kNameBytes + 1}) {
+    const std::string name(size, 'a');
+    EXPECT_EQ(in_schema(name), is_plain_name(name)) << size;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+#include "cli/full_validation.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "dataset/configuration_json.h"
+#include "rewording/check_template.h"
+#include "rewording/check_text.h"
+#include "rewording/expected_files.h"
+#include "run/known_homes.h"
+#include "run/make_home.h"
+#include "run/make_start.h"
+
+namespace unietp {
+
+Result<ValidationOptions> full_validation(const Resources& resources, const std::filesystem::path& licences,
+                                          const std::filesystem::path& runs) {
+  ValidationOptions options;
+  options.check_text = [&resources](const StatedGoal& stated) {
+    return check_text(stated, resources.backend(stated.simulator));
+  };
+  options.check_template = [&resources](const TaskRecord& task, const Formula& goal, const ManifestRecord& manifest) {
+    return check_template(task, goal, manifest, resources);
+  };
+  options.make_home = [&resources](const ManifestRecord& manifest, const std::string& name) {
+    const auto configuration = configuration_from_json(kManifest, manifest.run.text);
+    return configuration ? make_home(*configuration, resources, name) : Result<Scene>(configuration.error());
+  };
+  options.make_start = [starts = std::make_shared<StartMaker>(resources)](
+                           const TaskRecord& task, const Formula& goal, const std::vector<Formula>& constraints,
+                           const std::shared_ptr<const Scene>& home,
+                           const ManifestRecord& manifest) -> Result<RemadeStart> {
+    const auto& modes = manifest.run.modes;
+    const bool pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();
+    auto made = starts->make(task, goal, constraints, home, pictured);
+    if (!made) return made.error();
+    return RemadeStart{std::move(made->changes), std::move(made->edits)};
+  };
+  options.derive_files = [&resources, licences](const ManifestRecord& manifest) {
+    return expected_files(manifest, resources, licences);
+  };
+  auto known_homes = read_known_homes(runs);
+  if (!known_homes) return known_homes.error();
+  options.known_homes = std::move(*known_homes);
+  return options;
+}
+
+}  // namespace unietp

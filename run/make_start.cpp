@@ -1,0 +1,65 @@
+#include "run/make_start.h"
+
+#include <utility>
+#include <variant>
+
+#include "core/in_quotes.h"
+#include "core/rng.h"
+#include "dataset/candidate_number.h"
+#include "grounding/ground.h"
+
+namespace unietp {
+namespace {
+
+constexpr std::size_t kMostPrepared = 256;  // as many as the reader of a data set keeps
+
+Result<Specification> specification_of(const TaskRecord& task, const Formula& goal,
+                                       const std::vector<Formula>& constraints) {
+  const auto split = split_named(task.split);
+  const auto simulator = simulator_named(task.simulator);
+  const auto style = style_named(task.style);
+  const auto refinement = referring_named(task.refinement);
+  if (split && simulator && style && refinement)
+    return Specification{task.template_name, *split, *simulator, task.bindings, goal, constraints, *style, *refinement};
+  return Error{Error::Kind::Schema,
+               task.id,
+               {},
+               "has the split " + in_quotes(task.split) + ", simulator " + in_quotes(task.simulator) + ", style " +
+                   in_quotes(task.style) + " and refinement " + in_quotes(task.refinement) +
+                   ", of which one is unknown"};
+}
+
+}  // namespace
+
+Result<Episode> StartMaker::make(const TaskRecord& task, const Formula& goal, const std::vector<Formula>& constraints,
+                                 const std::shared_ptr<const Scene>& home, bool pictured) {
+  const auto specification = specification_of(task, goal, constraints);
+  if (!specification) return specification.error();
+  const Backend& backend = resources_.backend(specification->simulator);
+  GroundingOptions options;
+  options.pictured = pictured;
+  auto grounded = ground(*specification, *prepared(home), backend.knowledge, backend.profile, options,
+                         Rng(task.run).fork("grounding", candidate_number(task.slot, task.attempt)));
+  if (const auto* why = std::get_if<Rejection>(&grounded))
+    return Error{Error::Kind::Unsatisfiable, task.id, {}, why->detail};
+  return std::move(std::get<Grounded>(grounded).episode);
+}
+
+std::shared_ptr<const Home> StartMaker::prepared(const std::shared_ptr<const Scene>& scene) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (const auto found = homes_.find(scene->id); found != homes_.end() && found->second.scene == scene)
+      return found->second.home;
+  }
+  // Perhaps by two threads at once: to the same.
+  auto home = std::make_shared<const Home>(prepare_home(*scene, resources_.backend(scene->simulator).profile));
+  const std::scoped_lock lock(mutex_);
+  if (homes_.insert_or_assign(scene->id, Prepared{scene, home}).second) kept_.push_back(scene->id);
+  if (kept_.size() > kMostPrepared) {
+    homes_.erase(kept_.front());
+    kept_.pop_front();
+  }
+  return home;
+}
+
+}  // namespace unietp
