@@ -16,19 +16,20 @@ struct ReportOptions {
   int threads = 1, examples = 20;
 };
 
-Result<std::vector<ReportExample>> examples_of(const FinishedSet& set, const std::vector<Backend>& backends,
-                                               const ReportOptions& options) {
-  const auto plans = plans_of(set, options.threads);
-  if (!plans) return plans.error();
+Result<std::vector<ReportExample>> examples_of(const FinishedSet& set, const DatasetStatistics& statistics,
+                                               const std::vector<Backend>& backends, const ReportOptions& options) {
   std::vector<ReportExample> examples;
-  for (const std::size_t i : example_tasks(set, static_cast<std::size_t>(options.examples))) {
-    const TaskRecord& task = set.tasks[i];
-    const auto simulator = simulator_named(task.simulator);
-    if (!simulator) return Error{Error::Kind::Schema, task.id, {}, "names an unknown simulator"};
+  const auto places = example_places(statistics, static_cast<std::size_t>(options.examples));
+  if (places.empty()) return examples;
+  auto tasks = read_examples(set, places, options.threads);
+  if (!tasks) return tasks.error();
+  for (ShownTask& task : *tasks) {
+    const auto simulator = simulator_named(task.record.simulator);
+    if (!simulator) return Error{Error::Kind::Schema, task.record.id, {}, "names an unknown simulator"};
     const Profile& profile = backends[static_cast<std::size_t>(*simulator)].profile;
-    auto pictures = pictures_of(set, task, profile, profile.image_width);
+    auto pictures = pictures_of(set, task.record, profile, profile.image_width);
     if (!pictures) return pictures.error();
-    examples.push_back({&task, (*plans)[i], std::move(*pictures)});
+    examples.push_back({std::move(task), std::move(*pictures)});
   }
   return examples;
 }
@@ -43,7 +44,7 @@ Exit report(const ReportOptions& options, const CommandLine& program) {
   if (!set) return refuse(set.error());
   const auto statistics = statistics_of_set(*set, knowledge, options.threads);
   if (!statistics) return refuse(statistics.error());
-  const auto examples = examples_of(*set, known.backends, options);
+  const auto examples = examples_of(*set, *statistics, known.backends, options);
   if (!examples) return refuse(examples.error());
   const std::string page = report_page(*statistics, *examples);
   if (const auto written = write_file(options.out, page); !written) return refuse(written.error());

@@ -26,18 +26,19 @@ Exit write_page(const ReviewOptions& options, const CommandLine& program) {
   if (!known.errors.empty()) return refuse(known.errors);
   const auto set = read_finished_set(options.folder);
   if (!set) return refuse(set.error());
-  const auto plans = plans_of(*set, options.threads);
-  if (!plans) return refuse(plans.error());
-  const auto pictures = [&](std::size_t i) -> Result<StartPictures> {
-    const TaskRecord& task = set->tasks[i];
+  const auto list = read_review_list(*set, options.threads);
+  if (!list) return refuse(list.error());
+  const auto tasks = shown_tasks(*set);
+  if (!tasks) return refuse(tasks.error());
+  const auto pictures = [&](const TaskRecord& task) -> Result<StartPictures> {
     const auto simulator = simulator_named(task.simulator);
     if (!simulator) return Error{Error::Kind::Schema, task.id, {}, "names an unknown simulator"};
     return pictures_of(*set, task, known.backends[static_cast<std::size_t>(*simulator)].profile, options.view);
   };
-  const auto page = review_page(*set, *plans, options.threads, pictures);
+  const auto page = review_page(*set, *list, *tasks, options.threads, pictures);
   if (!page) return refuse(page.error());
   if (const auto written = write_file(options.out, *page); !written) return refuse(written.error());
-  std::printf("%s: %zu tasks, %.1f MB\n", options.out.string().c_str(), set->tasks.size(),
+  std::printf("%s: %zu tasks, %.1f MB\n", options.out.string().c_str(), list->size(),
               static_cast<double>(page->size()) / 1e6);
   return Exit::Ok;
 }

@@ -31,13 +31,8 @@ std::vector<LlmRequest> with_parameters(std::vector<LlmRequest> requests, const 
 void print_report(const AnnotateReport& report) {
   print_line(std::to_string(report.tasks) + " instructions");
   for (const auto& [writer, count] : report.by_writer) print_line("  " + std::to_string(count) + " by " + writer);
-  std::map<std::string, std::pair<int, std::string>> reasons;  // count and first task
-  for (const auto& [task, why] : report.stand_ins) {
-    auto& reason = reasons[why];
-    if (++reason.first == 1) reason.second = task;
-  }
-  for (const auto& [why, reason] : reasons)
-    print_line("  the grammar wrote " + std::to_string(reason.first) + " instead (" + reason.second + "): " + why);
+  for (const auto& [why, stand_ins] : report.stand_ins)
+    print_line("  the grammar wrote " + std::to_string(stand_ins.tasks) + " instead (" + stand_ins.first + "): " + why);
   if (report.by_people > 0)
     print_line("  " + std::to_string(report.by_people) + " by people, kept; --replace-human replaces them");
 }
@@ -52,11 +47,13 @@ void print_unwritten(const AnnotateReport& report, const std::filesystem::path& 
 
 Exit dry_run(const std::filesystem::path& folder, const Resources& resources, const AnnotateOptions& options,
              const LlmChoice& llm) {
-  const auto requests = prompts_for(folder, resources, options);
-  if (!requests) return refuse(requests.error());
-  for (const auto& request : with_parameters(*requests, llm)) print_line(display_text(request));
-  print_line(std::to_string(requests->size()) +
-             " requests, then one for each text that passes the word checks; nothing was sent");
+  std::size_t count = 0;
+  const auto printed = prompts_for(folder, resources, options, [&](const std::vector<LlmRequest>& requests) {
+    for (const auto& request : with_parameters(requests, llm)) print_line(display_text(request));
+    count += requests.size();
+  });
+  if (!printed) return refuse(printed.error());
+  print_line(std::to_string(count) + " requests, then one for each text that passes the word checks; nothing was sent");
   return Exit::Ok;
 }
 

@@ -32,6 +32,10 @@ Error failure(const fs::path& path, const std::exception& reason) {
   return {Error::Kind::Io, path.string(), {}, std::string("cannot write the database: ") + reason.what()};
 }
 
+Error unchanged(const fs::path& path, const std::exception& reason) {
+  return {Error::Kind::Io, path.string(), {}, std::string("cannot change the database: ") + reason.what()};
+}
+
 void bind_texts(Statement& statement, int first, std::initializer_list<std::string_view> texts) {
   for (const auto text : texts) statement.bind(first++, text);
 }
@@ -117,32 +121,43 @@ Result<Done> DatasetDatabase::finish() {
   }
 }
 
-Result<Done> reword_database(const fs::path& from, const fs::path& to,
-                             const std::vector<std::pair<std::string, Instruction>>& instructions) {
-  const fs::path copy = growing(to);
+Result<RewordedDatabase> RewordedDatabase::begin(const fs::path& from, const fs::path& to) {
   try {
-    fs::copy_file(from, copy, fs::copy_options::overwrite_existing);
-    SqliteFile file(copy, SqliteFile::Mode::Create);
+    fs::copy_file(from, growing(to), fs::copy_options::overwrite_existing);
+    SqliteFile file(growing(to), SqliteFile::Mode::Create);
     // A vacuum counts the schema's version up, so that each rewording would give other bytes.
     file.run(
         "PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF;"
         "PRAGMA schema_version=1; BEGIN");
     auto update = file.prepare("UPDATE task SET instruction=?, style=?, writer=? WHERE id=?");
-    for (const auto& [task, instruction] : instructions) {
-      bind_texts(update, 1, {instruction.text, name_of(instruction.style), instruction.writer, task});
-      update.step();
-      update.reset();
-    }
-    file.run("COMMIT");
-    auto vacuum = file.prepare("VACUUM INTO ?");
-    vacuum.bind(1, std::string_view(to.native()));
-    vacuum.step();
+    return RewordedDatabase(from, to, std::move(file), std::move(update));
   } catch (const std::exception& reason) {
-    return Error{Error::Kind::Io, from.string(), {}, std::string("cannot change the database: ") + reason.what()};
+    return unchanged(from, reason);
   }
-  std::error_code code;
-  fs::remove(copy, code);
-  return confirm_written(to);
+}
+
+Result<Done> RewordedDatabase::add(const std::string& task, const Instruction& instruction) {
+  try {
+    bind_texts(update_, 1, {instruction.text, name_of(instruction.style), instruction.writer, task});
+    update_.step();
+    update_.reset();
+    return Done{};
+  } catch (const std::exception& reason) {
+    return unchanged(from_, reason);
+  }
+}
+
+Result<Done> RewordedDatabase::finish() {
+  try {
+    file_.run("COMMIT");
+    auto vacuum = file_.prepare("VACUUM INTO ?");
+    vacuum.bind(1, std::string_view(to_.native()));
+    vacuum.step();
+    fs::remove(growing(to_));
+    return confirm_written(to_);
+  } catch (const std::exception& reason) {
+    return unchanged(from_, reason);
+  }
 }
 
 }  // namespace unietp

@@ -33,8 +33,22 @@ class DatasetDatabase {
   SqliteFile file_;
 };
 
-/// Writes the database `from` to `to` with other instructions, each with the id of its task. Errors: Io.
-Result<Done> reword_database(const std::filesystem::path& from, const std::filesystem::path& to,
-                             const std::vector<std::pair<std::string, Instruction>>& instructions);
+/// A copy of such a database with other instructions. Equal input gives equal bytes, as above.
+class RewordedDatabase {
+ public:
+  /// Errors, here and below: Io.
+  static Result<RewordedDatabase> begin(const std::filesystem::path& from, const std::filesystem::path& to);
+  /// `task`: its id.
+  Result<Done> add(const std::string& task, const Instruction& instruction);
+  /// Writes the file; nothing may be added afterwards.
+  Result<Done> finish();
+
+ private:
+  RewordedDatabase(std::filesystem::path from, std::filesystem::path to, SqliteFile file, Statement update)
+      : from_(std::move(from)), to_(std::move(to)), file_(std::move(file)), update_(std::move(update)) {}
+  std::filesystem::path from_, to_;
+  SqliteFile file_;
+  Statement update_;
+};
 
 }  // namespace unietp

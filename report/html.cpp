@@ -1,5 +1,7 @@
 #include "report/html.h"
 
+#include <utility>
+
 #include "core/digest.h"
 #include "core/text.h"
 #include "report/base64.h"
@@ -45,7 +47,7 @@ std::string escaped_html(std::string_view text) {
 
 std::string json_in_html(std::string json) { return replace_all(std::move(json), "<", "\\u003c"); }
 
-std::string to_html(const HtmlPage& page) {
+std::string to_html(HtmlPage page) {
   std::string script, style;
   for (const auto part : page.scripts) script.append(part).append("\n");
   for (const auto part : page.styles) style.append(part);
@@ -56,9 +58,13 @@ std::string to_html(const HtmlPage& page) {
   html += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   html += "<title>" + escaped_html(page.title) + "</title>\n<style>\n" + style + "</style>\n</head>\n<body>\n";
   html += page.body;
-  for (const auto& [id, text] : page.data)
-    html += "<script type=\"text/plain\" id=\"" + escaped_html(id) + "\">" + text + "</script>\n";
-  return html + "<script>" + script + "</script>\n</body>\n</html>\n";
+  for (auto& [id, text] : page.data) {
+    html += "<script type=\"text/plain\" id=\"" + escaped_html(id) + "\">";
+    html += std::exchange(text, {});
+    html += "</script>\n";
+  }
+  html += "<script>" + script + "</script>\n</body>\n</html>\n";
+  return html;
 }
 
 }  // namespace unietp

@@ -21,7 +21,7 @@ struct HtmlPage {
   std::vector<std::pair<std::string, std::string>> data;  // id, text of script elements that are not run
   std::vector<std::string_view> scripts;                  // in order, run as one
 };
-/// The whole page.
-std::string to_html(const HtmlPage& page);
+/// The whole page. Each of its data is freed once it is in the text.
+std::string to_html(HtmlPage page);
 
 }  // namespace unietp

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -83,7 +84,7 @@ std::string examples_section(std::size_t count) {
 }
 
 Json example_json(const ReportExample& example) {
-  const TaskRecord& task = *example.task;
+  const TaskRecord& task = example.task.record;
   Json json{{"id", task.id},
             {"simulator", task.simulator},
             {"split", task.split},
@@ -91,26 +92,53 @@ Json example_json(const ReportExample& example) {
             {"layout", task.layout},
             {"instruction", task.instruction},
             {"svg", example.pictures.svg}};
-  json.update(card_json(task, example.plans, example.pictures.png));
+  json.update(card_json(example.task, example.pictures.png));
   return json;
 }
 
 }  // namespace
 
-std::vector<std::size_t> example_tasks(const FinishedSet& set, std::size_t count) {
-  std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> groups;
-  for (std::size_t i = 0; i < set.tasks.size(); ++i) groups[{set.tasks[i].split, set.tasks[i].simulator}].push_back(i);
-  std::vector<std::size_t> chosen;
-  count = std::min(count, set.tasks.size());
-  for (std::size_t round = 0; chosen.size() < count; ++round) {
+std::vector<ExamplePlace> example_places(const DatasetStatistics& statistics, std::size_t count) {
+  std::map<std::pair<std::string, std::string>, std::size_t> groups;  // by split, then simulator
+  for (const auto& [key, tasks] : statistics.by_simulator_and_split)
+    groups[{key.second, key.first}] = static_cast<std::size_t>(tasks);
+  std::vector<ExamplePlace> places;
+  count = std::min(count, static_cast<std::size_t>(statistics.tasks));
+  for (std::size_t round = 0; places.size() < count; ++round) {
     std::size_t number = 0;
     for (const auto& [key, tasks] : groups) {
       // Groups start at different offsets, so that their first examples differ in home and template.
-      const std::size_t offset = tasks.size() * number++ / groups.size();
-      if (round < tasks.size() && chosen.size() < count) chosen.push_back(tasks[(offset + round) % tasks.size()]);
+      const std::size_t offset = tasks * number++ / groups.size();
+      if (round < tasks && places.size() < count)
+        places.push_back({key.first, key.second, static_cast<int>((offset + round) % tasks)});
     }
   }
-  return chosen;
+  return places;
+}
+
+Result<std::vector<ShownTask>> read_examples(const FinishedSet& set, const std::vector<ExamplePlace>& places,
+                                             int threads) {
+  std::map<ExamplePlace, ShownTask> found;
+  const std::set<ExamplePlace> wanted(places.begin(), places.end());
+  std::map<std::pair<std::string, std::string>, int> ranks;
+  auto reader = DatasetReader::open(set.folder, {.modes = set.modes});
+  if (!reader) return reader.error();
+  const auto read = for_each_task<ShownTask>(
+      std::move(*reader), threads, [](const FinishedTask& task) -> Result<ShownTask> { return shown_task(task); },
+      [&](ShownTask&& task) -> Result<Done> {
+        const auto &split = task.record.split, &simulator = task.record.simulator;
+        ExamplePlace place{split, simulator, ranks[{split, simulator}]++};
+        if (wanted.contains(place)) found.emplace(std::move(place), std::move(task));
+        return Done{};
+      });
+  if (!read) return read.error();
+  std::vector<ShownTask> examples;
+  for (const ExamplePlace& place : places) {
+    const auto one = found.find(place);
+    if (one == found.end()) return changed_while_read(set);
+    examples.push_back(std::move(one->second));
+  }
+  return examples;
 }
 
 std::string report_page(const DatasetStatistics& statistics, const std::vector<ReportExample>& examples) {
@@ -144,7 +172,7 @@ std::string report_page(const DatasetStatistics& statistics, const std::vector<R
   page.data = {{"data", json_in_html(data.dump(-1, ' ', false, Json::error_handler_t::replace))}};
   page.styles = {asset("page.css"), asset("report.css")};
   page.scripts = {asset("chart.min.js"), asset("task.js"), asset("report.js")};
-  return to_html(page);
+  return to_html(std::move(page));
 }
 
 }  // namespace unietp

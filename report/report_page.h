@@ -9,14 +9,24 @@
 
 namespace unietp {
 
-/// Positions in `set.tasks` of `count` examples: round-robin over simulators and splits, spread over the file.
-/// Deterministic.
-std::vector<std::size_t> example_tasks(const FinishedSet& set, std::size_t count);
+/// A task as the one with this rank, from 0, in the file among those of its split and simulator.
+struct ExamplePlace {
+  std::string split, simulator;
+  int rank = 0;
+  auto operator<=>(const ExamplePlace&) const = default;
+};
+
+/// The places of at most `count` examples: round-robin over simulators and splits, spread over the file. Deterministic.
+std::vector<ExamplePlace> example_places(const DatasetStatistics& statistics, std::size_t count);
+
+/// The tasks at these places, in their order. Only they stay in memory. Deterministic for any number of threads.
+/// Errors: those of reading; Io when one of them is not there.
+Result<std::vector<ShownTask>> read_examples(const FinishedSet& set, const std::vector<ExamplePlace>& places,
+                                             int threads);
 
 /// A task shown on the page.
 struct ReportExample {
-  const TaskRecord* task = nullptr;
-  std::vector<PlanCard> plans;
+  ShownTask task;
   StartPictures pictures;
 };
 

@@ -1,79 +1,16 @@
 #include "report/statistics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <mutex>
 #include <optional>
 #include <set>
 
-#include "core/share_work.h"
-#include "report/formula_census.h"
+#include "record/dataset_reader.h"
+#include "record/record_file.h"
 #include "scene/simulator.h"
 
 namespace unietp {
 namespace {
-
-constexpr std::array<std::string_view, 64> kFunctionWords{
-    "a",     "all",   "also", "an",   "and",    "any",    "are",  "as",    "at",   "be",   "been",  "but",   "by",
-    "can",   "could", "do",   "each", "for",    "from",   "has",  "have",  "i",    "if",   "in",    "into",  "is",
-    "it",    "its",   "just", "let",  "like",   "make",   "me",   "must",  "my",   "need", "needs", "not",   "of",
-    "on",    "one",   "onto", "or",   "please", "should", "so",   "some",  "sure", "that", "the",   "them",  "then",
-    "there", "they",  "this", "to",   "want",   "was",    "with", "would", "you",  "your", "see",   "ensure"};
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-std::vector<std::string> words_of(std::string_view text) {
-  std::vector<std::string> words(1);
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool joins = (text[i] == '-' || text[i] == '\'') && i + 1 < text.size() && is_letter(text[i + 1]);
-    if (is_letter(text[i]) || (text[i] >= '0' && text[i] <= '9') || (joins && !words.back().empty())) {
-      words.back() += static_cast<char>(text[i] >= 'A' && text[i] <= 'Z' ? text[i] - 'A' + 'a' : text[i]);
-    } else if (!words.back().empty()) {
-      words.emplace_back();
-    }
-  }
-  if (words.back().empty()) words.pop_back();
-  return words;
-}
-
-bool is_function_word(const std::string& word) {
-  return std::find(kFunctionWords.begin(), kFunctionWords.end(), word) != kFunctionWords.end();
-}
-
-void count_texts(const FinishedSet& set, DatasetStatistics& statistics) {
-  std::set<std::string> distinct;
-  for (const TaskRecord& task : set.tasks) {
-    const auto words = words_of(task.instruction);
-    statistics.instruction_words.add(static_cast<int>(words.size()));
-    distinct.insert(words.begin(), words.end());
-    for (const auto& word : words) {
-      if (!is_function_word(word)) ++statistics.words[word];
-    }
-  }
-  statistics.distinct_words = static_cast<int>(distinct.size());
-}
-
-void count_goals(const FinishedSet& set, DatasetStatistics& statistics) {
-  for (const TaskRecord& task : set.tasks) {
-    const FormulaCensus census = census_of(task.goal_tree);
-    for (const auto& name : census.operators) ++statistics.operators[name];
-    for (const auto& name : census.predicates) ++statistics.predicates[name];
-  }
-}
-
-std::vector<FunnelRow> funnel_of(const FinishedSet& set) {
-  std::map<std::string, FunnelRow> rows;
-  for (const TaskRecord& task : set.tasks) ++rows[task.template_name].accepted;
-  for (const RejectionRecord& candidate : set.given_up)
-    ++rows[candidate.template_name].causes[candidate.stage + ": " + candidate.reason];
-  std::vector<FunnelRow> funnel;
-  for (auto& [name, row] : rows) {
-    row.template_name = name;
-    funnel.push_back(std::move(row));
-  }
-  return funnel;
-}
 
 Evenness evenness_of(const std::string& dimension, const Tally& tasks) {
   Evenness even{dimension, tasks};
@@ -88,48 +25,153 @@ Evenness evenness_of(const std::string& dimension, const Tally& tasks) {
   return even;
 }
 
-/// Rooms, objects and categories of each home, in the start of its first task.
-Result<Done> count_homes(const FinishedSet& set, int threads, DatasetStatistics& statistics,
-                         std::map<std::string, std::set<std::string>>& in_homes) {
-  std::map<std::string, const TaskRecord*> first;  // of a home
-  for (const TaskRecord& task : set.tasks) first.emplace(task.layout, &task);
-  const std::vector<std::pair<std::string, const TaskRecord*>> homes(first.begin(), first.end());
-  std::vector<std::optional<Error>> errors(homes.size());
-  std::mutex mutex;
-  share_work(threads, homes.size(), [&](std::size_t i) {
-    const auto scene = read_start_scene(set.folder, *homes[i].second);
-    const std::lock_guard lock(mutex);
-    if (!scene) {
-      errors[i] = scene.error();
-      return;
-    }
-    statistics.rooms.add(static_cast<int>(scene->rooms.size()));
-    statistics.objects.add(static_cast<int>(scene->nodes.size()));
-    for (const Node& node : scene->nodes) in_homes[homes[i].second->simulator].insert(node.category);
-  });
-  for (const auto& error : errors) {
-    if (error) return *error;
+/// Of a home, in the start of its first task.
+struct HomeFigures {
+  std::string layout, simulator;
+  int rooms = 0, objects = 0;
+  std::set<std::string> categories;
+};
+
+/// Adds up what the tasks and the rejections of a data set have.
+class Counter {
+ public:
+  explicit Counter(DatasetStatistics& statistics) : statistics_(statistics) {}
+
+  void add(const TaskFigures& task) {
+    ++statistics_.tasks;
+    ++statistics_.by_simulator_and_split[{task.simulator, task.split}];
+    ++statistics_.templates[task.template_name];
+    ++statistics_.styles[task.style];
+    ++statistics_.writers[task.writer];
+    ++funnel_[task.template_name].accepted;
+    handled_[task.simulator].insert(task.categories.begin(), task.categories.end());
+    homes_.emplace(task.layout, FirstTask{task.id});
+    for (const auto& name : task.goal.operators) ++statistics_.operators[name];
+    for (const auto& name : task.goal.predicates) ++statistics_.predicates[name];
+    add_words(task.words);
+    for (const auto& [mode, plan] : task.plans) add_plan(std::string(name_of(mode)), plan);
   }
-  statistics.homes = static_cast<int>(homes.size());
+
+  void add(const RejectionRecord& candidate) {
+    ++funnel_[candidate.template_name].causes[candidate.stage + ": " + candidate.reason];
+  }
+
+  /// Whether the task is the first of its home. Several threads may call this while starts are added.
+  bool is_first(const TaskRecord& task) const {
+    const auto home = homes_.find(task.layout);
+    return home != homes_.end() && home->second.id == task.id;
+  }
+
+  /// The start of the first task of a home; a second task of the same name does not count.
+  void add(const HomeFigures& home) {
+    bool& is_counted = homes_.at(home.layout).is_counted;
+    if (is_counted) return;
+    is_counted = true;
+    ++statistics_.homes;
+    statistics_.rooms.add(home.rooms);
+    statistics_.objects.add(home.objects);
+    in_homes_[home.simulator].insert(home.categories.begin(), home.categories.end());
+  }
+
+  std::size_t homes() const { return homes_.size(); }
+
+  void finish(const std::vector<const Knowledge*>& knowledge) {
+    statistics_.distinct_words = static_cast<int>(statistics_.words.size() + function_words_.size());
+    for (auto& [name, row] : funnel_) {
+      row.template_name = name;
+      statistics_.funnel.push_back(std::move(row));
+    }
+    for (const Knowledge* base : knowledge) add_coverage(*base);
+  }
+
+ private:
+  struct FirstTask {
+    std::string id;
+    bool is_counted = false;  // its home
+  };
+
+  void add_words(const std::vector<std::string>& words) {
+    statistics_.instruction_words.add(static_cast<int>(words.size()));
+    for (const auto& word : words) {
+      if (is_function_word(word)) {
+        function_words_.insert(word);
+      } else {
+        ++statistics_.words[word];
+      }
+    }
+  }
+
+  void add_plan(const std::string& mode, const TaskFigures::Plan& plan) {
+    statistics_.plan_lengths[mode].add(plan.steps);
+    statistics_.failed_steps[mode] += plan.failed;
+    for (const auto& [action, count] : plan.actions) statistics_.actions[mode][action] += count;
+  }
+
+  void add_coverage(const Knowledge& base) {
+    const std::string simulator(name_of(base.simulator()));
+    const auto &handled = handled_[simulator], &in_homes = in_homes_[simulator];
+    if (handled.empty() && in_homes.empty()) return;
+    CategoryCoverage coverage{simulator, static_cast<int>(base.categories().size())};
+    for (const auto& category : base.categories()) {
+      const bool is_handled = handled.contains(category.name);
+      coverage.handled += is_handled ? 1 : 0;
+      coverage.in_homes += is_handled || in_homes.contains(category.name) ? 1 : 0;
+    }
+    statistics_.coverage.push_back(coverage);
+  }
+
+  DatasetStatistics& statistics_;
+  std::map<std::string, FirstTask> homes_;
+  std::map<std::string, FunnelRow> funnel_;
+  std::map<std::string, std::set<std::string>> handled_, in_homes_;  // categories, by simulator
+  std::set<std::string> function_words_;                             // that occurred
+};
+
+Result<Done> count_tasks(const FinishedSet& set, int threads, Counter& counter) {
+  auto reader = DatasetReader::open(set.folder, {.modes = set.modes});
+  if (!reader) return reader.error();
+  return for_each_task<TaskFigures>(
+      std::move(*reader), threads, [](const FinishedTask& task) -> Result<TaskFigures> { return figures_of(task); },
+      [&](TaskFigures&& figures) -> Result<Done> {
+        counter.add(figures);
+        return Done{};
+      });
+}
+
+Result<Done> count_rejections(const FinishedSet& set, Counter& counter) {
+  auto rejections =
+      RecordFile<RejectionRecord>::open(set.folder, "rejections.jsonl", FileNames::WithFolder, read_rejection);
+  if (!rejections) return rejections.error();
+  while (const auto rejection = rejections->next()) {
+    if (!*rejection) return rejection->error();
+    counter.add(**rejection);
+  }
   return Done{};
 }
 
-Result<Done> count_actions(const FinishedSet& set, int threads, DatasetStatistics& statistics) {
-  for (const Mode mode : set.modes) {
-    const std::string name(name_of(mode));
-    auto& lengths = statistics.plan_lengths[name];
-    auto& actions = statistics.actions[name];
-    int& failed = statistics.failed_steps[name];
-    const auto read = read_demonstrations(set, mode, threads, [&](std::size_t, const DemonstrationRecord& shown) {
-      lengths.add(static_cast<int>(shown.steps.size()));
-      for (const StepRecord& step : shown.steps) {
-        ++actions[step.command.action];
-        failed += step.success ? 0 : 1;
-      }
-    });
-    if (!read) return read.error();
-  }
-  return Done{};
+/// A second pass, since which task is the first of its home is known after the first one only, whatever threads do.
+Result<Done> count_homes(const FinishedSet& set, int threads, Counter& counter) {
+  auto reader = DatasetReader::open(set.folder, {});
+  if (!reader) return reader.error();
+  using Home = std::optional<HomeFigures>;
+  return for_each_task<Home>(
+      std::move(*reader), threads,
+      [&](const FinishedTask& task) -> Result<Home> {
+        if (!counter.is_first(task.record)) return Home();
+        const auto start = read_start_scene(set.folder, task.record);
+        if (!start) return start.error();
+        HomeFigures home{task.record.layout,
+                         task.record.simulator,
+                         static_cast<int>(start->rooms.size()),
+                         static_cast<int>(start->nodes.size()),
+                         {}};
+        for (const Node& node : start->nodes) home.categories.insert(node.category);
+        return Home(std::move(home));
+      },
+      [&](Home&& home) -> Result<Done> {
+        if (home) counter.add(*home);
+        return Done{};
+      });
 }
 
 }  // namespace
@@ -177,32 +219,19 @@ Result<DatasetStatistics> statistics_of_set(const FinishedSet& set, const std::v
                                             int threads) {
   DatasetStatistics statistics;
   statistics.name = set.name;
-  statistics.tasks = static_cast<int>(set.tasks.size());
-  std::map<std::string, std::set<std::string>> handled, in_homes;  // by simulator
-  for (const TaskRecord& task : set.tasks) {
-    ++statistics.by_simulator_and_split[{task.simulator, task.split}];
-    ++statistics.templates[task.template_name];
-    ++statistics.styles[task.style];
-    ++statistics.writers[task.writer];
-    for (const auto& [placeholder, category] : task.bindings) handled[task.simulator].insert(category);
+  for (const Mode mode : set.modes) {  // also where there is no task
+    const std::string name(name_of(mode));
+    statistics.plan_lengths[name] = {};
+    statistics.actions[name] = {};
+    statistics.failed_steps[name] = 0;
   }
-  count_texts(set, statistics);
-  count_goals(set, statistics);
-  statistics.funnel = funnel_of(set);
   for (const auto& [dimension, tasks] : set.level) statistics.evenness.push_back(evenness_of(dimension, tasks));
-  if (auto done = count_homes(set, threads, statistics, in_homes); !done) return done.error();
-  if (auto done = count_actions(set, threads, statistics); !done) return done.error();
-  for (const Knowledge* base : knowledge) {
-    const std::string simulator(name_of(base->simulator()));
-    if (handled[simulator].empty() && in_homes[simulator].empty()) continue;
-    CategoryCoverage coverage{simulator, static_cast<int>(base->categories().size())};
-    for (const auto& category : base->categories()) {
-      const bool is_handled = handled[simulator].contains(category.name);
-      coverage.handled += is_handled ? 1 : 0;
-      coverage.in_homes += is_handled || in_homes[simulator].contains(category.name) ? 1 : 0;
-    }
-    statistics.coverage.push_back(coverage);
-  }
+  Counter counter(statistics);
+  if (auto done = count_tasks(set, threads, counter); !done) return done.error();
+  if (auto done = count_rejections(set, counter); !done) return done.error();
+  if (auto done = count_homes(set, threads, counter); !done) return done.error();
+  if (static_cast<std::size_t>(statistics.homes) != counter.homes()) return changed_while_read(set);
+  counter.finish(knowledge);
   return statistics;
 }
 

@@ -7,11 +7,9 @@
 
 #include "akb/knowledge.h"
 #include "report/data_set.h"
+#include "report/task_figures.h"
 
 namespace unietp {
-
-/// Counts by name.
-using Tally = std::map<std::string, int>;
 
 /// How often each integer occurred.
 struct Histogram {
@@ -73,7 +71,9 @@ struct DatasetStatistics {
   int candidates() const;
 };
 
-/// Deterministic for any number of threads. `knowledge`: in the order of kSimulators. Errors: those of reading.
+/// Reads the tasks one at a time: apart from the figures, only the name of each home and of its first task stays in
+/// memory. Deterministic for any number of threads. `knowledge`: in the order of kSimulators. Errors: Io; Parse and
+/// Schema with file and line.
 Result<DatasetStatistics> statistics_of_set(const FinishedSet& set, const std::vector<const Knowledge*>& knowledge,
                                             int threads);
 

@@ -25,15 +25,10 @@ PlanCard plan_of(Mode mode, const DemonstrationRecord& shown) {
 
 }  // namespace
 
-Result<std::vector<std::vector<PlanCard>>> plans_of(const FinishedSet& set, int threads) {
-  std::vector<std::vector<PlanCard>> plans(set.tasks.size());
-  for (const Mode mode : set.modes) {
-    const auto read = read_demonstrations(set, mode, threads, [&](std::size_t i, const DemonstrationRecord& shown) {
-      plans[i].push_back(plan_of(mode, shown));
-    });
-    if (!read) return read.error();
-  }
-  return plans;
+ShownTask shown_task(const FinishedTask& task) {
+  ShownTask shown{task.record, {}};
+  for (const auto& [mode, demonstration] : task.shown) shown.plans.push_back(plan_of(mode, demonstration));
+  return shown;
 }
 
 Result<StartPictures> pictures_of(const FinishedSet& set, const TaskRecord& task, const Profile& profile, int width) {
@@ -51,17 +46,18 @@ Result<StartPictures> pictures_of(const FinishedSet& set, const TaskRecord& task
   return StartPictures{replace_all(scene_svg(*scene), "\n", ""), std::move(*png)};
 }
 
-Json card_json(const TaskRecord& task, const std::vector<PlanCard>& plans, const std::string& png) {
+Json card_json(const ShownTask& shown, const std::string& png) {
+  const TaskRecord& task = shown.record;
   Json goal = Json::array();
   for (const ProseLine& line : goal_prose(task.goal_tree)) goal.push_back({line.depth, line.text});
-  Json shown = Json::array();
-  for (const PlanCard& plan : plans) {
+  Json plans = Json::array();
+  for (const PlanCard& plan : shown.plans) {
     Json steps = Json::array();
     for (const auto& step : plan.steps) steps.push_back({step.text, step.success ? 1 : 0, step.feedback});
-    shown.push_back({{"mode", name_of(plan.mode)}, {"steps", std::move(steps)}});
+    plans.push_back({{"mode", name_of(plan.mode)}, {"steps", std::move(steps)}});
   }
   return {{"style", task.style}, {"goal", std::move(goal)},   {"formula", task.goal_text},
-          {"edits", task.edits}, {"plans", std::move(shown)}, {"view", base64(png)}};
+          {"edits", task.edits}, {"plans", std::move(plans)}, {"view", base64(png)}};
 }
 
 }  // namespace unietp

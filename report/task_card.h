@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/result.h"
+#include "record/dataset_reader.h"
 #include "report/data_set.h"
 #include "simulation/profile.h"
 
@@ -22,8 +23,12 @@ struct PlanCard {
   std::vector<Step> steps;
 };
 
-/// The demonstrations of each task, one plan per mode. Errors: those of read_demonstrations.
-Result<std::vector<std::vector<PlanCard>>> plans_of(const FinishedSet& set, int threads);
+/// A task for display, with one plan per mode.
+struct ShownTask {
+  TaskRecord record;
+  std::vector<PlanCard> plans;
+};
+ShownTask shown_task(const FinishedTask& task);
 
 /// The start of a task as pictures.
 struct StartPictures {
@@ -35,6 +40,6 @@ Result<StartPictures> pictures_of(const FinishedSet& set, const TaskRecord& task
 
 /// What assets/task.js shows in addition to id, simulator, split, template, instruction and drawing: goal, plans, view,
 /// …
-nlohmann::ordered_json card_json(const TaskRecord& task, const std::vector<PlanCard>& plans, const std::string& png);
+nlohmann::ordered_json card_json(const ShownTask& task, const std::string& png);
 
 }  // namespace unietp

@@ -7,10 +7,10 @@
 #include "core/file_digest.h"
 #include "core/files.h"
 #include "core/staged_folder.h"
-#include "dataset/candidate.h"
 #include "dataset/candidate_number.h"
 #include "dataset/dataset_database.h"
 #include "record/dataset_lines.h"
+#include "rewording/home_texts.h"
 #include "rewording/paired_wordings.h"
 #include "rewording/person_text.h"
 #include "rewording/worded_task.h"
@@ -71,10 +71,6 @@ Result<Instruction> by_grammar(HomeCache& homes, const WordedTask& task, const R
   return write_instruction(task.specification, backend.knowledge, backend.nouns, {options.llm.phrasings, *seen}, rng);
 }
 
-std::string text_key(const WordedTask& task, const Instruction& instruction) {
-  return task.record.layout + "\n" + normalised_text(instruction.text);
-}
-
 /// What the writer gives for each task whose text is to be written, in their order.
 Result<std::vector<Result<Instruction>>> drafts_of(HomeCache& homes, const std::vector<WordedTask>& tasks,
                                                    const Resources& resources, const AnnotateOptions& options) {
@@ -91,49 +87,6 @@ Result<std::vector<Result<Instruction>>> drafts_of(HomeCache& homes, const std::
   return drafts;
 }
 
-Result<std::vector<Instruction>> instructions_for(const fs::path& folder, const std::vector<WordedTask>& tasks,
-                                                  const Resources& resources, const AnnotateOptions& options) {
-  HomeCache homes(folder);
-  auto drafts = drafts_of(homes, tasks, resources, options);
-  if (!drafts) return drafts.error();
-  std::set<std::string> seen;  // in a home
-  for (const WordedTask& task : tasks) {
-    if (is_kept(task, options)) seen.insert(text_key(task, instruction_of(task)));
-  }
-  std::vector<Instruction> instructions;
-  std::size_t next = 0;
-  for (const WordedTask& task : tasks) {
-    if (is_kept(task, options)) {
-      instructions.push_back(instruction_of(task));
-      continue;
-    }
-    auto& draft = (*drafts)[next++];
-    const auto repeats = [&] { return seen.contains(text_key(task, *draft)); };
-    const auto in_style = [&] { return draft->style == task.specification.style; };
-    constexpr std::uint64_t kOthers = 400;  // a goal has tens of texts at least, and a home few tasks of one goal
-    for (std::uint64_t k = 1; draft && k <= kOthers && (repeats() || !in_style()); ++k) {
-      const bool in_place = repeats() && options.writer != Writer::Grammar;
-      std::string why = in_place ? "another task of this home has the model's text" : draft->why;
-      draft = by_grammar(homes, task, resources, options, stream_of(task, options).fork("another", k));
-      if (draft) draft->why = std::move(why);
-    }
-    if (!draft) {
-      Error error = draft.error();
-      error.where = (folder / kTasksFile).string() + " " + task.record.id;
-      return error;
-    }
-    if (!in_style() || repeats())
-      return Error{Error::Kind::Unsatisfiable,
-                   task.record.id,
-                   {},
-                   in_style() ? "no words that no other task of its home has"
-                              : "no words in the style " + std::string(name_of(task.specification.style))};
-    seen.insert(text_key(task, *draft));
-    instructions.push_back(std::move(*draft));
-  }
-  return instructions;
-}
-
 /// The options with a model that also counts in the report what it leaves unanswered.
 AnnotateOptions counting(AnnotateOptions options, AnnotateReport& report) {
   options.llm.ask = [ask = std::move(options.llm.ask), &report](const std::vector<LlmRequest>& requests) {
@@ -147,18 +100,127 @@ AnnotateOptions counting(AnnotateOptions options, AnnotateReport& report) {
   return options;
 }
 
-/// tasks.jsonl and dataset.sqlite with the new instructions.
-Result<Done> write_instructions(const fs::path& from, const fs::path& to, const std::vector<WordedTask>& tasks,
-                                const std::vector<Instruction>& instructions) {
+/// Hands the tasks of a folder to `use`, kAtOnce at a time, in order.
+Result<Done> for_each_batch(const fs::path& folder, const std::function<Result<Done>(std::vector<WordedTask>&)>& use) {
+  constexpr std::size_t kAtOnce = 512;  // many requests for a model at a time, and few megabytes
+  std::vector<WordedTask> batch;
+  const auto read = for_each_worded_task(folder, {}, [&](WordedTask&& task) -> Result<Done> {
+    batch.push_back(std::move(task));
+    if (batch.size() < kAtOnce) return Done{};
+    auto used = use(batch);
+    batch.clear();
+    return used;
+  });
+  if (!read || batch.empty()) return read;
+  return use(batch);
+}
+
+/// Writes tasks.jsonl and dataset.sqlite with the new instructions, a batch of tasks at a time.
+class Rewriting {
+ public:
+  Rewriting(const fs::path& folder, const Resources& resources, const AnnotateOptions& options, AnnotateReport& report,
+            LinesWriter lines, RewordedDatabase database)
+      : folder_(folder),
+        resources_(resources),
+        options_(options),
+        report_(report),
+        homes_(folder),
+        lines_(std::move(lines)),
+        database_(std::move(database)) {}
+
+  /// A first pass: texts that stay, wherever they are in the file, and whether the files belong together, which is
+  /// better known before a model is asked for hours.
+  Result<Done> prepare() {
+    return for_each_worded_task(folder_, all_lines(folder_), [&](WordedTask&& task) -> Result<Done> {
+      const TaskRecord& record = task.record;
+      texts_.expect(record.layout);
+      if (is_kept(task, options_)) texts_.add(record.layout, record.instruction);
+      return Done{};
+    });
+  }
+
+  Result<Done> add(const std::vector<WordedTask>& batch) {
+    auto drafts = drafts_of(homes_, batch, resources_, options_);
+    if (!drafts) return drafts.error();
+    std::size_t next = 0;
+    for (const WordedTask& task : batch) {
+      auto instruction = is_kept(task, options_) ? Result<Instruction>(instruction_of(task))
+                                                 : settled(task, std::move((*drafts)[next++]));
+      if (!instruction) return instruction.error();
+      texts_.pass(task.record.layout);
+      count(task, *instruction);
+      if (auto added = lines_.add(line_of(written_again(task.record, *instruction))); !added) return added;
+      if (auto added = database_.add(task.record.id, *instruction); !added) return added;
+    }
+    return Done{};
+  }
+
+  Result<Done> finish() {
+    if (auto done = lines_.finish(); !done) return done;
+    return database_.finish();
+  }
+
+ private:
+  /// The draft, or another text of the grammar's where the draft repeats a text of its home or misses the style.
+  Result<Instruction> settled(const WordedTask& task, Result<Instruction> draft) {
+    const TaskRecord& record = task.record;
+    const auto repeats = [&] { return texts_.contains(record.layout, draft->text); };
+    const auto in_style = [&] { return draft->style == task.specification.style; };
+    constexpr std::uint64_t kOthers = 400;  // a goal has tens of texts at least, and a home few tasks of one goal
+    for (std::uint64_t k = 1; draft && k <= kOthers && (repeats() || !in_style()); ++k) {
+      const bool in_place = repeats() && options_.writer != Writer::Grammar;
+      std::string why = in_place ? "another task of this home has the model's text" : draft->why;
+      draft = by_grammar(homes_, task, resources_, options_, stream_of(task, options_).fork("another", k));
+      if (draft) draft->why = std::move(why);
+    }
+    if (!draft) {
+      Error error = draft.error();
+      error.where = (folder_ / kTasksFile).string() + " " + record.id;
+      return error;
+    }
+    if (!in_style() || repeats())
+      return Error{Error::Kind::Unsatisfiable,
+                   record.id,
+                   {},
+                   in_style() ? "no words that no other task of its home has"
+                              : "no words in the style " + std::string(name_of(task.specification.style))};
+    texts_.add(record.layout, draft->text);
+    return draft;
+  }
+
+  void count(const WordedTask& task, const Instruction& instruction) {
+    ++report_.tasks;
+    ++report_.by_writer[instruction.writer];
+    if (is_kept(task, options_)) {
+      ++report_.by_people;
+    } else if (!instruction.why.empty()) {
+      auto& stand_ins = report_.stand_ins[instruction.why];
+      if (++stand_ins.tasks == 1) stand_ins.first = task.record.id;
+    }
+  }
+
+  const fs::path& folder_;
+  const Resources& resources_;
+  const AnnotateOptions& options_;
+  AnnotateReport& report_;
+  HomeCache homes_;
+  LinesWriter lines_;
+  RewordedDatabase database_;
+  HomeTexts texts_;
+};
+
+/// Errors: those of annotate_dataset.
+Result<Done> write_instructions(const fs::path& folder, const fs::path& to, const Resources& resources,
+                                const AnnotateOptions& options, AnnotateReport& report) {
   auto lines = LinesWriter::begin(to / kTasksFile);
   if (!lines) return lines.error();
-  std::vector<std::pair<std::string, Instruction>> by_task;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    if (auto added = lines->add(line_of(written_again(tasks[i].record, instructions[i]))); !added) return added;
-    by_task.emplace_back(tasks[i].record.id, instructions[i]);
-  }
-  if (auto done = lines->finish(); !done) return done;
-  return reword_database(from / kDatabase, to / kDatabase, by_task);
+  auto database = RewordedDatabase::begin(folder / kDatabase, to / kDatabase);
+  if (!database) return database.error();
+  Rewriting rewriting(folder, resources, options, report, std::move(*lines), std::move(*database));
+  if (auto done = rewriting.prepare(); !done) return done;
+  if (auto done = for_each_batch(folder, [&](std::vector<WordedTask>& batch) { return rewriting.add(batch); }); !done)
+    return done;
+  return rewriting.finish();
 }
 
 WritingEntry writing_of(const AnnotateReport& report, const AnnotateOptions& options) {
@@ -204,25 +266,12 @@ Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& 
   if (!recorded) return recorded.error();
   auto manifest = written_again((folder / kManifest).string(), *recorded);
   if (!manifest) return manifest.error();
-  const auto tasks = read_worded_tasks(folder);
-  if (!tasks) return tasks.error();
   AnnotateReport report;
-  const auto instructions = instructions_for(folder, *tasks, resources, counting(options, report));
-  if (!instructions) return instructions.error();
+  if (auto done = write_instructions(folder, copy->folder(), resources, counting(options, report), report); !done)
+    return done.error();
   if (report.unanswered > 0 && !options.stand_in) return report;
-  for (std::size_t i = 0; i < tasks->size(); ++i) {
-    const Instruction& instruction = (*instructions)[i];
-    ++report.tasks;
-    ++report.by_writer[instruction.writer];
-    if (is_kept((*tasks)[i], options)) {
-      ++report.by_people;
-    } else if (!instruction.why.empty()) {
-      report.stand_ins.emplace_back((*tasks)[i].record.id, instruction.why);
-    }
-  }
-  if (auto done = write_instructions(folder, copy->folder(), *tasks, *instructions); !done) return done.error();
   if (options.paired) {
-    if (auto done = write_paired_wordings(folder, *tasks, resources, {options.llm.phrasings, options.seed},
+    if (auto done = write_paired_wordings(folder, resources, {options.llm.phrasings, options.seed},
                                           copy->folder() / kWordingsFile);
         !done)
       return done.error();
@@ -234,14 +283,15 @@ Result<AnnotateReport> annotate_dataset(const fs::path& folder, const fs::path& 
   return report;
 }
 
-Result<std::vector<LlmRequest>> prompts_for(const fs::path& folder, const Resources& resources,
-                                            const AnnotateOptions& options) {
-  const auto tasks = read_worded_tasks(folder);
-  if (!tasks) return tasks.error();
+Result<Done> prompts_for(const fs::path& folder, const Resources& resources, const AnnotateOptions& options,
+                         const std::function<void(const std::vector<LlmRequest>&)>& use) {
   HomeCache homes(folder);
-  const auto wording = wording_tasks(homes, *tasks, resources, options);
-  if (!wording) return wording.error();
-  return first_requests(*wording, options.llm);
+  return for_each_batch(folder, [&](std::vector<WordedTask>& batch) -> Result<Done> {
+    const auto wording = wording_tasks(homes, batch, resources, options);
+    if (!wording) return wording.error();
+    use(first_requests(*wording, options.llm));
+    return Done{};
+  });
 }
 
 }  // namespace unietp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,11 +34,16 @@ struct AnnotateOptions {
 struct AnnotateReport {
   int tasks = 0;
   std::map<std::string, int> by_writer;
-  std::vector<std::pair<std::string, std::string>> stand_ins;  // task, why the grammar wrote in place of the model
-  int by_people = 0;                                           // texts that were kept
-  int unanswered = 0;                                          // requests to the model
-  std::string no_answer;                                       // why the first of them has none
-  bool written = false;  // false: an answer is missing, so that everything is as it was
+  /// Why the grammar wrote in place of the model, for how many tasks, and the first of them.
+  struct StandIns {
+    int tasks = 0;
+    std::string first;
+  };
+  std::map<std::string, StandIns> stand_ins;
+  int by_people = 0;      // texts that were kept
+  int unanswered = 0;     // requests to the model
+  std::string no_answer;  // why the first of them has none
+  bool written = false;   // false: an answer is missing, so that everything is as it was
 };
 
 /// Writes the instructions of the data set in `folder` anew, to `out` (which may be `folder`: it is replaced at once,
@@ -45,12 +51,14 @@ struct AnnotateReport {
 /// dataset.sqlite and the manifest follow. Two tasks of one home keep different texts. Unless all requests were
 /// answered, or the grammar may stand in, nothing is written. Deterministic for the grammar, and for a model in its
 /// answers. Errors: Io; Parse, Schema of a file; Usage, also when another process works on the folder; Unsatisfiable,
-/// when a goal has no words (names the task). Then, too, nothing is written.
+/// when a goal has no words (names the task). Then, too, nothing is written. Some hundred tasks are in memory at a
+/// time, and of all others the texts of homes that have tasks to come.
 Result<AnnotateReport> annotate_dataset(const std::filesystem::path& folder, const std::filesystem::path& out,
                                         const Resources& resources, const AnnotateOptions& options);
 
-/// The requests of a model's first round. Errors: as above.
-Result<std::vector<LlmRequest>> prompts_for(const std::filesystem::path& folder, const Resources& resources,
-                                            const AnnotateOptions& options);
+/// Calls `use` with the requests of a model's first round, some tasks at a time. Errors: as above.
+Result<Done> prompts_for(const std::filesystem::path& folder, const Resources& resources,
+                         const AnnotateOptions& options,
+                         const std::function<void(const std::vector<LlmRequest>&)>& use);
 
 }  // namespace unietp

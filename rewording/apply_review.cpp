@@ -159,32 +159,29 @@ Result<ApplyReport> apply_review(const fs::path& folder, const fs::path& out, co
                  "with --data"};
   const auto manifest = written_again(where, *recorded);
   if (!manifest) return manifest.error();
-  const auto tasks = read_worded_tasks(folder);
-  if (!tasks) return tasks.error();
   auto marks = read_marks(folder);
   if (!marks) return marks.error();
   auto traits = TraitTable::open(folder / "dataset.sqlite");
   if (!traits) return traits.error();
 
   ApplyReport report;
-  const auto rulings = rule_on(reviews, *tasks, {folder, resources, options.accept_unchecked, *marks}, report);
+  const auto rulings = rule_on(reviews, {folder, resources, options.accept_unchecked, *marks}, report);
   if (!rulings) return rulings.error();
-  for (const Ruling& ruling : *rulings) {
-    if (ruling.review != nullptr) (*marks)[ruling.review->task] = mark_of(*ruling.review);
-  }
+  for (const auto& [task, ruling] : *rulings) (*marks)[task] = mark_of(*ruling.review);
   auto writer = DatasetWriter::begin(copy->folder());
   if (!writer) return writer.error();
-  std::error_code code;
-  auto reader =
-      DatasetReader::open(folder, {.modes = shown_modes(folder), .wordings = fs::exists(folder / kWordingsFile, code)});
+  auto reader = DatasetReader::open(folder, all_lines(folder));
   if (!reader) return reader.error();
   ReviewedSet set(folder, copy->folder(), std::move(*writer), std::move(*traits));
-  std::size_t next = 0;
+  int line = 0;
   const auto added = for_each_task<Done>(
       std::move(*reader), 1,
-      [&](const FinishedTask& task) {
-        const std::size_t i = next++;
-        return set.add(task, instruction_of((*tasks)[i]), (*rulings)[i], options.keep_rejected);
+      [&](const FinishedTask& task) -> Result<Done> {
+        const auto worded = worded_task(folder, ++line, task.record);
+        if (!worded) return worded.error();
+        const auto ruling = rulings->find(task.record.id);
+        return set.add(task, instruction_of(*worded), ruling == rulings->end() ? Ruling() : ruling->second,
+                       options.keep_rejected);
       },
       [](Done&&) -> Result<Done> { return Done{}; });
   if (!added) return added.error();

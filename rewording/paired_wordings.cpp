@@ -7,6 +7,7 @@
 #include "dataset/lines.h"
 #include "record/dataset_reader.h"
 #include "rewording/referring_goal.h"
+#include "rewording/worded_task.h"
 
 namespace unietp {
 namespace {
@@ -70,23 +71,24 @@ class PairWriter {
 
 }  // namespace
 
-Result<Done> write_paired_wordings(const fs::path& folder, const std::vector<WordedTask>& tasks,
-                                   const Resources& resources, const PairOptions& options, const fs::path& file) {
+Result<Done> write_paired_wordings(const fs::path& folder, const Resources& resources, const PairOptions& options,
+                                   const fs::path& file) {
   auto reader = DatasetReader::open(folder, {.modes = {Mode::M1}, .starts = true});
   if (!reader) return reader.error();
   auto lines = LinesWriter::begin(file);
   if (!lines) return lines.error();
-  std::size_t next = 0;
+  int line = 0;
   const auto done = for_each_task<std::string>(
       std::move(*reader), 1,
       [&](const FinishedTask& finished) -> Result<std::string> {
-        const WordedTask& task = tasks[next++];
-        const Backend& backend = resources.backend(task.specification.simulator);
-        const auto pair = PairWriter(task, finished.start, finished.shown.at(Mode::M1), backend, options).pair();
+        const auto task = worded_task(folder, ++line, finished.record);
+        if (!task) return task.error();
+        const Backend& backend = resources.backend(task->specification.simulator);
+        const auto pair = PairWriter(*task, finished.start, finished.shown.at(Mode::M1), backend, options).pair();
         if (!pair) return pair.error();
         return line_of(*pair);
       },
-      [&](std::string&& line) { return lines->add(line); });
+      [&](std::string&& pair) { return lines->add(pair); });
   if (!done) return done;
   return lines->finish();
 }

@@ -3,12 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <vector>
 
 #include "annotator/phrasing_sets.h"
 #include "core/result.h"
 #include "resources/resources.h"
-#include "rewording/worded_task.h"
 
 namespace unietp {
 
@@ -23,8 +21,7 @@ struct PairOptions {
 /// task's goal; referring states it of the object that the demonstration used, with that goal beside it, and is left
 /// out where nothing simple tells the object apart. All are the grammar's and pass its checks. Errors: Io, Parse,
 /// Schema of a file; Unsatisfiable (names the task).
-Result<Done> write_paired_wordings(const std::filesystem::path& folder, const std::vector<WordedTask>& tasks,
-                                   const Resources& resources, const PairOptions& options,
-                                   const std::filesystem::path& file);
+Result<Done> write_paired_wordings(const std::filesystem::path& folder, const Resources& resources,
+                                   const PairOptions& options, const std::filesystem::path& file);
 
 }  // namespace unietp

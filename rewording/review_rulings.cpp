@@ -6,7 +6,9 @@
 #include "annotator/home_facts.h"
 #include "core/text.h"
 #include "dataset/candidate.h"
+#include "rewording/home_texts.h"
 #include "rewording/person_text.h"
+#include "rewording/worded_task.h"
 
 namespace unietp {
 namespace {
@@ -14,40 +16,54 @@ namespace {
 /// Decides on each review; the texts of a home stay different.
 class Judge {
  public:
-  Judge(const std::vector<WordedTask>& tasks, const RulingContext& context) : tasks_(tasks), context_(context) {
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      at_[tasks[i].record.id] = i;
-      texts_.insert(key(tasks[i].record.layout, tasks[i].record.instruction));
-    }
+  explicit Judge(const RulingContext& context) : context_(context) {}
+
+  /// Two passes over the tasks: which homes are edited is known after the first.
+  Result<Done> read(const std::vector<Review>& reviews) {
+    std::map<std::string, Judgement> judged;
+    for (const Review& review : reviews) judged.emplace(review.task, review.judgement);
+    std::set<std::string> edited;  // homes
+    const auto read = for_each_worded_task(context_.folder, {}, [&](WordedTask&& task) -> Result<Done> {
+      const auto review = judged.find(task.record.id);
+      if (review == judged.end()) return Done{};
+      if (review->second == Judgement::Edit) edited.insert(task.record.layout);
+      tasks_.insert_or_assign(task.record.id, std::move(task));
+      return Done{};
+    });
+    if (!read || edited.empty()) return read;
+    return for_each_worded_task(context_.folder, {}, [&](WordedTask&& task) -> Result<Done> {
+      if (edited.contains(task.record.layout)) texts_.add(task.record.layout, task.record.instruction);
+      return Done{};
+    });
   }
 
-  Result<std::vector<Ruling>> rulings(const std::vector<Review>& reviews, ApplyReport& report) {
-    std::vector<Ruling> rulings(tasks_.size());
+  Result<Rulings> rulings(const std::vector<Review>& reviews, ApplyReport& report) {
+    Rulings rulings;
     for (const Review& review : reviews) {
       const auto refuse = [&](std::string why) { report.refused.emplace_back(review.task, std::move(why)); };
-      const auto found = at_.find(review.task);
-      if (found == at_.end()) {
+      const auto found = tasks_.find(review.task);
+      if (found == tasks_.end()) {
         const auto before = context_.judged_before.find(review.task);
         const bool gone = review.judgement == Judgement::Reject && before != context_.judged_before.end();
         if (gone) continue;  // rejected, and taken out before
         refuse("no such task");
         continue;
       }
-      const WordedTask& task = tasks_[found->second];
+      const WordedTask& task = found->second;
       const std::string& now = task.record.instruction;
       const bool in_force = review.judgement == Judgement::Edit && now == review.text;
       if (now != review.instruction && !in_force) {
         refuse("its text has changed: \"" + now + "\"");
         continue;
       }
-      Ruling& ruling = rulings[found->second];
+      Ruling ruling{&review, {}};
       if (review.judgement == Judgement::Edit && !in_force) {
         auto text = rewritten(task, now, review.text, refuse);
         if (!text) return text.error();
         if (!*text) continue;
         ruling.rewritten = std::move(*text);
       }
-      ruling.review = &review;
+      rulings.insert_or_assign(review.task, std::move(ruling));
       ++(review.judgement == Judgement::Accept   ? report.accepted
          : review.judgement == Judgement::Reject ? report.rejected
                                                  : report.edited);
@@ -56,10 +72,6 @@ class Judge {
   }
 
  private:
-  static std::string key(const std::string& layout, const std::string& text) {
-    return layout + "\n" + normalised_text(text);
-  }
-
   /// nullopt when it was refused.
   Result<std::optional<Instruction>> rewritten(const WordedTask& task, const std::string& now, const std::string& text,
                                                const std::function<void(std::string)>& refuse) {
@@ -72,24 +84,24 @@ class Judge {
       refuse("\"" + text + "\": " + join(checked.faults, "; "));
       return std::optional<Instruction>();
     }
-    if (normalised_text(text) != normalised_text(now) && !texts_.insert(key(task.record.layout, text)).second) {
+    if (normalised_text(text) != normalised_text(now) && !texts_.add(task.record.layout, text)) {
       refuse("\"" + text + "\": another task of this home has this text");
       return std::optional<Instruction>();
     }
     return std::optional(checked.instruction);
   }
 
-  const std::vector<WordedTask>& tasks_;
   const RulingContext& context_;
-  std::map<std::string, std::size_t> at_;
-  std::set<std::string> texts_;
+  std::map<std::string, WordedTask> tasks_;  // that have a review, by id
+  HomeTexts texts_;                          // of the homes in which one is to be edited
 };
 
 }  // namespace
 
-Result<std::vector<Ruling>> rule_on(const std::vector<Review>& reviews, const std::vector<WordedTask>& tasks,
-                                    const RulingContext& context, ApplyReport& report) {
-  return Judge(tasks, context).rulings(reviews, report);
+Result<Rulings> rule_on(const std::vector<Review>& reviews, const RulingContext& context, ApplyReport& report) {
+  Judge judge(context);
+  if (auto read = judge.read(reviews); !read) return read.error();
+  return judge.rulings(reviews, report);
 }
 
 }  // namespace unietp

@@ -11,7 +11,6 @@
 #include "record/review_mark_record.h"
 #include "report/review_file.h"
 #include "resources/resources.h"
-#include "rewording/worded_task.h"
 
 namespace unietp {
 
@@ -20,6 +19,7 @@ struct Ruling {
   const Review* review = nullptr;        // that is taken over
   std::optional<Instruction> rewritten;  // of an edit
 };
+using Rulings = std::map<std::string, Ruling>;  // by task; those whose review is taken over
 
 /// What became of the verdicts.
 struct ApplyReport {
@@ -35,9 +35,8 @@ struct RulingContext {
   const std::map<std::string, ReviewMarkRecord>& judged_before;  // earlier verdicts, by task
 };
 
-/// A ruling for each task, in their order. What is not taken over is counted and named in the report. Errors: those of
-/// reading a start.
-Result<std::vector<Ruling>> rule_on(const std::vector<Review>& reviews, const std::vector<WordedTask>& tasks,
-                                    const RulingContext& context, ApplyReport& report);
+/// The rulings on the tasks of a folder. What is not taken over is counted and named in the report. In memory are the
+/// tasks that have a review, and the texts of the homes in which one is to be edited. Errors: those of reading.
+Result<Rulings> rule_on(const std::vector<Review>& reviews, const RulingContext& context, ApplyReport& report);
 
 }  // namespace unietp

@@ -3,9 +3,9 @@
 #include "record/dataset_reader.h"
 
 namespace unietp {
-namespace {
 
-Result<WordedTask> worded_task(const std::string& file, int line, TaskRecord record) {
+Result<WordedTask> worded_task(const std::filesystem::path& folder, int line, TaskRecord record) {
+  const auto file = (folder / kTasksFile).string();
   const auto at_line = [line](Error error) {
     error.pos = {line, error.pos.column};
     return error;
@@ -36,27 +36,20 @@ Result<WordedTask> worded_task(const std::string& file, int line, TaskRecord rec
   return task;
 }
 
-}  // namespace
-
-Result<std::vector<WordedTask>> read_worded_tasks(const std::filesystem::path& folder) {
+DatasetParts all_lines(const std::filesystem::path& folder) {
   std::error_code code;
-  const bool wordings = std::filesystem::exists(folder / kWordingsFile, code);
-  auto modes = shown_modes(folder);
-  if (modes.empty()) modes.push_back(Mode::M1);  // which every data set has
-  auto reader = DatasetReader::open(folder, {.modes = std::move(modes), .wordings = wordings});
+  DatasetParts parts{.modes = shown_modes(folder), .wordings = std::filesystem::exists(folder / kWordingsFile, code)};
+  if (parts.modes.empty()) parts.modes.push_back(Mode::M1);  // which every data set has
+  return parts;
+}
+
+Result<Done> for_each_worded_task(const std::filesystem::path& folder, const DatasetParts& parts,
+                                  const std::function<Result<Done>(WordedTask&&)>& use) {
+  auto reader = DatasetReader::open(folder, parts);
   if (!reader) return reader.error();
-  const auto file = (folder / kTasksFile).string();
-  std::vector<WordedTask> tasks;
-  const auto done = for_each_task<TaskRecord>(
-      std::move(*reader), 1, [](const FinishedTask& task) -> Result<TaskRecord> { return task.record; },
-      [&](TaskRecord&& record) -> Result<Done> {
-        auto task = worded_task(file, static_cast<int>(tasks.size()) + 1, std::move(record));
-        if (!task) return task.error();
-        tasks.push_back(std::move(*task));
-        return Done{};
-      });
-  if (!done) return done.error();
-  return tasks;
+  int line = 0;
+  return for_each_task<WordedTask>(
+      std::move(*reader), 1, [&](const FinishedTask& task) { return worded_task(folder, ++line, task.record); }, use);
 }
 
 Instruction instruction_of(const WordedTask& task) {

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
+#include <functional>
 
 #include "annotator/instruction.h"
 #include "core/result.h"
 #include "generator/specification.h"
+#include "record/dataset_lines.h"
 #include "record/home_cache.h"
 #include "record/task_record.h"
 
@@ -17,9 +18,17 @@ struct WordedTask {
   Specification specification;
 };
 
-/// All tasks of a data set's folder, in order. The demonstrations and wordings are read along, so that a folder whose
-/// files do not belong together is refused before anything is written. Errors: Io; Parse and Schema with file and line.
-Result<std::vector<WordedTask>> read_worded_tasks(const std::filesystem::path& folder);
+/// The task of line `line` of a data set's folder. Errors: Parse and Schema with file and line.
+Result<WordedTask> worded_task(const std::filesystem::path& folder, int line, TaskRecord record);
+
+/// All parts of a data set's folder that have a line for each task, start scenes apart: whoever reads them learns that
+/// the files belong together.
+DatasetParts all_lines(const std::filesystem::path& folder);
+
+/// Calls `use` for each task of the folder, in order; one is in memory at a time. Stops at the first error of `use`.
+/// `parts` are read along. Errors: Io; Parse and Schema with file and line; those of `use`.
+Result<Done> for_each_worded_task(const std::filesystem::path& folder, const DatasetParts& parts,
+                                  const std::function<Result<Done>(WordedTask&&)>& use);
 
 /// The instruction that the task has.
 Instruction instruction_of(const WordedTask& task);

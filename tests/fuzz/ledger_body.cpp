@@ -14,7 +14,9 @@ bool rewording_body(std::string_view bytes) {
   other.writer = "fuzz";
   const auto copy = folder.path() / "copy.sqlite";
   std::filesystem::remove(copy);
-  return check_result(reword_database(folder.path() / "dataset.sqlite", copy, {{"ai2thor-00001", other}}));
+  auto database = RewordedDatabase::begin(folder.path() / "dataset.sqlite", copy);
+  return check_result(database) && check_result(database->add("ai2thor-00001", other)) &&
+         check_result(database->finish());
 }
 
 bool ledger_body(std::string_view bytes) {

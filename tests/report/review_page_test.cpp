@@ -43,12 +43,30 @@ FinishedSet set_of(int count) {
   FinishedSet set;
   set.name = "many";
   set.digest = "digest-" + std::to_string(count);
-  for (int i = 0; i < count; ++i) set.tasks.push_back(task(i));
   return set;
 }
 
-Result<StartPictures> pictures(std::size_t i) {
-  const std::string number = std::to_string(i);
+std::vector<ReviewEntry> list_of(int count) {
+  std::vector<ReviewEntry> list;
+  for (int i = 0; i < count; ++i) {
+    const TaskRecord one = task(i);
+    list.push_back({one.id, one.simulator, one.split, one.template_name, one.instruction, one.layout});
+  }
+  return list;
+}
+
+/// The tasks from the first on.
+ShownTaskSource tasks_of(int count) {
+  return [count, i = 0]() mutable -> std::optional<Result<ShownTask>> {
+    if (i == count) return std::nullopt;
+    return ShownTask{task(i++),
+                     {{Mode::M1, {{"go_to(fridge_1)", true, ""}, {"open(fridge_1)", false, "It is stuck."}}},
+                      {Mode::M3, {{"stop", true, ""}}}}};
+  };
+}
+
+Result<StartPictures> pictures(const TaskRecord& task) {
+  const std::string number = task.id.substr(std::string("ai2thor-").size());
   return StartPictures{
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"10\" height=\"10\" viewBox=\"0 0 10 10\"><title>t</title>"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\" onclick=\"window.hurt=3\"/><g><title>mug</title><circle "
@@ -57,10 +75,8 @@ Result<StartPictures> pictures(std::size_t i) {
       std::string("\x89PNG\r\n\x1a\n", 8) + number};
 }
 
-std::vector<std::vector<PlanCard>> plans_for(std::size_t count) {
-  return std::vector<std::vector<PlanCard>>(
-      count, {{Mode::M1, {{"go_to(fridge_1)", true, ""}, {"open(fridge_1)", false, "It is stuck."}}},
-              {Mode::M3, {{"stop", true, ""}}}});
+Result<std::string> page_of(int count, int threads) {
+  return review_page(set_of(count), list_of(count), tasks_of(count), threads, pictures);
 }
 
 class ReviewPage : public ::testing::Test {
@@ -79,8 +95,7 @@ class ReviewPage : public ::testing::Test {
   }
   /// Writes and opens the page of so many tasks; its size in bytes.
   std::size_t open(int count) {
-    const auto set = set_of(count);
-    const auto page = review_page(set, plans_for(set.tasks.size()), 2, pictures);
+    const auto page = page_of(count, 2);
     EXPECT_TRUE(page);
     const auto file = folder_ / "review.html";
     EXPECT_TRUE(write_file(file, *page));
@@ -206,10 +221,23 @@ TEST_F(ReviewPage, TenThousandTasksPageThrough) {
 }
 
 TEST(ReviewPageBytes, AreTheSameForAnyNumberOfThreads) {
-  const auto set = set_of(120);
-  const auto one = review_page(set, plans_for(120), 1, pictures), four = review_page(set, plans_for(120), 4, pictures);
+  const auto one = page_of(120, 1), four = page_of(120, 4);
   ASSERT_TRUE(one && four);
   EXPECT_EQ(*one, *four);
+}
+
+TEST(ReviewPageBytes, AreOfTheTasksOfTheList) {
+  for (const int read : {29, 31}) {
+    const auto page = review_page(set_of(30), list_of(30), tasks_of(read), 2, pictures);
+    ASSERT_FALSE(page) << read;
+    EXPECT_THAT(page.error().message, HasSubstr("was changed while it was read"));
+  }
+  const auto fails = [](const TaskRecord& task) -> Result<StartPictures> {
+    return Error{Error::Kind::Io, task.id, {}, "has no picture"};
+  };
+  const auto page = review_page(set_of(30), list_of(30), tasks_of(30), 2, fails);
+  ASSERT_FALSE(page);
+  EXPECT_EQ(page.error().where, "ai2thor-0");
 }
 
 }  // namespace

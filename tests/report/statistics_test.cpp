@@ -1,12 +1,16 @@
 #include "report/statistics.h"
 
+#include <set>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/files.h"
+#include "dataset/lines.h"
 #include "record/home_cache.h"
 #include "report/charts.h"
 #include "report/figure_table.h"
+#include "report/report_page.h"
 #include "scene/scene_json.h"
 #include "tests/support/scratch_folder.h"
 
@@ -62,33 +66,57 @@ Scene home_of(const std::string& id, int mugs) {
   return home;
 }
 
-/// Two homes, the first of two tasks.
+TaskEntry entry(const std::string& id, const std::string& home, const std::string& name, const std::string& text,
+                const std::string& goal) {
+  TaskEntry task;
+  task.id = task.scene = id;
+  task.simulator = "ai2thor";
+  task.split = "atomic";
+  task.template_name = name;
+  task.layout = home;
+  task.bindings = {{"A", "Bowl"}};
+  task.goal_text = goal;
+  task.goal = *parse_formula("goal", goal, FormulaUse::Goal);
+  task.changes = "{}";
+  task.instruction = {text, "grammar", Style::Direct, {}, ""};
+  task.expert = {{Mode::M1, 2, 1}};
+  return task;
+}
+
+/// A folder of three tasks in two homes: the last task is in the home of the first.
 class SetOfThree {
  public:
   SetOfThree() {
+    for (const auto& home : {home_of("first", 2), home_of("second", 5)})
+      EXPECT_TRUE(write_file(scratch_.path(), home_file(home.id), gzip(scene_to_json(home))));
+    write("tasks.jsonl", {line_of(entry("t-1", "first", "open-one", "Put the mug on a table.",
+                                        "(at-end (exists (?a - Mug) (clean ?a)))")),
+                          line_of(entry("t-2", "second", "close-one", "Wash 2 stir-fry pans -",
+                                        "(at-end (exists (?a - Mug) (not (clean ?a))))")),
+                          line_of(entry("t-3", "first", "open-one", "put THE mug's lid on two mugs, please!",
+                                        "(exists (?a - Mug) (sometime (held ?a)))"))});
+    const Command open{"open", {{"mug_1", std::nullopt}}}, stop{"stop", {}};
+    const Delta none;
+    std::vector<std::string> shown;
+    for (const char* task : {"t-1", "t-2", "t-3"})
+      shown.push_back(demonstration_line(
+          task, Mode::M1, {{open, false, "too-far", "It is too far.", {}, none}, {stop, true, "none", "", {}, none}}));
+    write("demonstrations/M1.jsonl", shown);
+    const RejectionEntry given_up{3, 0, "open-one", "ai2thor", "atomic", "expert", "action-failed", ""};
+    write("rejections.jsonl", {line_of(given_up), line_of(given_up)});
     set.folder = scratch_.path();
     set.name = "three";
-    std::filesystem::create_directories(scratch_.path() / "homes");
-    for (const auto& home : {home_of("first", 2), home_of("second", 5)})
-      EXPECT_TRUE(write_file(scratch_.path() / home_file(home.id), gzip(scene_to_json(home))));
-    add("first", "open-one", "Put the mug on a table.", "(at-end (exists (?a - Mug) (clean ?a)))");
-    add("first", "open-one", "put THE mug's lid on two mugs, please!", "(exists (?a - Mug) (sometime (held ?a)))");
-    add("second", "close-one", "Wash 2 stir-fry pans -", "(at-end (exists (?a - Mug) (not (clean ?a))))");
+    set.modes = {Mode::M1};
   }
   FinishedSet set;
 
- private:
-  void add(const std::string& home, const std::string& name, const std::string& text, const std::string& goal) {
-    TaskRecord task;
-    task.simulator = "ai2thor";
-    task.split = "atomic";
-    task.template_name = name;
-    task.layout = task.scene = home;
-    task.instruction = text;
-    task.goal_tree = *parse_formula("goal", goal, FormulaUse::Goal);
-    task.bindings = {{"A", "Bowl"}};
-    set.tasks.push_back(std::move(task));
+  void write(const std::string& file, const std::vector<std::string>& lines) const {
+    std::string text;
+    for (const auto& line : lines) text += line + "\n";
+    EXPECT_TRUE(write_file(scratch_.path(), file, text));
   }
+
+ private:
   ScratchFolder scratch_;
 };
 
@@ -135,6 +163,9 @@ TEST(Statistics, CountHomesOnceAndGoalsByTask) {
   EXPECT_EQ(statistics.predicates, (Tally{{"clean", 2}, {"held", 1}}));
   EXPECT_EQ(statistics.operators.at("at-end"), 2);
   EXPECT_EQ(statistics.operators.at("sometime"), 1);
+  EXPECT_EQ(statistics.plan_lengths.at("M1").counts, (std::map<int, int>{{2, 3}}));
+  EXPECT_EQ(statistics.actions.at("M1"), (Tally{{"open", 3}, {"stop", 3}}));
+  EXPECT_EQ(statistics.failed_steps.at("M1"), 3);
   ASSERT_EQ(statistics.coverage.size(), 1U);  // nothing of the other simulator
   EXPECT_EQ(statistics.coverage[0].known, 3);
   EXPECT_EQ(statistics.coverage[0].handled, 1);
@@ -144,11 +175,6 @@ TEST(Statistics, CountHomesOnceAndGoalsByTask) {
 TEST(Statistics, EvennessAndTheFunnelAreOfTheCandidates) {
   SetOfThree three;
   three.set.level["template"] = {{"close-one", 1}, {"open-one", 3}};
-  RejectionRecord given_up;
-  given_up.template_name = "open-one";
-  given_up.stage = "expert";
-  given_up.reason = "action-failed";
-  three.set.given_up = {given_up, given_up};
   const auto statistics = counted(three.set);
   ASSERT_EQ(statistics.evenness.size(), 1U);
   EXPECT_DOUBLE_EQ(statistics.evenness[0].effective, 1.6);       // 16 / (9 + 1)
@@ -158,6 +184,45 @@ TEST(Statistics, EvennessAndTheFunnelAreOfTheCandidates) {
   ASSERT_EQ(statistics.funnel.size(), 2U);
   EXPECT_EQ(statistics.funnel[1].accepted, 2);
   EXPECT_EQ(statistics.funnel[1].causes, (Tally{{"expert: action-failed", 2}}));
+}
+
+TEST(Statistics, AreTheSameForAnyNumberOfThreads) {
+  const SetOfThree three;
+  const auto one = statistics_of_set(three.set, {}, 1), four = statistics_of_set(three.set, {}, 4);
+  ASSERT_TRUE(one && four);
+  EXPECT_EQ(statistics_json({*one}), statistics_json({*four}));
+}
+
+TEST(Statistics, NameTheLineThatCannotBeRead) {
+  const SetOfThree three;
+  three.write("rejections.jsonl", {"{}"});
+  const auto statistics = statistics_of_set(three.set, {}, 2);
+  ASSERT_FALSE(statistics);
+  EXPECT_THAT(format(statistics.error()), HasSubstr("rejections.jsonl:1"));
+}
+
+TEST(Examples, AreSpreadOverTheFileAndRoundRobinOverSimulatorsAndSplits) {
+  DatasetStatistics statistics;
+  statistics.tasks = 7;
+  statistics.by_simulator_and_split = {
+      {{"ai2thor", "atomic"}, 4}, {{"habitat", "atomic"}, 2}, {{"ai2thor", "logical"}, 1}};
+  EXPECT_THAT(example_places(statistics, 4),
+              ElementsAre(ExamplePlace{"atomic", "ai2thor", 0}, ExamplePlace{"atomic", "habitat", 0},
+                          ExamplePlace{"logical", "ai2thor", 0}, ExamplePlace{"atomic", "ai2thor", 1}));
+  const auto all = example_places(statistics, 100);
+  EXPECT_EQ(std::set<ExamplePlace>(all.begin(), all.end()).size(), 7U);
+}
+
+TEST(Examples, AreReadInTheOrderOfTheirPlaces) {
+  const SetOfThree three;
+  const auto examples = read_examples(three.set, {{"atomic", "ai2thor", 2}, {"atomic", "ai2thor", 0}}, 2);
+  ASSERT_TRUE(examples) << format(examples.error());
+  ASSERT_EQ(examples->size(), 2U);
+  EXPECT_EQ((*examples)[0].record.id, "t-3");
+  EXPECT_EQ((*examples)[1].record.id, "t-1");
+  ASSERT_EQ((*examples)[0].plans.size(), 1U);
+  EXPECT_EQ((*examples)[0].plans[0].steps[0].feedback, "It is too far.");
+  EXPECT_FALSE(read_examples(three.set, {{"atomic", "ai2thor", 3}}, 2));
 }
 
 TEST(FunnelRow, AddsUp) { EXPECT_EQ(small("a").candidates(), 5); }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "record/dataset_reader.h"
+#include "report/formula_census.h"
+
+namespace unietp {
+
+/// Counts by name.
+using Tally = std::map<std::string, int>;
+
+/// What the statistics of a data set count of one task.
+struct TaskFigures {
+  struct Plan {
+    int steps = 0, failed = 0;
+    Tally actions;
+  };
+  std::string id, simulator, split, template_name, layout, style, writer;
+  std::vector<std::string> words;       // of the instruction, lower case, in order
+  std::vector<std::string> categories;  // that its template is bound to
+  FormulaCensus goal;
+  std::map<Mode, Plan> plans;  // of the demonstrations that were read
+};
+
+/// Deterministic.
+TaskFigures figures_of(const FinishedTask& task);
+
+/// Whether a word only connects others (a, the, of, …). `word`: lower case.
+bool is_function_word(std::string_view word);
+
+}  // namespace unietp
