@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "akb/csv_table.h"
 #include "akb/name_table.h"
 #include "akb/row_reader.h"
 #include "akb/table_words.h"
@@ -46,12 +47,11 @@ std::vector<std::string> fields(const CompletedFacts::Synset& f) {
   return {f.category, f.synset, f.source.source, number_text(f.source.confidence)};
 }
 
+/// The file by category; "" for a table without rows, which has no file.
 template <class Row>
-std::string csv_of(std::string_view file, std::vector<Row> rows) {
+std::string sorted_csv(std::string_view file, std::vector<Row> rows) {
   std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.category < b.category; });
-  std::string text = csv_line(columns_of_file(file));
-  for (const auto& row : rows) text += csv_line(fields(row));
-  return text;
+  return rows.empty() ? "" : csv_of(columns_of_file(file), rows, fields);
 }
 
 }  // namespace
@@ -207,9 +207,9 @@ Result<Done> write_completed(const std::filesystem::path& folder, CompletedFacts
   tables.aliases = std::move(facts.aliases);
   sort_tables(tables);
   const std::map<std::string, std::string> texts{
-      {"size", facts.sizes.empty() ? "" : csv_of("size", std::move(facts.sizes))},
-      {"mass", facts.masses.empty() ? "" : csv_of("mass", std::move(facts.masses))},
-      {"synset", facts.synsets.empty() ? "" : csv_of("synset", std::move(facts.synsets))},
+      {"size", sorted_csv("size", std::move(facts.sizes))},
+      {"mass", sorted_csv("mass", std::move(facts.masses))},
+      {"synset", sorted_csv("synset", std::move(facts.synsets))},
       {"affordance", tables.affordances.empty() ? "" : table_csv(tables, "affordance")},
       {"relation", tables.placements.empty() ? "" : table_csv(tables, "relation")},
       {"alias", tables.aliases.empty() ? "" : table_csv(tables, "alias")}};

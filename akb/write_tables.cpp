@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "akb/csv.h"
+#include "akb/csv_table.h"
 #include "akb/tables.h"
 #include "core/files.h"
 #include "core/text.h"
@@ -63,13 +63,6 @@ std::vector<std::string> fields(const Asset& a) {
           number_text(a.source.confidence)};
 }
 
-template <class Row>
-std::string csv_of(std::string_view table, const std::vector<Row>& rows) {
-  std::string text = csv_line(columns_of(table));
-  for (const auto& row : rows) text += csv_line(fields(row));
-  return text;
-}
-
 template <class Row, class Key>
 void sort_by(std::vector<Row>& rows, const Key& key) {
   const auto less = [&](const Row& a, const Row& b) { return key(a) < key(b); };
@@ -95,12 +88,13 @@ void sort_tables(Tables& tables) {
 }
 
 std::string table_csv(const Tables& tables, std::string_view table) {
-  if (table == "category") return csv_of(table, tables.categories);
-  if (table == "affordance") return csv_of(table, tables.affordances);
-  if (table == "relation") return csv_of(table, tables.placements);
-  if (table == "effect") return csv_of(table, tables.effects);
-  if (table == "alias") return csv_of(table, tables.aliases);
-  return csv_of(table, tables.assets);
+  const auto& columns = columns_of(table);
+  if (table == "category") return csv_of(columns, tables.categories, fields);
+  if (table == "affordance") return csv_of(columns, tables.affordances, fields);
+  if (table == "relation") return csv_of(columns, tables.placements, fields);
+  if (table == "effect") return csv_of(columns, tables.effects, fields);
+  if (table == "alias") return csv_of(columns, tables.aliases, fields);
+  return csv_of(columns, tables.assets, fields);
 }
 
 Result<Done> write_tables(const std::filesystem::path& folder, const Tables& tables) {

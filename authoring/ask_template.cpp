@@ -69,33 +69,43 @@ class TemplateDialog {
   void ask(const TemplateSection& section) {
     out_ << "\n"
          << section.name << ": " << section.says << (section.required ? "" : "; leave empty to omit it") << "\n";
-    if (section.name == "name") {
-      out_ << "  such as: open one <A>\n";
-      draft_.title = line();
-    } else if (section.name == "split") {
-      out_ << "  one of: atomic compositional logical\n";
-      draft_.split = line();
-    } else if (section.name == "refinement") {
-      out_ << "  such as: by-state\n";
-      draft_.refinement = line();
-    } else if (section.name == "simulators") {
-      out_ << "  some of: ai2thor virtualhome habitat behavior\n";
-      draft_.simulators = words();
-    } else if (section.name == "parameters") {
-      out_ << "  one per line, such as: A - pickupable\n";
-      draft_.parameters = lines();
-    } else if (section.name == "constraints") {
-      out_ << "  one per line, such as: (fits-on A B 2)\n";
-      draft_.constraints = lines();
-    } else if (section.name == "init") {
-      out_ << "  one per line, such as: (exists (?a - A) (closed ?a))\n";
-      draft_.init = lines();
-    } else if (section.name == "goal") {
-      out_ << "  on one line, such as: (exists (?a - A) (at-end (open ?a)))\n";
-      draft_.goal = line();
-    } else if (section.name == "instruction") {
-      out_ << "  one per line, without quotes, such as: Open {A:indefinite}.\n";
-      draft_.phrasings = lines();
+    switch (section.type) {
+      case SectionType::Name:
+        out_ << "  such as: open one <A>\n";
+        draft_.title = line();
+        break;
+      case SectionType::Split:
+        out_ << "  one of: atomic compositional logical\n";
+        draft_.split = line();
+        break;
+      case SectionType::Refinement:
+        out_ << "  such as: by-state\n";
+        draft_.refinement = line();
+        break;
+      case SectionType::Simulators:
+        out_ << "  some of: ai2thor virtualhome habitat behavior\n";
+        draft_.simulators = words();
+        break;
+      case SectionType::Parameters:
+        out_ << "  one per line, such as: A - pickupable\n";
+        draft_.parameters = lines();
+        break;
+      case SectionType::Constraints:
+        out_ << "  one per line, such as: (fits-on A B 2)\n";
+        draft_.constraints = lines();
+        break;
+      case SectionType::Init:
+        out_ << "  one per line, such as: (exists (?a - A) (closed ?a))\n";
+        draft_.init = lines();
+        break;
+      case SectionType::Goal:
+        out_ << "  on one line, such as: (exists (?a - A) (at-end (open ?a)))\n";
+        draft_.goal = line();
+        break;
+      case SectionType::Instruction:
+        out_ << "  one per line, without quotes, such as: Open {A:indefinite}.\n";
+        draft_.phrasings = lines();
+        break;
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include "core/sexpr.h"
 #include "generator/specification.h"
+#include "templates/constraint_kinds.h"
 #include "templates/phrasing_counts.h"
 
 namespace unietp {
@@ -19,18 +20,12 @@ const Sexpr* section_of(const Sexpr& file, std::string_view name) {
   return nullptr;
 }
 
-std::string written(const DomainConstraint& constraint) {
-  std::string text = "(" + constraint.kind;
-  for (const auto& argument : constraint.arguments) text += " " + argument;
-  return text + ")";
-}
-
 /// The first constraint without which there would be a binding, or "".
 std::string blocking_constraint(const Template& source, const Knowledge& knowledge) {
   for (std::size_t i = 0; i < source.constraints.size(); ++i) {
     auto without = source;
     without.constraints.erase(without.constraints.begin() + static_cast<std::ptrdiff_t>(i));
-    if (!enumerate_bindings(without, knowledge, 1).empty()) return written(source.constraints[i]);
+    if (!enumerate_bindings(without, knowledge, 1).empty()) return to_text(source.constraints[i]);
   }
   return "";
 }

@@ -4,6 +4,7 @@
 
 #include "core/sexpr.h"
 #include "core/text.h"
+#include "templates/constraint_kinds.h"
 #include "templates/sections.h"
 #include "templates/template_text.h"
 
@@ -28,24 +29,32 @@ std::vector<std::string> each(std::vector<std::string> items, std::string (*chan
 std::string quoted_text(const std::string& text) { return quoted_string(text); }
 
 /// The items of a section as written in the file.
-std::vector<std::string> items_of(const TemplateDraft& draft, std::string_view section) {
-  if (section == "name") {
-    return {quoted_string(draft.title.empty() ? replace_all(draft.name, "-", " ") : draft.title)};
+std::vector<std::string> items_of(const TemplateDraft& draft, SectionType section) {
+  switch (section) {
+    case SectionType::Name:
+      return {quoted_string(draft.title.empty() ? replace_all(draft.name, "-", " ") : draft.title)};
+    case SectionType::Split:
+      return {draft.split};
+    case SectionType::Refinement:
+      return draft.refinement.empty() ? std::vector<std::string>{} : std::vector{draft.refinement};
+    case SectionType::Simulators:
+      return draft.simulators;
+    case SectionType::Parameters:
+      return each(draft.parameters, in_brackets);
+    case SectionType::Constraints:
+      return draft.constraints;
+    case SectionType::Init:
+      return each(draft.init, laid_out_text);
+    case SectionType::Goal:
+      return draft.goal.empty() ? std::vector<std::string>{} : std::vector{laid_out_text(draft.goal)};
+    case SectionType::Instruction:
+      return each(draft.phrasings, quoted_text);
   }
-  if (section == "split") return {draft.split};
-  if (section == "refinement" && !draft.refinement.empty()) return {draft.refinement};
-  if (section == "simulators") return draft.simulators;
-  if (section == "parameters") return each(draft.parameters, in_brackets);
-  if (section == "constraints") return draft.constraints;
-  if (section == "init") return each(draft.init, laid_out_text);
-  if (section == "goal")
-    return draft.goal.empty() ? std::vector<std::string>{} : std::vector{laid_out_text(draft.goal)};
-  if (section == "instruction") return each(draft.phrasings, quoted_text);
   return {};
 }
 
-bool below_each_other(std::string_view section) {
-  return section == "init" || section == "goal" || section == "instruction";
+bool below_each_other(SectionType section) {
+  return section == SectionType::Init || section == SectionType::Goal || section == SectionType::Instruction;
 }
 
 /// The first word of a line that opens a section, or "".
@@ -72,7 +81,7 @@ TemplateDraft draft_like(const Template& source, std::string name) {
     draft.parameters.push_back(parameter.name + " - " + join(parameter.affordances, " "));
   }
   for (const auto& constraint : source.constraints) {
-    draft.constraints.push_back("(" + constraint.kind + " " + join(constraint.arguments, " ") + ")");
+    draft.constraints.push_back(to_text(constraint));
   }
   for (const auto& start : source.init) draft.init.push_back(to_text(start));
   draft.goal = to_text(source.goal);
@@ -86,14 +95,14 @@ std::string draft_text(const TemplateDraft& draft) {
       "(template " +
       draft.name;
   for (const auto& section : template_sections()) {
-    const auto items = items_of(draft, section.name);
+    const auto items = items_of(draft, section.type);
     text += "\n  ; " + std::string(section.says) + "\n";
     if (items.empty() && !section.required) {
       text += "  ; optional: " + std::string(section.usage);
       continue;
     }
     text += "  (" + std::string(section.name);
-    for (const auto& item : items) text += (below_each_other(section.name) ? "\n    " : " ") + item;
+    for (const auto& item : items) text += (below_each_other(section.type) ? "\n    " : " ") + item;
     text += ")";
   }
   return text + "\n)\n";
@@ -103,7 +112,7 @@ std::vector<DraftProblem> draft_problems(const TemplateDraft& draft, const std::
   const auto text = draft_text(draft);
   std::vector<DraftProblem> problems;
   for (const auto& section : template_sections()) {
-    for (const auto& item : items_of(draft, section.name)) {
+    for (const auto& item : items_of(draft, section.type)) {
       const std::string name(section.name);
       const auto read = read_sexpr(name, item);
       if (!read) problems.push_back({{{Error::Kind::Parse, name, {}, read.error().message}, false}, name});

@@ -24,20 +24,19 @@ std::optional<Binding> completed(const Template& source, const Knowledge& knowle
 
 /// "relation has no row (inside, Fridge, Mug)" for a placement constraint that does not hold, and the like.
 std::string fact_of(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
-  const auto* kind = constraint_kind(constraint.kind);
-  if (kind == nullptr || kind->meaning == ConstraintKind::Meaning::Distinct || constraint.arguments.size() < 2)
-    return "";
+  const ConstraintKind& kind = info(constraint.type);
+  if (kind.meaning == ConstraintKind::Meaning::Distinct || constraint.arguments.size() < 2) return "";
   std::vector<std::string> bound;
   for (const auto& use : placeholders_of(constraint)) {
     const auto* category = bound_to(binding, use.name);
     bound.push_back(category == nullptr ? use.name : *category + (use.slice ? "/slice" : ""));
   }
   if (bound.size() < 2) return "";
-  if (kind->treatment)
-    return "effect has no row (" + bound[0] + ", " + std::string(name_of(*kind->treatment)) + ", " + bound[1] + ")";
-  if (!kind->relation) return "";
-  const std::string word(info(*kind->relation).name);
-  const auto* row = knowledge.placement(bound[0], *kind->relation, bound[1]);
+  if (kind.treatment)
+    return "effect has no row (" + bound[0] + ", " + std::string(name_of(*kind.treatment)) + ", " + bound[1] + ")";
+  if (!kind.relation) return "";
+  const std::string word(info(*kind.relation).name);
+  const auto* row = knowledge.placement(bound[0], *kind.relation, bound[1]);
   if (row == nullptr) return "relation has no row (" + word + ", " + bound[0] + ", " + bound[1] + ")";
   return "relation allows " + std::to_string(row->capacity) + " " + bound[0] + " fit " + word + " " + bound[1] +
          "; the template requires " + std::to_string(capacity_of(constraint));

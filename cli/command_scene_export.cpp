@@ -27,7 +27,7 @@ Result<SceneWriter> writer_named(const std::string& format) {
         [write](const Scene& scene, const Knowledge& knowledge, const FormatFacts&) { return write(scene, knowledge); };
   };
   const std::map<std::string, SceneWriter> writers{
-      {"habitat", plain(write_habitat)}, {"procthor", write_procthor}, {"virtualhome", plain(write_virtualhome)}};
+      {"habitat", plain(write_habitat)}, {"procthor", write_procthor}, {"virtualhome", write_virtualhome}};
   if (const auto found = writers.find(format); found != writers.end()) return found->second;
   std::vector<std::string> names;
   names.reserve(writers.size());

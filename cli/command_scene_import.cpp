@@ -132,9 +132,9 @@ Result<Done> write_home(const SceneImportOptions& options, const ForeignHome& ho
 Exit import(const SceneImportOptions& options, const CommandLine& program) {
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
-  const auto [facts, wrong] = read_format_facts(program.folders.scene_files());
-  if (!wrong.empty()) return refuse(wrong);
-  auto reading = read_foreign_scenes(options.format, options.files, known.backends, facts, options.assets);
+  const auto formats = read_format_facts(program.folders.scene_files());
+  if (!formats.errors.empty()) return refuse(formats.errors);
+  auto reading = read_foreign_scenes(options.format, options.files, known.backends, formats.facts, options.assets);
   if (!reading.errors.empty()) return refuse(reading.errors);
   if (!options.homes.empty()) {
     if (const auto chosen = choose(options.homes, reading.homes); !chosen) return refuse(chosen.error());
@@ -147,7 +147,7 @@ Exit import(const SceneImportOptions& options, const CommandLine& program) {
   how.settle = !options.not_settled;
   std::atomic<bool> unwritable{false};
   const bool whole = for_each_home(homes.size(), options.threads, program, [&](std::size_t i) {
-    const auto imported = import_home(homes[i], known.backends, how);
+    const auto imported = import_home(homes[i], known.backends, formats.facts, how);
     if (!imported) {
       outcomes[i].failure = imported.error();
       return true;

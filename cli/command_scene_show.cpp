@@ -46,7 +46,7 @@ Exit show(const SceneShowOptions& options, const CommandLine& program) {
   if (!reading.errors.empty()) return refuse(reading.errors);
   const auto home = chosen(reading.homes, options);
   if (!home) return refuse(home.error());
-  const auto scene = scene_of(**home, known.backends);
+  const auto scene = scene_of(**home, known.backends, facts);
   if (!scene) return refuse(scene.error());
   if (const auto written = write_file(options.out, scene_svg(*scene)); !written) return refuse(written.error());
   return Exit::Ok;

@@ -74,15 +74,15 @@ Result<std::optional<Measured>> measure(const std::filesystem::path& path, const
       return std::optional(Measured{std::move(*statistics), std::nullopt});
     }
   }
-  const auto [facts, wrong] = read_format_facts(program.folders.scene_files());
-  if (!wrong.empty()) return wrong.front();
-  auto reading = read_homes({path}, backends, facts);
+  const auto formats = read_format_facts(program.folders.scene_files());
+  if (!formats.errors.empty()) return formats.errors.front();
+  auto reading = read_homes({path}, backends, formats.facts);
   if (!reading.errors.empty()) return reading.errors.front();
   const auto homes = homes_of_one_simulator(path, options, std::move(reading.homes));
   if (!homes) return homes.error();
   std::vector<std::optional<Result<Scene>>> made(homes->size());
   const bool whole = for_each_home(homes->size(), options.threads, program, [&](std::size_t i) {
-    made[i] = scene_of((*homes)[i], backends);
+    made[i] = scene_of((*homes)[i], backends, formats.facts);
     return static_cast<bool>(*made[i]);
   });
   std::vector<Scene> scenes;

@@ -27,8 +27,7 @@ Dimension dimension_of(const Parameter& parameter, const Template& source) {
   if (asks_for(parameter, "room")) return Dimension::Room;
   if (asks_for(parameter, "receptacle") || asks_for(parameter, "container")) return Dimension::Receptacle;
   for (const auto& constraint : source.constraints) {
-    const auto* kind = constraint_kind(constraint.kind);
-    if (kind == nullptr || kind->meaning != ConstraintKind::Meaning::Placement) continue;
+    if (info(constraint.type).meaning != ConstraintKind::Meaning::Placement) continue;
     const auto uses = placeholders_of(constraint);
     if (uses.size() > 1 && uses[1].name == parameter.name) return Dimension::Receptacle;
   }

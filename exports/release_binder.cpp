@@ -51,13 +51,13 @@ std::string ReleaseBinder::their_category(const std::string& category) const {
 }
 
 void ReleaseBinder::add_room(const std::string& type, ReleaseBound& bound) {
-  const auto name = release_room(knowledge_.simulator(), type);
+  const auto name = release_room(knowledge_.simulator(), type, facts_);
   if (!name) {
     refuse("the room categories of this simulator are unknown in the release");
     return;
   }
   for (const Room& room : start_.rooms) {
-    if (room.type != type && release_room(knowledge_.simulator(), room.type) == name)
+    if (room.type != type && release_room(knowledge_.simulator(), room.type, facts_) == name)
       refuse("their category " + *name + " includes more than our " + type);
   }
   bound.room = true;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "akb/knowledge.h"
+#include "interchange/format_facts.h"
 #include "logic/formula.h"
 #include "scene/scene.h"
 
@@ -25,7 +26,8 @@ struct ReleaseBound {
 /// to the release's format. Keeps the first reason why that is impossible. Deterministic.
 class ReleaseBinder {
  public:
-  ReleaseBinder(const Scene& start, const Knowledge& knowledge) : start_(start), knowledge_(knowledge) {}
+  ReleaseBinder(const Scene& start, const Knowledge& knowledge, const FormatFacts& facts)
+      : start_(start), knowledge_(knowledge), facts_(facts) {}
 
   /// The first reason why the goal cannot be expressed; "" for none.
   const std::string& why() const { return why_; }
@@ -55,6 +57,7 @@ class ReleaseBinder {
 
   const Scene& start_;
   const Knowledge& knowledge_;
+  const FormatFacts& facts_;
   std::set<std::string> plain_;  // their categories of variables without a referring constraint
   std::map<std::string, std::vector<std::string>> referents_;
   std::string why_;

@@ -25,7 +25,7 @@ class Exporter {
   Result<std::optional<std::string>> say(const FinishedTask& finished, const fs::path& folder) {
     const TaskRecord& task = finished.record;
     const Knowledge& knowledge = *backend_of(backends_, finished.start).knowledge;
-    const auto goal = release_goal(task.goal_tree, finished.start, knowledge);
+    const auto goal = release_goal(task.goal_tree, finished.start, knowledge, facts_);
     if (!goal) return std::optional(goal.error().message);
     auto scene = release_scene(task.scene, finished.start, knowledge, facts_);
     if (!scene) return scene.error();

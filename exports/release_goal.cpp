@@ -17,8 +17,8 @@ constexpr const char* kTheirAgent = "robot_agent";
 
 class ReleaseTranslator {
  public:
-  ReleaseTranslator(const Scene& start, const Knowledge& knowledge)
-      : knowledge_(knowledge), binder_(start, knowledge) {}
+  ReleaseTranslator(const Scene& start, const Knowledge& knowledge, const FormatFacts& facts)
+      : knowledge_(knowledge), binder_(start, knowledge, facts) {}
 
   Result<ReleaseGoal> run(const Formula& goal) {
     const Json logic = node(goal);
@@ -229,8 +229,9 @@ class ReleaseTranslator {
 
 }  // namespace
 
-Result<ReleaseGoal> release_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge) {
-  return ReleaseTranslator(start, knowledge).run(goal);
+Result<ReleaseGoal> release_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                                 const FormatFacts& facts) {
+  return ReleaseTranslator(start, knowledge, facts).run(goal);
 }
 
 }  // namespace unietp

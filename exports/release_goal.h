@@ -6,6 +6,7 @@
 
 #include "akb/knowledge.h"
 #include "core/result.h"
+#include "interchange/format_facts.h"
 #include "logic/formula.h"
 #include "scene/scene.h"
 
@@ -19,6 +20,7 @@ struct ReleaseGoal {
 
 /// Translates a goal where it means the same in both: equal truth on every trace that begins with this start, and no
 /// error in the release's evaluator. Pure. Errors: Unsatisfiable with the reason why it cannot be expressed.
-Result<ReleaseGoal> release_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge);
+Result<ReleaseGoal> release_goal(const Formula& goal, const Scene& start, const Knowledge& knowledge,
+                                 const FormatFacts& facts);
 
 }  // namespace unietp

@@ -88,7 +88,7 @@ Result<ReleaseScene> release_scene(const std::string& name, const Scene& start, 
   }
   auto written = start.simulator == Simulator::Ai2thor   ? write_procthor(start, knowledge, facts)
                  : start.simulator == Simulator::Habitat ? write_habitat(start, knowledge)
-                                                         : write_virtualhome(start, knowledge);
+                                                         : write_virtualhome(start, knowledge, facts);
   if (!written) return written.error();
   if (start.simulator == Simulator::Ai2thor) return ai2thor(name, std::move(*written));
   if (start.simulator == Simulator::Habitat) return habitat(name, start, std::move(*written));

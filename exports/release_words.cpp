@@ -63,12 +63,12 @@ std::optional<std::string_view> release_state(Simulator simulator, Predicate pre
   return std::nullopt;
 }
 
-std::optional<std::string> release_room(Simulator simulator, std::string_view type) {
+std::optional<std::string> release_room(Simulator simulator, std::string_view type, const FormatFacts& facts) {
   switch (simulator) {
     case Simulator::Ai2thor:
       return room_type_to_procthor(type);
     case Simulator::Virtualhome:
-      return virtualhome_room_name(type);
+      return virtualhome_room_name(type, facts);
     case Simulator::Behavior:
       return std::string(type.substr(0, type.find('_')));  // of "living_room_0" what stands before the first "_"
     case Simulator::Habitat:

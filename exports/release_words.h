@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "interchange/format_facts.h"
 #include "logic/vocabulary.h"
 #include "scene/simulator.h"
 
@@ -18,7 +19,7 @@ std::string_view release_file(Simulator simulator);
 std::optional<std::string_view> release_state(Simulator simulator, Predicate predicate);
 
 /// A room's category in their scene graph, by our room type; nullopt when unknown.
-std::optional<std::string> release_room(Simulator simulator, std::string_view type);
+std::optional<std::string> release_room(Simulator simulator, std::string_view type, const FormatFacts& facts);
 
 /// Whether their graph of this simulator has both `on` and `inside`; otherwise the receptacle's category decides which
 /// of the two it has.

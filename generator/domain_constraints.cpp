@@ -73,36 +73,36 @@ bool all_distinct(const DomainConstraint& constraint, const Binding& binding) {
 /// is bound; nullopt when this constraint does not narrow the choice.
 std::optional<std::vector<std::string>> narrowed(const DomainConstraint& constraint, const std::string& placeholder,
                                                  const Binding& binding, const Knowledge& knowledge) {
-  const auto* kind = constraint_kind(constraint.kind);
-  if (kind == nullptr || constraint.arguments.size() < 2) return std::nullopt;
+  const ConstraintKind& kind = info(constraint.type);
+  if (constraint.arguments.size() < 2) return std::nullopt;
   const auto& first = constraint.arguments[0];
   const auto& second = constraint.arguments[1];
-  if (kind->meaning == Meaning::Value || kind->meaning == Meaning::Usual) {
+  if (kind.meaning == Meaning::Value || kind.meaning == Meaning::Usual) {
     const auto* bound = second == placeholder ? bound_to(binding, first) : nullptr;
     const auto* category = bound == nullptr ? nullptr : knowledge.find(*bound);
     if (category == nullptr) return std::nullopt;
-    if (kind->meaning == Meaning::Usual) return sorted_unique(category->rooms);
+    if (kind.meaning == Meaning::Usual) return sorted_unique(category->rooms);
     return sorted_unique(values_of(*category));
   }
-  if (kind->meaning != Meaning::Placement && kind->meaning != Meaning::Effect) return std::nullopt;
+  if (kind.meaning != Meaning::Placement && kind.meaning != Meaning::Effect) return std::nullopt;
   const auto first_bound = meant_by(first, binding, knowledge);
   const auto second_bound = meant_by(second, binding, knowledge);
   std::vector<std::string> names;
   if (first == placeholder && !second_bound.empty()) {
-    if (kind->meaning == Meaning::Placement) {
-      for (const auto* row : knowledge.placements_at(second_bound.front(), *kind->relation))
+    if (kind.meaning == Meaning::Placement) {
+      for (const auto* row : knowledge.placements_at(second_bound.front(), *kind.relation))
         names.push_back(row->object);
     } else {
-      for (const auto* row : knowledge.effects_on(second_bound.front(), *kind->treatment)) names.push_back(row->tool);
+      for (const auto* row : knowledge.effects_on(second_bound.front(), *kind.treatment)) names.push_back(row->tool);
     }
     return sorted_unique(std::move(names));
   }
   if (second == placeholder && !first_bound.empty()) {
-    if (kind->meaning == Meaning::Placement) {
-      for (const auto* row : knowledge.placements_of(first_bound.front(), *kind->relation))
+    if (kind.meaning == Meaning::Placement) {
+      for (const auto* row : knowledge.placements_of(first_bound.front(), *kind.relation))
         names.push_back(row->receptacle);
     } else {
-      for (const auto* row : knowledge.effects_of(first_bound.front(), *kind->treatment)) names.push_back(row->target);
+      for (const auto* row : knowledge.effects_of(first_bound.front(), *kind.treatment)) names.push_back(row->target);
     }
     return sorted_unique(std::move(names));
   }
@@ -288,25 +288,24 @@ const std::string* bound_to(const Binding& binding, const std::string& placehold
 }
 
 bool satisfies(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
-  const auto* kind = constraint_kind(constraint.kind);
-  if (kind == nullptr) return false;
-  if (kind->meaning == Meaning::Distinct) return all_distinct(constraint, binding);
+  const ConstraintKind& kind = info(constraint.type);
+  if (kind.meaning == Meaning::Distinct) return all_distinct(constraint, binding);
   const auto* first = bound_to(binding, placeholder_use(constraint.arguments[0]).name);
   const auto* category = first == nullptr ? nullptr : knowledge.find(*first);
-  if (kind->meaning == Meaning::Sizes) return category != nullptr && comes_in_sizes(*category, knowledge);
+  if (kind.meaning == Meaning::Sizes) return category != nullptr && comes_in_sizes(*category, knowledge);
   if (constraint.arguments.size() < 2) return false;
-  if (kind->meaning == Meaning::Usual) return usual_holds(constraint, binding, knowledge);
-  if (kind->meaning == Meaning::Value) return value_holds(constraint, binding, knowledge);
-  if (kind->meaning == Meaning::Words) {
+  if (kind.meaning == Meaning::Usual) return usual_holds(constraint, binding, knowledge);
+  if (kind.meaning == Meaning::Value) return value_holds(constraint, binding, knowledge);
+  if (kind.meaning == Meaning::Words) {
     const auto words = alias_kind_named(constraint.arguments[1]);
     return category != nullptr && words && !knowledge.aliases_of(category->name, *words).empty();
   }
-  return kind->meaning == Meaning::Placement ? placement_holds(constraint, *kind, binding, knowledge)
-                                             : effect_holds(constraint, *kind, binding, knowledge);
+  return kind.meaning == Meaning::Placement ? placement_holds(constraint, kind, binding, knowledge)
+                                            : effect_holds(constraint, kind, binding, knowledge);
 }
 
 std::string to_text(const DomainConstraint& constraint, const Binding& binding) {
-  std::vector<std::string> words = {constraint.kind};
+  std::vector<std::string> words = {std::string(info(constraint.type).name)};
   for (const auto& argument : constraint.arguments) {
     const auto use = placeholder_use(argument);
     const auto* category = bound_to(binding, use.name);
@@ -330,7 +329,7 @@ std::vector<std::string> candidates_for(const Parameter& parameter, const std::v
   auto trial = binding;
   trial.emplace_back(parameter.name, "");
   for (const auto& constraint : constraints) {
-    const bool distinct = constraint.kind == "distinct";
+    const bool distinct = constraint.type == ConstraintType::Distinct;
     if (speaks_of(constraint, parameter.name) && (distinct || is_complete(constraint, trial)))
       own.push_back(&constraint);
   }

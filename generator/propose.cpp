@@ -83,8 +83,9 @@ std::optional<GateRefusal> broken_constraint(const Template& source, const Bindi
   for (const auto& constraint : source.constraints) {
     if (satisfies(constraint, binding, knowledge)) continue;
     const auto text = to_text(constraint, binding);
-    const auto remedy = constraint.kind == "distinct" ? "different categories for " + join(constraint.arguments, ", ")
-                                                      : "other categories, or a row of the knowledge base that says it";
+    const auto remedy = constraint.type == ConstraintType::Distinct
+                            ? "different categories for " + join(constraint.arguments, ", ")
+                            : "other categories, or a row of the knowledge base that says it";
     return GateRefusal{Gate::Constraint, text, "the binding breaks the constraint " + text, remedy};
   }
   return std::nullopt;

@@ -56,7 +56,7 @@ Result<std::vector<SourceScene>> read_as(const std::string& format, const std::s
   };
   if (format == "ithor") return read_ithor(where, text);
   if (format == "procthor") return read_procthor(where, text, known(Simulator::Ai2thor));
-  if (format == "virtualhome") return read_virtualhome(where, text, known(Simulator::Virtualhome));
+  if (format == "virtualhome") return read_virtualhome(where, text, known(Simulator::Virtualhome), facts);
   const auto models = given.of(format);
   if (!models) return models.error();
   if (format == "behavior") return read_behavior(where, text, known(Simulator::Behavior), *models);
@@ -152,9 +152,9 @@ ForeignReading read_foreign_scenes(const std::string& format, const std::vector<
 }
 
 Result<ImportedScene> import_home(const ForeignHome& home, const std::vector<Backend>& backends,
-                                  const ImportOptions& options) {
+                                  const FormatFacts& facts, const ImportOptions& options) {
   const auto& backend = backends[static_cast<std::size_t>(home.source.simulator)];
-  return assemble(home.source, backend.knowledge, backend.profile, options);
+  return assemble(home.source, backend.knowledge, backend.profile, facts, options);
 }
 
 }  // namespace unietp

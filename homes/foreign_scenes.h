@@ -42,6 +42,6 @@ ForeignReading read_foreign_scenes(const std::string& format, const std::vector<
 
 /// assemble with the home's own backend.
 Result<ImportedScene> import_home(const ForeignHome& home, const std::vector<Backend>& backends,
-                                  const ImportOptions& options);
+                                  const FormatFacts& facts, const ImportOptions& options);
 
 }  // namespace unietp

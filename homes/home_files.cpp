@@ -46,11 +46,11 @@ HomesReading read_homes(const std::vector<fs::path>& paths, const std::vector<Ba
   return reading;
 }
 
-Result<Scene> scene_of(const HomeInFile& home, const std::vector<Backend>& backends) {
+Result<Scene> scene_of(const HomeInFile& home, const std::vector<Backend>& backends, const FormatFacts& facts) {
   if (const auto* scene = std::get_if<Scene>(&home.content)) return *scene;
   ImportOptions options;
   options.settle = false;
-  auto imported = import_home(std::get<ForeignHome>(home.content), backends, options);
+  auto imported = import_home(std::get<ForeignHome>(home.content), backends, facts, options);
   if (!imported) return imported.error();
   return std::move(imported->scene);
 }

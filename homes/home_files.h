@@ -34,6 +34,6 @@ HomesReading read_homes(const std::vector<std::filesystem::path>& paths, const s
                         const FormatFacts& facts);
 
 /// The home as a scene, with every object where its file places it. Errors: those of assemble.
-Result<Scene> scene_of(const HomeInFile& home, const std::vector<Backend>& backends);
+Result<Scene> scene_of(const HomeInFile& home, const std::vector<Backend>& backends, const FormatFacts& facts);
 
 }  // namespace unietp

@@ -20,15 +20,17 @@ nlohmann::ordered_json counts_to_json(const ImportReport& report) {
 
 std::map<std::string, int> causes_of(const ImportReport& report) {
   std::map<std::string, int> causes;
-  for (const auto& issue : report.issues) ++causes[issue.reason];
+  for (const auto& issue : report.issues) ++causes[std::string(name_of(issue.reason))];
   return causes;
 }
 
 std::string import_to_json(const ForeignHome& home, const ImportReport& report) {
   auto issues = nlohmann::ordered_json::array();
   for (const auto& issue : report.issues)
-    issues.push_back(
-        {{"object", issue.object}, {"category", issue.category}, {"reason", issue.reason}, {"detail", issue.detail}});
+    issues.push_back({{"object", issue.object},
+                      {"category", issue.category},
+                      {"reason", name_of(issue.reason)},
+                      {"detail", issue.detail}});
   const nlohmann::ordered_json json{{"format", "unietp-import/1"},
                                     {"id", home.source.id},
                                     {"file", home.file.filename().string()},

@@ -1,3 +1,5 @@
+#include <array>
+
 #include "core/limits.h"
 #include "interchange/draft.h"
 #include "scene/scene_size.h"
@@ -6,22 +8,21 @@
 namespace unietp {
 namespace {
 
+constexpr std::array<std::string_view, 15> kReasons{
+    "cut-off",          "cyclic-containment", "duplicate-id",  "leaning",  "moved",   "no-size",
+    "not-finite",       "outside-rooms",      "relation-lost", "restless", "too-far", "typical-size",
+    "unknown-category", "unknown-receptacle", "unknown-state"};  // in the order of the enum
+
 std::string more_than(std::size_t count, std::size_t most, const std::string& what) {
   return std::to_string(count) + " " + what + "; accepted are at most " + std::to_string(most);
 }
 
 }  // namespace
 
-const std::vector<std::string>& import_reasons() {
-  static const std::vector<std::string> reasons{
-      "cut-off",          "cyclic-containment", "duplicate-id",  "leaning",  "moved",   "no-size",
-      "not-finite",       "outside-rooms",      "relation-lost", "restless", "too-far", "typical-size",
-      "unknown-category", "unknown-receptacle", "unknown-state"};
-  return reasons;
-}
+std::string_view name_of(ImportReason reason) { return kReasons[static_cast<std::size_t>(reason)]; }
 
 Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowledge, const Profile& profile,
-                               const ImportOptions& options) {
+                               const FormatFacts& facts, const ImportOptions& options) {
   const auto refuse = [&](std::string message) {
     return Error{Error::Kind::Schema, source.id, {}, std::move(message)};
   };
@@ -36,7 +37,7 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   scene.simulator = source.simulator;
   draw_rooms(source, scene);
   if (std::string wrong = excess_of(scene); !wrong.empty()) return refuse(std::move(wrong));
-  Draft draft = draft_of(source, std::move(scene), knowledge);
+  Draft draft = draft_of(source, std::move(scene), knowledge, facts);
   if (draft.scene.rooms.empty()) return refuse("the file has no rooms, and no objects around which to draw one");
   if (draft.scene.nodes.empty()) return refuse("no object of a known category can be placed");
   follow_evidence(draft);
@@ -45,7 +46,7 @@ Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowl
   place_agent(source, profile, draft);
   draft.scene.edges = read_relations(draft.scene);
   draft.report.stayed = count_in_place(source, draft, options.settle);
-  compare_relations(source, draft);
+  compare_relations(source, facts, draft);
   return ImportedScene{std::move(draft.scene), std::move(draft.report)};
 }
 

@@ -1,7 +1,5 @@
 #include "interchange/category_names.h"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 
 #include "core/text.h"
@@ -38,11 +36,8 @@ const Category* CategoryNames::find(std::string_view name) const {
   return found == by_letters_.end() ? nullptr : found->second;
 }
 
-bool is_of_the_building(std::string_view name) {
-  static constexpr std::array<std::string_view, 16> kStructure{
-      "ceiling",  "ceilings", "door",     "doorframe", "doorjamb", "doorway", "doors", "floor",
-      "flooring", "floors",   "openroom", "room",      "rooms",    "roof",    "wall",  "walls"};
-  return std::find(kStructure.begin(), kStructure.end(), letters_of(name)) != kStructure.end();
+bool is_of_the_building(std::string_view name, const FormatFacts& facts) {
+  return facts.building_words.contains(letters_of(name));
 }
 
 }  // namespace unietp

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "akb/knowledge.h"
+#include "interchange/format_facts.h"
 
 namespace unietp {
 
@@ -23,7 +24,7 @@ class CategoryNames {
 };
 
 /// True for what a home is built of and what our scenes draw as rooms, walls and openings: floors, walls, ceilings,
-/// doors in walls and their frames.
-bool is_of_the_building(std::string_view name);
+/// doors in walls and their frames. The words are the table building_words.csv.
+bool is_of_the_building(std::string_view name, const FormatFacts& facts);
 
 }  // namespace unietp

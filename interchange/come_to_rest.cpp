@@ -69,7 +69,8 @@ void come_to_rest(const SourceScene& source, Draft& draft) {
   settle_in_rounds(draft.scene);
   const auto fix = [&](std::size_t node, std::string why) {
     const SourceObject& object = source.objects[draft.source_of[node]];
-    draft.report.issues.push_back({object.id, object.category, "restless", "cannot be moved: " + std::move(why)});
+    draft.report.issues.push_back(
+        {object.id, object.category, ImportReason::Restless, "cannot be moved: " + std::move(why)});
     draft.scene.nodes.edit(node).movable = false;
   };
   // Piles that no rigid bodies make keep creeping: they stay as they are, as furniture does.

@@ -77,21 +77,22 @@ int count_in_place(const SourceScene& source, Draft& draft, bool list) {
       ++near;
     } else if (list) {
       const SourceObject& object = source.objects[draft.source_of[i]];
-      draft.report.issues.push_back({object.id, object.category, "moved", millimetres(off) + " from the file's pose"});
+      draft.report.issues.push_back(
+          {object.id, object.category, ImportReason::Moved, millimetres(off) + " from the file's pose"});
     }
   }
   return near;
 }
 
-void compare_relations(const SourceScene& source, Draft& draft) {
+void compare_relations(const SourceScene& source, const FormatFacts& facts, Draft& draft) {
   const Holding holding(draft.scene);
   for (const DraftRelation& relation : draft.relations) {
     ++draft.report.relations;
     const SourceObject& object = source.objects[relation.object];
     const SourceObject& receptacle = source.objects[relation.receptacle];
     const bool moves = relation.node && draft.scene.nodes[*relation.node].movable;
-    const bool placed = relation.node || is_of_the_building(object.category);
-    const bool receptacle_placed = relation.held || is_of_the_building(receptacle.category);
+    const bool placed = relation.node || is_of_the_building(object.category, facts);
+    const bool receptacle_placed = relation.held || is_of_the_building(receptacle.category, facts);
     bool held = false;
     if (!placed || !receptacle_placed) {
       held = false;
@@ -109,7 +110,8 @@ void compare_relations(const SourceScene& source, Draft& draft) {
     draft.report.loose += moves;
     draft.report.loose_held += moves && held;
     if (held) continue;
-    draft.report.issues.push_back({object.id, object.category, "relation-lost", "no longer on or in " + receptacle.id});
+    draft.report.issues.push_back(
+        {object.id, object.category, ImportReason::RelationLost, "no longer on or in " + receptacle.id});
   }
 }
 

@@ -17,6 +17,8 @@
 namespace unietp {
 namespace {
 
+using Reason = ImportReason;
+
 constexpr double kThinnestBox_m = 0.002;  // physics needs some thickness
 constexpr double kOutside_m = 0.5;        // what lies farther from every room is not in the home
 constexpr double kLeaning_rad = 0.05;     // a tilt that physics would not keep
@@ -78,8 +80,8 @@ void unfold(Node& node) {
 
 class Placer {
  public:
-  Placer(const SourceScene& source, Scene scene, const Knowledge& knowledge)
-      : source_(source), knowledge_(knowledge), names_(knowledge) {
+  Placer(const SourceScene& source, Scene scene, const Knowledge& knowledge, const FormatFacts& facts)
+      : source_(source), knowledge_(knowledge), facts_(facts), names_(knowledge) {
     draft_.scene = std::move(scene);
     for (const Room& room : draft_.scene.rooms) ids_.insert(room.id);
     for (const Opening& opening : draft_.scene.openings) ids_.insert(opening.id);
@@ -94,8 +96,8 @@ class Placer {
   }
 
  private:
-  void issue(const SourceObject& object, std::string reason, std::string detail) {
-    draft_.report.issues.push_back({object.id, object.category, std::move(reason), std::move(detail)});
+  void issue(const SourceObject& object, Reason reason, std::string detail) {
+    draft_.report.issues.push_back({object.id, object.category, reason, std::move(detail)});
   }
 
   void place(std::size_t index) {
@@ -103,29 +105,29 @@ class Placer {
     const Asset* asset = object.asset.empty() ? nullptr : knowledge_.asset(object.asset);
     const Category* category = names_.find(object.category);
     if (category == nullptr && asset != nullptr) category = knowledge_.find(asset->category);
-    const bool structure = is_of_the_building(object.category);
+    const bool structure = is_of_the_building(object.category, facts_);
     if (category == nullptr && !structure) {
-      return issue(object, "unknown-category",
+      return issue(object, Reason::UnknownCategory,
                    object.category.empty() ? "the file does not say what it is" : "the knowledge base has none");
     }
     if (category != nullptr) ++draft_.report.known;
     if (!by_id_.try_emplace(object.id, index).second) {
-      return issue(object, "duplicate-id", "an earlier object has the same id");
+      return issue(object, Reason::DuplicateId, "an earlier object has the same id");
     }
     known_.insert(index);
     if (!finite(object) || std::abs(object.pose.rotation.norm() - 1) > 1e-3 || object.size.minCoeff() < 0) {
-      return issue(object, "not-finite", "its pose or size is not finite");
+      return issue(object, Reason::NotFinite, "its pose or size is not finite");
     }
     if (object.pose.position.cwiseAbs().maxCoeff() > limits::kHomeOffset_m ||
         object.size.maxCoeff() > limits::kImportedObject_m) {
-      return issue(object, "too-far", "its pose or size is larger than a home");
+      return issue(object, Reason::TooFar, "its pose or size is larger than a home");
     }
     if (structure) {
       if (category != nullptr) draft_.structure.push_back(index);
       return;
     }
     if (!near_a_room(draft_.scene, object.pose.position.head<2>())) {
-      return issue(object, "outside-rooms", "it lies more than half a metre from every room");
+      return issue(object, Reason::OutsideRooms, "it lies more than half a metre from every room");
     }
     add_node(index, object, *category, asset);
   }
@@ -140,9 +142,9 @@ class Placer {
     if (node.size.maxCoeff() <= 0 && asset != nullptr) node.size = asset->size;
     if (node.size.maxCoeff() <= 0) {
       node.size = category.size;
-      issue(object, "typical-size", "neither the file nor the knowledge base has its own");
+      issue(object, Reason::TypicalSize, "neither the file nor the knowledge base has its own");
     }
-    if (node.size.maxCoeff() <= 0) return issue(object, "no-size", "its size is unknown");
+    if (node.size.maxCoeff() <= 0) return issue(object, Reason::NoSize, "its size is unknown");
     node.size = node.size.cwiseMax(kThinnestBox_m);
     node.mass = std::max(object.mass > 0 ? object.mass : category.mass, kLightest_kg);
     node.pose = {object.pose.position, object.pose.rotation.normalized()};
@@ -151,7 +153,7 @@ class Placer {
     for (const State& state : object.states) set_state(node, object, state);
     open_up(node, object);
     if (lean_of(node.pose.rotation) > kLeaning_rad) {
-      if (node.movable) issue(object, "leaning", "taken as the upright box around it");
+      if (node.movable) issue(object, Reason::Leaning, "taken as the upright box around it");
       stand_up(node);
     }
     node.id = free_id(category.name);
@@ -169,7 +171,7 @@ class Placer {
       if (knowledge_.has(node.category, group.affordance)) {
         node.states.set(state);
       } else {
-        issue(object, "unknown-state",
+        issue(object, Reason::UnknownState,
               "the knowledge base does not give " + node.category + " the state " +
                   std::string(info(state.predicate).name));
       }
@@ -210,12 +212,12 @@ class Placer {
         const auto receptacle = by_id_.find(relation.receptacle);
         if (receptacle == by_id_.end()) {
           if (!in_file(relation.receptacle)) {
-            issue(object, "unknown-receptacle", "the file has no object " + relation.receptacle);
+            issue(object, Reason::UnknownReceptacle, "the file has no object " + relation.receptacle);
           }
           continue;
         }
         if (holds(holders, index, receptacle->second)) {
-          issue(object, "cyclic-containment", "it would hold " + relation.receptacle + ", which holds it");
+          issue(object, Reason::CyclicContainment, "it would hold " + relation.receptacle + ", which holds it");
           continue;
         }
         holders[index].push_back(receptacle->second);
@@ -260,6 +262,7 @@ class Placer {
 
   const SourceScene& source_;
   const Knowledge& knowledge_;
+  const FormatFacts& facts_;
   CategoryNames names_;
   Draft draft_;
   std::map<std::string, std::size_t> by_id_;    // known objects of the file
@@ -272,8 +275,8 @@ class Placer {
 
 }  // namespace
 
-Draft draft_of(const SourceScene& source, Scene scene, const Knowledge& knowledge) {
-  return Placer(source, std::move(scene), knowledge).place();
+Draft draft_of(const SourceScene& source, Scene scene, const Knowledge& knowledge, const FormatFacts& facts) {
+  return Placer(source, std::move(scene), knowledge, facts).place();
 }
 
 Bounds box_of(const Node& node) { return bounds_of(shape_of(node), node.pose, node.opening); }

@@ -39,7 +39,7 @@ void draw_rooms(const SourceScene& source, Scene& scene);
 
 /// Nodes for all that can be placed, in the file's order, and the relations among them; the rest as issues. `scene` has
 /// its rooms.
-Draft draft_of(const SourceScene& source, Scene scene, const Knowledge& knowledge);
+Draft draft_of(const SourceScene& source, Scene scene, const Knowledge& knowledge, const FormatFacts& facts);
 
 /// The box of a node's solids as its joints stand, W.
 Bounds box_of(const Node& node);
@@ -58,6 +58,6 @@ void place_agent(const SourceScene& source, const Profile& profile, Draft& draft
 int count_in_place(const SourceScene& source, Draft& draft, bool list);
 
 /// Counts the relations that still hold, and lists the others. Edges must have been read.
-void compare_relations(const SourceScene& source, Draft& draft);
+void compare_relations(const SourceScene& source, const FormatFacts& facts, Draft& draft);
 
 }  // namespace unietp

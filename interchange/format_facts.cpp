@@ -6,6 +6,7 @@
 #include <set>
 
 #include "akb/row_reader.h"
+#include "akb/table_words.h"
 #include "core/files.h"
 #include "interchange/house_names.h"
 
@@ -33,6 +34,32 @@ void read_table(const std::filesystem::path& file, const std::vector<std::string
   }
 }
 
+std::vector<std::string> state_names() {
+  std::vector<std::string> names;
+  for (const StateGroup& group : state_groups()) {
+    for (const Predicate state : group.predicates) names.emplace_back(info(state).name);
+  }
+  return names;
+}
+
+void read_virtualhome_words(const std::filesystem::path& folder, FormatFactsReading& reading) {
+  auto& [facts, errors] = reading;
+  read_table(folder / "virtualhome_rooms.csv", {"class", "room", "source"}, errors,
+             [&](RowReader& row, std::string word) {
+               facts.virtualhome_rooms.push_back({std::move(word), row.required("room")});
+             });
+  read_table(folder / "virtualhome_states.csv", {"word", "state", "source"}, errors,
+             [&](RowReader& row, std::string word) {
+               const auto state = row.value_of("state", state_names(), "state", predicate_named);
+               facts.virtualhome_states.push_back({std::move(word), state});
+             });
+  read_table(folder / "virtualhome_properties.csv", {"property", "affordance", "source"}, errors,
+             [&](RowReader& row, std::string word) {
+               facts.virtualhome_properties.push_back(
+                   {std::move(word), row.one_of("affordance", affordance_names(), "affordance")});
+             });
+}
+
 }  // namespace
 
 FormatFactsReading read_format_facts(const std::filesystem::path& folder) {
@@ -51,6 +78,9 @@ FormatFactsReading read_format_facts(const std::filesystem::path& folder) {
   read_table(floors, {"room", "material", "source"}, errors, [&](RowReader& row, std::string room) {
     facts.floor_materials.emplace(std::move(room), row.required("material"));
   });
+  read_virtualhome_words(folder, reading);
+  read_table(folder / "building_words.csv", {"word", "source"}, errors,
+             [&](RowReader&, std::string word) { facts.building_words.insert(std::move(word)); });
   if (!errors.empty()) return reading;
   if (facts.door_models.empty())
     errors.push_back({Error::Kind::Schema, doors.string(), {}, "is empty; expected at least one model"});

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
+#include "scene/states.h"
 
 namespace unietp {
 
@@ -16,12 +19,23 @@ struct DoorModel {
   double width = 0, height = 0;  // metres
 };
 
+/// VirtualHome's word for something, and ours.
+template <class Ours>
+struct FormatWord {
+  std::string word;
+  Ours ours{};
+};
+
 /// Facts about the simulators' scene files that neither the files nor the knowledge base hold. Source: the tables in
 /// data/scene_files/, each row with its source.
 struct FormatFacts {
   std::map<std::string, std::string, std::less<>> replicacad_words;  // of template names: "sofa" → category "couch"
   std::vector<DoorModel> door_models;                                // at least one
   std::map<std::string, std::string, std::less<>> floor_materials;   // each type of ProcTHOR's rooms → a material
+  std::vector<FormatWord<std::string>> virtualhome_rooms = {};       // "livingroom" → room type "living_room"
+  std::vector<FormatWord<Predicate>> virtualhome_states = {};        // "OPEN" → open
+  std::vector<FormatWord<std::string>> virtualhome_properties = {};  // "GRABBABLE" → affordance "pickupable"
+  std::set<std::string, std::less<>> building_words = {};            // "doorframe": letters and digits, lower case
 };
 
 /// The facts, of use only without errors.
@@ -29,9 +43,10 @@ struct FormatFactsReading {
   FormatFacts facts;
   std::vector<Error> errors;  // empty when sound
 };
-/// Reads replicacad_words.csv, procthor_doors.csv and procthor_floors.csv of a folder.
+/// Reads replicacad_words.csv, procthor_doors.csv, procthor_floors.csv, virtualhome_rooms.csv, virtualhome_states.csv,
+/// virtualhome_properties.csv and building_words.csv of a folder.
 /// Errors, all of them: Io; Parse and Schema with file, line and column: a column or a row that is missing, a bad
-/// length, a name that stands twice.
+/// length, an unknown state or affordance, a name that stands twice.
 FormatFactsReading read_format_facts(const std::filesystem::path& folder);
 
 /// The frame nearest in width to a gap of `width_m`; ties go to the first.

@@ -24,7 +24,7 @@ Result<std::vector<SourceScene>> read_procthor(const std::string& where, std::st
                                                const Knowledge& knowledge);
 /// VirtualHome: scene graphs.
 Result<std::vector<SourceScene>> read_virtualhome(const std::string& where, std::string_view text,
-                                                  const Knowledge& knowledge);
+                                                  const Knowledge& knowledge, const FormatFacts& facts);
 /// Habitat: scene instances of ReplicaCAD and HSSD, and labelled boxes.
 Result<std::vector<SourceScene>> read_habitat(const std::string& where, std::string_view text,
                                               const Knowledge& knowledge, const FormatFacts& facts);
@@ -41,7 +41,7 @@ struct ExportedScene {
 /// A house for AI2-THOR's CreateHouse, a VirtualHome environment graph, a Habitat scene instance. Deterministic.
 /// Errors: for a scene of another simulator; for a house, also without a room.
 Result<ExportedScene> write_procthor(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
-Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge);
+Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts);
 Result<ExportedScene> write_habitat(const Scene& scene, const Knowledge& knowledge);
 
 /// The formats by name: ithor, procthor, virtualhome, replicacad, hssd, behavior.

@@ -1,30 +1,47 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "akb/knowledge.h"
 #include "core/limits.h"
 #include "core/result.h"
+#include "interchange/format_facts.h"
 #include "interchange/source_scene.h"
 #include "scene/scene.h"
 #include "simulation/profile.h"
 
 namespace unietp {
 
+/// Why something did not come over as the file says.
+enum class ImportReason : std::uint8_t {
+  CutOff,             // a room that the agent cannot walk to
+  CyclicContainment,  // placed; it would hold what holds it
+  DuplicateId,        // not placed
+  Leaning,            // placed as the upright box around it
+  Moved,              // placed; by 2 cm or more when it settled
+  NoSize,             // not placed
+  NotFinite,          // not placed
+  OutsideRooms,       // not placed
+  RelationLost,       // placed, but no longer where the file says
+  Restless,           // placed; held where it is, since it does not come to rest
+  TooFar,             // not placed
+  TypicalSize,        // placed with the size of its category
+  UnknownCategory,    // not placed
+  UnknownReceptacle,  // placed; the file has no such object
+  UnknownState,       // placed without it
+};
+std::string_view name_of(ImportReason reason);  // "cut-off"
+
 /// One thing that did not come over as the file says.
 struct ImportIssue {
   std::string object, category;  // as the file names them
-  std::string reason;            // one of import_reasons()
-  std::string detail;            // for people
+  ImportReason reason = ImportReason::CutOff;
+  std::string detail;  // for people
   bool operator==(const ImportIssue&) const = default;
 };
-
-/// The closed list of reasons. Not placed: unknown-category, no-size, not-finite, too-far, outside-rooms, duplicate-id.
-/// Placed, and something else was given up: cyclic-containment, unknown-receptacle, unknown-state, typical-size,
-/// leaning (taken as the upright box around it), moved (by 2 cm or more when it settled), relation-lost, cut-off (a
-/// room that the agent cannot walk to).
-const std::vector<std::string>& import_reasons();
 
 /// How much of a file arrived. What a home is built of (floors, walls, doors) is drawn as rooms and openings and counts
 /// among the objects when its category is known.
@@ -60,6 +77,6 @@ struct ImportOptions {
 /// be placed is listed, never dropped in silence. Deterministic. Errors: Schema when nothing at all can be placed or
 /// the file has too many objects or rooms.
 Result<ImportedScene> assemble(const SourceScene& source, const Knowledge& knowledge, const Profile& profile,
-                               const ImportOptions& options = {});
+                               const FormatFacts& facts, const ImportOptions& options = {});
 
 }  // namespace unietp

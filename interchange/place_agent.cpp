@@ -46,7 +46,8 @@ void list_rooms_cut_off(const NavigationGrid& grid, Draft& draft) {
       }
     }
     if (!reached) {
-      draft.report.issues.push_back({room.id, room.type, "cut-off", "the agent's body cannot walk to this room"});
+      draft.report.issues.push_back(
+          {room.id, room.type, ImportReason::CutOff, "the agent's body cannot walk to this room"});
     }
   }
 }

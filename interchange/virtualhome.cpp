@@ -38,7 +38,8 @@ struct Typical {
 
 class Importer {
  public:
-  Importer(const VirtualhomeGraph& graph, const Knowledge& knowledge) : graph_(graph), knowledge_(knowledge) {
+  Importer(const VirtualhomeGraph& graph, const Knowledge& knowledge, const FormatFacts& facts)
+      : graph_(graph), knowledge_(knowledge), facts_(facts) {
     for (const VirtualhomeNode& node : graph.nodes) {
       nodes_[node.id] = &node;
       if (is_doorway(node) && node.has_box) doorways_.push_back(&node);
@@ -124,7 +125,7 @@ class Importer {
     align(std::move(all), kSameWall_m);
     std::map<std::string, int> count;
     for (std::size_t i = 0; i < rooms.size(); ++i) {
-      const std::string type = room_type_of_virtualhome(rooms[i]->class_name);
+      const std::string type = room_type_of_virtualhome(rooms[i]->class_name, facts_);
       const auto outline = outline_of(tiles[i]);
       scene_.rooms.push_back(
           {type + "_" + std::to_string(++count[type]), type, outline ? *outline : corners_of(bounds_of(tiles[i]))});
@@ -205,7 +206,7 @@ class Importer {
       }
     }
     for (const std::string& name : node.states) {
-      const auto state = state_of_virtualhome(name);
+      const auto state = state_of_virtualhome(name, facts_);
       if (!state) {
         ++counts_["states that a scene cannot represent (" + name.substr(0, 30) + ")"];
         continue;
@@ -257,6 +258,7 @@ class Importer {
 
   const VirtualhomeGraph& graph_;
   const Knowledge& knowledge_;
+  const FormatFacts& facts_;
   NodeAt nodes_;
   std::vector<const VirtualhomeNode*> doorways_;
   std::map<long long, long long> room_of_;
@@ -270,7 +272,7 @@ class Importer {
 }  // namespace
 
 Result<std::vector<SourceScene>> read_virtualhome(const std::string& where, std::string_view text,
-                                                  const Knowledge& knowledge) {
+                                                  const Knowledge& knowledge, const FormatFacts& facts) {
   return read_homes(where, text, {"nodes"}, [&](JsonReader& reader, const JsonAt& home, std::string id) {
     const VirtualhomeGraph graph = read_virtualhome_graph(reader, home);
     if (reader.error()) return SourceScene();
@@ -281,7 +283,7 @@ Result<std::vector<SourceScene>> read_virtualhome(const std::string& where, std:
                   "of the simulator (a trimmed graph says only what is on what)");
       return SourceScene();
     }
-    return Importer(graph, knowledge).scene(std::move(id));
+    return Importer(graph, knowledge, facts).scene(std::move(id));
   });
 }
 

@@ -3,58 +3,32 @@
 #include "core/text.h"
 
 namespace unietp {
-namespace {
 
-struct RoomWord {
-  std::string_view class_name, type;
-};
-constexpr std::array<RoomWord, 6> kRooms{{{"livingroom", "living_room"},
-                                          {"diningroom", "dining_room"},
-                                          {"dining_room", "dining_room"},
-                                          {"home_office", "office"},
-                                          {"hallway", "corridor"},
-                                          {"entrance_hall", "corridor"}}};
-
-struct StateWord {
-  std::string_view name;
-  Predicate predicate;
-};
-constexpr std::array<StateWord, 8> kStates{{{"OPEN", Predicate::Open},
-                                            {"CLOSED", Predicate::Closed},
-                                            {"ON", Predicate::PowerOn},
-                                            {"OFF", Predicate::PowerOff},
-                                            {"CLEAN", Predicate::Clean},
-                                            {"DIRTY", Predicate::Dirty},
-                                            {"PLUGGED_IN", Predicate::PluggedIn},
-                                            {"PLUGGED_OUT", Predicate::Unplugged}}};
-
-}  // namespace
-
-std::string room_type_of_virtualhome(std::string_view class_name) {
+std::string room_type_of_virtualhome(std::string_view class_name, const FormatFacts& facts) {
   const std::string name = lower(class_name);
-  for (const RoomWord& word : kRooms) {
-    if (word.class_name == name) return std::string(word.type);
+  for (const auto& room : facts.virtualhome_rooms) {
+    if (room.word == name) return room.ours;
   }
   return name;
 }
 
-std::string virtualhome_room_name(std::string_view type) {
-  for (const RoomWord& word : kRooms) {
-    if (word.type == type) return std::string(word.class_name);
+std::string virtualhome_room_name(std::string_view type, const FormatFacts& facts) {
+  for (const auto& room : facts.virtualhome_rooms) {
+    if (room.ours == type) return room.word;
   }
   return std::string(type);
 }
 
-std::optional<State> state_of_virtualhome(std::string_view name) {
-  for (const StateWord& word : kStates) {
-    if (word.name == name) return State{word.predicate, ""};
+std::optional<State> state_of_virtualhome(std::string_view name, const FormatFacts& facts) {
+  for (const auto& state : facts.virtualhome_states) {
+    if (state.word == name) return State{state.ours, ""};
   }
   return std::nullopt;
 }
 
-std::string_view virtualhome_state(Predicate predicate) {
-  for (const StateWord& word : kStates) {
-    if (word.predicate == predicate) return word.name;
+std::string_view virtualhome_state(Predicate predicate, const FormatFacts& facts) {
+  for (const auto& state : facts.virtualhome_states) {
+    if (state.ours == predicate) return state.word;
   }
   return {};
 }

@@ -37,7 +37,8 @@ const Asset* nearest_model(const Knowledge& knowledge, const Node& node) {
 
 class Exporter {
  public:
-  Exporter(const Scene& scene, const Knowledge& knowledge) : scene_(scene), knowledge_(knowledge) {}
+  Exporter(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts)
+      : scene_(scene), knowledge_(knowledge), facts_(facts) {}
 
   ExportedScene write() {
     for (const Room& room : scene_.rooms) add_room(room);
@@ -90,7 +91,7 @@ class Exporter {
       bounds.low.head<2>() = bounds.low.head<2>().cwiseMin(corner);
       bounds.high.head<2>() = bounds.high.head<2>().cwiseMax(corner);
     }
-    ids_[room.id] = add(virtualhome_room_name(room.type), "Rooms", "", bounds);
+    ids_[room.id] = add(virtualhome_room_name(room.type, facts_), "Rooms", "", bounds);
   }
 
   void add_floor(const Room& room) {
@@ -149,7 +150,7 @@ class Exporter {
     const Vec3 scale = node.size.cwiseQuotient(model != nullptr ? model->size : category->size);
     transform(bounds, object_rotation_to_unity(node.pose.rotation, prefab), scale_to_unity(scale, prefab));
     Json& json = nodes_.back();
-    for (const auto& [affordance, property] : kVirtualhomeProperties) {
+    for (const auto& [property, affordance] : facts_.virtualhome_properties) {
       if (knowledge_.has(node.category, affordance)) json["properties"].push_back(property);
     }
     add_states(node, json["states"]);
@@ -160,7 +161,7 @@ class Exporter {
 
   void add_states(const Node& node, Json& states) {
     for (const State& state : node.states.all()) {
-      if (const auto word = virtualhome_state(state.predicate); !word.empty()) {
+      if (const auto word = virtualhome_state(state.predicate, facts_); !word.empty()) {
         states.push_back(word);
       } else if (!is_default(state.predicate)) {
         left_out_.push_back(node.id + ": VirtualHome has no word for " + std::string(info(state.predicate).name));
@@ -246,6 +247,7 @@ class Exporter {
 
   const Scene& scene_;
   const Knowledge& knowledge_;
+  const FormatFacts& facts_;
   std::vector<Json> nodes_, edges_;
   std::map<std::string, int, std::less<>> ids_;  // of rooms and nodes
   std::vector<Placed> floors_, placed_;
@@ -256,14 +258,14 @@ class Exporter {
 
 }  // namespace
 
-Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge) {
+Result<ExportedScene> write_virtualhome(const Scene& scene, const Knowledge& knowledge, const FormatFacts& facts) {
   if (scene.simulator != Simulator::Virtualhome || knowledge.simulator() != Simulator::Virtualhome) {
     return Error{Error::Kind::Schema,
                  scene.id,
                  {},
                  "expected a scene of virtualhome, not of " + std::string(name_of(scene.simulator))};
   }
-  return Exporter(scene, knowledge).write();
+  return Exporter(scene, knowledge, facts).write();
 }
 
 }  // namespace unietp

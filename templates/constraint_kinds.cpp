@@ -11,36 +11,69 @@ namespace {
 
 constexpr auto kKinds = [] {
   using enum ConstraintKind::Meaning;
+  using C = ConstraintType;
   using P = Predicate;
   using T = Treatment;
   return std::array<ConstraintKind, 22>{{
-      {"distinct", Distinct, {}, {}, "(distinct A B ...)", "the placeholders are bound to different categories"},
-      {"fits-on", Placement, P::On, {}, "(fits-on A B [n])", "at least n A fit on a B at once (default 1)"},
-      {"fits-inside", Placement, P::Inside, {}, "(fits-inside A B [n])", "at least n A fit in a B at once (default 1)"},
-      {"fits-next-to", Placement, P::NextTo, {}, "(fits-next-to A B [n])", "at least n A fit next to a B"},
-      {"fits-under", Placement, P::Under, {}, "(fits-under A B [n])", "at least n A fit under a B"},
-      {"heats", Effect, {}, T::Heats, "(heats T A)", "a T makes an A hot"},
-      {"cools", Effect, {}, T::Cools, "(cools T A)", "a T makes an A cool"},
-      {"freezes", Effect, {}, T::Freezes, "(freezes T A)", "a T freezes an A"},
-      {"washes", Effect, {}, T::Washes, "(washes T A)", "a T makes an A clean"},
-      {"wipes", Effect, {}, T::Wipes, "(wipes T A)", "an A is wiped clean with a T"},
-      {"cooks", Effect, {}, T::Cooks, "(cooks T A)", "a T cooks an A"},
-      {"burns", Effect, {}, T::Burns, "(burns T A)", "a T burns an A"},
-      {"slices", Effect, {}, T::Slices, "(slices K A)", "a K cuts an A"},
-      {"soaks", Effect, {}, T::Soaks, "(soaks T A)", "a T soaks an A"},
-      {"fills", Effect, {}, T::Fills, "(fills T A substance)", "a T fills an A with the substance"},
-      {"dispenses", Effect, {}, T::Dispenses, "(dispenses T A substance)", "a T spreads the substance over an A"},
-      {"drains", Effect, {}, T::Drains, "(drains T A)", "an A is emptied into a T"},
-      {"attaches", Effect, {}, T::Attaches, "(attaches B A)", "an A can be attached to a B"},
-      {"found-in", Usual, {}, {}, "(found-in A R)", "an A is usual in the room type R"},
-      {"comes-in",
+      {C::Distinct,
+       "distinct",
+       Distinct,
+       {},
+       {},
+       "(distinct A B ...)",
+       "the placeholders are bound to different categories"},
+      {C::FitsOn, "fits-on", Placement, P::On, {}, "(fits-on A B [n])", "at least n A fit on a B at once (default 1)"},
+      {C::FitsInside,
+       "fits-inside",
+       Placement,
+       P::Inside,
+       {},
+       "(fits-inside A B [n])",
+       "at least n A fit in a B at once (default 1)"},
+      {C::FitsNextTo,
+       "fits-next-to",
+       Placement,
+       P::NextTo,
+       {},
+       "(fits-next-to A B [n])",
+       "at least n A fit next to a B"},
+      {C::FitsUnder, "fits-under", Placement, P::Under, {}, "(fits-under A B [n])", "at least n A fit under a B"},
+      {C::Heats, "heats", Effect, {}, T::Heats, "(heats T A)", "a T makes an A hot"},
+      {C::Cools, "cools", Effect, {}, T::Cools, "(cools T A)", "a T makes an A cool"},
+      {C::Freezes, "freezes", Effect, {}, T::Freezes, "(freezes T A)", "a T freezes an A"},
+      {C::Washes, "washes", Effect, {}, T::Washes, "(washes T A)", "a T makes an A clean"},
+      {C::Wipes, "wipes", Effect, {}, T::Wipes, "(wipes T A)", "an A is wiped clean with a T"},
+      {C::Cooks, "cooks", Effect, {}, T::Cooks, "(cooks T A)", "a T cooks an A"},
+      {C::Burns, "burns", Effect, {}, T::Burns, "(burns T A)", "a T burns an A"},
+      {C::Slices, "slices", Effect, {}, T::Slices, "(slices K A)", "a K cuts an A"},
+      {C::Soaks, "soaks", Effect, {}, T::Soaks, "(soaks T A)", "a T soaks an A"},
+      {C::Fills, "fills", Effect, {}, T::Fills, "(fills T A substance)", "a T fills an A with the substance"},
+      {C::Dispenses,
+       "dispenses",
+       Effect,
+       {},
+       T::Dispenses,
+       "(dispenses T A substance)",
+       "a T spreads the substance over an A"},
+      {C::Drains, "drains", Effect, {}, T::Drains, "(drains T A)", "an A is emptied into a T"},
+      {C::Attaches, "attaches", Effect, {}, T::Attaches, "(attaches B A)", "an A can be attached to a B"},
+      {C::FoundIn, "found-in", Usual, {}, {}, "(found-in A R)", "an A is usual in the room type R"},
+      {C::ComesIn,
+       "comes-in",
        Value,
        {},
        {},
        "(comes-in A K)",
        "K is a color or material of A, and A has another one that is clearly different"},
-      {"comes-in-sizes", Sizes, {}, {}, "(comes-in-sizes A)", "one A can be 1.3 times as large as another"},
-      {"has-words",
+      {C::ComesInSizes,
+       "comes-in-sizes",
+       Sizes,
+       {},
+       {},
+       "(comes-in-sizes A)",
+       "one A can be 1.3 times as large as another"},
+      {C::HasWords,
+       "has-words",
        Words,
        {},
        {},
@@ -70,11 +103,19 @@ bool is_number(std::string_view text) {
 
 std::span<const ConstraintKind> constraint_kinds() { return kKinds; }
 
+const ConstraintKind& info(ConstraintType type) { return kKinds[static_cast<std::size_t>(type)]; }
+
 const ConstraintKind* constraint_kind(std::string_view name) {
   for (const auto& kind : kKinds) {
     if (kind.name == name) return &kind;
   }
   return nullptr;
+}
+
+std::string to_text(const DomainConstraint& constraint) {
+  std::string text = "(" + std::string(info(constraint.type).name);
+  for (const auto& argument : constraint.arguments) text += " " + argument;
+  return text + ")";
 }
 
 PlaceholderUse placeholder_use(std::string_view argument) {
@@ -84,23 +125,22 @@ PlaceholderUse placeholder_use(std::string_view argument) {
 }
 
 std::vector<PlaceholderUse> placeholders_of(const DomainConstraint& constraint) {
-  const auto* kind = constraint_kind(constraint.kind);
+  using enum ConstraintKind::Meaning;
+  const auto meaning = info(constraint.type).meaning;
   std::vector<PlaceholderUse> uses;
   for (std::size_t i = 0; i < constraint.arguments.size(); ++i) {
     const auto& argument = constraint.arguments[i];
-    const bool substance = kind != nullptr && kind->meaning == ConstraintKind::Meaning::Effect && !argument.empty() &&
-                           std::isupper(static_cast<unsigned char>(argument.front())) != 0;
-    if (kind != nullptr && kind->meaning != ConstraintKind::Meaning::Distinct && i >= 2 && !substance) break;
-    if (kind != nullptr && kind->meaning == ConstraintKind::Meaning::Words && i >= 1) break;
+    const bool substance =
+        meaning == Effect && !argument.empty() && std::isupper(static_cast<unsigned char>(argument.front())) != 0;
+    if (meaning != Distinct && i >= 2 && !substance) break;
+    if (meaning == Words && i >= 1) break;
     uses.push_back(placeholder_use(constraint.arguments[i]));
   }
   return uses;
 }
 
 int capacity_of(const DomainConstraint& constraint) {
-  const auto* kind = constraint_kind(constraint.kind);
-  if (kind == nullptr || kind->meaning != ConstraintKind::Meaning::Placement || constraint.arguments.size() < 3)
-    return 1;
+  if (info(constraint.type).meaning != ConstraintKind::Meaning::Placement || constraint.arguments.size() < 3) return 1;
   const auto& text = constraint.arguments[2];
   int value = 1;
   if (is_number(text)) std::from_chars(text.data(), text.data() + text.size(), value);
@@ -108,8 +148,7 @@ int capacity_of(const DomainConstraint& constraint) {
 }
 
 std::string substance_of(const DomainConstraint& constraint) {
-  const auto* kind = constraint_kind(constraint.kind);
-  if (kind == nullptr || kind->meaning != ConstraintKind::Meaning::Effect || constraint.arguments.size() < 3) return "";
+  if (info(constraint.type).meaning != ConstraintKind::Meaning::Effect || constraint.arguments.size() < 3) return "";
   return constraint.arguments[2];
 }
 

@@ -23,6 +23,7 @@ struct ConstraintKind {
     Sizes,      // `size` and the models: (kind category)
     Words,      // a row of the table of aliases: (kind category synonym|function|context)
   };
+  ConstraintType type = ConstraintType::Distinct;
   std::string_view name;  // "fits-on"
   Meaning meaning = Meaning::Distinct;
   std::optional<Predicate> relation;   // of Placement
@@ -33,8 +34,12 @@ struct ConstraintKind {
 
 /// All kinds, in the order in which help lists them.
 std::span<const ConstraintKind> constraint_kinds();
+const ConstraintKind& info(ConstraintType type);
 /// nullptr when there is none of that name.
 const ConstraintKind* constraint_kind(std::string_view name);
+
+/// "(fits-on A B 2)"
+std::string to_text(const DomainConstraint& constraint);
 
 /// A place in a domain constraint or a domain: a placeholder, or what slicing it makes.
 struct PlaceholderUse {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/text.h"
+#include "templates/constraint_kinds.h"
 
 namespace unietp {
 namespace {
@@ -76,7 +77,7 @@ class IdleParts {
   void check_constraints() {
     std::set<std::string> seen;
     for (const auto& constraint : value_.constraints) {
-      if (!seen.insert(constraint.kind + " " + join(constraint.arguments, " ")).second) {
+      if (!seen.insert(to_text(constraint)).second) {
         error(constraint.pos, "duplicate constraint");
       }
       std::set<std::string> arguments;

@@ -2,6 +2,7 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -95,7 +96,7 @@ class TemplateReader {
     source_.name = top.children[1];
     source_.value.name = source_.name.text;
     check_name();
-    std::vector<std::pair<std::string, const Sexpr*>> sections;
+    std::map<SectionType, const Sexpr*> sections;
     for (std::size_t i = 2; i < top.children.size(); ++i) {
       const auto& child = top.children[i];
       if (!child.is_list() || child.children.empty() || !child.children[0].is_atom()) {
@@ -103,27 +104,22 @@ class TemplateReader {
         continue;
       }
       const auto& word = child.children[0].text;
-      if (std::find(kSectionNames.begin(), kSectionNames.end(), word) == kSectionNames.end()) {
+      const auto* section = section_named(word);
+      if (section == nullptr) {
         error(child.children[0].pos,
               "unknown section '" + word + "'; accepted: " + join(kSectionNames, ", ") + hint(word, kSectionNames));
         continue;
       }
-      const bool twice = std::any_of(sections.begin(), sections.end(), [&](const auto& s) { return s.first == word; });
-      if (twice) {
-        error(child.pos, "duplicate section '" + word + "'");
-        continue;
-      }
-      sections.emplace_back(word, &child);
+      if (!sections.emplace(section->type, &child).second) error(child.pos, "duplicate section '" + word + "'");
     }
-    for (const auto& word : kSectionNames) {
-      const auto found = std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return s.first == word; });
-      if (found != sections.end()) {
-        read_section(word, *found->second);
-      } else if (word == "simulators") {
+    for (const TemplateSection& section : template_sections()) {
+      if (const auto found = sections.find(section.type); found != sections.end()) {
+        read_section(section.type, *found->second);
+      } else if (section.type == SectionType::Simulators) {
         source_.value.simulators.assign(kSimulators.begin(), kSimulators.end());
-      } else if (const auto optional = section_names(false);
-                 std::find(optional.begin(), optional.end(), word) == optional.end()) {
-        error(top.pos, "section '" + word + "' is missing; only " + join(optional, ", ") + " are optional");
+      } else if (section.required) {
+        error(top.pos, "section '" + std::string(section.name) + "' is missing; only " +
+                           join(section_names(false), ", ") + " are optional");
       }
     }
     for (auto& problem : check_template(source_)) errors_.push_back(std::move(problem));
@@ -142,17 +138,28 @@ class TemplateReader {
     }
   }
 
-  void read_section(const std::string& word, const Sexpr& section) {
+  void read_section(SectionType type, const Sexpr& section) {
     const std::vector<Sexpr> items(section.children.begin() + 1, section.children.end());
-    if (word == "name") read_title(section, items);
-    if (word == "split") read_split(section, items);
-    if (word == "refinement") read_refinement(section, items);
-    if (word == "simulators") read_simulators(section, items);
-    if (word == "parameters") read_parameters(section, items);
-    if (word == "constraints") read_constraints(items);
-    if (word == "init") read_init(items);
-    if (word == "goal") read_goal(section, items);
-    if (word == "instruction") read_instructions(section, items);
+    switch (type) {
+      case SectionType::Name:
+        return read_title(section, items);
+      case SectionType::Split:
+        return read_split(section, items);
+      case SectionType::Refinement:
+        return read_refinement(section, items);
+      case SectionType::Simulators:
+        return read_simulators(section, items);
+      case SectionType::Parameters:
+        return read_parameters(section, items);
+      case SectionType::Constraints:
+        return read_constraints(items);
+      case SectionType::Init:
+        return read_init(items);
+      case SectionType::Goal:
+        return read_goal(section, items);
+      case SectionType::Instruction:
+        return read_instructions(section, items);
+    }
   }
 
   void read_title(const Sexpr& section, const std::vector<Sexpr>& items) {
@@ -283,18 +290,19 @@ class TemplateReader {
       error(item.pos, "expected a constraint, such as (distinct A B) or (fits-on A B 2)");
       return;
     }
-    DomainConstraint constraint{item.children[0].text, {}, item.pos};
-    for (std::size_t i = 1; i < item.children.size(); ++i) constraint.arguments.push_back(item.children[i].text);
-    const auto* kind = constraint_kind(constraint.kind);
+    const auto& word = item.children[0].text;
+    const auto* kind = constraint_kind(word);
     if (kind == nullptr) {
       std::vector<std::string> names;
       for (const auto& known : constraint_kinds()) names.emplace_back(known.name);
-      error(item.children[0].pos, "unknown constraint '" + constraint.kind + "'; accepted: " + join(names, ", ") +
-                                      hint(constraint.kind, names));
+      error(item.children[0].pos,
+            "unknown constraint '" + word + "'; accepted: " + join(names, ", ") + hint(word, names));
       return;
     }
+    DomainConstraint constraint{kind->type, {}, item.pos};
+    for (std::size_t i = 1; i < item.children.size(); ++i) constraint.arguments.push_back(item.children[i].text);
     if (!has_right_arguments(*kind, constraint.arguments)) {
-      error(item.pos, "wrong arguments; '" + constraint.kind + "' is written " + std::string(kind->usage));
+      error(item.pos, "wrong arguments; '" + word + "' is written " + std::string(kind->usage));
       return;
     }
     source_.value.constraints.push_back(std::move(constraint));

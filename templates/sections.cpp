@@ -1,21 +1,25 @@
 #include "templates/sections.h"
 
+#include <algorithm>
 #include <array>
 
 namespace unietp {
 namespace {
 
 constexpr std::array<TemplateSection, 9> kSections = {{
-    {"name", true, "(name \"open one <A>\")", "a title for people, with placeholders in angle brackets"},
-    {"split", true, "(split atomic)", "the class of the task"},
-    {"refinement", false, "(refinement by-state)", "how its tasks are made harder"},
-    {"simulators", false, "(simulators ai2thor behavior)", "the simulators that it supports; default: all four"},
-    {"parameters", true, "(parameters (A - pickupable) ...)",
+    {SectionType::Name, "name", true, "(name \"open one <A>\")",
+     "a title for people, with placeholders in angle brackets"},
+    {SectionType::Split, "split", true, "(split atomic)", "the class of the task"},
+    {SectionType::Refinement, "refinement", false, "(refinement by-state)", "how its tasks are made harder"},
+    {SectionType::Simulators, "simulators", false, "(simulators ai2thor behavior)",
+     "the simulators that it supports; default: all four"},
+    {SectionType::Parameters, "parameters", true, "(parameters (A - pickupable) ...)",
      "the placeholders, and the requirements on their categories"},
-    {"constraints", false, "(constraints (fits-on A B 2) ...)", "constraints between categories"},
-    {"init", false, "(init f ...)", "what every start must satisfy; grounding makes it true"},
-    {"goal", true, "(goal f)", "what must hold on the trace; each part is false at the start"},
-    {"instruction", true, "(instruction \"Open {A:indefinite}.\" ...)",
+    {SectionType::Constraints, "constraints", false, "(constraints (fits-on A B 2) ...)",
+     "constraints between categories"},
+    {SectionType::Init, "init", false, "(init f ...)", "what every start must satisfy; grounding makes it true"},
+    {SectionType::Goal, "goal", true, "(goal f)", "what must hold on the trace; each part is false at the start"},
+    {SectionType::Instruction, "instruction", true, "(instruction \"Open {A:indefinite}.\" ...)",
      "reference phrasings, each with a slot for "
      "every placeholder of the goal"},
 }};
@@ -39,6 +43,12 @@ constexpr std::array<StartForm, 6> kLiterals = {{
 }  // namespace
 
 std::span<const TemplateSection> template_sections() { return kSections; }
+const TemplateSection* section_named(std::string_view name) {
+  const auto* found =
+      std::find_if(kSections.begin(), kSections.end(), [&](const TemplateSection& one) { return one.name == name; });
+  return found == kSections.end() ? nullptr : found;
+}
+
 std::span<const StartForm> start_shapes() { return kShapes; }
 std::span<const StartForm> start_literal_forms() { return kLiterals; }
 

@@ -1,12 +1,26 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
 namespace unietp {
 
+enum class SectionType : std::uint8_t {
+  Name,
+  Split,
+  Refinement,
+  Simulators,
+  Parameters,
+  Constraints,
+  Init,
+  Goal,
+  Instruction,
+};
+
 /// A section of a template file.
 struct TemplateSection {
+  SectionType type = SectionType::Name;
   std::string_view name;   // "goal"
   bool required = true;    // may not be left out
   std::string_view usage;  // "(goal f)"
@@ -14,6 +28,8 @@ struct TemplateSection {
 };
 /// In the order in which a template is printed; a file may have them in any.
 std::span<const TemplateSection> template_sections();
+/// nullptr when there is none of that name.
+const TemplateSection* section_named(std::string_view name);
 
 /// A shape that a start constraint may have, or a literal of its body (init_shape.h).
 struct StartForm {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -27,11 +28,37 @@ struct Parameter {
   SourcePos pos;
 };
 
+/// The kinds of conditions on categories, in the order of constraint_kinds() (templates/constraint_kinds.h).
+enum class ConstraintType : std::uint8_t {
+  Distinct,
+  FitsOn,
+  FitsInside,
+  FitsNextTo,
+  FitsUnder,
+  Heats,
+  Cools,
+  Freezes,
+  Washes,
+  Wipes,
+  Cooks,
+  Burns,
+  Slices,
+  Soaks,
+  Fills,
+  Dispenses,
+  Drains,
+  Attaches,
+  FoundIn,
+  ComesIn,
+  ComesInSizes,
+  HasWords,
+};
+
 /// A condition on which categories may fill the placeholders together, answered from the AKB:
 /// (distinct A B …), (fits-on A B [n]), (fits-inside A B [n]), (heats T A), (cools T A), (washes T A), (cooks T A),
 /// (slices K A), (fills T A substance), …; `A/slice` may stand for what slicing an A makes.
 struct DomainConstraint {
-  std::string kind;
+  ConstraintType type = ConstraintType::Distinct;
   std::vector<std::string> arguments;
   SourcePos pos;
 };

@@ -208,10 +208,10 @@ class Checker {
   void check_placeholders() {
     std::set<std::string> used;
     for (const auto& constraint : value_.constraints) {
-      const auto* kind = constraint_kind(constraint.kind);
+      const auto meaning = info(constraint.type).meaning;
       for (const auto& use : placeholders_of(constraint)) {
         require_declared(use.name, constraint.pos);
-        if (kind->meaning != ConstraintKind::Meaning::Distinct) used.insert(use.name);
+        if (meaning != ConstraintKind::Meaning::Distinct) used.insert(use.name);
       }
     }
     for (const auto& expression : source_.init) use_domains(expression, used);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "templates/constraint_kinds.h"
+
 namespace unietp {
 namespace {
 
@@ -31,12 +33,6 @@ std::string laid_out_formula(const Formula& formula, std::size_t indent) {
 std::string section(const std::string& name, const std::vector<std::string>& items) {
   std::string text = "\n  (" + name;
   for (const auto& item : items) text += "\n    " + item;
-  return text + ")";
-}
-
-std::string written(const DomainConstraint& constraint) {
-  std::string text = "(" + constraint.kind;
-  for (const auto& argument : constraint.arguments) text += " " + argument;
   return text + ")";
 }
 
@@ -87,7 +83,7 @@ std::string to_text(const Template& source) {
   text += ")";
   if (!source.constraints.empty()) {
     text += "\n  (constraints";
-    for (const auto& constraint : source.constraints) text += " " + written(constraint);
+    for (const auto& constraint : source.constraints) text += " " + to_text(constraint);
     text += ")";
   }
   std::vector<std::string> starts;
@@ -104,7 +100,7 @@ bool same_content(const Template& left, const Template& right) {
     return a.name == b.name && a.affordances == b.affordances;
   };
   const auto same_constraint = [](const DomainConstraint& a, const DomainConstraint& b) {
-    return a.kind == b.kind && a.arguments == b.arguments;
+    return a.type == b.type && a.arguments == b.arguments;
   };
   return left.name == right.name && left.title == right.title && left.split == right.split &&
          left.refinement == right.refinement && left.simulators == right.simulators &&

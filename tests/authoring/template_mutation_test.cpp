@@ -59,7 +59,8 @@ std::string words_of_file(std::string_view text) {
   const auto file = long_form(*read);
   std::vector<std::string> sections;
   for (const auto& section : template_sections()) {
-    std::string words = section.name == "simulators" ? "(simulators ai2thor virtualhome habitat behavior)" : "";
+    std::string words =
+        section.type == SectionType::Simulators ? "(simulators ai2thor virtualhome habitat behavior)" : "";
     for (std::size_t i = 2; i < file.children.size(); ++i) {
       if (file.children[i].is_form(section.name)) words = bare(file.children[i]);
     }

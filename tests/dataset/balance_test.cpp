@@ -12,7 +12,7 @@ Template two_places() {
   Template source;
   source.parameters = {
       {"A", {"pickupable"}, {}}, {"B", {"furniture", "receptacle"}, {}}, {"C", {"any"}, {}}, {"R", {"room"}, {}}};
-  source.constraints = {{"fits-inside", {"A", "C"}, {}}};
+  source.constraints = {{ConstraintType::FitsInside, {"A", "C"}, {}}};
   return source;
 }
 

@@ -106,7 +106,7 @@ TEST(ReleaseGoal, MeansTheSameOnRandomTraces) {
         theirs.push_back(graph_of(scene));
       }
       trace.entities = reader.entities();
-      const auto said = release_goal(*goal, start, known);
+      const auto said = release_goal(*goal, start, known, FormatFacts());
       ASSERT_TRUE(said) << said.error().message;
       const auto json = nlohmann::ordered_json::parse(said->json);
       const bool expected = holds(*goal, trace);
@@ -124,7 +124,7 @@ TEST(ReleaseGoal, SaysWhyItCannotBeSaid) {
   const auto known = knowledge();
   const auto why = [&](const std::string& text) {
     const auto goal = parse_formula("goal", text, FormulaUse::Goal);
-    const auto said = release_goal(*goal, home(), known);
+    const auto said = release_goal(*goal, home(), known, FormatFacts());
     return said ? std::string() : said.error().message;
   };
   EXPECT_THAT(why("(at-end (exists (?m - Mug) (exists (?n - Mug) (and (hot ?n) (not (= ?m ?n))))))"),
@@ -140,7 +140,7 @@ TEST(ReleaseGoal, WhatIsMeantIsNamed) {
   start.nodes.edit(1).states.set({Predicate::Clean, ""});
   const auto goal =
       parse_formula("goal", "(exists (?m - (Mug :where (dirty ?m))) (at-end (hot ?m)))", FormulaUse::Goal);
-  const auto said = release_goal(*goal, start, knowledge());
+  const auto said = release_goal(*goal, start, knowledge(), FormatFacts());
   ASSERT_TRUE(said) << said.error().message;
   EXPECT_EQ(said->referents, (std::map<std::string, std::vector<std::string>>{{"Mug", {"mug_1"}}}));
 }

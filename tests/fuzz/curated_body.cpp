@@ -57,7 +57,11 @@ void read_scene_file_tables(const Folder& folder, Errors& errors) {
   const std::vector<std::pair<std::string, std::string>> sound{
       {"replicacad_words.csv", "word,category,source\nsofa,couch,curated\n"},
       {"procthor_doors.csv", "model,width_m,height_m,source\nDoorframe_1,1,2.1,curated\n"},
-      {"procthor_floors.csv", "room,material,source\nBathroom,a,x\nBedroom,b,x\nKitchen,c,x\nLivingRoom,d,x\n"}};
+      {"procthor_floors.csv", "room,material,source\nBathroom,a,x\nBedroom,b,x\nKitchen,c,x\nLivingRoom,d,x\n"},
+      {"virtualhome_rooms.csv", "class,room,source\nhallway,corridor,x\n"},
+      {"virtualhome_states.csv", "word,state,source\nON,power_on,x\n"},
+      {"virtualhome_properties.csv", "property,affordance,source\nGRABBABLE,pickupable,x\n"},
+      {"building_words.csv", "word,source\nwall,x\n"}};
   for (const auto& [name, text] : sound) {
     if (!std::filesystem::exists(folder.path() / name)) folder.write(name, text);
   }
@@ -113,6 +117,10 @@ const std::map<std::string, std::function<void(const Folder&, Errors&)>, std::le
       {"replicacad_words.csv", read_scene_file_tables},
       {"procthor_doors.csv", read_scene_file_tables},
       {"procthor_floors.csv", read_scene_file_tables},
+      {"virtualhome_rooms.csv", read_scene_file_tables},
+      {"virtualhome_states.csv", read_scene_file_tables},
+      {"virtualhome_properties.csv", read_scene_file_tables},
+      {"building_words.csv", read_scene_file_tables},
   };
   return all;
 }

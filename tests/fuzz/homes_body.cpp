@@ -32,11 +32,22 @@ Knowledge knowledge_of(Simulator simulator) {
   return {simulator, categories, affordances, {}, {}, {}};
 }
 
+const FormatFacts& format_facts() {
+  static const FormatFacts known{{{"sofa", "couch"}},
+                                 {},
+                                 {},
+                                 {{"livingroom", "living_room"}},
+                                 {{"OPEN", Predicate::Open}},
+                                 {{"GRABBABLE", "pickupable"}},
+                                 {"door", "floor", "floors", "wall"}};
+  return known;
+}
+
 /// What is read can be assembled or says why not, and nothing is dropped in silence. Gives the scenes that came in.
 std::vector<Scene> assembled(const std::vector<SourceScene>& scenes, const Knowledge& knowledge) {
   std::vector<Scene> in;
   for (std::size_t i = 0; i < std::min<std::size_t>(scenes.size(), 3); ++i) {
-    auto imported = assemble(scenes[i], knowledge, Profile(), {.settle = false});
+    auto imported = assemble(scenes[i], knowledge, Profile(), format_facts(), {.settle = false});
     if (!imported) {
       require(!imported.error().message.empty());
       continue;
@@ -54,23 +65,22 @@ std::vector<Scene> assembled(const std::vector<SourceScene>& scenes, const Knowl
 
 bool virtualhome_body(std::string_view text) {
   static const Knowledge knowledge = knowledge_of(Simulator::Virtualhome);
-  const auto scenes = read_virtualhome("fuzz", text, knowledge);
+  const auto scenes = read_virtualhome("fuzz", text, knowledge, format_facts());
   if (!scenes) return check_error(scenes.error()), false;
   for (const Scene& scene : assembled(*scenes, knowledge)) {
-    const auto out = write_virtualhome(scene, knowledge);
-    require(out && read_virtualhome("again", out->text, knowledge));
+    const auto out = write_virtualhome(scene, knowledge, format_facts());
+    require(out && read_virtualhome("again", out->text, knowledge, format_facts()));
   }
   return true;
 }
 
 bool habitat_body(std::string_view text) {
   static const Knowledge knowledge = knowledge_of(Simulator::Habitat);
-  static const FormatFacts facts{{{"sofa", "couch"}}, {}, {}};
-  const auto scenes = read_habitat("fuzz", text, knowledge, facts);
+  const auto scenes = read_habitat("fuzz", text, knowledge, format_facts());
   if (!scenes) return check_error(scenes.error()), false;
   for (const Scene& scene : assembled(*scenes, knowledge)) {
     const auto out = write_habitat(scene, knowledge);
-    require(out && read_habitat("again", out->text, knowledge, facts));
+    require(out && read_habitat("again", out->text, knowledge, format_facts()));
   }
   return true;
 }

@@ -10,6 +10,7 @@
 
 #include "core/text.h"
 #include "logic/evaluate.h"
+#include "templates/constraint_kinds.h"
 
 namespace unietp {
 namespace {
@@ -160,14 +161,15 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
   }
   for (const auto& constraint : source.constraints) {
     const auto& arguments = constraint.arguments;
-    if (constraint.kind == "distinct") {
+    const std::string kind(info(constraint.type).name);
+    if (kind == "distinct") {
       std::set<std::string> names;
       for (const auto& argument : arguments) names.insert(category_of(argument));
       if (names.size() != arguments.size()) return false;
       continue;
     }
-    bool found = constraint.kind == "comes-in-sizes";  // nothing has models here, so all may be scaled
-    if (constraint.kind == "comes-in") {
+    bool found = kind == "comes-in-sizes";  // nothing has models here, so all may be scaled
+    if (kind == "comes-in") {
       const auto* known = knowledge.find(category_of(arguments[0]));
       auto words = known->colours;
       words.insert(words.end(), known->materials.begin(), known->materials.end());
@@ -175,16 +177,16 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
       const auto alike = value == "red" ? "orange" : value == "orange" ? "red" : "";
       found = std::count(words.begin(), words.end(), value) == 1 &&
               words.size() > 1 + static_cast<std::size_t>(std::count(words.begin(), words.end(), alike));
-    } else if (constraint.kind == "found-in") {
+    } else if (kind == "found-in") {
       const auto& rooms = knowledge.find(category_of(arguments[0]))->rooms;
       found = std::count(rooms.begin(), rooms.end(), category_of(arguments[1])) > 0;
-    } else if (constraint.kind == "has-words") {
+    } else if (kind == "has-words") {
       for (const auto& alias : knowledge.aliases()) {
         found = found || (alias.category == category_of(arguments[0]) && name_of(alias.kind) == arguments[1]);
       }
-    } else if (constraint.kind.starts_with("fits-")) {
+    } else if (kind.starts_with("fits-")) {
       const int wanted = arguments.size() > 2 ? std::stoi(arguments[2]) : 1;
-      const auto relation = replace_all(constraint.kind.substr(5), "-", "_");
+      const auto relation = replace_all(kind.substr(5), "-", "_");
       for (const auto& row : knowledge.placements()) {
         found = found || (row.object == category_of(arguments[0]) && row.receptacle == category_of(arguments[1]) &&
                           info(row.relation).name == relation && row.capacity >= wanted);
@@ -193,7 +195,7 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
       for (const auto& row : knowledge.effects()) {
         found =
             found || (row.tool == category_of(arguments[0]) && row.target == category_of(arguments[1]) &&
-                      name_of(row.treatment) == constraint.kind &&
+                      name_of(row.treatment) == kind &&
                       (arguments.size() < 3 || row.gives == arguments[2] || row.gives == category_of(arguments[2])));
       }
     }

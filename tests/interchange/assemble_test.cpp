@@ -1,10 +1,12 @@
 #include <cmath>
+#include <filesystem>
 #include <limits>
-#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "core/files.h"
 #include "import_rates.h"
 #include "interchange/formats.h"
 #include "interchange/import_scene.h"
@@ -17,7 +19,6 @@ using ::testing::Contains;
 using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::IsSubsetOf;
 
 SourceObject thing(const std::string& id, const std::string& category, const Vec3& centre, const Vec3& size,
                    const std::string& holder = "") {
@@ -44,12 +45,13 @@ SourceScene kitchen() {
 }
 
 Result<ImportedScene> imported(const SourceScene& scene, const ImportOptions& options = {}) {
-  return assemble(scene, committed_knowledge(Simulator::Ai2thor), profile_of(Simulator::Ai2thor), options);
+  return assemble(scene, committed_knowledge(Simulator::Ai2thor), profile_of(Simulator::Ai2thor), format_facts(),
+                  options);
 }
 
 std::vector<std::string> reasons_of(const ImportReport& report) {
   std::vector<std::string> reasons;
-  for (const ImportIssue& issue : report.issues) reasons.push_back(issue.reason);
+  for (const ImportIssue& issue : report.issues) reasons.emplace_back(name_of(issue.reason));
   return reasons;
 }
 
@@ -94,7 +96,16 @@ TEST(Assemble, RoomsWithoutDoorsAreJoinedWhereTheyShareAWall) {
   EXPECT_EQ(home->report.issues.front().object, "shed_1");
 }
 
-TEST(Assemble, WhatCannotBePlacedIsListedByAReasonOfTheClosedList) {
+TEST(Assemble, TheReasonsAreThoseOfTheSchema) {
+  const auto text = read_file(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/schemas/import.schema.json");
+  ASSERT_TRUE(text);
+  const auto schema = nlohmann::json::parse(*text);
+  const auto& names = schema.at("/properties/issues/items/properties/reason/enum"_json_pointer);
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(name_of(static_cast<ImportReason>(i)), names[i]);
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(ImportReason::UnknownState) + 1);
+}
+
+TEST(Assemble, WhatCannotBePlacedIsListedByItsReason) {
   SourceScene scene = kitchen();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   scene.objects.push_back(thing("nowhere", "Mug", {nan, 0, 0}, {0.1, 0.1, 0.1}));
@@ -113,8 +124,6 @@ TEST(Assemble, WhatCannotBePlacedIsListedByAReasonOfTheClosedList) {
                              "typical-size", "cyclic-containment", "unknown-receptacle"}) {
     EXPECT_THAT(reasons_of(home->report), Contains(reason));
   }
-  const auto reasons = reasons_of(home->report);
-  EXPECT_THAT(std::set<std::string>(reasons.begin(), reasons.end()), IsSubsetOf(import_reasons()));
   EXPECT_EQ(home->report.objects, 15);
   EXPECT_EQ(home->report.known, 14);
   EXPECT_EQ(home->report.placed, 9);

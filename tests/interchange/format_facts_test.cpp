@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "core/files.h"
+#include "interchange/category_names.h"
 #include "interchange/house_names.h"
+#include "interchange/virtualhome_words.h"
 #include "tests/interchange/import_rates.h"
 #include "tests/support/scratch_folder.h"
 
@@ -12,14 +14,24 @@ namespace unietp::testing {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 const char* const kWords = "word,category,source\nsofa,couch,curated\n";
 const char* const kDoors = "model,width_m,height_m,source\nNarrow,0.9,2,curated\nWide,2,2,curated\n";
 const char* const kFloors =
     "room,material,source\nBathroom,A,curated\nBedroom,B,curated\nKitchen,C,curated\nLivingRoom,D,curated\n";
 
-FormatFactsReading reading_of(const std::string& words, const std::string& doors, const std::string& floors) {
+/// Sound tables, but for those that `others` replaces.
+FormatFactsReading reading_of(const std::string& words, const std::string& doors, const std::string& floors,
+                              const std::map<std::string, std::string>& others = {}) {
   const ScratchFolder folder;
+  std::map<std::string, std::string> texts{
+      {"virtualhome_rooms.csv", "class,room,source\nhallway,corridor,curated\nentrance_hall,corridor,curated\n"},
+      {"virtualhome_states.csv", "word,state,source\nON,power_on,curated\n"},
+      {"virtualhome_properties.csv", "property,affordance,source\nGRABBABLE,pickupable,curated\n"},
+      {"building_words.csv", "word,source\ndoorframe,curated\n"}};
+  for (const auto& [name, text] : others) texts[name] = text;
+  for (const auto& [name, text] : texts) EXPECT_TRUE(write_file(folder.path() / name, text));
   EXPECT_TRUE(write_file(folder.path() / "replicacad_words.csv", words));
   EXPECT_TRUE(write_file(folder.path() / "procthor_doors.csv", doors));
   EXPECT_TRUE(write_file(folder.path() / "procthor_floors.csv", floors));
@@ -35,7 +47,7 @@ std::vector<std::string> texts_of(const std::vector<Error>& errors) {
   return texts;
 }
 
-TEST(FormatFacts, AreReadFromThreeTables) {
+TEST(FormatFacts, AreReadFromTheirTables) {
   const auto [facts, errors] = reading_of(kWords, kDoors, kFloors);
   EXPECT_THAT(texts_of(errors), ElementsAre());
   EXPECT_EQ(facts.replicacad_words.at("sofa"), "couch");
@@ -43,6 +55,16 @@ TEST(FormatFacts, AreReadFromThreeTables) {
   EXPECT_EQ(door_model_for(1.4, facts).name, "Narrow");
   EXPECT_EQ(door_model_for(1.5, facts).name, "Wide");
   EXPECT_EQ(door_model_for(1.45, facts).name, "Narrow") << "ties go to the first";
+  EXPECT_EQ(room_type_of_virtualhome("Entrance_Hall", facts), "corridor");
+  EXPECT_EQ(room_type_of_virtualhome("Kitchen", facts), "kitchen");
+  EXPECT_EQ(virtualhome_room_name("corridor", facts), "hallway") << "the first that is listed";
+  EXPECT_EQ(state_of_virtualhome("ON", facts), (State{Predicate::PowerOn, ""}));
+  EXPECT_EQ(state_of_virtualhome("SITTING", facts), std::nullopt);
+  EXPECT_EQ(virtualhome_state(Predicate::PowerOn, facts), "ON");
+  ASSERT_EQ(facts.virtualhome_properties.size(), 1U);
+  EXPECT_EQ(facts.virtualhome_properties[0].ours, "pickupable");
+  EXPECT_TRUE(is_of_the_building("Door_Frame", facts));
+  EXPECT_FALSE(is_of_the_building("Drawer", facts));
 }
 
 TEST(FormatFacts, EveryProblemOfATableIsReportedWithItsPlace) {
@@ -59,6 +81,17 @@ TEST(FormatFacts, EveryProblemOfATableIsReportedWithItsPlace) {
                            .errors),
               ElementsAre("procthor_doors.csv: schema error: is empty; expected at least one model",
                           "procthor_floors.csv: schema error: lacks a row for LivingRoom"));
+}
+
+TEST(FormatFacts, WordsForWhatWeDoNotHaveAreProblems) {
+  EXPECT_THAT(texts_of(reading_of(kWords, kDoors, kFloors,
+                                  {{"virtualhome_states.csv", "word,state,source\nON,glowing,curated\n"},
+                                   {"virtualhome_properties.csv", "property,affordance,source\nGRAB,grab,curated\n"},
+                                   {"building_words.csv", "word,source\nwall,curated\nwall,curated\n"}})
+                           .errors),
+              ElementsAre(HasSubstr("virtualhome_states.csv:2:4: schema error"),
+                          HasSubstr("virtualhome_properties.csv:2:6: schema error"),
+                          "building_words.csv:3:1: schema error: 'wall' stands twice"));
 }
 
 TEST(FormatFacts, TheCommittedTablesNameCategoriesThatHabitatHas) {

@@ -151,7 +151,7 @@ TEST(Habitat, WhatGoesOutComesInTheSameForAnySeed) {
     ASSERT_TRUE(scenes) << format(scenes.error());
     EXPECT_EQ(scenes->front().id, home.id);
     const auto again = assemble(scenes->front(), committed_knowledge(Simulator::Habitat),
-                                profile_of(Simulator::Habitat), {.settle = false});
+                                profile_of(Simulator::Habitat), format_facts(), {.settle = false});
     ASSERT_TRUE(again) << format(again.error());
     EXPECT_THAT(differences(home, again->scene, 1e-6), IsEmpty());
   }

@@ -37,7 +37,8 @@ std::vector<Imported> import_all(const std::vector<SourceScene>& scenes, std::si
   std::vector<Imported> all;
   for (std::size_t i = 0; i < scenes.size(); i += stride) {
     const SourceScene& source = scenes[i];
-    const auto imported = assemble(source, committed_knowledge(source.simulator), profile_of(source.simulator));
+    const auto imported =
+        assemble(source, committed_knowledge(source.simulator), profile_of(source.simulator), format_facts());
     if (!imported) throw std::runtime_error(format(imported.error()));
     all.push_back({source.id, imported->report, restless(imported->scene).size()});
   }
@@ -58,7 +59,7 @@ std::string table_row(const std::string& format, const std::vector<Imported>& al
     sum.objects += r.objects, sum.known += r.known, sum.arrived += r.arrived, sum.stayed += r.stayed;
     sum.relations += r.relations, sum.relations_held += r.relations_held;
     sum.loose += r.loose, sum.loose_held += r.loose_held;
-    for (const ImportIssue& issue : r.issues) ++reasons[issue.reason];
+    for (const ImportIssue& issue : r.issues) ++reasons[std::string(name_of(issue.reason))];
     worst_arrived = std::min(worst_arrived, arrived_share(r));
     worst_stayed = std::min(worst_stayed, share(r.stayed, r.known));
     worst_held = std::min(worst_held, held_share(r));

@@ -38,7 +38,7 @@ TEST(Ithor, RealScenesArriveAndHold) {
               << " stayed " << report.stayed << " relations " << report.relations << " held " << report.relations_held
               << " loose " << report.loose << " held " << report.loose_held << "\n";
     for (const auto& issue : report.issues) {
-      std::cout << "  " << issue.reason << ": " << issue.object << ": " << issue.detail << "\n";
+      std::cout << "  " << name_of(issue.reason) << ": " << issue.object << ": " << issue.detail << "\n";
     }
   }
   std::cout << table_row("ithor", all) << "\n";
@@ -79,7 +79,8 @@ TEST(Ithor, TheSimulatorsOwnMetadataReadsAsADumpDoes) {
                                                             State{Predicate::Filled, "coffee"}));
     ASSERT_TRUE(scene.has_agent);
     EXPECT_NEAR(scene.agent.yaw, 0, 1e-9) << "Unity's 90 degrees look along x";
-    const auto home = assemble(scene, committed_knowledge(Simulator::Ai2thor), profile_of(Simulator::Ai2thor));
+    const auto home =
+        assemble(scene, committed_knowledge(Simulator::Ai2thor), profile_of(Simulator::Ai2thor), format_facts());
     ASSERT_TRUE(home) << format(home.error());
     EXPECT_EQ(home->report.arrived, 3);
     EXPECT_EQ(home->report.relations_held, 2);

@@ -44,8 +44,8 @@ TEST(Procthor, RealHousesArriveAndHold) {
               << " stayed " << report.stayed << " relations " << report.relations << " held " << report.relations_held
               << " loose " << report.loose << " held " << report.loose_held << "\n";
     for (const auto& issue : report.issues) {
-      std::cout << "  " << issue.reason << ": " << issue.object << " " << issue.category << ": " << issue.detail
-                << "\n";
+      std::cout << "  " << name_of(issue.reason) << ": " << issue.object << " " << issue.category << ": "
+                << issue.detail << "\n";
     }
   }
   std::cout << table_row("procthor", all) << "\n";
@@ -128,14 +128,14 @@ TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {
   const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
   for (std::size_t i = 0; i < houses.size(); i += 41) {
     SCOPED_TRACE(houses[i].id);
-    const auto first = assemble(houses[i], knowledge, profile_of(Simulator::Ai2thor));
+    const auto first = assemble(houses[i], knowledge, profile_of(Simulator::Ai2thor), format_facts());
     ASSERT_TRUE(first) << format(first.error());
     const auto written = write_procthor(first->scene, knowledge, format_facts());
     ASSERT_TRUE(written) << format(written.error());
     const auto read = read_procthor("written", written->text, knowledge);
     ASSERT_TRUE(read) << format(read.error());
     ASSERT_EQ(read->size(), 1u);
-    const auto second = assemble(read->front(), knowledge, profile_of(Simulator::Ai2thor));
+    const auto second = assemble(read->front(), knowledge, profile_of(Simulator::Ai2thor), format_facts());
     ASSERT_TRUE(second) << format(second.error());
     expect_same_plan(first->scene, second->scene);
     // What settles anew may roll, and what leaned was stood up: of a hundred things at most two.

@@ -47,7 +47,7 @@ Scene small_home(const Knowledge& knowledge, std::uint64_t seed) {
   for (int i = 0; i < 24; ++i) {
     const Category& category = categories[rng.below(categories.size())];
     const bool measured_open = category.archetype == Archetype::Folding || category.archetype == Archetype::Lidded;
-    if (measured_open || is_of_the_building(category.name) || category.size.maxCoeff() > 1.5) continue;
+    if (measured_open || is_of_the_building(category.name, format_facts()) || category.size.maxCoeff() > 1.5) continue;
     Node node;
     node.id = fresh_id(home, category.name);
     node.category = category.name;

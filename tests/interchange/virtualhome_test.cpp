@@ -24,7 +24,7 @@ using ::testing::IsEmpty;
 using Json = nlohmann::json;
 
 Result<std::vector<SourceScene>> read(const std::string& text) {
-  return read_virtualhome("home.json", text, committed_knowledge(Simulator::Virtualhome));
+  return read_virtualhome("home.json", text, committed_knowledge(Simulator::Virtualhome), format_facts());
 }
 
 /// A kitchen of two tiles with a bedroom beside it, the frame of a door between them, a fridge at the kitchen's wall
@@ -83,7 +83,7 @@ TEST(Virtualhome, RealHomesArriveAndHold) {
     const std::string name = "TestScene" + std::to_string(i) + ".json.gz";
     const auto text = read_maybe_gzip(upstream() / "virtualhome/scenes" / name);
     if (!text) GTEST_SKIP() << needs::kSimulatorFiles;
-    const auto scenes = read_virtualhome(name, *text, committed_knowledge(Simulator::Virtualhome));
+    const auto scenes = read_virtualhome(name, *text, committed_knowledge(Simulator::Virtualhome), format_facts());
     ASSERT_TRUE(scenes) << format(scenes.error());
     EXPECT_EQ(scenes->front().id, "TestScene" + std::to_string(i));
     EXPECT_GE(scenes->front().rooms.size(), 4U);
@@ -174,12 +174,12 @@ TEST(Virtualhome, WhatGoesOutComesInTheSameForAnySeed) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
     const Scene home = small_home(committed_knowledge(Simulator::Virtualhome), seed);
-    const auto exported = write_virtualhome(home, committed_knowledge(Simulator::Virtualhome));
+    const auto exported = write_virtualhome(home, committed_knowledge(Simulator::Virtualhome), format_facts());
     ASSERT_TRUE(exported) << format(exported.error());
     const auto scenes = read(exported->text);
     ASSERT_TRUE(scenes) << format(scenes.error());
     const auto again = assemble(scenes->front(), committed_knowledge(Simulator::Virtualhome),
-                                profile_of(Simulator::Virtualhome), {.settle = false});
+                                profile_of(Simulator::Virtualhome), format_facts(), {.settle = false});
     ASSERT_TRUE(again) << format(again.error());
     EXPECT_THAT(differences(home, again->scene, 1e-6), IsEmpty());
   }
@@ -203,7 +203,7 @@ TEST(Virtualhome, ExportsUpstreamsWordsForPropertiesStatesAndRelations) {
   home.edges = {{Predicate::Inside, "plate_1", "fridge_1"},
                 {Predicate::OnFloor, "fridge_1", "kitchen_1"},
                 {Predicate::InRoom, "fridge_1", "kitchen_1"}};
-  const auto exported = write_virtualhome(home, committed_knowledge(Simulator::Virtualhome));
+  const auto exported = write_virtualhome(home, committed_knowledge(Simulator::Virtualhome), format_facts());
   ASSERT_TRUE(exported) << format(exported.error());
   const Json json = Json::parse(exported->text);
   std::map<int, std::string> names;
@@ -256,11 +256,12 @@ TEST(Virtualhome, ThingsInsideEachOtherAreListedAndThoseInNoRoomToo) {
   json["nodes"][9]["bbox_center"] = {200, 0.85, 2};
   const auto scenes = read(json.dump());
   ASSERT_TRUE(scenes) << format(scenes.error());
-  const auto imported =
-      assemble(scenes->front(), committed_knowledge(Simulator::Virtualhome), profile_of(Simulator::Virtualhome));
+  const auto imported = assemble(scenes->front(), committed_knowledge(Simulator::Virtualhome),
+                                 profile_of(Simulator::Virtualhome), format_facts());
   ASSERT_TRUE(imported) << format(imported.error());
   std::vector<std::string> reasons;
-  for (const ImportIssue& issue : imported->report.issues) reasons.push_back(issue.reason + " " + issue.object);
+  for (const ImportIssue& issue : imported->report.issues)
+    reasons.push_back(std::string(name_of(issue.reason)) + " " + issue.object);
   EXPECT_THAT(reasons, Contains(HasSubstr("cyclic-containment")));
   EXPECT_THAT(reasons, Contains("outside-rooms 10"));
 }

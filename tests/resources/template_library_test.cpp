@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "core/sqlite_file.h"
 #include "core/text.h"
+#include "templates/constraint_kinds.h"
 
 namespace unietp {
 namespace {
@@ -42,8 +43,7 @@ std::string all_of(const Template& source) {
   for (const auto simulator : source.simulators) text += " " + std::string(name_of(simulator));
   for (const auto& parameter : source.parameters)
     text += "\n" + parameter.name + ": " + join(parameter.affordances, " ") + " " + std::to_string(parameter.pos.line);
-  for (const auto& constraint : source.constraints)
-    text += "\n" + constraint.kind + ": " + join(constraint.arguments, " ");
+  for (const auto& constraint : source.constraints) text += "\n" + to_text(constraint);
   for (const auto& formula : source.init) text += "\n" + to_text(formula);
   return text + "\n" + to_text(source.goal) + "\n" + join(source.instructions, "\n");
 }

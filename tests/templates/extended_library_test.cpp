@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/text.h"
+#include "templates/constraint_kinds.h"
 #include "templates/template.h"
 
 namespace unietp {
@@ -45,7 +46,7 @@ TEST(ExtendedLibrary, NoTwoTemplatesAskForTheSameByTheSameMeans) {
   for (const auto* library : {"library", "extended"}) {
     for (const auto& t : folder(library).templates) {
       std::string key = to_text(normal_form(t.goal)) + " " + t.refinement;
-      for (const auto& constraint : t.constraints) key += " " + constraint.kind + join(constraint.arguments, ",");
+      for (const auto& constraint : t.constraints) key += " " + to_text(constraint);
       for (const auto& start : t.init) key += " " + to_text(start);
       const auto [first, added] = name_of.emplace(key, t.name);
       EXPECT_TRUE(added) << t.name << " asks for what " << first->second << " asks for";

@@ -85,7 +85,7 @@ TEST(ParseTemplate, ReadsEverySection) {
   EXPECT_EQ(t.parameters[1].name, "C");
   EXPECT_EQ(t.parameters[1].affordances, (std::vector<std::string>{"furniture", "container", "openable"}));
   ASSERT_EQ(t.constraints.size(), 2U);
-  EXPECT_EQ(t.constraints[1].kind, "fits-inside");
+  EXPECT_EQ(t.constraints[1].type, ConstraintType::FitsInside);
   EXPECT_EQ(t.constraints[1].arguments, (std::vector<std::string>{"A", "C", "2"}));
   EXPECT_EQ(to_text(t.init[0]), "(count >= 2 (?a - A) (not (exists (?c - C) (inside ?a ?c))))");
   EXPECT_EQ(to_text(t.goal), "(exists (?c - C) (at-end (count >= 2 (?a - A) (inside ?a ?c))))");
