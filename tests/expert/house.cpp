@@ -11,25 +11,9 @@
 #include "simulation/feedback.h"
 #include "simulation/relations.h"
 #include "simulation/shape.h"
+#include "tests/support/household.h"
 
 namespace unietp::testing {
-namespace {
-
-const Source kCurated{"curated", 1};
-
-Category category(std::string name, bool movable, Archetype archetype, Vec3 size, double mass) {
-  Category c;
-  c.name = std::move(name);
-  c.display = c.plural = c.name;
-  c.movable = movable;
-  c.archetype = archetype;
-  c.size = size;
-  c.mass = mass;
-  c.source = c.size_source = c.mass_source = kCurated;
-  return c;
-}
-
-}  // namespace
 
 Knowledge house_knowledge() {
   std::vector<Category> categories{
@@ -54,7 +38,7 @@ Knowledge house_knowledge() {
   };
   std::vector<AffordanceFact> affordances;
   const auto affords = [&](const std::string& name, std::initializer_list<const char*> what) {
-    for (const char* affordance : what) affordances.push_back({name, affordance, kCurated});
+    for (const char* affordance : what) affordances.push_back({name, affordance, curated()});
   };
   affords("Apple", {"pickupable", "sliceable"});
   affords("AppleSliced", {"pickupable"});
@@ -77,54 +61,22 @@ Knowledge house_knowledge() {
   std::vector<Placement> placements;
   for (const char* thing : {"Apple", "Box", "Knife", "Lamp", "Laptop", "Mug", "Plate", "Potato"}) {
     for (const char* place : {"CounterTop", "DiningTable", "Dresser", "SideTable"}) {
-      placements.push_back({thing, Predicate::On, place, 1, 4, kCurated});
+      placements.push_back({thing, Predicate::On, place, 1, 4, curated()});
     }
     for (const char* place : {"Box", "Dresser", "Fridge", "Microwave", "Sink"}) {
-      if (std::string_view(thing) != place) placements.push_back({thing, Predicate::Inside, place, 1, 4, kCurated});
+      if (std::string_view(thing) != place) placements.push_back({thing, Predicate::Inside, place, 1, 4, curated()});
     }
   }
-  std::vector<Effect> effects{
-      {"Fridge", Treatment::Cools, "Mug", "", 0, {EffectNeed::Closed, EffectNeed::Inside}, kCurated},
-      {"Fridge", Treatment::Cools, "Potato", "", 0, {EffectNeed::Closed, EffectNeed::Inside}, kCurated},
-      {"Knife", Treatment::Slices, "Apple", "AppleSliced", 4, {EffectNeed::Held}, kCurated},
-      {"Knife", Treatment::Slices, "Potato", "PotatoSliced", 4, {EffectNeed::Held}, kCurated},
-      {"Microwave",
-       Treatment::Heats,
-       "Mug",
-       "",
-       0,
-       {EffectNeed::Closed, EffectNeed::Inside, EffectNeed::PowerOn},
-       kCurated},
-      {"Microwave",
-       Treatment::Heats,
-       "Potato",
-       "",
-       0,
-       {EffectNeed::Closed, EffectNeed::Inside, EffectNeed::PowerOn},
-       kCurated},
-      {"Sink", Treatment::Washes, "Mug", "", 0, {EffectNeed::Inside, EffectNeed::UnderTap}, kCurated},
-      {"Sink", Treatment::Washes, "Plate", "", 0, {EffectNeed::Inside, EffectNeed::UnderTap}, kCurated},
-  };
+  std::vector<Effect> effects = appliance_effects();
+  effects.push_back({"Fridge", Treatment::Cools, "Potato", "", 0, {EffectNeed::Closed, EffectNeed::Inside}, curated()});
+  effects.push_back({"Knife", Treatment::Slices, "Potato", "PotatoSliced", 4, {EffectNeed::Held}, curated()});
   return Knowledge(Simulator::Ai2thor, std::move(categories), std::move(affordances), std::move(placements),
                    std::move(effects), {});
 }
 
 Node& add(Scene& scene, const Knowledge& knowledge, const std::string& id, const std::string& name, double x, double y,
           double z, double yaw) {
-  const Category& c = *knowledge.find(name);
-  Node node;
-  node.id = id;
-  node.category = name;
-  node.movable = c.movable;
-  node.archetype = c.archetype;
-  node.openable = knowledge.has(name, "openable");
-  node.size = c.size;
-  node.mass = c.mass;
-  node.pose = upright(Vec3(x, y, z + c.size.z() / 2), yaw);
-  for (const StateGroup& group : state_groups()) {
-    if (knowledge.has(name, group.affordance)) node.states.set({group.predicates.front(), ""});
-  }
-  return scene.nodes.emplace_back(std::move(node));
+  return scene.nodes.emplace_back(node_of(knowledge, id, name, x, y, z, yaw));
 }
 
 Scene at_rest(Scene scene) {

@@ -1,37 +1,10 @@
 #include "tests/simulation/kitchen.h"
 
-#include <cctype>
 #include <numbers>
 
+#include "tests/support/household.h"
+
 namespace unietp::testing {
-namespace {
-
-const Source kCurated{"curated", 1};
-
-/// "WineBottle" as "wine bottle".
-std::string in_words(const std::string& name) {
-  std::string words;
-  for (const char letter : name) {
-    const bool capital = std::isupper(static_cast<unsigned char>(letter)) != 0;
-    if (capital && !words.empty()) words += ' ';
-    words += capital ? static_cast<char>(std::tolower(static_cast<unsigned char>(letter))) : letter;
-  }
-  return words;
-}
-
-Category category(std::string name, bool movable, Archetype archetype, Vec3 size, double mass) {
-  Category c;
-  c.name = std::move(name);
-  c.display = c.plural = in_words(c.name);
-  c.movable = movable;
-  c.archetype = archetype;
-  c.size = size;
-  c.mass = mass;
-  c.source = c.size_source = c.mass_source = kCurated;
-  return c;
-}
-
-}  // namespace
 
 Knowledge kitchen_knowledge(Simulator simulator) {
   std::vector<Category> categories{
@@ -58,7 +31,7 @@ Knowledge kitchen_knowledge(Simulator simulator) {
   };
   std::vector<AffordanceFact> affordances;
   const auto affords = [&](const std::string& name, std::initializer_list<const char*> what) {
-    for (const char* affordance : what) affordances.push_back({name, affordance, kCurated});
+    for (const char* affordance : what) affordances.push_back({name, affordance, curated()});
   };
   affords("Apple", {"pickupable", "readable", "sliceable"});
   affords("AppleSliced", {"pickupable"});
@@ -80,59 +53,31 @@ Knowledge kitchen_knowledge(Simulator simulator) {
   affords("Stove", {"receptacle", "switchable"});
   affords("Towel", {"foldable", "pickupable", "soakable"});
   affords("WineBottle", {"fillable", "pickupable"});
-  std::vector<Effect> effects{
-      {"Fridge", Treatment::Cools, "Mug", "", 0, {EffectNeed::Closed, EffectNeed::Inside}, kCurated},
-      {"Ketchup", Treatment::Dispenses, "Plate", "ketchup", 0, {EffectNeed::Held}, kCurated},
-      {"Knife", Treatment::Slices, "Apple", "AppleSliced", 4, {EffectNeed::Held}, kCurated},
-      {"Lamp", Treatment::Attaches, "Bulb", "", 0, {}, kCurated},
-      {"Microwave",
-       Treatment::Heats,
-       "Mug",
-       "",
-       0,
-       {EffectNeed::Closed, EffectNeed::Inside, EffectNeed::PowerOn},
-       kCurated},
-      {"Microwave",
-       Treatment::Heats,
-       "Potato",
-       "",
-       0,
-       {EffectNeed::Closed, EffectNeed::Inside, EffectNeed::PowerOn},
-       kCurated},
-      {"Sink", Treatment::Washes, "Mug", "", 0, {EffectNeed::Inside, EffectNeed::UnderTap}, kCurated},
+  std::vector<Effect> effects = appliance_effects();
+  const std::vector<EffectNeed> tap{EffectNeed::Inside, EffectNeed::UnderTap};
+  const std::vector<Effect> further{
+      {"Ketchup", Treatment::Dispenses, "Plate", "ketchup", 0, {EffectNeed::Held}, curated()},
+      {"Lamp", Treatment::Attaches, "Bulb", "", 0, {}, curated()},
       {"Microwave",
        Treatment::Cooks,
        "Potato",
        "",
        0,
        {EffectNeed::Closed, EffectNeed::Inside, EffectNeed::PowerOn},
-       kCurated},
-      {"Sink", Treatment::Washes, "Plate", "", 0, {EffectNeed::Inside, EffectNeed::UnderTap}, kCurated},
-      {"Sink", Treatment::Fills, "Mug", "water", 0, {EffectNeed::Inside, EffectNeed::UnderTap}, kCurated},
-      {"Sink", Treatment::Soaks, "Towel", "water", 0, {EffectNeed::Inside, EffectNeed::UnderTap}, kCurated},
-      {"Stove", Treatment::Burns, "Potato", "", 0, {EffectNeed::On, EffectNeed::PowerOn}, kCurated},
-      {"Towel", Treatment::Wipes, "Plate", "", 0, {EffectNeed::Held}, kCurated},
-      {"WineBottle", Treatment::Fills, "Mug", "wine", 0, {EffectNeed::Held}, kCurated},
+       curated()},
+      {"Sink", Treatment::Fills, "Mug", "water", 0, tap, curated()},
+      {"Sink", Treatment::Soaks, "Towel", "water", 0, tap, curated()},
+      {"Stove", Treatment::Burns, "Potato", "", 0, {EffectNeed::On, EffectNeed::PowerOn}, curated()},
+      {"Towel", Treatment::Wipes, "Plate", "", 0, {EffectNeed::Held}, curated()},
+      {"WineBottle", Treatment::Fills, "Mug", "wine", 0, {EffectNeed::Held}, curated()},
   };
+  effects.insert(effects.end(), further.begin(), further.end());
   return Knowledge(simulator, std::move(categories), std::move(affordances), {}, std::move(effects), {});
 }
 
 Node& add(Scene& scene, const std::string& id, const Knowledge& knowledge, const std::string& name, double x, double y,
           double z, double yaw) {
-  const Category& c = *knowledge.find(name);
-  Node node;
-  node.id = id;
-  node.category = name;
-  node.movable = c.movable;
-  node.archetype = c.archetype;
-  node.openable = knowledge.has(name, "openable");
-  node.size = c.size;
-  node.mass = c.mass;
-  node.pose = upright(Vec3(x, y, z + c.size.z() / 2), yaw);
-  for (const StateGroup& group : state_groups()) {
-    if (knowledge.has(name, group.affordance)) node.states.set({group.predicates.front(), ""});
-  }
-  return scene.nodes.emplace_back(std::move(node));
+  return scene.nodes.emplace_back(node_of(knowledge, id, name, x, y, z, yaw));
 }
 
 Scene kitchen() {
