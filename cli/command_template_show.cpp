@@ -10,6 +10,7 @@
 #include "cli/library_options.h"
 #include "core/text.h"
 #include "generator/binding_summary.h"
+#include "templates/constraint_kinds.h"
 #include "templates/phrasing.h"
 
 namespace unietp {
@@ -73,7 +74,7 @@ void print(const ShownTemplate& shown) {
                 parameter_in_words(parameter).c_str());
   }
   for (const auto& constraint : source.constraints) {
-    std::printf("  (%s %s)\n", constraint.kind.c_str(), join(constraint.arguments, " ").c_str());
+    std::printf("  %s\n", to_text(constraint).c_str());
   }
   std::printf("\nstart\n");
   for (const auto& start : source.init) std::printf("  %s\n", start_in_words(start).c_str());
@@ -114,7 +115,7 @@ Json json_of(const ShownTemplate& shown) {
         {{"name", parameter.name}, {"affordances", parameter.affordances}, {"says", parameter_in_words(parameter)}});
   }
   for (const auto& constraint : source.constraints) {
-    json["constraints"].push_back("(" + constraint.kind + " " + join(constraint.arguments, " ") + ")");
+    json["constraints"].push_back(to_text(constraint));
   }
   for (const auto& start : source.init) {
     json["start"].push_back({{"formula", to_text(start)}, {"in_words", start_in_words(start)}});
