@@ -19,8 +19,8 @@ bool override_body(std::string_view text);
 bool gzip_body(std::string_view text);
 /// ProcTHOR's models, iTHOR's scenes, BEHAVIOR's models and its table of categories, with a line `====` between them.
 bool upstream_body(std::string_view text);
-/// BEHAVIOR's table of categories, tree of synsets, models, rooms and annotations, and our table of hypernyms, with a line
-/// `====` between them.
+/// BEHAVIOR's table of categories, tree of synsets, models, rooms and annotations, and our table of hypernyms, with a
+/// line `====` between them.
 bool catalog_body(std::string_view text);
 /// A table kept by hand: its name, a line feed, its text.
 bool curated_body(std::string_view text);
