@@ -45,11 +45,11 @@ struct RemadeStart {
   Delta changes;
   std::vector<std::string> edits;
 };
-/// Makes the start of a task again, from its record with goal and start constraints read, in its home. Errors: why there
-/// is none. Called by several threads at once, and only for a task of which nothing else is wrong.
-using MakeStart = std::function<Result<RemadeStart>(
-    const TaskRecord&, const Formula& goal, const std::vector<Formula>& constraints,
-    const std::shared_ptr<const Scene>& home, const ManifestRecord&)>;
+/// Makes the start of a task again, from its record with goal and start constraints read, in its home. Errors: why
+/// there is none. Called by several threads at once, and only for a task of which nothing else is wrong.
+using MakeStart =
+    std::function<Result<RemadeStart>(const TaskRecord&, const Formula& goal, const std::vector<Formula>& constraints,
+                                      const std::shared_ptr<const Scene>& home, const ManifestRecord&)>;
 
 class ProofMemory;
 
