@@ -76,6 +76,10 @@ bool configuration_body(std::string_view text);
 bool shard_body(std::string_view text);
 /// What the review page saves.
 bool review_body(std::string_view text);
+/// What an agent says.
+bool said_body(std::string_view text);
+/// How an environment treats its agent.
+bool settings_body(std::string_view text);
 /// An option of the command line: its name, a line feed, its value.
 bool names_body(std::string_view text);
 

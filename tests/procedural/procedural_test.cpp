@@ -1,0 +1,99 @@
+// New tasks without end: each is proven, depends on its seed alone, and costs little in a home that is there.
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "../resources/committed.h"
+#include "core/share_work.h"
+#include "environment/environment.h"
+#include "logic/evaluate.h"
+#include "procedural/procedural.h"
+#include "scene/trace.h"
+#include "tests/environment/random_agent.h"
+
+namespace unietp {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// The committed resources, which live as long as the program.
+std::shared_ptr<const Resources> resources() { return {std::shared_ptr<const Resources>(), &committed()}; }
+
+Procedural procedural(const ProceduralOptions& options) {
+  auto made = Procedural::make(resources(), options);
+  EXPECT_TRUE(made) << format(made.error());
+  return std::move(*made);
+}
+
+ProceduralOptions few_homes() {
+  ProceduralOptions options;
+  options.homes = 2;
+  return options;
+}
+
+TEST(ProceduralTasks, AreOfTheWantedKindsAndFalseAtTheStart) {
+  ProceduralOptions options = few_homes();
+  options.simulators = {Simulator::Ai2thor, Simulator::Habitat};
+  options.splits = {Split::Atomic, Split::InstanceGrounding};
+  const Procedural source = procedural(options);
+  std::set<std::string> kinds, instructions;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const auto task = source.task(seed);
+    ASSERT_TRUE(task) << format(task.error());
+    const EnvironmentTask& one = **task;
+    kinds.insert(std::string(name_of(one.simulator)) + " " + one.text.split);
+    instructions.insert(one.text.instruction);
+    EXPECT_FALSE(holds(one.goal, to_logic(one.start, {}, reads_comparisons(one.goal))));
+    EXPECT_EQ(one.text.expert.front().mode, Mode::M1);
+    const auto left = Environment::make(*task, settings_for(Mode::M1))->expert_steps_left();
+    EXPECT_EQ(left, one.text.expert.front().steps) << "the expert solves it from the start";
+  }
+  EXPECT_EQ(kinds, (std::set<std::string>{"ai2thor atomic", "ai2thor instance_grounding", "habitat atomic",
+                                          "habitat instance_grounding"}));
+  EXPECT_GT(instructions.size(), 8U);
+}
+
+TEST(ProceduralTasks, DependOnTheirSeedAloneWhateverWasMadeBeforeAndByHowManyThreads) {
+  const Procedural first = procedural(few_homes()), second = procedural(few_homes());
+  constexpr std::uint64_t kSeeds = 8;
+  std::vector<Result<SharedTask>> backwards(kSeeds, Error{});
+  share_work(3, kSeeds, [&](std::size_t i) { backwards[kSeeds - 1 - i] = second.task(kSeeds - 1 - i); });
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const auto task = first.task(seed);
+    const auto& again = backwards[seed];
+    ASSERT_TRUE(task && again) << seed;
+    EXPECT_EQ((*task)->text.instruction, (*again)->text.instruction);
+    EXPECT_EQ((*task)->text.goal_text, (*again)->text.goal_text);
+    EXPECT_TRUE((*task)->start == (*again)->start);
+  }
+}
+
+TEST(ProceduralTasks, CanBeSolvedInTheModesThatWereAskedFor) {
+  ProceduralOptions options = few_homes();
+  options.simulators = {Simulator::Ai2thor};
+  options.splits = {Split::Atomic};
+  options.modes = {Mode::M3};
+  const Procedural source = procedural(options);
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const auto task = source.task(seed);
+    ASSERT_TRUE(task) << format(task.error());
+    ASSERT_EQ((*task)->text.expert.size(), 2U);
+    EXPECT_EQ((*task)->text.expert.back().mode, Mode::M3);
+  }
+}
+
+TEST(ProceduralTasks, RefuseWhatCannotBe) {
+  ProceduralOptions options;
+  options.templates = {"no-such-template"};
+  const auto unknown = Procedural::make(resources(), options);
+  ASSERT_FALSE(unknown);
+  EXPECT_THAT(format(unknown.error()), HasSubstr("no-such-template"));
+  options = {};
+  options.homes = 0;
+  EXPECT_FALSE(Procedural::make(resources(), options));
+  EXPECT_FALSE(procedural(few_homes()).task(~std::uint64_t{0}));
+}
+
+}  // namespace
+}  // namespace unietp
