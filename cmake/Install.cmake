@@ -19,10 +19,15 @@ add_custom_command(OUTPUT ${generated}/made
   DEPENDS unietp ${knowledge_inputs} COMMENT "Generating knowledge database, manual page and completions" VERBATIM)
 add_custom_target(generated_for_install ALL DEPENDS ${generated}/made)
 
-install(TARGETS unietp RUNTIME DESTINATION bin)
-install(DIRECTORY data DESTINATION share/unietp)
-install(DIRECTORY templates/library templates/extended DESTINATION share/unietp/templates)
-install(DIRECTORY ${generated}/compiled DESTINATION share/unietp)
+# The program and what it reads, below a folder of the installation; further arguments go to each install().
+function(install_program folder)
+  install(TARGETS unietp RUNTIME DESTINATION ${folder}/bin ${ARGN})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/data DESTINATION ${folder}/share/unietp ${ARGN})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates/library ${PROJECT_SOURCE_DIR}/templates/extended
+          DESTINATION ${folder}/share/unietp/templates ${ARGN})
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/installed/compiled DESTINATION ${folder}/share/unietp ${ARGN})
+endfunction()
+install_program(.)
 install(DIRECTORY deploy/slurm DESTINATION share/unietp/deploy USE_SOURCE_PERMISSIONS)
 install(FILES README.md DESTINATION share/doc/unietp)
 install(FILES LICENSE DESTINATION share/doc/unietp RENAME copyright)

@@ -1,0 +1,242 @@
+#include "environment/environment.h"
+
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <memory>
+#include <mutex>
+
+#include <nlohmann/json.hpp>
+
+#include "environment/observation_json.h"
+#include "python/native/bindings.h"
+#include "python/native/catalog.h"
+#include "python/native/failure.h"
+#include "python/native/json_to_python.h"
+#include "python/native/observed.h"
+#include "python/native/settings_text.h"
+#include "scene/scene_json.h"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace unietp::python {
+namespace {
+
+/// An environment, the form of its observations as arrays, and what the last step executed. Python's threads may share
+/// one: each call has it alone.
+class SharedEnvironment {
+ public:
+  SharedEnvironment(Environment environment, const Encoding& encoding)
+      : environment_(std::move(environment)), encoding_(&encoding), form_(encoding.form()) {
+    form_.begin(environment_.observe());
+  }
+
+  /// Calls work(*this) without the interpreter's lock.
+  template <class Work>
+  auto alone(Work work) {
+    const nb::gil_scoped_release released;
+    const std::scoped_lock lock(mutex_);
+    return work(*this);
+  }
+
+  Environment environment_;
+  const Encoding* encoding_;  // kept alive by the Python object
+  ArrayForm form_;
+  std::vector<ExecutedAction> executed_;
+
+ private:
+  std::mutex mutex_;
+};
+
+/// The state of an environment to come back to.
+struct SavedState {
+  Environment::Snapshot snapshot;
+  ArrayForm form;
+  std::vector<ExecutedAction> executed;
+};
+
+/// An observation in all its forms, made without the interpreter's lock.
+struct Observed {
+  ArrayBlock arrays;
+  nlohmann::ordered_json readable;
+  std::optional<Picture> picture;
+};
+
+Observed observed(SharedEnvironment& self) {
+  const auto& observation = self.environment_.observe();
+  Observed all{{1, self.encoding_->rows, self.encoding_->text_bytes},
+               observation_to_json(observation, self.environment_.settings()),
+               {}};
+  self.form_.see(observation);
+  self.form_.write(observation, all.arrays.part(0));
+  if (observation.has_picture) all.picture = self.environment_.picture();
+  return all;
+}
+
+nb::tuple handed_over(Observed all) {
+  return nb::make_tuple(std::move(all.arrays).to_python(false), to_python(all.readable),
+                        all.picture ? to_python(std::move(*all.picture)) : nb::none());
+}
+
+nb::tuple reset(SharedEnvironment& self, const TaskHandle* task) {
+  auto all = self.alone([&](SharedEnvironment& own) {
+    if (task == nullptr) {
+      own.environment_.reset();
+    } else {
+      (void)value_of(own.environment_.reset(task->task));
+    }
+    own.executed_.clear();
+    own.form_.begin(own.environment_.observe());
+    return observed(own);
+  });
+  return handed_over(std::move(all));
+}
+
+template <class Said>
+nb::tuple step(SharedEnvironment& self, Said said) {
+  double reward = 0;
+  bool terminated = false, truncated = false;
+  auto all = self.alone([&](SharedEnvironment& own) {
+    auto result = said(own);
+    reward = result.reward;
+    terminated = result.terminated;
+    truncated = result.truncated;
+    own.executed_ = std::move(result.executed);
+    return observed(own);
+  });
+  return nb::make_tuple(handed_over(std::move(all)), reward, terminated, truncated);
+}
+
+nb::tuple step_said(SharedEnvironment& self, const nb::bytes& said) {
+  const std::string text(said.c_str(), said.size());
+  return step(self, [&](SharedEnvironment& own) { return own.environment_.step(std::string_view(text)); });
+}
+
+nb::tuple step_numbers(SharedEnvironment& self, std::int64_t action, std::int64_t argument,
+                       const std::array<double, 4>& box) {
+  return step(self, [&](SharedEnvironment& own) {
+    const auto& environment = own.environment_;
+    return own.environment_.step(
+        own.form_.command_of({action, argument, box}, environment.settings().rules, environment.observe()));
+  });
+}
+
+nb::object scene(SharedEnvironment& self) {
+  const auto text = self.alone([](SharedEnvironment& own) { return scene_to_json(own.environment_.scene()); });
+  return nb::module_::import_("json").attr("loads")(text);
+}
+
+void define_acting(nb::class_<SharedEnvironment>& environment) {
+  environment
+      .def(
+          "__init__",
+          [](SharedEnvironment* self, const TaskHandle& task, const std::string& settings, const Encoding& encoding) {
+            const nb::gil_scoped_release released;
+            new (self) SharedEnvironment(value_of(Environment::make(task.task, settings_of(settings))), encoding);
+          },
+          "task"_a, "settings"_a, "encoding"_a, nb::keep_alive<1, 4>(),
+          "Starts the first episode. Raises Error for settings that cannot be kept.")
+      .def("reset", &reset, "task"_a.none() = nb::none(),
+           "Begins this task again, or another. Gives (arrays, readable observation, picture or None).")
+      .def(
+          "step", &step_said, "said"_a,
+          "Reads what an agent said and executes it. Gives (as reset, reward, terminated, truncated). Never raises for "
+          "what was said.")
+      .def("step_numbers", &step_numbers, "action"_a, "argument"_a, "box"_a,
+           "The same for an action of Gymnasium's action space.")
+      .def(
+          "observe", [](SharedEnvironment& self) { return handed_over(self.alone(observed)); },
+          "The present observation, as reset gives it.")
+      .def(
+          "render",
+          [](SharedEnvironment& self, int width, int height) {
+            return to_python(
+                self.alone([&](SharedEnvironment& own) { return value_of(own.environment_.render(width, height)); }));
+          },
+          "width"_a, "height"_a, "What the head camera shows: uint8 (height, width, 3). Raises Error for a size.")
+      .def(
+          "prompt",
+          [](SharedEnvironment& self, bool reasoning) {
+            return self.alone([&](SharedEnvironment& own) { return own.environment_.prompt(reasoning); });
+          },
+          "reasoning"_a = false, "The system prompt of the episode.")
+      .def(
+          "text",
+          [](SharedEnvironment& self) {
+            return self.alone([](SharedEnvironment& own) { return own.environment_.text(); });
+          },
+          "The observation in words, as a user's turn of a chat.");
+}
+
+void define_privileged(nb::class_<SharedEnvironment>& environment) {
+  environment
+      .def_prop_ro(
+          "task",
+          [](SharedEnvironment& self) {
+            return self.alone([](SharedEnvironment& own) { return TaskHandle{own.environment_.shared_task()}; });
+          })
+      .def_prop_ro(
+          "complete",
+          [](SharedEnvironment& self) {
+            return self.alone([](SharedEnvironment& own) { return own.form_.complete(); });
+          },
+          "Whether `things` has a row for all that the agent was told of.")
+      .def(
+          "ids",
+          [](SharedEnvironment& self) { return self.alone([](SharedEnvironment& own) { return own.form_.ids(); }); },
+          "The id in each row of `things` that is in use.")
+      .def(
+          "privileged",
+          [](SharedEnvironment& self) {
+            return to_python(
+                self.alone([](SharedEnvironment& own) { return privileged_to_json(own.environment_.privileged()); }));
+          },
+          "success, hopeless, progress, missing, goal, steps, failures, ended_by: not for the agent.")
+      .def(
+          "executed",
+          [](SharedEnvironment& self) {
+            return to_python(self.alone([](SharedEnvironment& own) { return executed_to_json(own.executed_); }));
+          },
+          "What the last step's actions came to and changed: not for the agent.")
+      .def("scene", &scene, "The scene graph with all relations, as in a scene file: not for the agent.")
+      .def(
+          "expert_steps_left",
+          [](SharedEnvironment& self) {
+            return self.alone([](SharedEnvironment& own) { return own.environment_.expert_steps_left(); });
+          },
+          "How many actions of M1 the expert's plan from here has, `stop` included; None when it finds none. Not for "
+          "the agent; takes up to some 100 ms.")
+      .def(
+          "snapshot",
+          [](SharedEnvironment& self) {
+            return self.alone([](SharedEnvironment& own) {
+              return SavedState{own.environment_.snapshot(), own.form_, own.executed_};
+            });
+          },
+          "The present state, to come back to. Immutable.")
+      .def(
+          "restore",
+          [](SharedEnvironment& self, const SavedState& saved) {
+            self.alone([&](SharedEnvironment& own) {
+              own.environment_.restore(saved.snapshot);
+              own.form_ = saved.form;
+              own.executed_ = saved.executed;
+            });
+          },
+          "snapshot"_a, "Goes to a snapshot of this environment or of another with the same encoding.");
+}
+
+}  // namespace
+
+void define_environment(nb::module_& module) {
+  nb::class_<SavedState>(module, "Snapshot", "A state of an environment. Immutable.");
+  nb::class_<SharedEnvironment> environment(module, "Environment", "An episode of one task.");
+  define_acting(environment);
+  define_privileged(environment);
+}
+
+}  // namespace unietp::python

@@ -1,0 +1,288 @@
+"""The files of a data set as Python objects (docs/files.md)."""
+
+import gzip
+import json
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, overload
+
+from unietp._native import Error
+
+if TYPE_CHECKING:
+    import datasets
+
+SceneGraph = dict[str, Any]  # data/schemas/scene.schema.json: "nodes", "edges", "rooms", "agent", ...
+
+
+@dataclass(frozen=True)
+class DemonstrationStep:
+    """A step of a demonstration."""
+
+    action: str  #: its name, "pick_up"
+    args: list[Any]  #: ids; in M3 an object is {"bbox": [x0, y0, x1, y1]}, pixels, both ends included
+    success: bool
+    failure: str  #: "" or why it failed, "too_far"
+    feedback: str  #: the sentence for the agent
+    visible: list[dict[str, Any]]  #: in the picture before the step: {"id", "box"}
+    changes: dict[str, Any]  #: of the scene graph (`changed`)
+
+    def said(self) -> dict[str, Any]:
+        """The action as an environment takes it: {"action", "args"}."""
+        return {"action": self.action, "args": self.args}
+
+
+@dataclass(frozen=True)
+class Demonstration:
+    """A plan that was executed in physics and reaches the goal."""
+
+    task: str  #: id
+    mode: str  #: "M1", "M2" or "M3"
+    steps: list[DemonstrationStep]
+
+
+@dataclass(frozen=True)
+class TaskLine:
+    """A task of a data set: a line of tasks.jsonl. `fields` has all of it."""
+
+    id: str
+    template: str
+    split: str
+    simulator: str
+    layout: str  #: name of its home
+    instruction: str
+    goal: str  #: the formula (docs/logic.md)
+    bindings: dict[str, str]  #: category of each placeholder
+    fields: dict[str, Any] = field(repr=False, compare=False)
+
+
+def changed(scene: SceneGraph, change: dict[str, Any]) -> SceneGraph:
+    """The scene graph after a change (data/schemas/delta.schema.json): of a task's start or of a step."""
+    new = {node["id"]: node for node in change.get("nodes", [])}
+    gone, lost = set(change.get("removed", [])), change.get("edges_removed", [])
+    nodes = [new.pop(node["id"], node) for node in scene["nodes"] if node["id"] not in gone]
+    edges = [edge for edge in scene["edges"] if edge not in lost]
+    return {
+        **scene,
+        "nodes": nodes + list(new.values()),
+        "edges": edges + change.get("edges_added", []),
+        "agent": change.get("agent", scene["agent"]),
+    }
+
+
+class _Lines(Sequence[dict[str, Any]]):
+    """Lines of JSON, read when asked for; only their places are kept in memory."""
+
+    def __init__(self, path: Path):
+        self.path = path
+        self._ends: list[int] = []
+        try:
+            with path.open("rb") as file:
+                end = 0
+                for line in file:
+                    end += len(line)
+                    self._ends.append(end)
+        except OSError as error:
+            raise Error(f"{path}: {error.strerror}") from error
+
+    def __len__(self) -> int:
+        return len(self._ends)
+
+    @overload
+    def __getitem__(self, index: int) -> dict[str, Any]: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[dict[str, Any]]: ...
+    def __getitem__(self, index: int | slice) -> Any:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        number = range(len(self))[index]  # raises IndexError, and counts from the end for negative ones
+        begin = self._ends[number - 1] if number else 0
+        with self.path.open("rb") as file:
+            file.seek(begin)
+            return self._parsed(file.read(self._ends[number] - begin), number)
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        with self.path.open("rb") as file:
+            for number, line in enumerate(file):
+                yield self._parsed(line, number)
+
+    def _parsed(self, line: bytes, number: int) -> dict[str, Any]:
+        try:
+            value = json.loads(line)
+        except ValueError as error:
+            raise Error(f"{self.path}:{number + 1}: {error}") from error
+        if not isinstance(value, dict):
+            raise Error(f"{self.path}:{number + 1}: expected an object")
+        return value
+
+
+class Dataset(Sequence[TaskLine]):
+    """The tasks of a data set's folder, in the order of the file. Nothing but an index is kept in memory.
+
+    `dataset[3]` and `dataset["ai2thor-00012"]` are tasks; `demonstration(task, "M2")`, `home(task)` and `start(task)`
+    are what belongs to one. This reads without checking; `unietp.validate` checks every file.
+    """
+
+    def __init__(self, folder: str | os.PathLike[str]):
+        """Raises Error for a folder without tasks.jsonl."""
+        self.folder = Path(folder)
+        self._tasks = _Lines(self.folder / "tasks.jsonl")
+        self._demonstrations: dict[str, _Lines] = {}
+        self._positions: dict[str, int] | None = None
+        self._home = lru_cache(maxsize=8)(self._read_home)
+
+    def __len__(self) -> int:
+        return len(self._tasks)
+
+    def __iter__(self) -> Iterator[TaskLine]:
+        return map(_task, self._tasks)
+
+    @overload
+    def __getitem__(self, key: int | str) -> TaskLine: ...
+    @overload
+    def __getitem__(self, key: slice) -> list[TaskLine]: ...
+    def __getitem__(self, key: int | str | slice) -> Any:
+        if isinstance(key, slice):
+            return [_task(line) for line in self._tasks[key]]
+        return _task(self._tasks[self.position(key) if isinstance(key, str) else key])
+
+    def position(self, id: str) -> int:
+        """Where a task stands, from 0. Raises Error when no task has the id."""
+        if self._positions is None:
+            self._positions = {line["id"]: i for i, line in enumerate(self._tasks)}
+        try:
+            return self._positions[id]
+        except KeyError:
+            raise Error(f"{self.folder}: no task has the id {id!r}") from None
+
+    @property
+    def modes(self) -> list[str]:
+        """The modes that there are demonstrations of."""
+        return [mode for mode in ("M1", "M2", "M3") if self._file(mode).exists()]
+
+    @property
+    def manifest(self) -> dict[str, Any]:
+        """manifest.json: version, configuration, counts, checksums and sources."""
+        try:
+            return json.loads((self.folder / "manifest.json").read_bytes())
+        except (OSError, ValueError) as error:
+            raise Error(f"{self.folder / 'manifest.json'}: {error}") from error
+
+    def demonstration(self, task: TaskLine | str | int, mode: str = "M1") -> Demonstration:
+        """The stored demonstration of a task. Raises Error when the data set has none in that mode."""
+        position = task if isinstance(task, int) else self.position(task if isinstance(task, str) else task.id)
+        if mode not in self._demonstrations:
+            self._demonstrations[mode] = _Lines(self._file(mode))
+        return _demonstration(self._demonstrations[mode][position])
+
+    def demonstrations(self, mode: str = "M1") -> Iterator[Demonstration]:
+        """All demonstrations of a mode, in the order of the tasks."""
+        return map(_demonstration, _Lines(self._file(mode)))
+
+    def home(self, task: TaskLine | str | int) -> SceneGraph:
+        """The scene graph of a task's home."""
+        return self._home(self._line(task).layout)
+
+    def start(self, task: TaskLine | str | int) -> SceneGraph:
+        """The scene graph that a task starts in: its home with the changes of the task."""
+        line = self._line(task)
+        return {**changed(self.home(line), line.fields["start"]["changes"]), "id": line.fields["scene"]}
+
+    def scenes(self, task: TaskLine | str | int, mode: str = "M1") -> Iterator[SceneGraph]:
+        """The scene graph at the start and after each step of a demonstration."""
+        scene = self.start(task)
+        yield scene
+        for step in self.demonstration(task, mode).steps:
+            scene = changed(scene, step.changes)
+            yield scene
+
+    def to_dataset(self, mode: str = "M1") -> "datasets.Dataset":
+        """The tasks with their plans as a `datasets.Dataset` of Hugging Face (pip install unietp[datasets]).
+
+        Columns: id, split, template, simulator, layout, instruction, goal, mode, and plan, a list of
+        {"action", "args" (JSON texts), "success", "feedback"}.
+        """
+        import datasets
+
+        rows = [_row(task, shown) for task, shown in zip(self, self.demonstrations(mode), strict=True)]
+        return datasets.Dataset.from_list(rows)
+
+    def _file(self, mode: str) -> Path:
+        return self.folder / "demonstrations" / f"{mode}.jsonl"
+
+    def _line(self, task: TaskLine | str | int) -> TaskLine:
+        return task if isinstance(task, TaskLine) else self[task]
+
+    def _read_home(self, layout: str) -> SceneGraph:
+        path = self.folder / "homes" / f"{layout}.scene.json.gz"
+        try:
+            with gzip.open(path) as file:
+                return json.load(file)
+        except (OSError, ValueError, EOFError) as error:
+            raise Error(f"{path}: {error}") from error
+
+
+def load_dataset(folder: str | os.PathLike[str]) -> Dataset:
+    """The tasks, demonstrations and homes of a data set. Raises Error for a folder without tasks.jsonl."""
+    return Dataset(folder)
+
+
+def _task(line: dict[str, Any]) -> TaskLine:
+    try:
+        return TaskLine(
+            id=line["id"],
+            template=line["template"],
+            split=line["split"],
+            simulator=line["simulator"],
+            layout=line["layout"],
+            instruction=line["instruction"]["text"],
+            goal=line["goal"]["text"],
+            bindings=line["bindings"],
+            fields=line,
+        )
+    except (KeyError, TypeError) as error:
+        raise Error(f"a line of tasks.jsonl is no task: {error!r}") from error
+
+
+def _demonstration(line: dict[str, Any]) -> Demonstration:
+    try:
+        steps = [
+            DemonstrationStep(
+                action=step["action"],
+                args=step["args"],
+                success=step["success"],
+                failure=step["failure"],
+                feedback=step["feedback"],
+                visible=step["visible"],
+                changes=step["changes"],
+            )
+            for step in line["steps"]
+        ]
+        return Demonstration(line["task"], line["mode"], steps)
+    except (KeyError, TypeError) as error:
+        raise Error(f"a line of a file of demonstrations is none: {error!r}") from error
+
+
+def _row(task: TaskLine, shown: Demonstration) -> dict[str, Any]:
+    plan = [
+        {
+            "action": step.action,
+            "args": [json.dumps(arg) for arg in step.args],
+            "success": step.success,
+            "feedback": step.feedback,
+        }
+        for step in shown.steps
+    ]
+    return {
+        "id": task.id,
+        "split": task.split,
+        "template": task.template,
+        "simulator": task.simulator,
+        "layout": task.layout,
+        "instruction": task.instruction,
+        "goal": task.goal,
+        "mode": shown.mode,
+        "plan": plan,
+    }

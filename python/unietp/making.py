@@ -1,0 +1,180 @@
+"""Making environments, and their names in Gymnasium."""
+
+import functools
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import gymnasium
+
+from unietp import _native
+from unietp._native import Error
+from unietp.environment import TaskEnv
+from unietp.places import catalog
+from unietp.spaces import Form
+from unietp.supply import Supply
+from unietp.vector import VectorTaskEnv
+
+MODES = ("M1", "M2", "M3")
+
+
+def complete_settings(mode: str = "M1", **settings: Any) -> dict[str, Any]:
+    """All settings of an environment: the preset of the mode, with those that are given in their place.
+
+    docs/environment.md lists them: conventions, picture, boxes, rooms, furniture, movables, teleport, reach, move,
+    atomic, composite, steps, failures, invalid, feedback, reward, on_fail, global, box_form, image_width, image_height.
+    `global` is a word of Python, so it is written `global_`. Raises Error for an unknown name or value.
+    """
+    return json.loads(_native.complete_settings(_settings_text(mode, settings)))
+
+
+def make(
+    tasks: str | os.PathLike[str] | None = None,
+    mode: str = "M1",
+    *,
+    procedural: dict[str, Any] | None = None,
+    render_mode: str | None = None,
+    max_things: int = 512,
+    privileged: bool = False,
+    **settings: Any,
+) -> TaskEnv:
+    """An environment of one task, of the tasks of a data set, or of new tasks without end.
+
+    Args:
+        tasks: "FOLDER/TASK-ID" or "FOLDER", of a data set.
+        mode: "M1", "M2" or "M3": what the agent is told and how it names objects (docs/modes.md).
+        procedural: instead of `tasks`: what new tasks to make, any of simulators, splits, templates, modes (lists of
+            names), homes (how many of each simulator, 16), homes_seed (1) and attempts (200); `{}` for all kinds.
+        render_mode: what `render` gives: "rgb_array", "ansi" or None.
+        max_things: rows of the array `things`, and so the number of things that actions can name by number.
+        privileged: put what the agent must not know into `info["privileged"]`.
+        settings: see `complete_settings`; `picture=False` makes steps some times faster.
+
+    Raises:
+        Error: the folder, the task or a setting is wrong.
+    """
+    return gymnasium.make(
+        _name_of(mode), dataset=_plain(tasks), procedural=procedural, render_mode=render_mode, max_things=max_things,
+        privileged=privileged, disable_env_checker=True, **settings,
+    )  # type: ignore[return-value]
+
+
+def make_vec(
+    num_envs: int,
+    tasks: str | os.PathLike[str] | None = None,
+    mode: str = "M1",
+    *,
+    threads: int | None = None,
+    procedural: dict[str, Any] | None = None,
+    max_things: int = 512,
+    **settings: Any,
+) -> VectorTaskEnv:
+    """Environments that are stepped together, on `threads` threads (as many as there are processors by default).
+
+    The other arguments are those of `make`. Autoreset mode: next step. Raises Error as `make` does.
+    """
+    return gymnasium.make_vec(
+        _name_of(mode), num_envs, vectorization_mode="vector_entry_point", dataset=_plain(tasks), procedural=procedural,
+        threads=threads, max_things=max_things, **settings,
+    )  # type: ignore[return-value]
+
+
+def register() -> None:
+    """Registers "unietp/M1-v0", "unietp/M2-v0" and "unietp/M3-v0" with Gymnasium; importing the package does it."""
+    for mode in MODES:
+        gymnasium.register(
+            f"unietp/{mode}-v0",
+            entry_point="unietp.making:make_single",
+            vector_entry_point="unietp.making:make_batch",
+            order_enforce=False,
+            kwargs={"mode": mode},
+        )
+
+
+# What Gymnasium calls: `dataset` is `tasks` of make; the other arguments are those of make and make_vec.
+def make_single(
+    *,
+    mode: str,
+    dataset: str | None = None,
+    procedural: dict[str, Any] | None = None,
+    render_mode: str | None = None,
+    max_things: int = 512,
+    privileged: bool = False,
+    **settings: Any,
+) -> TaskEnv:
+    supply = _supply(dataset, procedural)
+    return TaskEnv(supply, _form(supply, mode, settings, max_things), render_mode=render_mode, privileged=privileged)
+
+
+def make_batch(
+    *,
+    mode: str,
+    num_envs: int = 1,
+    dataset: str | None = None,
+    procedural: dict[str, Any] | None = None,
+    threads: int | None = None,
+    max_things: int = 512,
+    **settings: Any,
+) -> VectorTaskEnv:
+    supply = _supply(dataset, procedural)
+    return VectorTaskEnv(num_envs, supply, _form(supply, mode, settings, max_things), threads=threads)
+
+
+def _name_of(mode: str) -> str:
+    if mode not in MODES:
+        raise Error(f"no mode is named {mode!r}; accepted are M1, M2 and M3")
+    return f"unietp/{mode}-v0"
+
+
+def _plain(path: str | os.PathLike[str] | None) -> str | None:
+    return None if path is None else os.fspath(path)
+
+
+def _settings_text(mode: str, settings: dict[str, Any]) -> str:
+    names = {name.removesuffix("_"): value for name, value in settings.items()}
+    try:
+        return json.dumps({"mode": mode, **names})
+    except (TypeError, ValueError) as error:
+        raise Error(f"settings: {error}") from error
+
+
+def _form(supply: Supply, mode: str, settings: dict[str, Any], max_things: int) -> Form:
+    return Form(supply, json.loads(_native.complete_settings(_settings_text(mode, settings))), max_things)
+
+
+def _supply(dataset: str | None, procedural: dict[str, Any] | None) -> Supply:
+    if (dataset is None) == (procedural is None):
+        raise Error("give either a data set or what new tasks to make")
+    if procedural is not None:
+        return _new_tasks(json.dumps(procedural, sort_keys=True))
+    path = Path(dataset)
+    if (path / "tasks.jsonl").is_file():
+        return _stored_tasks(path.resolve(), (path / "tasks.jsonl").stat().st_mtime_ns)
+    if (path.parent / "tasks.jsonl").is_file():
+        return _stored_tasks(path.parent.resolve(), (path.parent / "tasks.jsonl").stat().st_mtime_ns).only(path.name)
+    raise Error(f"{path} is neither the folder of a data set nor FOLDER/TASK-ID in one")
+
+
+# Opened once for a process, so that environments share homes and tasks.
+@functools.lru_cache(maxsize=8)
+def _stored_tasks(folder: Path, changed: int) -> Supply:  # `changed`: another file is another entry
+    extended = _native.records_extended_library(folder)
+    shared = catalog(extended)
+    return Supply(_native.TaskSupply.open(folder, shared), shared, extended)
+
+
+@functools.lru_cache(maxsize=8)
+def _new_tasks(options: str) -> Supply:
+    wanted = json.loads(options)
+    defaults = {
+        "simulators": ["ai2thor", "virtualhome", "habitat", "behavior"], "splits": [], "templates": [], "modes": ["M1"],
+        "homes": 16, "homes_seed": 1, "attempts": 200,
+    }
+    if unknown := sorted(wanted.keys() - defaults.keys()):
+        raise Error(f"procedural has no option {unknown[0]!r}; accepted are {', '.join(defaults)}")
+    try:
+        made = _native.TaskSupply.procedural(catalog(), **(defaults | wanted))
+    except TypeError as error:
+        raise Error(f"procedural: an option has a value of another type than {defaults}") from error
+    return Supply(made, catalog(), False)

@@ -1,0 +1,87 @@
+"""Gymnasium's spaces: observations as arrays of fixed sizes, actions as numbers."""
+
+import json
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+
+from unietp import _native
+from unietp.supply import Supply
+
+INSTRUCTION_BYTES = 1024
+MOST_SEED = 2**53 - 1
+
+# The numbers of native/array_form.h.
+KINDS = ("", "room", "furniture", "movable", "seen")
+
+
+class Form:
+    """How an environment with these settings looks to Gymnasium. docs/python.md has the tables."""
+
+    def __init__(self, supply: Supply, settings: dict[str, Any], max_things: int):
+        self.settings = settings
+        self.text = json.dumps(settings)
+        self.categories = ("", *supply.catalog.categories)
+        self.actions = tuple(_native.offered_actions(self.text, supply.extended))
+        self.names_boxes = "box" in (settings["reach"], settings["atomic"], settings["composite"])
+        self.encoding = _native.Encoding(supply.catalog, list(self.actions), max_things, INSTRUCTION_BYTES)
+        width, height = supply.image_size
+        self.image_shape = (settings["image_height"] or height, settings["image_width"] or width, 3)
+        self.observation_space = self._observation_space(max_things)
+        self.action_space = self._action_space(max_things)
+
+    def _observation_space(self, max_things: int) -> spaces.Dict:
+        categories, failures = len(self.categories) - 1, len(_native.failure_names()) - 1
+        side = max(self.image_shape) - 1
+        steps = self.settings["steps"]
+        thing_low = np.array([0, 0, 0, -1, -1, -1, -1], np.int32)
+        thing_high = np.array([len(KINDS) - 1, categories, 1, side, side, side, side], np.int32)
+        numbers: dict[str, spaces.Space[Any]] = {
+            "things": spaces.Box(np.tile(thing_low, (max_things, 1)), np.tile(thing_high, (max_things, 1)), dtype=np.int32),
+            "held": spaces.Box(0, np.tile(np.array([max_things, categories], np.int32), (2, 1)), dtype=np.int32),
+            "last": spaces.Box(0, np.array([len(self.actions), 2, failures], np.int32), dtype=np.int32),
+            "counts": spaces.Box(
+                np.array([0, 0, -1], np.int32), np.array([steps, steps, self.settings["failures"]], np.int32), dtype=np.int32
+            ),
+            "instruction": spaces.Box(0, 255, (INSTRUCTION_BYTES,), np.uint8),
+        }
+        if self.settings["picture"]:
+            numbers["image"] = spaces.Box(0, 255, self.image_shape, np.uint8)
+        return spaces.Dict(numbers)
+
+    def _action_space(self, max_things: int) -> spaces.Dict:
+        parts: dict[str, spaces.Space[Any]] = {
+            "action": spaces.Discrete(len(self.actions)),
+            "argument": spaces.Discrete(max_things + 1),
+        }
+        if self.names_boxes:
+            parts["box"] = spaces.Box(0, 1, (4,), np.float32)
+        return spaces.Dict(parts)
+
+    def padded(self, image: np.ndarray) -> np.ndarray:
+        """The picture in the shape of the space: what a smaller one leaves free, right and below, is black."""
+        if image.shape == self.image_shape:
+            return image
+        framed = np.zeros(self.image_shape, np.uint8)
+        framed[: image.shape[0], : image.shape[1]] = image
+        return framed
+
+
+def said_bytes(action: Any) -> bytes:
+    """An action that is no dict of numbers as bytes for the environment, which reads any. Never raises."""
+    if isinstance(action, (bytes, bytearray, memoryview)):
+        return bytes(action)
+    if not isinstance(action, str):
+        try:
+            action = json.dumps(action)
+        except (TypeError, ValueError, RecursionError):
+            action = ""  # no JSON: a failed step
+    return action.encode("utf-8", "surrogatepass")
+
+
+def is_numbered(action: Any) -> bool:
+    """Whether it is an element of an action space, and not a dict with the name of an action."""
+    return isinstance(action, dict) and "argument" in action and isinstance(
+        action.get("action"), (int, np.integer, np.ndarray)
+    )
