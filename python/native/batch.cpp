@@ -153,13 +153,13 @@ nb::tuple handed_over(AllObserved all) {
                         array_of(std::move(all.success)));
 }
 
-nb::tuple step_said(SharedBatch& self, const std::vector<nb::bytes>& said) {
+nb::tuple batch_said(SharedBatch& self, const std::vector<nb::bytes>& said) {
   std::vector<std::string> texts;
   for (const auto& one : said) texts.emplace_back(one.c_str(), one.size());
   return handed_over(self.alone([&](SharedBatch& own) { return own.step(texts); }));
 }
 
-nb::tuple step_numbers(SharedBatch& self, const Integers& actions, const Integers& arguments, const Boxes& boxes) {
+nb::tuple batch_numbers(SharedBatch& self, const Integers& actions, const Integers& arguments, const Boxes& boxes) {
   if (actions.shape(0) != self.size() || arguments.shape(0) != self.size() || boxes.shape(0) != self.size()) {
     throw Raised("expected one action for each of " + std::to_string(self.size()) + " environments");
   }
@@ -195,8 +195,8 @@ void define_batch(nb::module_& module) {
           },
           "seeds"_a.none() = nb::none(),
           "Begins the next episode of each. Gives (arrays, pictures, rewards, terminated, truncated, success).")
-      .def("step", &step_said, "said"_a, "One answer for each environment. Gives what reset gives.")
-      .def("step_numbers", &step_numbers, "actions"_a, "arguments"_a, "boxes"_a,
+      .def("step", &batch_said, "said"_a, "One answer for each environment. Gives what reset gives.")
+      .def("step_numbers", &batch_numbers, "actions"_a, "arguments"_a, "boxes"_a,
            "The same for actions of Gymnasium's action space.")
       .def(
           "observe",
@@ -227,7 +227,7 @@ void define_batch(nb::module_& module) {
       .def(
           "task_id",
           [](SharedBatch& self, std::size_t environment) {
-            return self.alone([&](SharedBatch& own) { return own.at(environment).task().id; });
+            return self.alone([&](SharedBatch& own) { return own.at(environment).task()->text.id; });
           },
           "environment"_a);
 }

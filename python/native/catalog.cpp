@@ -110,11 +110,11 @@ void define_catalog(nb::module_& module) {
           "simulator"_a, "Width and height in pixels of what the simulator's camera shows.");
 
   nb::class_<TaskHandle>(module, "Task", "A task that is ready to be acted in. Immutable, shared.")
-      .def_prop_ro("id", [](const TaskHandle& handle) { return handle.task->id; })
-      .def_prop_ro("instruction", [](const TaskHandle& handle) { return handle.task->instruction; })
-      .def_prop_ro("split", [](const TaskHandle& handle) { return handle.task->split; })
-      .def_prop_ro("template_name", [](const TaskHandle& handle) { return handle.task->template_name; })
-      .def_prop_ro("layout", [](const TaskHandle& handle) { return handle.task->layout; })
+      .def_prop_ro("id", [](const TaskHandle& handle) { return handle.task->text.id; })
+      .def_prop_ro("instruction", [](const TaskHandle& handle) { return handle.task->text.instruction; })
+      .def_prop_ro("split", [](const TaskHandle& handle) { return handle.task->text.split; })
+      .def_prop_ro("template_name", [](const TaskHandle& handle) { return handle.task->text.template_name; })
+      .def_prop_ro("layout", [](const TaskHandle& handle) { return handle.task->text.layout; })
       .def_prop_ro("simulator", [](const TaskHandle& handle) { return std::string(name_of(handle.task->simulator)); })
       .def_prop_ro(
           "objects", [](const TaskHandle& handle) { return handle.task->start.nodes.size(); },

@@ -174,11 +174,10 @@ void define_acting(nb::class_<SharedEnvironment>& environment) {
 
 void define_privileged(nb::class_<SharedEnvironment>& environment) {
   environment
-      .def_prop_ro(
-          "task",
-          [](SharedEnvironment& self) {
-            return self.alone([](SharedEnvironment& own) { return TaskHandle{own.environment_.shared_task()}; });
-          })
+      .def_prop_ro("task",
+                   [](SharedEnvironment& self) {
+                     return self.alone([](SharedEnvironment& own) { return TaskHandle{own.environment_.task()}; });
+                   })
       .def_prop_ro(
           "complete",
           [](SharedEnvironment& self) {

@@ -8,6 +8,7 @@
 """
 
 import argparse
+import asyncio
 import base64
 import io
 from typing import Any
@@ -131,6 +132,24 @@ def png_text(picture: np.ndarray) -> str:
         return base64.b64encode(file.getvalue()).decode()
 
 
+class IdleLimit:
+    """Closes a WebSocket on which nothing has come for a while. OpenEnv itself ends silent sessions only when no socket
+    holds them."""
+
+    def __init__(self, app: Any, idle_s: float):
+        self._app, self._idle_s = app, idle_s
+
+    async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
+        async def receive_in_time() -> Any:
+            try:
+                return await asyncio.wait_for(receive(), self._idle_s)
+            except TimeoutError:
+                await send({"type": "websocket.close", "code": 1001, "reason": "idle"})
+                return {"type": "websocket.disconnect", "code": 1001}
+
+        await self._app(scope, receive_in_time if scope["type"] == "websocket" else receive, send)
+
+
 def make_app(dataset: str, mode: str = "M2", *, sessions: int = 8, idle_s: float = 600, **settings: Any) -> Any:
     """The server as a FastAPI application.
 
@@ -140,7 +159,7 @@ def make_app(dataset: str, mode: str = "M2", *, sessions: int = 8, idle_s: float
         settings: those of `unietp.make`.
     """
     unietp.make(dataset, mode, **settings).close()  # what is wrong with them shows here and not in a session
-    return create_app(
+    app = create_app(
         lambda: UnietpEnvironment(dataset, mode, **settings),
         UnietpAction,
         UnietpObservation,
@@ -148,6 +167,8 @@ def make_app(dataset: str, mode: str = "M2", *, sessions: int = 8, idle_s: float
         concurrency_config=ConcurrencyConfig(max_concurrent_envs=sessions, session_timeout=idle_s),
         state_cls=UnietpState,
     )
+    app.add_middleware(IdleLimit, idle_s=idle_s)
+    return app
 
 
 def main() -> None:

@@ -1,0 +1,92 @@
+"""unietp.load_dataset, generate and validate."""
+
+import json
+import shutil
+import subprocess
+
+import pytest
+from conftest import MODES
+
+import unietp
+from unietp.places import PROGRAM
+
+
+def test_tasks_are_the_lines_of_the_file(folder, dataset):
+    lines = [json.loads(line) for line in (folder / "tasks.jsonl").read_text().splitlines()]
+    assert [task.fields for task in dataset] == lines
+    assert [dataset[i].id for i in range(len(dataset))] == [line["id"] for line in lines]
+    assert dataset[-1].id == lines[-1]["id"] and len(dataset[3:9]) == 6
+    assert dataset[lines[4]["id"]] == dataset[4] and dataset.position(lines[4]["id"]) == 4
+    assert dataset.modes == list(MODES) and dataset.manifest["counts"]["tasks"] == len(dataset)
+    for wrong in ("nobody", 24):
+        with pytest.raises((unietp.Error, IndexError)):
+            dataset[wrong]
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_demonstrations_belong_to_their_tasks(dataset, mode):
+    for task, shown in zip(dataset, dataset.demonstrations(mode), strict=True):
+        assert shown.task == task.id and shown.mode == mode and shown.steps[-1].action == "stop"
+        assert dataset.demonstration(task, mode) == shown
+
+
+def test_starts_are_those_that_the_program_exports(folder, dataset, tmp_path):
+    unietp.run_program("export", folder, "--format", "starts", "--out", tmp_path / "starts")
+    files = sorted((tmp_path / "starts").rglob("*.json*"))
+    starts = {}
+    for file in files:
+        if file.name.endswith(".scene.json"):
+            scene = json.loads(file.read_text())
+            starts[scene["id"]] = scene
+    assert len(starts) == len(dataset)
+    for task in dataset:
+        ours, theirs = dataset.start(task), starts[task.fields["scene"]]
+        assert {node["id"]: node for node in ours["nodes"]} == {node["id"]: node for node in theirs["nodes"]}
+        assert sorted(map(str, ours["edges"])) == sorted(map(str, theirs["edges"]))
+
+
+def test_hugging_face_datasets(dataset):
+    pytest.importorskip("datasets")
+    rows = dataset.to_dataset("M2")
+    assert rows.num_rows == len(dataset) and rows[0]["id"] == dataset[0].id
+    assert [step["action"] for step in rows[5]["plan"]] == [step.action for step in dataset.demonstration(5, "M2").steps]
+    assert json.loads(rows[5]["plan"][0]["args"][0]) == dataset.demonstration(5, "M2").steps[0].args[0]
+
+
+def test_generate_makes_the_bytes_of_the_program(tmp_path):
+    made = unietp.generate(tmp_path / "python", count=4, seed=3, splits=["atomic", "logical"])
+    subprocess.run(
+        [PROGRAM, "generate", "--count", "4", "--seed", "3", "--splits", "atomic,logical", "--out", tmp_path / "shell"],
+        check=True,
+        capture_output=True,
+    )
+    assert made["tasks"] == 4
+    for name in ("tasks.jsonl", "demonstrations/M1.jsonl"):
+        assert (tmp_path / "python" / name).read_bytes() == (tmp_path / "shell" / name).read_bytes()
+    with pytest.raises(unietp.ProgramError):
+        unietp.generate(tmp_path / "python", count=4, seed=3)
+    with pytest.raises(unietp.ProgramError, match="--splits"):
+        unietp.generate(tmp_path / "other", splits=["nonsense"])
+
+
+def test_validate_finds_a_changed_byte(folder, tmp_path):
+    assert unietp.validate(folder)["problems"] == []
+    spoilt = tmp_path / "set"
+    shutil.copytree(folder, spoilt)
+    lines = (spoilt / "tasks.jsonl").read_text().replace('"success":true', '"success":false')
+    (spoilt / "tasks.jsonl").write_text(lines[:-2] + "}\n")
+    assert unietp.validate(spoilt)["problems"]
+    with pytest.raises(unietp.ProgramError):
+        unietp.validate(tmp_path / "nowhere")
+
+
+def test_wrong_files_are_errors(tmp_path):
+    with pytest.raises(unietp.Error):
+        unietp.load_dataset(tmp_path)
+    (tmp_path / "tasks.jsonl").write_text('{"id": 1}\n[]\n')
+    broken = unietp.load_dataset(tmp_path)
+    for i in range(2):
+        with pytest.raises(unietp.Error):
+            broken[i]
+    with pytest.raises(unietp.Error):
+        unietp.make(tmp_path)

@@ -1,0 +1,66 @@
+"""The stored demonstrations, acted out through Python."""
+
+import pytest
+from conftest import MODES
+
+import unietp
+
+
+def replay(env, task, steps):
+    """Each step's observation before it, what it came to, and the end."""
+    _, info = env.reset(options={"task": task})
+    for step in steps:
+        seen = info["observation"]
+        _, reward, terminated, truncated, info = env.step(step.said())
+        yield step, seen, env.executed(), reward, terminated or truncated, info
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_every_demonstration_succeeds_with_the_stored_results(folder, dataset, mode):
+    env = unietp.make(folder, mode, picture=False)
+    for task, shown in zip(dataset, dataset.demonstrations(mode), strict=True):
+        for number, (step, seen, executed, reward, over, info) in enumerate(replay(env, task.id, shown.steps)):
+            where = f"{task.id}, {mode}, step {number}"
+            assert len(executed) == 1, where
+            stored = {"success": step.success, "failure": step.failure, "feedback": step.feedback, "changes": step.changes}
+            assert {name: executed[0][name] for name in stored} == stored, where
+            if mode != "M3":
+                assert [(one["id"], one["box"]) for one in seen["boxes"]] == [
+                    (one["id"], one["box"]) for one in step.visible
+                ], where
+            assert over == (number == len(shown.steps) - 1), where
+            assert reward == (1 if over else 0), where
+        assert info["success"], task.id
+
+
+def test_a_plan_without_its_last_deed_fails(folder, dataset):
+    env = unietp.make(folder, "M1", picture=False)
+    for task, shown in zip(dataset, dataset.demonstrations("M1"), strict=True):
+        env.reset(options={"task": task.id})
+        _, reward, terminated, _, info = env.step("stop()")
+        assert terminated and reward == 0 and not info["success"], task.id
+        assert info["observation"]["last"]["success"]  # stop itself did what it does
+
+
+def test_the_scene_graph_follows_the_stored_changes(folder, dataset):
+    env = unietp.make(folder, "M1", picture=False)
+    task = dataset[3]
+    scenes = dataset.scenes(task)
+
+    def by_id(scene):
+        return {node["id"]: node for node in scene["nodes"]}, sorted(map(str, scene["edges"])), scene["agent"]
+
+    env.reset(options={"task": task.id})
+    assert by_id(env.scene()) == by_id(next(scenes))
+    for step, scene in zip(dataset.demonstration(task).steps, scenes, strict=True):
+        env.step(step.said())
+        assert by_id(env.scene()) == by_id(scene), step
+
+
+def test_a_list_of_actions_is_executed_in_turn(folder, dataset):
+    env = unietp.make(folder, "M1", picture=False)
+    for task, shown in zip(dataset, dataset.demonstrations("M1"), strict=True):
+        env.reset(options={"task": task.id})
+        _, reward, terminated, _, info = env.step([step.said() for step in shown.steps])
+        assert terminated and reward == 1, task.id
+        assert len(info["observation"]["results"]) == len(shown.steps)
