@@ -202,6 +202,8 @@ Result<Done> check(const Settings& settings) {
                            "expected 0, or " + std::to_string(limits::kLeastImageSide) + " to " +
                                std::to_string(limits::kImageSide) + " pixels");
   }
+  if (settings.global == GlobalForm::ByRoom && !settings.rules.rooms)
+    return setting_error("", "global", "by_room tells the rooms; expected list where rooms is false");
   if (settings.feedback == Feedback::None && settings.rules.invalid_is_free)
     return setting_error("", "invalid", "free shows in steps_left what failed; with feedback none expected counts");
   if (settings.feedback == Feedback::None && settings.on_fail == OnFail::Stop)

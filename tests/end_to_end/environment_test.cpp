@@ -12,10 +12,10 @@
 #include "environment/observation_json.h"
 #include "environment/task_source.h"
 #include "logic/evaluate.h"
-#include "procedural/simulator_data.h"
 #include "scene/trace.h"
 #include "schema_checker.h"
 #include "tests/environment/random_agent.h"
+#include "tests/support/committed_knowledge.h"
 
 namespace unietp {
 namespace {
@@ -24,10 +24,15 @@ using Json = nlohmann::ordered_json;
 using testing::RandomAgent;
 
 AllSimulatorData data() {
-  static const auto kReading = std::make_shared<const ResourcesReading>(
-      load_resources({UNIETP_SOURCE_DIR, std::filesystem::path(::testing::TempDir()) / "unietp-test-cache"}));
-  EXPECT_TRUE(kReading->errors.empty());
-  return simulator_data({kReading, &kReading->resources});
+  AllSimulatorData data;
+  for (const Simulator simulator : kSimulators) {
+    SimulatorData& one = data[static_cast<std::size_t>(simulator)];
+    one.knowledge = std::shared_ptr<const Knowledge>(std::shared_ptr<void>(), &committed_knowledge(simulator));
+    auto profile = load_profile(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/simulators", simulator);
+    EXPECT_TRUE(profile);
+    one.profile = std::make_shared<const Profile>(std::move(*profile));
+  }
+  return data;
 }
 
 TaskSource source() {
