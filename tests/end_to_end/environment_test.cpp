@@ -83,9 +83,8 @@ TEST(EnvironmentsOfADataSet, GiveForEachDemonstrationWhatItsFileSays) {
         ASSERT_EQ(done.outcome.feedback, step.feedback);
         ASSERT_EQ(done.changes, step.changes);
         if (i % 7 != 0) continue;
-        ASSERT_EQ(
-            checker.check(observation_to_json(last.observation, environment.settings()), "observation.schema.json"),
-            "");
+        const Json told = observation_to_json(last.observation, environment.settings());
+        ASSERT_EQ(checker.check(told, "observation.schema.json"), "");
       }
       EXPECT_TRUE(last.terminated);
       EXPECT_EQ(last.reward, 1);
