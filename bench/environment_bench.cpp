@@ -121,7 +121,7 @@ double resident_MB() {
 void BM_Memory(benchmark::State& state) {
   const Procedural source = tasks_of(state, 1);
   const SharedTask task = first_task(state, source);
-  constexpr int kCount = 20;
+  constexpr int kCount = 200;  // so many that memory which was free before counts for little
   for (auto _ : state) {
     std::vector<Environment> environments;
     const auto add = [&](std::uint64_t number) {

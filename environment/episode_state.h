@@ -5,7 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "environment/environment.h"
+#include "environment/answer.h"
+#include "environment/observation.h"
+#include "environment/settings.h"
+#include "environment/step_result.h"
+#include "environment/task.h"
 #include "simulation/mode_episode.h"
 #include "simulation/rays.h"
 

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "environment/environment.h"
 #include "environment/observation.h"
 #include "environment/settings.h"
+#include "environment/step_result.h"
 
 namespace unietp {
 
