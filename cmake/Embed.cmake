@@ -1,4 +1,5 @@
-# Writes a .cpp file that holds files as bytes: cmake -DOUT=asset.cpp -DFILES="a.js;b.css" -P Embed.cmake
+# Writes a .cpp file that holds files as bytes and defines the function of ROOM/NAME.h that gives them by file name:
+#   cmake -DOUT=asset.cpp -DROOM=report -DNAME=asset -DFILES="a.js;b.css" -P Embed.cmake
 set(entries "")
 set(bytes "")
 foreach(file IN LISTS FILES)
@@ -9,6 +10,6 @@ foreach(file IN LISTS FILES)
   string(APPEND bytes "constexpr unsigned char ${id}[] = {${hex}0};\n")
   string(APPEND entries "  if (name == \"${name}\") return {reinterpret_cast<const char*>(${id}), sizeof ${id} - 1};\n")
 endforeach()
-file(WRITE ${OUT} "#include \"report/asset.h\"\n\nnamespace unietp {\nnamespace {\n${bytes}}  // namespace\n
-std::string_view asset(std::string_view name) {\n${entries}  return {};\n}\n
+file(WRITE ${OUT} "#include \"${ROOM}/${NAME}.h\"\n\nnamespace unietp {\nnamespace {\n${bytes}}  // namespace\n
+std::string_view ${NAME}(std::string_view name) {\n${entries}  return {};\n}\n
 }  // namespace unietp\n")

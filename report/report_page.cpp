@@ -171,7 +171,7 @@ std::string report_page(const DatasetStatistics& statistics, const std::vector<R
       "© 2022 Chart.js Contributors, MIT license.</footer>\n";
   page.data = {{"data", json_in_html(data.dump(-1, ' ', false, Json::error_handler_t::replace))}};
   page.styles = {asset("page.css"), asset("report.css")};
-  page.scripts = {asset("chart.min.js"), asset("task.js"), asset("report.js")};
+  page.scripts = {asset("chart.min.js"), asset("page.js"), asset("task.js"), asset("report.js")};
   return to_html(std::move(page));
 }
 

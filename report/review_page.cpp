@@ -196,7 +196,7 @@ Result<std::string> review_page(const FinishedSet& set, const std::vector<Review
   for (std::size_t i = 0; i < made.size(); ++i)
     page.data.emplace_back("chunk-" + std::to_string(i), std::move(made[i]));
   page.styles = {asset("page.css"), asset("review.css")};
-  page.scripts = {asset("task.js"), asset("review.js")};
+  page.scripts = {asset("page.js"), asset("task.js"), asset("review.js")};
   return to_html(std::move(page));
 }
 

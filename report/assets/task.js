@@ -1,17 +1,5 @@
 // Shows a task. Texts of a data set enter the page as text only; its drawing is rebuilt from the few elements that
 // drawings of homes are made of.
-const $ = (selector, root = document) => root.querySelector(selector);
-
-function element(name, options = {}, ...children) {
-  const made = document.createElement(name);
-  for (const [key, value] of Object.entries(options)) {
-    if (key === 'text') made.textContent = value;
-    else made.setAttribute(key, value);
-  }
-  made.append(...children);
-  return made;
-}
-
 const kSvg = 'http://www.w3.org/2000/svg';
 const kDrawn = new Set(['svg', 'g', 'title', 'rect', 'polygon', 'polyline', 'circle', 'line', 'text']);
 const kDrawnWith = /^(x|y|x1|y1|x2|y2|cx|cy|r|rx|ry|width|height|viewBox|points|fill|stroke|class|opacity|font-\w+|fill-\w+|stroke-\w+|text-anchor|dominant-baseline|transform)$/;
@@ -73,19 +61,4 @@ function showTask(root, task, mode) {
   const view = part('view');
   view.src = 'data:image/png;base64,' + task.view;
   view.alt = `What the agent sees as ${task.id} begins`;
-}
-
-function setTheme(theme) {
-  document.documentElement.dataset.theme = theme;
-  document.dispatchEvent(new Event('themechange'));
-}
-
-function initTheme(button) {
-  const dark = matchMedia('(prefers-color-scheme: dark)');
-  setTheme(dark.matches ? 'dark' : 'light');
-  dark.addEventListener('change', () => setTheme(dark.matches ? 'dark' : 'light'));
-  button.addEventListener('click', () => setTheme(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'));
-  let before = 'light';
-  addEventListener('beforeprint', () => { before = document.documentElement.dataset.theme; setTheme('light'); });
-  addEventListener('afterprint', () => setTheme(before));
 }

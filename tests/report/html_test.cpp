@@ -35,6 +35,13 @@ TEST(Html, APageNamesItsOnlyScriptByItsDigestAndFetchesNothing) {
   EXPECT_THAT(html, HasSubstr("<script>var a\nvar b\n</script>"));
 }
 
+TEST(Html, OnlyAPageThatSaysSoAsksTheServerThatItCameFrom) {
+  HtmlPage page{"a", {}, "", {}, {}};
+  EXPECT_THAT(to_html(page), Not(HasSubstr("connect-src")));
+  page.asks_its_server = true;
+  EXPECT_THAT(to_html(page), HasSubstr("; connect-src 'self'\""));
+}
+
 TEST(Asset, ChartJsComesWithItsLicence) {
   EXPECT_THAT(std::string(asset("chart.min.js").substr(0, 200)), HasSubstr("Released under the MIT License"));
   EXPECT_THAT(std::string(asset("chart.min.js")), Not(HasSubstr("</script")));
