@@ -36,6 +36,8 @@ void add_report_command(CommandParser& app, CommandLine& program);
 void add_review_command(CommandParser& app, CommandLine& program);
 void add_export_command(CommandParser& app, CommandLine& program);
 void add_render_command(CommandParser& app, CommandLine& program);
+void add_serve_command(CommandParser& app, CommandLine& program);
+void add_play_command(CommandParser& app, CommandLine& program);
 void add_knowledge_command(CommandParser& app, CommandLine& program);
 void add_template_command(CommandParser& app, CommandLine& program);
 void add_annotate_command(CommandParser& app, CommandLine& program);

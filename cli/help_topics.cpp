@@ -144,6 +144,7 @@ std::string main_screen() {
          "  look      stats, report, render, actions, schemas\n"
          "  convert   export, annotate\n"
          "  extend    template, knowledge, scene, goal\n"
+         "  act       play, serve\n"
          "  shell     help, completion\n"
          "\n"
          "  unietp COMMAND --help    options and examples of a command\n"

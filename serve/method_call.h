@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "serve/call.h"
+#include "serve/parameters.h"
+#include "serve/served.h"
+#include "serve/session_table.h"
+
+namespace unietp {
+
+/// What a method works on.
+struct MethodCall {
+  const ServedTasks& tasks;
+  const ProtocolOptions& options;
+  SessionTable& sessions;
+  Caller* caller;  // nullptr: one without a connection of its own
+  ServerTime now;
+  const nlohmann::ordered_json& parameters;  // an object
+};
+
+using MethodResult = std::variant<nlohmann::ordered_json, CallError>;
+
+CallError wrong_parameters(std::string message);
+CallError unknown_session();
+/// The token of the parameter "session", or of the caller's only session; nullopt when there is neither.
+std::optional<std::string> session_token(const MethodCall& call, Parameters& parameters);
+
+}  // namespace unietp
