@@ -83,6 +83,9 @@ bool settings_body(std::string_view text);
 /// An option of the command line: its name, a line feed, its value.
 bool names_body(std::string_view text);
 
+/// What a client of `unietp serve` sends, a message a line.
+bool serve_body(std::string_view text);
+
 // SQLite databases.
 bool knowledge_body(std::string_view bytes);
 bool library_body(std::string_view bytes);

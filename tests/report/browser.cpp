@@ -113,8 +113,10 @@ Browser::Json Browser::call(const std::string& method, Json parameters, bool of_
   }
 }
 
-void Browser::open(const fs::path& page) {
-  page_ = "file://" + fs::absolute(page).string();
+void Browser::open(const fs::path& page) { visit("file://" + fs::absolute(page).string()); }
+
+void Browser::visit(const std::string& url) {
+  page_ = url;
   call("Page.navigate", {{"url", page_}});
   until("location.href === " + Json(page_).dump() + " && document.documentElement.dataset.ready === 'yes'");
 }

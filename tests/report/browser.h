@@ -24,6 +24,8 @@ class Browser {
 
   /// Opens a file and waits until the page says `data-ready`.
   void open(const std::filesystem::path& page);
+  /// The same for an address.
+  void visit(const std::string& url);
   /// The value of an expression; a promise is waited for.
   Json evaluate(const std::string& expression);
   /// Waits until the expression is true.
