@@ -9,12 +9,10 @@
 namespace unietp::fuzz {
 namespace {
 
-using Json = nlohmann::json;
-
 /// A response of JSON-RPC 2.0. True when it is no error.
 bool check_response(const std::string& response) {
   require(response.find('\n') == std::string::npos);
-  const auto json = Json::parse(response, nullptr, false);
+  const auto json = nlohmann::json::parse(response, nullptr, false);
   require(json.is_object() && json.value("jsonrpc", "") == "2.0" && json.contains("id"));
   require(json.contains("result") != json.contains("error"));
   if (json.contains("result")) return json["result"].is_object();
@@ -37,7 +35,7 @@ bool serve_body(std::string_view text) {
   }
   protocol.leave(caller);
   const auto answered = protocol.call("open", text, {});
-  require(Json::accept(answered.body));
+  require(nlohmann::json::accept(answered.body));
   return accepted;
 }
 
