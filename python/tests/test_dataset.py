@@ -1,5 +1,6 @@
 """unietp.load_dataset, generate and validate."""
 
+import gzip
 import json
 import shutil
 import subprocess
@@ -32,12 +33,10 @@ def test_demonstrations_belong_to_their_tasks(dataset, mode):
 
 def test_starts_are_those_that_the_program_exports(folder, dataset, tmp_path):
     unietp.run_program("export", folder, "--format", "starts", "--out", tmp_path / "starts")
-    files = sorted((tmp_path / "starts").rglob("*.json*"))
     starts = {}
-    for file in files:
-        if file.name.endswith(".scene.json"):
-            scene = json.loads(file.read_text())
-            starts[scene["id"]] = scene
+    for file in (tmp_path / "starts").rglob("*.scene.json.gz"):
+        scene = json.loads(gzip.decompress(file.read_bytes()))
+        starts[scene["id"]] = scene
     assert len(starts) == len(dataset)
     for task in dataset:
         ours, theirs = dataset.start(task), starts[task.fields["scene"]]
@@ -73,8 +72,8 @@ def test_validate_finds_a_changed_byte(folder, tmp_path):
     assert unietp.validate(folder)["problems"] == []
     spoilt = tmp_path / "set"
     shutil.copytree(folder, spoilt)
-    lines = (spoilt / "tasks.jsonl").read_text().replace('"success":true', '"success":false')
-    (spoilt / "tasks.jsonl").write_text(lines[:-2] + "}\n")
+    lines = (spoilt / "demonstrations" / "M1.jsonl").read_text()
+    (spoilt / "demonstrations" / "M1.jsonl").write_text(lines.replace('"success":true', '"success":false', 1))
     assert unietp.validate(spoilt)["problems"]
     with pytest.raises(unietp.ProgramError):
         unietp.validate(tmp_path / "nowhere")

@@ -4,21 +4,27 @@ import shutil
 
 import pytest
 from inspect_ai import eval as evaluate
-from inspect_ai.model import ModelOutput, get_model
+from inspect_ai.model import ModelOutput, ModelUsage, get_model
 from replaying import next_step
 
 import unietp
 from unietp.integrations.inspect import unietp_tasks
 
 
+def counted(output):
+    """The mock model would count tokens itself, with a table that it downloads."""
+    output.usage = ModelUsage(input_tokens=1, output_tokens=1, total_tokens=2)
+    return output
+
+
 def replay(dataset, mode, by_tool=True):
     def answer(messages, tools, tool_choice, config):
         step = next_step(dataset, mode, messages[1].text, sum(message.role == "assistant" for message in messages))
         if not by_tool:
-            return ModelOutput.from_content("mockllm", f"{step.action}({', '.join(step.args)})")
+            return counted(ModelOutput.from_content("mockllm", f"{step.action}({', '.join(step.args)})"))
         assert [tool.name for tool in tools] == ["act"]
         arguments = {"action": step.action, **({"argument": step.args[0]} if step.args else {})}
-        return ModelOutput.for_tool_call("mockllm", "act", arguments)
+        return counted(ModelOutput.for_tool_call("mockllm", "act", arguments))
 
     return get_model("mockllm/model", custom_outputs=answer)
 
@@ -39,7 +45,7 @@ def test_the_demonstrations_score_one(folder, dataset, tmp_path, mode, by_tool):
 
 
 def test_stopping_at_once_scores_zero(folder, tmp_path):
-    stop = get_model("mockllm/model", custom_outputs=lambda *_: ModelOutput.from_content("mockllm", "stop()"))
+    stop = get_model("mockllm/model", custom_outputs=lambda *_: counted(ModelOutput.from_content("mockllm", "stop()")))
     log = run(folder, stop, tmp_path, limit=3)
     assert log.results.scores[0].metrics["accuracy"].value == 0
 

@@ -34,7 +34,7 @@ def serve():
 
 @pytest.mark.parametrize("mode", ["M1", "M2", "M3"])
 def test_a_demonstration_reaches_the_goal(folder, dataset, serve, mode):
-    url = serve(make_app(str(folder), mode, image_width=64, image_height=64) if mode != "M3" else make_app(str(folder), mode))
+    url = serve(make_app(str(folder), mode))
     task = dataset[2]
     with UnietpClient(base_url=url).sync() as env:
         result = env.reset(task=task.id)
