@@ -1,6 +1,5 @@
 #include "cli/full_validation.h"
 
-#include <algorithm>
 #include <memory>
 
 #include "dataset/configuration_json.h"
@@ -9,7 +8,7 @@
 #include "rewording/expected_files.h"
 #include "run/known_homes.h"
 #include "run/make_home.h"
-#include "run/make_start.h"
+#include "run/remake_task.h"
 
 namespace unietp {
 
@@ -26,15 +25,15 @@ Result<ValidationOptions> full_validation(const Resources& resources, const std:
     const auto configuration = configuration_from_json(kManifest, manifest.run.text);
     return configuration ? make_home(*configuration, resources, name) : Result<Scene>(configuration.error());
   };
-  options.make_start = [starts = std::make_shared<StartMaker>(resources)](
-                           const TaskRecord& task, const Formula& goal, const std::vector<Formula>& constraints,
-                           const std::shared_ptr<const Scene>& home,
-                           const ManifestRecord& manifest) -> Result<RemadeStart> {
-    const auto& modes = manifest.run.modes;
-    const bool pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();
-    auto made = starts->make(task, goal, constraints, home, pictured);
+  options.remake_task = [tasks = std::make_shared<TaskRemaker>(resources)](
+                            const TaskRecord& task, const Formula& goal, const std::vector<Formula>& constraints,
+                            const std::shared_ptr<const Scene>& home,
+                            const ManifestRecord& manifest) -> Result<RemadeTask> {
+    const auto configuration = configuration_from_json(kManifest, manifest.run.text);
+    if (!configuration) return configuration.error();
+    auto made = tasks->make(*configuration, task, goal, constraints, home);
     if (!made) return made.error();
-    return RemadeStart{std::move(made->changes), std::move(made->edits)};
+    return RemadeTask{std::move(made->episode.changes), std::move(made->episode.edits), std::move(made->instruction)};
   };
   options.derive_files = [&resources, licences](const ManifestRecord& manifest) {
     return expected_files(manifest, resources, licences);

@@ -8,6 +8,7 @@
 #include "core/file_place.h"
 #include "core/sqlite_file.h"
 #include "core/text.h"
+#include "validator/recount.h"
 #include "validator/task_rows.h"
 
 namespace unietp {
@@ -29,8 +30,6 @@ constexpr std::array<std::string_view, 5> kTables{
     "TEXT NOT NULL, layout TEXT NOT NULL, goal TEXT NOT NULL, instruction TEXT NOT NULL, style TEXT NOT NULL, writer "
     "TEXT NOT NULL, steps INTEGER NOT NULL, failures INTEGER NOT NULL) STRICT",
     "CREATE TABLE trait(task TEXT NOT NULL REFERENCES task, dimension TEXT NOT NULL, value TEXT NOT NULL) STRICT"};
-
-constexpr std::array<std::string_view, 5> kDimensions{"template", "category", "receptacle", "room", "scene"};
 
 Problem database_problem(const std::string& task, std::string message) {
   auto problem = problem_in(ProblemKind::Database, kDatabaseFile, std::move(message));

@@ -116,19 +116,22 @@ class TaskProver {
                                 reading_.where));
     for (const auto& [mode, demonstration] : shown) prove_demonstration(*world, mode, demonstration, traces);
     if (reading_.wordings) prove_wordings(*reading_.wordings, traces, in_m1 == shown.end() ? nullptr : &in_m1->second);
-    if (proof_.problems.empty()) compare_start();
+    if (proof_.problems.empty()) compare_with_remade();
   }
 
-  /// A start that is as sound as the one that the run made, but another, is a changed one.
-  void compare_start() {
-    if (tools_.manifest == nullptr || !tools_.options.make_start || !goal_) return;
-    const auto made = tools_.options.make_start(task_, *goal_, constraints_, home_, *tools_.manifest);
+  /// A start that is as sound as the one that the run made, or a text that says the same, but another one.
+  void compare_with_remade() {
+    if (tools_.manifest == nullptr || !tools_.options.remake_task || !goal_) return;
+    const auto made = tools_.options.remake_task(task_, *goal_, constraints_, home_, *tools_.manifest);
     if (!made)
       return found(ProblemKind::Edits, reading_.where, "its start cannot be made again: " + made.error().message);
     if (made->changes != task_.changes)
       found(ProblemKind::Edits, reading_.where, "its start is not the one that goal, home and seed give");
     if (made->edits != task_.edits)
       found(ProblemKind::Edits, reading_.where, "the edits of its start differ from those that lead to it");
+    if (!tools_.manifest->writing && task_.writer == "grammar" && made->instruction != task_.instruction)
+      found(ProblemKind::TextRecord, reading_.where,
+            "its instruction is not the one that the run wrote, and the manifest says of no other writing");
   }
 
   std::string where_shown(Mode mode) const {

@@ -132,6 +132,12 @@ void TaskRecount::check_task(const TaskReading& task) {
   };
   if (!is_among(run.simulators, record.simulator))
     found("has the simulator " + record.simulator + ", which is not in the configuration");
+  if (run.by_simulator.empty() && !run.simulators.empty() && record.slot >= 0) {
+    const auto& turn = run.simulators[static_cast<std::size_t>(record.slot) % run.simulators.size()];
+    if (record.simulator != turn)
+      found("has the simulator " + record.simulator +
+            ", but the simulators of the configuration take turns, and it is " + turn + "'s");
+  }
   if (!run.splits.empty() && !is_among(run.splits, record.split))
     found("has the split " + record.split + ", which is not in the configuration");
   if (is_among(run.without, record.template_name) ||
@@ -250,7 +256,11 @@ std::vector<Problem> check_balance(const ManifestRecord& manifest, TraitCounts c
   const auto wrong = [&problems](const std::string& message) {
     problems.push_back(problem_in(ProblemKind::Balance, kManifest, message));
   };
+  std::ptrdiff_t last = -1;
   for (const RecordedSpread& recorded : manifest.balance) {
+    const auto place = std::find(kDimensions.begin(), kDimensions.end(), recorded.dimension) - kDimensions.begin();
+    if (place <= last) wrong("has the balance figure for " + recorded.dimension + " out of order");
+    last = place;
     const auto own = counts.find(recorded.dimension);
     if (own == counts.end()) {
       wrong("has a balance figure for " + recorded.dimension + ", which no task has");

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "record/manifest_record.h"
@@ -12,6 +14,9 @@
 #include "validator/task_reading.h"
 
 namespace unietp {
+
+/// What the balance of a data set is measured over, in order.
+inline constexpr std::array<std::string_view, 5> kDimensions{"template", "category", "receptacle", "room", "scene"};
 
 /// Numbers by name.
 using NameCounts = std::map<std::string, int>;

@@ -40,16 +40,17 @@ using TemplateCheck =
 /// threads at once.
 using MakeHome = std::function<Result<Scene>(const ManifestRecord&, const std::string& name)>;
 
-/// How a start differs from its home, as the run made it: what `start` of a task's line has.
-struct RemadeStart {
-  Delta changes;
-  std::vector<std::string> edits;
+/// What the run made of a task's goal, start constraints, home and seed.
+struct RemadeTask {
+  Delta changes;                   // of the home, which make the start
+  std::vector<std::string> edits;  // the same in words
+  std::string instruction;         // that the grammar wrote at first; annotate or people may have replaced it
 };
-/// Makes the start of a task again, from its record with goal and start constraints read, in its home. Errors: why
-/// there is none. Called by several threads at once, and only for a task of which nothing else is wrong.
-using MakeStart =
-    std::function<Result<RemadeStart>(const TaskRecord&, const Formula& goal, const std::vector<Formula>& constraints,
-                                      const std::shared_ptr<const Scene>& home, const ManifestRecord&)>;
+/// Makes start and instruction of a task again, from its record with goal and start constraints read, in its home.
+/// Errors: why there is none. Called by several threads at once, and only for a task of which nothing else is wrong.
+using RemakeTask =
+    std::function<Result<RemadeTask>(const TaskRecord&, const Formula& goal, const std::vector<Formula>& constraints,
+                                     const std::shared_ptr<const Scene>& home, const ManifestRecord&)>;
 
 class ProofMemory;
 
@@ -60,7 +61,7 @@ struct ValidationOptions {
   TemplateCheck check_template;  // none: templates are not looked up
   std::map<std::string, std::string> known_homes;  // of the benchmark: the SHA-256 of their JSON, by name
   MakeHome make_home;                              // none: homes are only held against physics
-  MakeStart make_start;                            // none: starts are only held against physics
+  RemakeTask remake_task;                          // none: starts are only held against physics
   DeriveFiles derive_files;                        // none: README.md and the sources are not compared
   std::vector<std::filesystem::path> against;      // finished data sets with which nothing may be shared
   ProofMemory* memory = nullptr;                   // proofs of an earlier call, to which those of this one are added

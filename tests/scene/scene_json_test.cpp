@@ -193,6 +193,20 @@ TEST(ParseJson, ReadsWideObjectsWhereTheCallerAllowsAndStillFindsARepeatedField)
   EXPECT_THAT(wider.error().message, StartsWith("more than 200000 fields"));
 }
 
+TEST(ParseJson, CountsEveryValueOfAText) {
+  // The outer list is a value, too.
+  const auto list_of = [](std::size_t count, std::string_view value) {
+    std::string text = "[";
+    for (std::size_t i = 0; i < count; ++i) (i == 0 ? text : text += ',') += value;
+    return text + "]";
+  };
+  EXPECT_TRUE(parse_json("x", list_of(limits::kJsonValues - 1, "1")));
+  for (const char* value : {"1", "[]", "\"\"", "null"}) {
+    const auto more = parse_json("x", list_of(limits::kJsonValues, value));
+    EXPECT_EQ(more ? "" : more.error().message, "has more than 4000000 JSON values, the most that is read") << value;
+  }
+}
+
 TEST(SceneJson, NeitherThrowsNorCrashesOnDamagedTextForAnySeed) {
   Rng scenes(7);
   const std::string sound = scene_to_json(random_scene(scenes));

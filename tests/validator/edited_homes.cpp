@@ -16,13 +16,6 @@ constexpr std::array<const char*, 24> kCategories{
     "Bed", "Sofa", "Fridge", "Shelf", "Dresser", "Desk", "Chair", "Stool", "SideTable", "Lamp", "Mug",    "Plate",
     "Cup", "Bowl", "Fork",   "Spoon", "Knife",   "Book", "Vase",  "Apple", "Potato",    "Box",  "Pillow", "Pan"};
 
-void edit_nodes(Scene& home, auto edit) {
-  std::vector<Node> nodes(home.nodes.begin(), home.nodes.end());
-  edit(nodes);
-  home.nodes = {};
-  for (Node& node : nodes) home.nodes.push_back(std::move(node));
-}
-
 /// Moves all points of the home, and turns its objects by an angle.
 template <class Move>
 Scene moved(Scene home, double angle, Move move) {

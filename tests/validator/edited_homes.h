@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/rng.h"
@@ -17,6 +18,14 @@ struct HomeEdit {
   Scene (*made)(Scene home, Rng rng);
 };
 extern const std::vector<HomeEdit> kHomeEdits;
+
+/// `edit` gets the list of the home's nodes.
+void edit_nodes(Scene& home, auto edit) {
+  std::vector<Node> nodes(home.nodes.begin(), home.nodes.end());
+  edit(nodes);
+  home.nodes = {};
+  for (Node& node : nodes) home.nodes.push_back(std::move(node));
+}
 
 /// Single ones of these, by themselves.
 Scene mirrored(Scene home, Rng rng);

@@ -103,6 +103,24 @@ TEST(LikenessOfHomes, NeitherNamesNorPlaceInTheWorldMatter) {
   }
 }
 
+/// What is alike by category must be so without sizes, and the other way round.
+TEST(LikenessOfHomes, CategoriesWithRoomTypesAreEnoughAndSoAreSizesWhicheverSideIsFirst) {
+  const HomePrint print = print_of_home(homes()[0]);
+  Scene of_other_sizes = renumbered(homes()[0], Rng(1));
+  edit_nodes(of_other_sizes, [](std::vector<Node>& nodes) {
+    for (Node& node : nodes) node.size *= 1.5;
+  });
+  EXPECT_GT(likeness_of_homes(print, print_of_home(of_other_sizes)), 0.99);
+  Scene of_other_names = homes()[0];
+  edit_nodes(of_other_names, [](std::vector<Node>& nodes) {
+    for (Node& node : nodes) {
+      node.category += "X";
+      std::swap(node.size.x(), node.size.y());
+    }
+  });
+  EXPECT_GT(likeness_of_homes(print, print_of_home(of_other_names)), 0.99);
+}
+
 /// The likenesses of some homes to a copy of theirs; gives their mean.
 double mean_of_copies(const std::string& name,
                       const std::function<Scene(const Scene& home, const Scene& other)>& copy) {

@@ -1,8 +1,11 @@
-#include "run/make_start.h"
+#include "run/remake_task.h"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
+#include "annotator/home_facts.h"
+#include "annotator/instruction.h"
 #include "core/in_quotes.h"
 #include "core/rng.h"
 #include "dataset/candidate_number.h"
@@ -31,21 +34,27 @@ Result<Specification> specification_of(const TaskRecord& task, const Formula& go
 
 }  // namespace
 
-Result<Episode> StartMaker::make(const TaskRecord& task, const Formula& goal, const std::vector<Formula>& constraints,
-                                 const std::shared_ptr<const Scene>& home, bool pictured) {
+Result<Remade> TaskRemaker::make(const RunConfiguration& configuration, const TaskRecord& task, const Formula& goal,
+                                 const std::vector<Formula>& constraints, const std::shared_ptr<const Scene>& home) {
   const auto specification = specification_of(task, goal, constraints);
   if (!specification) return specification.error();
   const Backend& backend = resources_.backend(specification->simulator);
-  GroundingOptions options;
-  options.pictured = pictured;
-  auto grounded = ground(*specification, *prepared(home), backend.knowledge, backend.profile, options,
+  GroundingOptions grounding;
+  const auto& modes = configuration.modes;
+  grounding.pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();
+  auto grounded = ground(*specification, *prepared(home), backend.knowledge, backend.profile, grounding,
                          Rng(task.run).fork("grounding", candidate_number(task.slot, task.attempt)));
   if (const auto* why = std::get_if<Rejection>(&grounded))
     return Error{Error::Kind::Unsatisfiable, task.id, {}, why->detail};
-  return std::move(std::get<Grounded>(grounded).episode);
+  auto& episode = std::get<Grounded>(grounded).episode;
+  auto instruction = write_instruction(*specification, backend.knowledge, backend.nouns,
+                                       {configuration.phrasings, categories_in(episode.start)},
+                                       wording_stream(task.run, task.slot, task.attempt));
+  if (!instruction) return instruction.error();
+  return Remade{std::move(episode), std::move(instruction->text)};
 }
 
-std::shared_ptr<const Home> StartMaker::prepared(const std::shared_ptr<const Scene>& scene) {
+std::shared_ptr<const Home> TaskRemaker::prepared(const std::shared_ptr<const Scene>& scene) {
   {
     const std::scoped_lock lock(mutex_);
     if (const auto found = homes_.find(scene->id); found != homes_.end() && found->second.scene == scene)
