@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "akb/import_behavior.h"
+#include "akb/kind_groups.h"
 #include "bodies.h"
 #include "core/files.h"
 #include "fuzz_bodies.h"
@@ -14,7 +15,10 @@ namespace {
 /// Our own lists that are read with the files, as small as they may be.
 void write_lists(const Folder& folder) {
   folder.write("kinds.csv", "kind,rooms\ncup,kitchen\n");
-  folder.write("kind_groups.csv", "group,kind,source\nfood,cup,curated\n");
+  std::string groups = "group,kind,source\n";
+  for (std::size_t i = 0; i < kKindGroupCount; ++i)
+    groups += std::string(name_of(static_cast<KindGroup>(i))) + ",cup,curated\n";
+  folder.write("kind_groups.csv", groups);
   folder.write("behavior/inventory.csv", "name,synset,source\nmug,mug.n.04,curated\n");
   folder.write("behavior/rooms.csv", "name,room,source\nkitchen,kitchen,curated\n");
   folder.write("behavior/no_homes.csv", "scene,why\ngrocery,shop\n");
@@ -38,7 +42,8 @@ bool catalog_body(std::string_view text) {
   for (const char* file : {"category_mapping.csv.gz", "output_hierarchy.json.gz", "object_inventory.json.gz",
                            "combined_room_object_list.json.gz", "annotations", "behavior/hypernyms.csv"}) {
     const std::size_t end = text.find(kBetween);
-    folder.write(file, text.substr(0, end));
+    const std::string_view part = text.substr(0, end);
+    folder.write(file, std::string_view(file).ends_with(".gz") ? gzip(part) : std::string(part));
     text = end == std::string_view::npos ? "" : text.substr(end + kBetween.size());
   }
   try {
