@@ -154,7 +154,7 @@ TEST_F(FewTasks, AnEmptyLineAmongTheRejections) {
   auto all = lines("rejections.jsonl");
   all.insert(all.begin(), "");
   write("rejections.jsonl", all);
-  expect_refused("rejections.jsonl:1", kEmpty, {"export", "annotate", "render"});  // which do not read them
+  expect_refused("rejections.jsonl:1", kEmpty, {"export", "annotate", "render", "review"});  // which do not read them
 }
 
 }  // namespace
