@@ -195,7 +195,7 @@ MethodResult state_method(const MethodCall& call) {
       const auto left = session.environment->expert_steps_left();
       state["expert_steps_left"] = left ? Json(*left) : Json();
     }
-    if (scene) state["scene"] = scene_to_json(session.environment->scene());
+    if (scene) state["scene"] = Json::parse(scene_to_json(session.environment->scene()));
     return state;
   });
 }
