@@ -12,7 +12,7 @@ SharedTask house_task(const std::string& goal) {
   static const Scene kStart = at_rest(house());
   TaskText text;
   text.id = "house-1";
-  text.instruction = "Put a mug on the side table.";
+  text.instruction = goal.find("SideTable") != std::string::npos ? "Put a mug on the side table." : "Reach " + goal;
   text.layout = kStart.id;
   text.goal_text = goal;
   auto task = prepare_task(std::move(text), kStart, kData);
