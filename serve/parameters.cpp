@@ -9,7 +9,8 @@ namespace unietp {
 std::string in_call(const Error& error) {
   std::string_view place = error.where;
   if (place.starts_with(kCallName)) place.remove_prefix(kCallName.size());
-  if (place.starts_with('#')) place.remove_prefix(1);
+  if (place.starts_with('#')) place.remove_prefix(1);   // a JSON pointer follows
+  if (place.starts_with(": ")) place.remove_prefix(2);  // the name of a setting
   return (place.empty() ? "" : std::string(place) + ": ") + error.message;
 }
 

@@ -16,6 +16,7 @@ using ::testing::HasSubstr;
 using testing::kitchen_plan;
 using testing::kitchen_tasks;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 /// A client of a server with the kitchen, and the clock of both.
 class ProtocolClient : public ::testing::Test {
@@ -166,7 +167,8 @@ TEST_F(ProtocolClient, ParametersAreReadStrictly) {
   EXPECT_EQ(code("open", {{"pictures", 1}}), wrong);
   EXPECT_EQ(code("open", {{"picture", false}, {"pictures", true}}), wrong);
   EXPECT_EQ(code("open", {{"image_width", 1e9}}), wrong);
-  EXPECT_THAT(call("open", {{"teleport", "moon"}})["error"]["message"].get<std::string>(), HasSubstr("teleport"));
+  EXPECT_THAT(call("open", {{"teleport", "moon"}})["error"]["message"].get<std::string>(), StartsWith("teleport: "));
+  EXPECT_THAT(call("observe", {{"turn", "x"}})["error"]["message"].get<std::string>(), StartsWith("/turn: "));
   EXPECT_EQ(code("dance"), number(CallFailure::UnknownMethod));
   EXPECT_EQ(code("reset", {{"task", "kitchen-1"}}), number(CallFailure::NoTask));  // there is no data set
 }
