@@ -74,6 +74,7 @@ void add_commands(unietp::CommandParser& app, unietp::CommandLine& program) {
   unietp::add_annotate_command(app, program);
   unietp::add_template_command(app, program);
   unietp::add_knowledge_command(app, program);
+  unietp::add_sense_command(app, program);
   unietp::add_scene_command(app, program);
   unietp::add_goal_command(app, program);
   unietp::add_actions_command(app, program);

@@ -1,0 +1,238 @@
+#include "sense/common_sense.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+constexpr double kUsual = 0.5, kTolerable = 0.12;        // least score of each grade
+constexpr std::array<double, 3> kStart{0.02, 0.3, 1.0};  // by grade
+constexpr double kUnjudged = 0.05, kNeutral = 0.3;       // at the root; for what nobody asks about
+constexpr double kUsualShare = 0.08, kMostWritten = 15, kPrior = 20;
+constexpr double kMostOfPlaces = 0.9, kMostOfDeeds = 0.75;
+constexpr double kRise = 0.6, kRiseAgainstJudgment = 0.5;  // of what was senseless
+constexpr double kSharedPlace = 0.6;                       // next to one another is less usual than at the place itself
+
+Grade grade_of(double score) {
+  return score >= kUsual ? Grade::Usual : score >= kTolerable ? Grade::Tolerable : Grade::Senseless;
+}
+
+/// True for roles that are not wrong only because nobody spoke of them.
+bool is_neutral(std::string_view role) {
+  return role.find('>') != std::string_view::npos || role.starts_with("in_room:");
+}
+
+bool matches(std::string_view pattern, std::string_view role) {
+  if (!pattern.ends_with('*')) return pattern == role;
+  return role.starts_with(pattern.substr(0, pattern.size() - 1));
+}
+
+constexpr std::string_view kNextTo = "next_to:";
+
+Sense refused_by(const SenseRule& rule) { return {Grade::Senseless, 0, {"rule " + rule.name + ": " + rule.reason}}; }
+
+std::string short_number(double value) {
+  return number_text(static_cast<double>(static_cast<int>(value * 100 + 0.5)) / 100);
+}
+
+}  // namespace
+
+Sense worse_of(Sense a, Sense b) {
+  if (a.grade == b.grade) {
+    a.score = std::min(a.score, b.score);
+    for (auto& reason : b.reasons) {
+      if (std::find(a.reasons.begin(), a.reasons.end(), reason) == a.reasons.end())
+        a.reasons.push_back(std::move(reason));
+    }
+    return a;
+  }
+  return a.grade < b.grade ? a : b;
+}
+
+CommonSense::CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgments, std::vector<SenseRule> rules,
+                         const std::vector<Evidence>& evidence)
+    : kinds_(std::move(kinds)),
+      categories_(std::move(categories)),
+      judgments_(std::move(judgments)),
+      rules_(std::move(rules)),
+      evidence_(evidence) {
+  for (std::size_t i = 0; i < evidence_.size(); ++i) {
+    const Evidence& row = evidence_[i];
+    for (const Kind* kind : kinds_.lineage(row.thing)) {
+      const auto [found, first] = counts_.try_emplace({kind->name, row.role}, Count{0, i});
+      Count& count = found->second;
+      count.weight += row.weight;
+      if (row.weight > evidence_[count.best].weight) count.best = i;
+      totals_[{kind->name, family_of(row.role)}] += row.weight;
+    }
+  }
+}
+
+const KindFact* CommonSense::kind_of(Simulator simulator, const std::string& category) const {
+  const auto found = categories_.find({simulator, category});
+  return found == categories_.end() ? nullptr : &found->second;
+}
+
+double CommonSense::score(const std::string& kind, const Role& role) const {
+  const auto judged = judgments_.find({kind, role});
+  const Kind* known = kinds_.find(kind);
+  const bool root = known == nullptr || known->parent.empty();
+  const Grade* grade = judged == judgments_.end() ? nullptr : &judged->second;
+  const double start = grade != nullptr ? kStart[static_cast<std::size_t>(*grade)]
+                       : root           ? (is_neutral(role) ? kNeutral : kUnjudged)
+                                        : score(known->parent, role);
+  // The root and the kinds below it are too wide for what people write of one thing to say something of another.
+  return root || kinds_.lineage(kind).size() <= 2 ? start : moved(kind, role, start, grade);
+}
+
+double CommonSense::moved(const std::string& kind, const Role& role, double start, const Grade* judged) const {
+  const auto family = family_of(role);
+  const auto total = totals_.find({kind, family});
+  const bool spoken_of = counts_.contains({kinds_.all().front().name, role});
+  if (total == totals_.end() || !spoken_of) return start;
+  const auto count = counts_.find({kind, role});
+  const bool sequence = family.ends_with('>');
+  if (count == counts_.end() && (sequence || judged == nullptr)) return start;
+  const double share = count == counts_.end() ? 0 : count->second.weight / total->second;
+  const double shown = std::min(family == "place" ? kMostOfPlaces : kMostOfDeeds, share / kUsualShare);
+  const double written = std::min(kMostWritten, total->second);
+  const double value = (written * shown + kPrior * start) / (written + kPrior);
+  if (value <= start || start >= kTolerable) return value;
+  const bool refused = judged != nullptr && *judged == Grade::Senseless;
+  return start + (value - start) * (refused ? kRiseAgainstJudgment : kRise);
+}
+
+bool CommonSense::meets(const SenseRule& rule, const Thing& thing) const {
+  constexpr std::string_view material = "material:";
+  for (const auto& kind : rule.except) {
+    if (kinds_.is_a(thing.kind, kind)) return false;
+  }
+  if (!rule.thing.starts_with(material)) return kinds_.is_a(thing.kind, rule.thing);
+  const auto of = rule.thing.substr(material.size());
+  return !thing.materials.empty() && std::all_of(thing.materials.begin(), thing.materials.end(),
+                                                 [&](const std::string& each) { return each == of; });
+}
+
+Role CommonSense::known_role(const Thing& thing, const Role& role) const {
+  const auto mark = role.find(':');
+  const auto word = role.substr(0, mark);
+  if (mark == std::string::npos || (word != "cover" && word != "uncover" && word != "fill")) return role;
+  // The nearest kind of the substance that somebody spoke of together with the thing.
+  const auto things = kinds_.lineage(thing.kind);
+  for (const Kind* substance : kinds_.lineage(role.substr(mark + 1))) {
+    const Role wider = word + ":" + substance->name;
+    for (const Kind* kind : things) {
+      if (judgments_.contains({kind->name, wider})) return wider;
+    }
+  }
+  return role;
+}
+
+std::vector<std::string> CommonSense::reasons_for(const Thing& thing, const Role& role) const {
+  std::vector<std::string> reasons;
+  for (const Kind* kind : kinds_.lineage(thing.kind)) {
+    const auto judged = judgments_.find({kind->name, role});
+    if (judged == judgments_.end()) continue;
+    reasons.push_back("judged " + std::string(name_of(judged->second)) + " for " + kind->plural + ": " + role);
+    break;
+  }
+  for (const Kind* kind : kinds_.lineage(thing.kind)) {
+    if (kinds_.lineage(kind->name).size() <= 2) break;
+    const auto total = totals_.find({kind->name, family_of(role)});
+    if (total == totals_.end()) continue;
+    const auto count = counts_.find({kind->name, role});
+    const double weight = count == counts_.end() ? 0 : count->second.weight;
+    std::string text =
+        "written of " + kind->plural + ": " + short_number(weight) + " of " + short_number(total->second);
+    if (weight > 0) {
+      const Evidence& row = evidence_[count->second.best];
+      text += ", such as '" + row.example + "' [" + row.source + "]";
+    }
+    reasons.push_back(std::move(text));
+    break;
+  }
+  if (reasons.empty()) reasons.push_back("nobody wrote or judged that of such a thing: " + role);
+  return reasons;
+}
+
+Sense CommonSense::graded(const Thing& thing, const Role& role) const {
+  const double value = score(thing.kind, role);
+  return {grade_of(value), value, reasons_for(thing, role)};
+}
+
+Sense CommonSense::beside(const Thing& thing, const Role& role, const std::string& other) const {
+  Sense own = graded(thing, role);
+  double best = 0;
+  std::string where;
+  const auto offer = [&](double value, const std::string& what) {
+    if (value > best) {
+      best = value;
+      where = what;
+    }
+  };
+  if (kinds_.is_a(other, "movable")) {
+    for (const auto& place : kinds_.all()) {
+      if (place.relation.empty() || !kinds_.is_a(place.name, "place")) continue;
+      const Role at = kinds_.place_role(kinds_.usual_relation(place.name), place.name);
+      offer(kSharedPlace * std::min(score(thing.kind, at), score(other, at)), at);
+    }
+  } else {
+    offer(kSharedPlace * score(thing.kind, "on:floor"), "on:floor");
+    for (const auto* relation : {"on", "in"}) {
+      const Role at = kinds_.place_role(relation, other);
+      if (grade_of(score(thing.kind, at)) != Grade::Senseless) offer(kStart[1], at);
+    }
+  }
+  if (best <= own.score) return own;
+  return {grade_of(best), best, {"both may be at one place: " + where}};
+}
+
+const SenseRule* CommonSense::broken(const Thing& thing, const Role& role) const {
+  for (const auto& rule : rules_) {
+    if (!rule.together && matches(rule.other, role) && meets(rule, thing)) return &rule;
+  }
+  return nullptr;
+}
+
+Sense CommonSense::grade(const Thing& thing, const Role& asked) const {
+  const Role role = known_role(thing, asked);
+  if (const auto* rule = broken(thing, role)) return refused_by(*rule);
+  if (role.starts_with(kNextTo)) return beside(thing, role, role.substr(kNextTo.size()));
+  return graded(thing, role);
+}
+
+Sense CommonSense::found(const Thing& thing, const Role& place) const {
+  if (const auto* rule = broken(thing, "found:" + place)) return refused_by(*rule);
+  return {Grade::Usual, 1, {}};
+}
+
+bool CommonSense::belongs(const Thing& thing, const std::string& place) const {
+  for (const auto* relation : {"in", "on"}) {
+    if (grade_of(score(thing.kind, kinds_.place_role(relation, place))) != Grade::Senseless) return true;
+  }
+  return false;
+}
+
+Sense CommonSense::together(const Thing& a, const Thing& b) const {
+  for (const auto& rule : rules_) {
+    if (!rule.together) continue;
+    for (const auto& [first, second] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+      if (meets(rule, *first) && kinds_.is_a(second->kind, rule.other)) return refused_by(rule);
+    }
+  }
+  return {Grade::Usual, 1, {}};
+}
+
+CommonSense read_common_sense(const std::filesystem::path& folder, std::vector<Error>& errors) {
+  Kinds kinds = read_kinds(folder / "kinds.csv", errors);
+  auto categories = read_category_kinds(folder / "categories.csv", kinds, errors);
+  auto judgments = read_judgments(folder / "judged.csv", kinds, errors);
+  auto rules = read_sense_rules(folder / "rules.csv", kinds, errors);
+  const auto evidence = read_evidence(folder / "counts.csv", kinds, errors);
+  return {std::move(kinds), std::move(categories), std::move(judgments), std::move(rules), evidence};
+}
+
+}  // namespace unietp

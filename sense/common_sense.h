@@ -1,0 +1,85 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sense/category_kinds.h"
+#include "sense/evidence.h"
+#include "sense/kinds.h"
+#include "sense/word_kinds.h"
+
+namespace unietp {
+
+/// An answer with what it rests on, each a sentence for people.
+struct Sense {
+  Grade grade = Grade::Tolerable;
+  double score = 0;  // what the grade was read from: at least 0.5 usual, below 0.12 senseless
+  std::vector<std::string> reasons;
+};
+/// The worse of two; the reasons of both when they are equal.
+Sense worse_of(Sense a, Sense b);
+
+/// A thing that is asked about: its kind, and what else rules look at.
+struct Thing {
+  std::string kind;
+  std::string words;                   // for reasons: "mug"
+  std::vector<std::string> materials;  // that it comes in
+};
+
+/// What people do with household things: judgments of kinds, corrected by what people wrote. Read only after loading.
+///
+/// The score of a kind in a role starts from the judgment (usual 1, tolerable 0.3, senseless 0.02), or, when nobody
+/// judged it, from the score of the wider kind (0.05 at the root). It is moved toward the share that the role has in
+/// all that people wrote of the kind in roles of the same family, where a share of 8 % counts as usual:
+/// score = (n * e + 20 * start) / (n + 20), where n is what was written in all, at most 15, and e is share / 0.08, at
+/// most 0.9 for places and 0.75 for what is done. Of a rise from below 0.12, 0.6 are kept, and 0.5 against a judgment.
+/// That a role was not written of a kind counts only against a judgment of that very kind, and only when the sources
+/// speak of that role at all. docs/sense.md says where the numbers come from.
+class CommonSense {
+ public:
+  CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgments, std::vector<SenseRule> rules,
+              const std::vector<Evidence>& evidence);
+
+  const Kinds& kinds() const { return kinds_; }
+  /// nullptr for a category that has none.
+  const KindFact* kind_of(Simulator simulator, const std::string& category) const;
+
+  /// Grades one role of a thing.
+  Sense grade(const Thing& thing, const Role& role) const;
+  /// The rules on where a thing may be found before a task: roles such as `found:in:trash_can`. Usual when none speaks.
+  Sense found(const Thing& thing, const Role& place) const;
+  /// True when the thing is at home on or in a place or machine, so that opening this one may be for its sake.
+  bool belongs(const Thing& thing, const std::string& place) const;
+  /// The rules on two things at one place, or next to one another.
+  Sense together(const Thing& a, const Thing& b) const;
+
+ private:
+  struct Count {
+    double weight = 0;
+    std::size_t best = 0;  // in evidence_: the row of most weight
+  };
+  double score(const std::string& kind, const Role& role) const;
+  double moved(const std::string& kind, const Role& role, double start, const Grade* judged) const;
+  Sense graded(const Thing& thing, const Role& role) const;
+  Sense beside(const Thing& thing, const Role& role, const std::string& other) const;
+  std::vector<std::string> reasons_for(const Thing& thing, const Role& role) const;
+  bool meets(const SenseRule& rule, const Thing& thing) const;
+  const SenseRule* broken(const Thing& thing, const Role& role) const;
+  Role known_role(const Thing& thing, const Role& role) const;
+
+  Kinds kinds_;
+  CategoryKinds categories_;
+  Judgments judgments_;
+  std::vector<SenseRule> rules_;
+  std::vector<Evidence> evidence_;
+  std::map<std::pair<std::string, Role>, Count> counts_;          // of a kind and all narrower ones
+  std::map<std::pair<std::string, std::string>, double> totals_;  // of a kind and a family
+};
+
+/// Reads data/sense/: kinds, categories, judged, counts, rules. Errors are appended.
+CommonSense read_common_sense(const std::filesystem::path& folder, std::vector<Error>& errors);
+
+}  // namespace unietp

@@ -1,0 +1,271 @@
+#include "sense/grade_goal.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/text.h"
+#include "sense/wants.h"
+
+namespace unietp {
+namespace {
+
+/// What bringing a state about is called; "" for states that nobody asks for as such.
+std::string_view deed_of(Predicate predicate) {
+  using enum Predicate;
+  switch (predicate) {
+    case Open:
+      return "open";
+    case Closed:
+      return "close";
+    case PowerOn:
+      return "switch_on";
+    case PowerOff:
+      return "switch_off";
+    case Clean:
+      return "wash";
+    case Dirty:
+      return "soil";
+    case Hot:
+      return "heat";
+    case Predicate::Cool:
+      return "cool";
+    case Cooked:
+      return "cook";
+    case Burnt:
+      return "burn";
+    case Frozen:
+      return "freeze";
+    case Sliced:
+      return "slice";
+    case Empty:
+      return "empty";
+    case Soaked:
+      return "soak";
+    case Dry:
+      return "dry";
+    case UsedUp:
+      return "use_up";
+    case Broken:
+      return "break";
+    case Folded:
+      return "fold";
+    case Unfolded:
+      return "unfold";
+    case PluggedIn:
+      return "plug_in";
+    case Unplugged:
+      return "unplug";
+    case Held:
+      return "hold";
+    case SatOn:
+      return "sit";
+    case LainOn:
+      return "lie";
+    case Predicate::Read:
+      return "read";
+    default:
+      return "";
+  }
+}
+
+/// A want about one category, in words and as a role.
+struct Asked {
+  Role role;
+  std::string words;
+};
+
+class GoalGrader {
+ public:
+  GoalGrader(const Knowledge& knowledge, const CommonSense& sense, const WordKinds& words, Wants wants)
+      : knowledge_(knowledge), sense_(sense), words_(words), wants_(std::move(wants)) {}
+
+  TaskSense grade() {
+    for (const auto& want : wants_.wants) part(want);
+    for (const auto& want : wants_.found) found(want);
+    for (std::size_t i = 0; i < wants_.wants.size(); ++i) {
+      for (std::size_t j = i + 1; j < wants_.wants.size(); ++j) {
+        pair(wants_.wants[i], wants_.wants[j]);
+        apart(wants_.wants[i], wants_.wants[j]);
+        apart(wants_.wants[j], wants_.wants[i]);
+      }
+    }
+    TaskSense task;
+    if (parts_.empty()) {
+      task.grade = wants_.moves_agent ? Grade::Usual : Grade::Tolerable;
+      return task;
+    }
+    std::stable_sort(parts_.begin(), parts_.end(),
+                     [](const PartSense& a, const PartSense& b) { return a.sense.grade < b.sense.grade; });
+    task.grade = parts_.front().sense.grade;
+    task.parts = std::move(parts_);
+    return task;
+  }
+
+ private:
+  std::vector<Thing> things_of(std::size_t variable) const {
+    std::vector<Thing> all;
+    const Domain& domain = wants_.things[variable];
+    for (const auto& member : domain.members) {
+      const auto* fact = sense_.kind_of(knowledge_.simulator(), member.category);
+      const auto* category = knowledge_.find(member.category);
+      Thing thing{fact == nullptr ? "" : fact->kind, category == nullptr ? member.category : category->display, {}};
+      if (category != nullptr) thing.materials = category->materials;
+      if (member.slice) {
+        thing.kind = sense_.kinds().piece_of(thing.kind);
+        thing.words = "slice of " + thing.words;
+      }
+      all.push_back(std::move(thing));
+    }
+    return all;
+  }
+
+  /// The kind of a substance; the substance itself for the liquids that have roles of their own.
+  std::string substance(const std::string& symbol) const {
+    if (symbol == "water" || symbol == "coffee" || symbol == "wine") return symbol;
+    return words_.of_word(symbol).value_or("");
+  }
+
+  std::optional<Asked> with_substance(const Want& want, const std::string& thing) const {
+    if (want.predicate == Predicate::Filled) {
+      if (want.negated) return Asked{"empty", "empty " + thing};
+      const auto kind = substance(want.symbol);
+      if (kind.empty()) return std::nullopt;
+      return Asked{"fill:" + kind, "fill " + thing + " with " + want.symbol};
+    }
+    if (want.symbol == "dust")
+      return want.negated ? Asked{"dust", "dust " + thing} : Asked{"soil", "spread dust on " + thing};
+    const auto kind = words_.of_word(want.symbol);
+    if (!kind) return std::nullopt;
+    return want.negated ? Asked{"uncover:" + *kind, "wipe " + want.symbol + " off " + thing}
+                        : Asked{"cover:" + *kind, "spread " + want.symbol + " over " + thing};
+  }
+
+  std::optional<Asked> with_other(const Want& want, const std::string& thing, const Thing& other) const {
+    const auto& kinds = sense_.kinds();
+    const auto known = [&](Role role, const std::string& between) -> std::optional<Asked> {
+      if (other.kind.empty()) return std::nullopt;
+      return Asked{std::move(role), thing + " " + between + " " + other.words};
+    };
+    switch (want.predicate) {
+      case Predicate::On:
+        return known(kinds.place_role("on", other.kind), "on");
+      case Predicate::Inside:
+        return known(kinds.place_role("in", other.kind), "in");
+      case Predicate::NextTo:
+        return known("next_to:" + other.kind, "next to");
+      case Predicate::Under:
+        return known("under:" + other.kind, "under");
+      case Predicate::Attached:
+        return known("attach:" + other.kind, "attached to");
+      case Predicate::OnFloor:
+        return Asked{"on:floor", thing + " on the floor"};
+      case Predicate::InRoom:
+        return Asked{"in_room:" + other.words, thing + " in the " + replace_all(other.words, "_", " ")};
+      default:
+        return std::nullopt;
+    }
+  }
+
+  /// All that a want asks of a thing: several where the other one is one of several categories.
+  std::vector<Asked> asked(const Want& want, const Thing& thing) const {
+    std::vector<Asked> all;
+    const auto add = [&](std::optional<Asked> one) {
+      if (one) all.push_back(std::move(*one));
+    };
+    if (want.predicate == Predicate::Filled || want.predicate == Predicate::Covered) {
+      add(with_substance(want, thing.words));
+    } else if (want.negated) {
+      return all;
+    } else if (want.other) {
+      for (const auto& other : things_of(*want.other)) add(with_other(want, thing.words, other));
+    } else if (const auto deed = deed_of(want.predicate); !deed.empty()) {
+      add(Asked{std::string(deed), replace_all(std::string(deed), "_", " ") + " " + thing.words});
+    }
+    return all;
+  }
+
+  void keep(std::string words, Sense sense) { parts_.push_back({std::move(words), std::move(sense)}); }
+
+  void part(const Want& want) {
+    for (const auto& thing : things_of(want.thing)) {
+      if (thing.kind.empty()) continue;
+      for (auto& each : asked(want, thing)) keep(std::move(each.words), sense_.grade(thing, each.role));
+      const bool beside = want.predicate == Predicate::NextTo && want.other && !want.negated;
+      if (beside) company(want.thing, *want.other);
+    }
+  }
+
+  void company(std::size_t a, std::size_t b) {
+    for (const auto& first : things_of(a)) {
+      for (const auto& second : things_of(b)) {
+        auto sense = sense_.together(first, second);
+        if (sense.grade != Grade::Usual) keep(first.words + " with " + second.words, std::move(sense));
+      }
+    }
+  }
+
+  /// Where a thing is found before the task.
+  void found(const Want& want) {
+    if (!want.other) return;
+    const auto* relation = want.predicate == Predicate::On ? "on" : "in";
+    for (const auto& thing : things_of(want.thing)) {
+      for (const auto& place : things_of(*want.other)) {
+        if (thing.kind.empty() || place.kind.empty()) continue;
+        auto sense = sense_.found(thing, sense_.kinds().place_role(relation, place.kind));
+        if (sense.grade != Grade::Usual) keep(thing.words + " found " + relation + " " + place.words, std::move(sense));
+      }
+    }
+  }
+
+  static bool is_place(const Want& want) {
+    return (want.predicate == Predicate::On || want.predicate == Predicate::Inside) && !want.negated;
+  }
+
+  /// Opening or switching on something in a task that puts a thing elsewhere which never goes there.
+  void apart(const Want& part, const Want& moved) {
+    const bool turns = part.predicate == Predicate::Open || part.predicate == Predicate::Closed ||
+                       part.predicate == Predicate::PowerOn || part.predicate == Predicate::PowerOff;
+    if (!turns || part.negated || !is_place(moved) || moved.thing == part.thing || moved.other == part.thing) return;
+    for (const auto& machine : things_of(part.thing)) {
+      for (const auto& thing : things_of(moved.thing)) {
+        const auto& kinds = sense_.kinds();
+        const bool stays = kinds.is_a(machine.kind, "place") || kinds.is_a(machine.kind, "fixture");
+        if (!stays || thing.kind.empty() || sense_.belongs(thing, machine.kind)) continue;
+        keep(std::string(deed_of(part.predicate)) + " " + machine.words + ", and " + thing.words + " elsewhere",
+             {Grade::Tolerable, 0.3, {"the two have nothing to do with one another"}});
+      }
+    }
+  }
+
+  void pair(const Want& a, const Want& b) {
+    if (is_place(a) && is_place(b) && a.thing != b.thing && a.other == b.other) company(a.thing, b.thing);
+    if (a.thing != b.thing) return;
+    const bool turned = a.other && !b.other;  // in one state, the change comes before the place
+    const Want& first = turned ? b : a;
+    const Want& second = turned ? a : b;
+    if (first.other) return;
+    for (const auto& thing : things_of(a.thing)) {
+      for (const auto& before : asked(first, thing)) {
+        for (const auto& after : asked(second, thing)) {
+          auto sense = sense_.grade(thing, before.role + ">" + after.role);
+          if (sense.grade == Grade::Senseless) keep(before.words + ", then " + after.words, std::move(sense));
+        }
+      }
+    }
+  }
+
+  const Knowledge& knowledge_;
+  const CommonSense& sense_;
+  const WordKinds& words_;
+  Wants wants_;
+  std::vector<PartSense> parts_;
+};
+
+}  // namespace
+
+TaskSense grade_goal(const Formula& goal, const Knowledge& knowledge, const CommonSense& sense,
+                     const WordKinds& words) {
+  return GoalGrader(knowledge, sense, words, wants_of(goal)).grade();
+}
+
+}  // namespace unietp

@@ -1,0 +1,165 @@
+#include "sense/question.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/text.h"
+#include "core/unknown_name.h"
+#include "sense/word_kinds.h"
+
+namespace unietp {
+namespace {
+
+/// A verb whose object comes to be in a state.
+struct StateVerb {
+  std::string_view words;
+  Predicate predicate;
+};
+constexpr std::array<StateVerb, 27> kStateVerbs{
+    {{"heat", Predicate::Hot},      {"cool", Predicate::Cool},         {"cook", Predicate::Cooked},
+     {"burn", Predicate::Burnt},    {"freeze", Predicate::Frozen},     {"slice", Predicate::Sliced},
+     {"wash", Predicate::Clean},    {"clean", Predicate::Clean},       {"soak", Predicate::Soaked},
+     {"dry", Predicate::Dry},       {"empty", Predicate::Empty},       {"open", Predicate::Open},
+     {"close", Predicate::Closed},  {"switch on", Predicate::PowerOn}, {"switch off", Predicate::PowerOff},
+     {"read", Predicate::Read},     {"fold", Predicate::Folded},       {"unfold", Predicate::Unfolded},
+     {"break", Predicate::Broken},  {"plug in", Predicate::PluggedIn}, {"unplug", Predicate::Unplugged},
+     {"use up", Predicate::UsedUp}, {"pick up", Predicate::Held},      {"hold", Predicate::Held},
+     {"sit on", Predicate::SatOn},  {"lie on", Predicate::LainOn},     {"soil", Predicate::Dirty}}};
+
+/// A verb with a preposition, and the relation or state with a symbol that it means.
+struct LinkVerb {
+  std::string_view words, between;
+  Predicate predicate;
+};
+constexpr std::array<LinkVerb, 15> kLinkVerbs{{{"place", "next to", Predicate::NextTo},
+                                               {"place", "under", Predicate::Under},
+                                               {"place", "inside", Predicate::Inside},
+                                               {"place", "into", Predicate::Inside},
+                                               {"place", "in", Predicate::Inside},
+                                               {"place", "onto", Predicate::On},
+                                               {"place", "on", Predicate::On},
+                                               {"attach", "to", Predicate::Attached},
+                                               {"bring", "into", Predicate::InRoom},
+                                               {"bring", "to", Predicate::InRoom},
+                                               {"fill", "with", Predicate::Filled},
+                                               {"cover", "with", Predicate::Covered},
+                                               {"spread", "over", Predicate::Covered},
+                                               {"spread", "on", Predicate::Covered},
+                                               {"wipe", "off", Predicate::Covered}}};
+
+Error usage(std::string message) { return {Error::Kind::Usage, "question", {}, std::move(message)}; }
+
+std::vector<std::string> verbs() {
+  std::vector<std::string> all{"dust", "throw away"};
+  for (const auto& verb : kStateVerbs) all.emplace_back(verb.words);
+  for (const auto& verb : kLinkVerbs) all.emplace_back(verb.words);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+Result<std::string> category_of(std::string_view words, const Knowledge& knowledge) {
+  const auto asked = normal_word(trim(words));
+  std::vector<std::string> names;
+  for (const auto& category : knowledge.categories()) {
+    if (normal_word(category.name) == asked || normal_word(category.display) == asked ||
+        lower(category.name) == lower(trim(words)))
+      return category.name;
+    names.push_back(category.name);
+  }
+  const std::string name(trim(words));
+  const auto near = nearest_name(name, names);
+  const std::string simulator(name_of(knowledge.simulator()));
+  return usage(simulator + " has no category \"" + name + "\"" +
+               (near.empty() ? "" : ", did you mean \"" + near + "\"") + "; `unietp knowledge show " + simulator +
+               "` lists them");
+}
+
+/// The rest of the text behind a verb; nullopt when it does not begin so.
+std::optional<std::string_view> after(std::string_view text, std::string_view verb) {
+  if (text.size() <= verb.size() || lower(text.substr(0, verb.size())) != verb || text[verb.size()] != ' ')
+    return std::nullopt;
+  return trim(text.substr(verb.size()));
+}
+
+Result<Formula> stated(Predicate predicate, std::string_view words, const Knowledge& knowledge) {
+  const auto category = category_of(words, knowledge);
+  if (!category) return category.error();
+  return exists("a", of_category(*category), at_end(atom(predicate, {"a"})));
+}
+
+Result<Formula> related(Predicate predicate, std::string_view first, std::string_view second,
+                        const Knowledge& knowledge) {
+  const auto thing = category_of(first, knowledge);
+  if (!thing) return thing.error();
+  const bool room = predicate == Predicate::InRoom;
+  const auto other = room ? Result<std::string>(normal_word(second)) : category_of(second, knowledge);
+  if (!other) return other.error();
+  return exists("a", of_category(*thing), exists("b", of_category(*other), at_end(atom(predicate, {"a", "b"}))));
+}
+
+Result<Formula> covered(bool wiped, Predicate predicate, std::string_view thing, std::string_view substance,
+                        const Knowledge& knowledge) {
+  const auto category = category_of(thing, knowledge);
+  if (!category) return category.error();
+  auto state = atom_with_symbol(predicate, "a", normal_word(substance));
+  return exists("a", of_category(*category), at_end(wiped ? negation(std::move(state)) : std::move(state)));
+}
+
+Result<Formula> thrown(std::string_view words, const Knowledge& knowledge) {
+  for (const auto* can : {"GarbageCan", "garbagecan", "trashcan", "trash_can"}) {
+    if (knowledge.find(can) != nullptr) return related(Predicate::Inside, words, can, knowledge);
+  }
+  return usage("this simulator has no garbage can");
+}
+
+Result<Formula> linked(const LinkVerb& verb, std::string_view rest, std::size_t at, const Knowledge& knowledge) {
+  const auto first = trim(rest.substr(0, at)), second = trim(rest.substr(at + verb.between.size() + 2));
+  const bool substance_first = verb.words == "spread" || verb.words == "wipe";
+  if (verb.predicate == Predicate::Filled || verb.predicate == Predicate::Covered)
+    return covered(verb.words == "wipe", verb.predicate, substance_first ? second : first,
+                   substance_first ? first : second, knowledge);
+  return related(verb.predicate, first, second, knowledge);
+}
+
+Result<Formula> read_one(std::string_view text, const Knowledge& knowledge) {
+  if (const auto rest = after(text, "throw away")) return thrown(*rest, knowledge);
+  if (const auto rest = after(text, "dust")) return covered(true, Predicate::Covered, *rest, "dust", knowledge);
+  std::vector<std::string> accepted;
+  for (const auto& verb : kLinkVerbs) {
+    auto rest = after(text, verb.words);
+    if (!rest && verb.words == "place") rest = after(text, "put");
+    if (!rest) continue;
+    accepted.push_back("\"" + std::string(verb.between) + "\"");
+    const auto at = lower(*rest).find(" " + std::string(verb.between) + " ");
+    if (at != std::string::npos) return linked(verb, *rest, at, knowledge);
+  }
+  if (!accepted.empty()) return usage("expected one of " + join(accepted, ", ") + " in \"" + std::string(text) + "\"");
+  for (const auto& verb : kStateVerbs) {
+    if (const auto rest = after(text, verb.words)) return stated(verb.predicate, *rest, knowledge);
+  }
+  return unknown_name_error("question", split(text, ' ').front(), verbs());
+}
+
+}  // namespace
+
+Result<Formula> read_question(std::string_view text, const Knowledge& knowledge) {
+  constexpr std::string_view then = " then ";
+  const auto at = text.find(then);
+  if (at == std::string_view::npos) return read_one(trim(text), knowledge);
+  auto first = read_one(trim(text.substr(0, at)), knowledge);
+  if (!first) return first;
+  auto second = read_question(text.substr(at + then.size()), knowledge);
+  if (!second) return second;
+  // One thing, first in one state and then in the other, when both are about the same category.
+  if (first->domain == second->domain) {
+    Formula both = *first;
+    both.children = {conjunction({first->children.front(), second->children.front()})};
+    return both;
+  }
+  return conjunction({std::move(*first), std::move(*second)});
+}
+
+}  // namespace unietp

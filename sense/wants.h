@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "logic/formula.h"
+
+namespace unietp {
+
+/// One thing that a goal asks for.
+struct Want {
+  Predicate predicate = Predicate::On;
+  std::size_t thing = 0;             // in Wants::things
+  std::optional<std::size_t> other;  // of a relation: in Wants::things
+  std::string symbol;                // of a state with one: "water"
+  bool negated = false;              // it is to end: no dust on it
+  bool operator==(const Want&) const = default;
+};
+
+/// What a goal asks for, in its order: of `first this, then that` the first comes first.
+struct Wants {
+  std::vector<Domain> things;  // what the goal's variables range over
+  std::vector<Want> wants;     // each once
+  std::vector<Want> found;     // where a `:where` says that things are before the task: relations of place alone
+  bool moves_agent = false;    // the agent itself is to be somewhere
+};
+
+/// Reads what must come about from a goal. What a goal only forbids, keeps as it is, assumes, or says to tell its
+/// objects apart (`:where`) is not asked for.
+Wants wants_of(const Formula& goal);
+
+}  // namespace unietp

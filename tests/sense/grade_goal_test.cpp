@@ -1,0 +1,80 @@
+#include "sense/grade_goal.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sense/committed_sense.h"
+#include "tests/support/committed_knowledge.h"
+
+namespace unietp {
+namespace {
+
+using ::testing::HasSubstr;
+
+TaskSense graded(const std::string& goal, Simulator simulator = Simulator::Ai2thor) {
+  const auto formula = parse_formula("goal", goal, FormulaUse::Goal);
+  EXPECT_TRUE(formula) << (formula ? "" : format(formula.error()));
+  return grade_goal(*formula, committed_knowledge(simulator), test::committed_sense(), test::committed_words());
+}
+
+TEST(GradeGoal, IsThatOfTheWorstPart) {
+  EXPECT_EQ(graded("(exists (?a - Book) (exists (?b - Desk) (at-end (on ?a ?b))))").grade, Grade::Usual);
+  const auto bad = graded(
+      "(exists (?a - Book) (exists (?b - Desk) (exists (?c - Tomato) (exists (?d - Toilet) (at-end (and (on ?a ?b) "
+      "(on ?c ?d)))))))");
+  EXPECT_EQ(bad.grade, Grade::Senseless);
+  EXPECT_THAT(bad.parts.front().part, HasSubstr("tomato on toilet"));
+}
+
+TEST(GradeGoal, JudgesWhatFollowsWhat) {
+  EXPECT_EQ(graded("(exists (?a - Potato) (exists (?b - Plate) (at-end (and (cooked ?a) (on ?a ?b)))))").grade,
+            Grade::Usual);
+  EXPECT_EQ(graded("(exists (?a - Potato) (at-end (and (cooked ?a) (held ?a))))").grade, Grade::Senseless);
+  EXPECT_EQ(graded("(exists (?a - Mug) (exists (?b - GarbageCan) (at-end (and (inside ?a ?b) (clean ?a)))))").grade,
+            Grade::Senseless);
+}
+
+TEST(GradeGoal, JudgesWhatIsBroughtTogether) {
+  const auto danger = graded(
+      "(exists (?c - CounterTop) (exists (?a - Bread) (exists (?b - SprayBottle) (at-end (and (on ?a ?c) (on ?b "
+      "?c))))))");
+  EXPECT_EQ(danger.grade, Grade::Senseless);
+  EXPECT_THAT(danger.parts.front().sense.reasons.front(), HasSubstr("rule cleaner-by-food"));
+  EXPECT_EQ(graded("(exists (?a - Knife) (exists (?b - TeddyBear) (at-end (next_to ?a ?b))))").grade, Grade::Senseless);
+}
+
+TEST(GradeGoal, NobodyUsesWhatWasThrownAway) {
+  EXPECT_EQ(
+      graded("(exists (?a - (Tomato :where (exists (?b - GarbageCan) (inside ?a ?b)))) (at-end (sliced ?a)))").grade,
+      Grade::Senseless);
+}
+
+TEST(GradeGoal, SlicesAreGradedAsSlices) {
+  EXPECT_EQ(graded("(exists (?s - Lettuce/slice) (at-end (hot ?s)))").grade, Grade::Senseless);
+  EXPECT_EQ(graded("(exists (?s - Bread/slice) (at-end (hot ?s)))").grade, Grade::Usual);
+}
+
+TEST(GradeGoal, OfAlternativesTheWorstCounts) {
+  EXPECT_EQ(graded("(exists (?a - (either Apple Laptop)) (exists (?b - Fridge) (at-end (inside ?a ?b))))").grade,
+            Grade::Senseless);
+}
+
+TEST(GradeGoal, WhatHasNothingToDoWithOneAnotherIsTolerableAtBest) {
+  EXPECT_EQ(graded("(exists (?a - Safe) (exists (?b - Mug) (exists (?c - DiningTable) (at-end (and (open ?a) (on ?b "
+                   "?c))))))")
+                .grade,
+            Grade::Tolerable);
+}
+
+TEST(GradeGoal, WipingAndSpreadingKnowTheSubstance) {
+  EXPECT_EQ(graded("(exists (?a - countertop) (at-end (covered ?a acetone)))", Simulator::Behavior).grade,
+            Grade::Senseless);
+  EXPECT_EQ(graded("(exists (?a - shelf) (at-end (not (covered ?a dust))))", Simulator::Behavior).grade, Grade::Usual);
+}
+
+TEST(GradeGoal, GoingSomewhereNeedsNoReason) {
+  EXPECT_EQ(graded("(exists (?r - kitchen) (at-end (in_room agent ?r)))").grade, Grade::Usual);
+}
+
+}  // namespace
+}  // namespace unietp

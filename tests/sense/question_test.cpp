@@ -1,0 +1,43 @@
+#include "sense/question.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/committed_knowledge.h"
+
+namespace unietp {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string goal_of(const std::string& question) {
+  const auto goal = read_question(question, committed_knowledge(Simulator::Ai2thor));
+  return goal ? to_text(*goal) : format(goal.error());
+}
+
+TEST(Question, IsReadAsAGoal) {
+  EXPECT_EQ(goal_of("place Mug on CounterTop"), "(exists (?a - Mug) (exists (?b - CounterTop) (at-end (on ?a ?b))))");
+  EXPECT_EQ(goal_of("put cell phone in drawer"),
+            "(exists (?a - CellPhone) (exists (?b - Drawer) (at-end (inside ?a ?b))))");
+  EXPECT_EQ(goal_of("switch off FloorLamp"), "(exists (?a - FloorLamp) (at-end (power_off ?a)))");
+  EXPECT_EQ(goal_of("fill Mug with coffee"), "(exists (?a - Mug) (at-end (filled ?a coffee)))");
+  EXPECT_EQ(goal_of("dust Desk"), "(exists (?a - Desk) (at-end (not (covered ?a dust))))");
+  EXPECT_EQ(goal_of("throw away Newspaper"),
+            "(exists (?a - Newspaper) (exists (?b - GarbageCan) (at-end (inside ?a ?b))))");
+  EXPECT_EQ(goal_of("bring Pillow to bedroom"),
+            "(exists (?a - Pillow) (exists (?b - bedroom) (at-end (in_room ?a ?b))))");
+}
+
+TEST(Question, ThenIsAboutOneThing) {
+  EXPECT_EQ(goal_of("cook Potato then place Potato on Plate"),
+            "(exists (?a - Potato) (and (at-end (cooked ?a)) (exists (?b - Plate) (at-end (on ?a ?b)))))");
+}
+
+TEST(Question, UnknownWordsGetTheNearest) {
+  EXPECT_THAT(goal_of("place Mugg on CounterTop"), HasSubstr("did you mean \"Mug\""));
+  EXPECT_THAT(goal_of("hoat Potato"), HasSubstr("did you mean \"heat\""));
+  EXPECT_THAT(goal_of("place Mug CounterTop"), HasSubstr("expected one of"));
+}
+
+}  // namespace
+}  // namespace unietp
