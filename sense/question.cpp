@@ -124,6 +124,21 @@ Result<Formula> linked(const LinkVerb& verb, std::string_view rest, std::size_t 
   return related(verb.predicate, first, second, knowledge);
 }
 
+/// "heat Potato in Microwave": the thing is put there, and then comes to be in the state.
+std::optional<Result<Formula>> done_at(const StateVerb& verb, std::string_view rest, const Knowledge& knowledge) {
+  for (const auto& [between, relation] : {std::pair<std::string_view, Predicate>{" in ", Predicate::Inside},
+                                          std::pair<std::string_view, Predicate>{" on ", Predicate::On}}) {
+    const auto at = lower(rest).find(between);
+    if (at == std::string::npos) continue;
+    auto place = related(relation, rest.substr(0, at), rest.substr(at + between.size()), knowledge);
+    if (!place) return place;
+    Formula& there = place->children.front().children.front();  // below both quantifiers: at-end
+    there = conjunction({there, at_end(atom(verb.predicate, {"a"}))});
+    return place;
+  }
+  return std::nullopt;
+}
+
 Result<Formula> read_one(std::string_view text, const Knowledge& knowledge) {
   if (const auto rest = after(text, "throw away")) return thrown(*rest, knowledge);
   if (const auto rest = after(text, "dust")) return covered(true, Predicate::Covered, *rest, "dust", knowledge);
@@ -138,7 +153,10 @@ Result<Formula> read_one(std::string_view text, const Knowledge& knowledge) {
   }
   if (!accepted.empty()) return usage("expected one of " + join(accepted, ", ") + " in \"" + std::string(text) + "\"");
   for (const auto& verb : kStateVerbs) {
-    if (const auto rest = after(text, verb.words)) return stated(verb.predicate, *rest, knowledge);
+    const auto rest = after(text, verb.words);
+    if (!rest) continue;
+    if (auto there = done_at(verb, *rest, knowledge)) return std::move(*there);
+    return stated(verb.predicate, *rest, knowledge);
   }
   return unknown_name_error("question", split(text, ' ').front(), verbs());
 }

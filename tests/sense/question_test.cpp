@@ -24,6 +24,8 @@ TEST(Question, IsReadAsAGoal) {
   EXPECT_EQ(goal_of("dust Desk"), "(exists (?a - Desk) (at-end (not (covered ?a dust))))");
   EXPECT_EQ(goal_of("throw away Newspaper"),
             "(exists (?a - Newspaper) (exists (?b - GarbageCan) (at-end (inside ?a ?b))))");
+  EXPECT_EQ(goal_of("heat Potato in Microwave"),
+            "(exists (?a - Potato) (exists (?b - Microwave) (and (at-end (inside ?a ?b)) (at-end (hot ?a)))))");
   EXPECT_EQ(goal_of("bring Pillow to bedroom"),
             "(exists (?a - Pillow) (exists (?b - bedroom) (at-end (in_room ?a ?b))))");
 }
