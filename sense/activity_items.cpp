@@ -12,7 +12,7 @@
 namespace unietp {
 namespace {
 
-constexpr std::string_view kSource = "metadata:activity_definitions", kOutside = "outside", kEnd = "problem0.bddl";
+constexpr std::string_view kActivities = "metadata:activity_definitions", kOutside = "outside", kEnd = "problem0.bddl";
 constexpr std::array<std::string_view, 4> kForms{"cooked__", "diced__", "half__", "melted__"};
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kStates{{{"cooked", "cook"},
                                                                                 {"hot", "heat"},
@@ -195,7 +195,7 @@ Result<std::vector<Item>> activity_items(const std::filesystem::path& folder, co
       if (section.is_form(":goal") && section.children.size() > 1) goal.read(section.children[1], false);
     }
     for (const auto& [thing, role, words] : goal.found)
-      items.push_back({{thing, role, 1, name + ": " + words, std::string(kSource)}, name});
+      items.push_back({{thing, role, 1, name + ": " + words, std::string(kActivities)}, name});
   }
   return items;
 }

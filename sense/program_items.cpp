@@ -13,7 +13,7 @@
 namespace unietp {
 namespace {
 
-constexpr std::string_view kSource = "metadata:activity_programs.jsonl.gz", kList = "programs";
+constexpr std::string_view kPrograms = "metadata:activity_programs.jsonl.gz", kList = "programs";
 
 /// A step's first words and the role that they mean.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kDeeds{{{"Wash ", "wash"},
@@ -126,7 +126,7 @@ Result<std::vector<Item>> program_items(const std::filesystem::path& file, const
   for (const auto& [key, count] : times) {
     const auto& [title, thing, role, step] = key;
     const double weight = std::min(4.0, 1 + (count - 1) / 8.0);
-    items.push_back({{thing, role, weight, title + ": " + step, std::string(kSource)}, title});
+    items.push_back({{thing, role, weight, title + ": " + step, std::string(kPrograms)}, title});
   }
   return items;
 }

@@ -7,7 +7,7 @@
 namespace unietp {
 namespace {
 
-constexpr std::string_view kOutside = "outside";
+constexpr std::string_view kNotOfHomes = "outside";
 
 /// The affordance that something to be done needs; with `part`, also physically.
 struct Need {
@@ -53,7 +53,7 @@ SwapPool::SwapPool(const CommonSense& sense, const Knowledge& knowledge) {
   const auto simulator = knowledge.simulator();
   const auto kind_of = [&](const std::string& category) {
     const auto* fact = sense.kind_of(simulator, category);
-    return fact == nullptr || fact->kind == kOutside ? std::string() : fact->kind;
+    return fact == nullptr || fact->kind == kNotOfHomes ? std::string() : fact->kind;
   };
   for (const auto& thing : knowledge.categories()) {
     const auto kind = kind_of(thing.name);
