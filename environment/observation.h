@@ -41,8 +41,8 @@ struct SeenObject {
 
 /// One executed action as the agent is told of it.
 struct ActionReport {
-  std::string action;               // as said: "pick_up(mug_1)"; names that are not to be repeated are left out
-  std::optional<bool> success;      // nullopt: not told (Feedback::None)
+  std::string action;           // as said: "pick_up(mug_1)"; "?" for names that are not repeated, and without feedback
+  std::optional<bool> success;  // nullopt: not told (Feedback::None)
   Failure failure = Failure::None;  // None unless Feedback::Full
   std::string feedback;             // a sentence; "" on success, and unless Feedback::Full
   bool operator==(const ActionReport&) const = default;

@@ -74,12 +74,13 @@ std::vector<HeldThing> held_things(const World& world, const ModeRules& rules) {
 
 ActionReport report_of(const Command& command, const Outcome& outcome, const World& world, const Settings& settings,
                        const AnswerFrame& frame) {
-  ActionReport report;
-  report.action = action_named(command.action) ? command.action : "?";
+  ActionReport report{"?", {}, Failure::None, ""};
+  if (settings.feedback == Feedback::None) return report;  // what is repeated and what not would tell of success
+  if (action_named(command.action)) report.action = command.action;
   std::vector<std::string> args;
   for (const Argument& argument : command.args) args.push_back(argument_text(argument, world, settings, frame));
   if (!args.empty()) report.action += "(" + join(args, ", ") + ")";
-  if (settings.feedback != Feedback::None) report.success = outcome.success;
+  report.success = outcome.success;
   if (settings.feedback != Feedback::Full) return report;
   report.failure = outcome.failure;
   report.feedback = outcome.feedback;

@@ -26,7 +26,7 @@ std::vector<SeenObject> seen_objects(const ModeEpisode& episode);
 std::vector<HeldThing> held_things(const World& world, const ModeRules& rules);
 
 /// An executed command as the agent is told of it. Names of objects are repeated only where objects have ids, names of
-/// actions only where there is such an action. `frame`: of its boxes.
+/// actions only where there is such an action, and nothing without feedback. `frame`: of its boxes.
 ActionReport report_of(const Command& command, const Outcome& outcome, const World& world, const Settings& settings,
                        const AnswerFrame& frame);
 
