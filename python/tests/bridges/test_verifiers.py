@@ -15,7 +15,7 @@ import unietp
 def episodes(folder, url, out, limit, mode="M2"):
     config = EvalConfig.model_validate(
         {
-            "env": {"taskset": {"id": "unietp.integrations.verifiers", "dataset": str(folder), "mode": mode}},
+            "env": {"taskset": {"id": "unietp-verifiers", "dataset": str(folder), "mode": mode}},
             "model": "replay",
             "client": {"type": "eval", "base_url": url, "api_key_var": "NO_KEY"},
             "select": {"limit": limit},
@@ -50,6 +50,6 @@ def test_a_fault_of_the_environment_is_an_error_and_no_reward(folder, dataset, t
 def test_the_taskset_has_the_tasks(folder, dataset):
     from unietp.integrations.verifiers import UnietpConfig, UnietpTaskset
 
-    taskset = UnietpTaskset(UnietpConfig(id="unietp.integrations.verifiers", dataset=str(folder)))
+    taskset = UnietpTaskset(UnietpConfig(id="unietp-verifiers", dataset=str(folder)))
     assert [task.data.id for task in taskset] == [task.id for task in dataset]
     assert isinstance(taskset, vf.Taskset) and len({task.key for task in taskset}) == len(dataset)

@@ -1,6 +1,6 @@
 """verifiers (0.4, `verifiers.v1`): the tasks of a data set as a taskset, played by a multi-turn environment.
 
-    vf-eval unietp.integrations.verifiers --env.taskset.dataset out/first-benchmark --env.taskset.mode M2 -m MODEL -n 10
+    vf-eval unietp-verifiers --env.taskset.dataset out/first-benchmark --env.taskset.mode M2 -m MODEL -n 10
 
 The agent gets the system prompt and the observations in words, and answers with actions, until the episode is over. Its
 reward is 1 for a reached goal, else 0. When the environment itself fails (a missing file, say), the episode has an error
@@ -66,7 +66,7 @@ class UnietpTaskset(vf.Taskset[UnietpTask, UnietpConfig]):
 class UnietpEnvConfig(vf.EnvConfig):
     """One agent acts. It needs no tools but its answers."""
 
-    player: vf.AgentConfig = vf.AgentConfig(harness=NullHarnessConfig(id="null"))
+    player: vf.AgentConfig = vf.AgentConfig(harness=NullHarnessConfig(id="null"), runtime=vf.SubprocessConfig())
 
 
 class UnietpEnv(vf.Env[UnietpEnvConfig]):
