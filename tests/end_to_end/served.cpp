@@ -23,6 +23,12 @@ std::string all_lines(const std::vector<std::string>& lines) {
   return text;
 }
 
+/// The folder, in which there is now a pipe `in`.
+const fs::path& with_pipe(const fs::path& folder) {
+  if (::mkfifo((folder / "in").c_str(), 0600) != 0) throw std::runtime_error("no pipe");
+  return folder;
+}
+
 }  // namespace
 
 std::string request_line(int id, const ServedCall& call) {
@@ -49,7 +55,7 @@ std::vector<std::string> served_lines(const fs::path& folder, const std::vector<
 }
 
 LongCommand::LongCommand(const std::string& arguments)
-    : program_("/bin/sh", {"-c", "mkfifo in && exec unietp " + arguments + " <>in >out"}, folder_.path()) {}
+    : program_("/bin/sh", {"-c", "exec unietp " + arguments + " <>in >out"}, with_pipe(folder_.path())) {}
 
 void LongCommand::write(const std::string& text) const {
   const int pipe = ::open((folder_.path() / "in").c_str(), O_WRONLY | O_CLOEXEC);
