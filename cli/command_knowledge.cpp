@@ -7,6 +7,7 @@
 
 #include "akb/importers.h"
 #include "cli/command_parser.h"
+#include "cli/command_sense.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -100,6 +101,8 @@ void add_knowledge_command(CommandParser& app, CommandLine& program) {
       ->folder();
   imported->callback([path, &program] { program.exit = import(*path, program); });
   add_knowledge_complete_command(*group, program);
+  add_sense_fit_command(*group, program);
+  add_sense_measure_command(*group, program);
 }
 
 }  // namespace unietp

@@ -132,12 +132,7 @@ void add_sense_command(CommandParser& app, CommandLine& program) {
   command->add_option("--simulator", options->simulator, "The simulator whose categories are named");
   command->add_option("--tasks", options->tasks, "A data set whose tasks are graded")->folder();
   command->add_flag("--json", options->json, "Print JSON; for --tasks one line per task");
-  auto ran = std::make_shared<bool>(false);  // the callback of a subcommand comes before this command's
-  add_sense_fit_command(*command, program, ran);
-  add_sense_measure_command(*command, program, ran);
-  command->callback([options, ran, &program] {
-    if (!*ran) program.exit = run(*options, program);
-  });
+  command->callback([options, &program] { program.exit = run(*options, program); });
 }
 
 }  // namespace unietp

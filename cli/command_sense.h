@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 
 #include "cli/commands.h"
 #include "sense/common_sense.h"
@@ -9,9 +8,9 @@
 
 namespace unietp {
 
-// Each adds a subcommand of `unietp sense`, which sets `ran` before it runs.
-void add_sense_fit_command(CommandParser& sense, CommandLine& program, std::shared_ptr<bool> ran);
-void add_sense_measure_command(CommandParser& sense, CommandLine& program, std::shared_ptr<bool> ran);
+// Each adds a subcommand of `unietp knowledge`.
+void add_sense_fit_command(CommandParser& knowledge, CommandLine& program);
+void add_sense_measure_command(CommandParser& knowledge, CommandLine& program);
 
 /// Where the tables of what people do with things are.
 std::filesystem::path sense_folder(const CommandLine& program);

@@ -28,13 +28,13 @@ Exit fit(const SenseFitOptions& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_sense_fit_command(CommandParser& sense, CommandLine& program, std::shared_ptr<bool> ran) {
+void add_sense_fit_command(CommandParser& knowledge, CommandLine& program) {
   auto options = std::make_shared<SenseFitOptions>();  // shared: the callback outlives this function
-  auto* command = sense.add_subcommand("fit", "Fit the tables to what people wrote");
+  auto* command = knowledge.add_subcommand("fit-sense", "Fit the tables to what people wrote");
   command->explain(
       "Writes categories.csv and counts.csv. The committed tables are what this writes, byte for byte; docs/sense.md "
       "lists the files.",
-      {{"unietp sense fit metadata --activities bddl/activity_definitions", ""}});
+      {{"unietp knowledge fit-sense metadata --activities bddl/activity_definitions", ""}});
   command->add_option("FOLDER", options->metadata, "Folder with virtualhome/, housekeep/ and ai2thor/")
       ->required()
       ->folder();
@@ -42,10 +42,7 @@ void add_sense_fit_command(CommandParser& sense, CommandLine& program, std::shar
       ->required()
       ->folder();
   command->add_option("--out", options->out, "Folder to write to (default: data/sense)")->folder();
-  command->callback([options, ran = std::move(ran), &program] {
-    *ran = true;
-    program.exit = fit(*options, program);
-  });
+  command->callback([options, &program] { program.exit = fit(*options, program); });
 }
 
 }  // namespace unietp

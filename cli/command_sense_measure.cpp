@@ -66,14 +66,15 @@ Exit measure(const SenseMeasureOptions& options, const CommandLine& program) {
 
 }  // namespace
 
-void add_sense_measure_command(CommandParser& sense, CommandLine& program, std::shared_ptr<bool> ran) {
+void add_sense_measure_command(CommandParser& knowledge, CommandLine& program) {
   auto options = std::make_shared<SenseMeasureOptions>();  // shared: the callback outlives this function
-  auto* command = sense.add_subcommand("measure", "Grade what people wrote, held out of fitting");
+  auto* command = knowledge.add_subcommand("measure-sense", "Grade what people wrote, held out of fitting");
   command->explain(
       "Fits to a part of the activities, titles and objects and grades the others, as they are and with one role "
       "swapped.",
-      {{"unietp sense measure metadata --activities bddl/activity_definitions", ""},
-       {"unietp sense measure metadata --activities bddl/activity_definitions --items", "one line for each item"}});
+      {{"unietp knowledge measure-sense metadata --activities bddl/activity_definitions", ""},
+       {"unietp knowledge measure-sense metadata --activities bddl/activity_definitions --items",
+        "one line for each item"}});
   command->add_option("FOLDER", options->metadata, "Folder with virtualhome/, housekeep/ and ai2thor/")
       ->required()
       ->folder();
@@ -81,10 +82,7 @@ void add_sense_measure_command(CommandParser& sense, CommandLine& program, std::
       ->required()
       ->folder();
   command->add_flag("--items", options->items, "Print each item with its grade, fields separated by tabs");
-  command->callback([options, ran = std::move(ran), &program] {
-    *ran = true;
-    program.exit = measure(*options, program);
-  });
+  command->callback([options, &program] { program.exit = measure(*options, program); });
 }
 
 }  // namespace unietp

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "core/digest.h"
 #include "sense/fit.h"
@@ -42,11 +41,9 @@ std::vector<HeldOutFigures> measure_held_out(std::span<const Item> items, const 
   const CommonSense sense(kinds, categories, judgments, rules, add_up(fitted));
   const SwapPool pool(sense, physical);
   std::map<std::string, HeldOutFigures> by_source;
-  std::set<std::tuple<std::string, std::string, Role>> seen;  // an activity may say one thing in several ways
   for (const auto& item : held) {
     const Evidence& row = item.evidence;
     if (family_of(row.role).ends_with('>')) continue;  // pairs are graded by their parts
-    if (!seen.insert({row.source + item.group, row.thing, row.role}).second && item.counts) continue;
     auto& figures = by_source[row.source];
     figures.source = row.source;
     const Grade grade = grade_of(sense, row);

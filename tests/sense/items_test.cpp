@@ -31,9 +31,10 @@ class Items : public ::testing::Test {
 };
 
 TEST_F(Items, OfAProgramSayWhatIsDoneWithThingsAndInWhichOrder) {
-  ASSERT_TRUE(write_file(folder_.path() / "programs.jsonl",
-                         "{\"title\":\"Wash dishes\",\"steps\":[\"Walk to kitchen\",\"Wash plate\","
-                         "\"Put plate on dishwasher\",\"Pour water into glass\",\"Switch on dishwasher\"]}\n"));
+  ASSERT_TRUE(
+      write_file(folder_.path() / "programs.jsonl",
+                 "{\"title\":\"Wash dishes\",\"steps\":[\"Walk to kitchen\",\"Wash plate\","
+                 "\"Put plate on dishwasher\",\"Pour water into drinking glass\",\"Switch on dishwasher\"]}\n"));
   const auto items = program_items(folder_.path() / "programs.jsonl", vocabulary());
   ASSERT_TRUE(items) << format(items.error());
   EXPECT_TRUE(has(*items, "plate", "wash"));
