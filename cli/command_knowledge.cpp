@@ -7,7 +7,6 @@
 
 #include "akb/importers.h"
 #include "cli/command_parser.h"
-#include "cli/command_sense.h"
 #include "core/text.h"
 
 namespace unietp {

@@ -17,6 +17,8 @@ void add_knowledge_stats_command(CommandParser& knowledge, CommandLine& program)
 void add_knowledge_why_command(CommandParser& knowledge, CommandLine& program);
 void add_knowledge_diff_command(CommandParser& knowledge, CommandLine& program);
 void add_knowledge_complete_command(CommandParser& knowledge, CommandLine& program);
+void add_sense_fit_command(CommandParser& knowledge, CommandLine& program);
+void add_sense_measure_command(CommandParser& knowledge, CommandLine& program);
 
 /// The knowledge bases of some simulators, compiled first if necessary. Adds those of compiled_knowledge to `errors`.
 std::vector<Knowledge> load_some(const CommandLine& program, const std::vector<Simulator>& simulators,
