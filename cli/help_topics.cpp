@@ -143,7 +143,7 @@ std::string main_screen() {
          "  check     validate, review\n"
          "  look      stats, report, render, actions, schemas\n"
          "  convert   export, annotate\n"
-         "  extend    template, knowledge, scene, goal\n"
+         "  extend    template, knowledge, scene, goal, sense\n"
          "  act       play, serve\n"
          "  shell     help, completion\n"
          "\n"

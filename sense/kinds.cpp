@@ -81,6 +81,7 @@ Kinds read_kinds(const std::filesystem::path& path, std::vector<Error>& errors) 
   }
   Kinds all(std::move(kinds));
   std::size_t at = 0, roots = 0;
+  bool circle = false;
   for (const auto& cells : row.rows()) {
     row.at(cells);
     const Kind& kind = all.all()[at++];
@@ -89,12 +90,13 @@ Kinds read_kinds(const std::filesystem::path& path, std::vector<Error>& errors) 
     } else if (all.find(kind.parent) == nullptr) {
       row.fail("parent", "'" + kind.parent + "' is not a kind of this table");
     } else if (!ends(all, kind)) {
+      circle = true;
       row.fail("parent", "'" + kind.name + "' is above itself");
     }
     if (!kind.piece.empty() && all.find(kind.piece) == nullptr)
       row.fail("piece", "'" + kind.piece + "' is not a kind of this table");
   }
-  return all;
+  return circle ? Kinds() : all;  // whoever goes up a circle never ends
 }
 
 }  // namespace unietp

@@ -49,7 +49,7 @@ class Kinds {
 };
 
 /// Reads kinds.csv. Errors are appended, with line and column: a name that stands twice, an unknown parent or piece,
-/// another relation, a circle, or more than one root.
+/// another relation, a circle (then there are no kinds), or more than one root.
 Kinds read_kinds(const std::filesystem::path& path, std::vector<Error>& errors);
 
 }  // namespace unietp

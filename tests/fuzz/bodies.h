@@ -18,6 +18,8 @@ bool tables_body(std::string_view text);
 bool override_body(std::string_view text);
 bool gzip_body(std::string_view text);
 /// ProcTHOR's models, iTHOR's scenes, BEHAVIOR's models and its table of categories, with a line `====` between them.
+bool question_body(std::string_view text);
+bool sense_body(std::string_view text);
 bool upstream_body(std::string_view text);
 /// BEHAVIOR's table of categories, tree of synsets, models, rooms and annotations, and our table of hypernyms, with a
 /// line `====` between them.

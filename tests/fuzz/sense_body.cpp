@@ -1,0 +1,49 @@
+#include "../annotator/small_knowledge.h"
+#include "bodies.h"
+#include "fuzz_bodies.h"
+#include "sense/common_sense.h"
+#include "sense/question.h"
+#include "support.h"
+
+namespace unietp::fuzz {
+
+bool sense_body(std::string_view text) {
+  static const Folder folder("sense");
+  constexpr std::string_view kBetween = "====\n";
+  for (const char* file :
+       {"kinds.csv", "categories.csv", "judged.csv", "counts.csv", "rules.csv", "words.csv", "hypernyms.csv"}) {
+    const std::size_t end = text.find(kBetween);
+    folder.write(file, text.substr(0, end));
+    text = end == std::string_view::npos ? "" : text.substr(end + kBetween.size());
+  }
+  std::vector<Error> errors;
+  const CommonSense sense = read_common_sense(folder.path(), errors);
+  const WordKinds words = read_word_kinds(folder.path(), sense.kinds(), errors);
+  for (const Error& error : errors) check_error(error);
+  for (const Kind& kind : sense.kinds().all()) {
+    const auto lineage = sense.kinds().lineage(kind.name);
+    require(!lineage.empty() && lineage.size() <= sense.kinds().all().size());
+    const Thing thing{kind.name, kind.singular, {}};
+    for (const char* role : {"cook", "on:counter", "fill:water", "cook>on:plate", "found:in:cup"}) {
+      const Sense answer = sense.grade(thing, role);
+      require(answer.score >= 0 && answer.score <= 1);
+    }
+    (void)sense.together(thing, thing);
+    const auto named = words.of_word(kind.name);
+    require(!errors.empty() || !named || sense.kinds().find(*named) != nullptr);
+  }
+  return errors.empty();
+}
+
+bool question_body(std::string_view text) {
+  static const Knowledge knowledge = testing_support::small_knowledge();
+  const auto goal = read_question(text, knowledge);
+  if (!goal) {
+    require(!goal.error().message.empty());
+    return false;
+  }
+  check_formula(*goal, FormulaUse::Goal);
+  return true;
+}
+
+}  // namespace unietp::fuzz
