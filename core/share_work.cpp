@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace unietp {
@@ -42,6 +45,72 @@ void share_work(int threads, std::size_t count, const std::function<void(std::si
       }
     }
   });
+}
+
+struct ThreadTeam::Impl {
+  explicit Impl(std::size_t threads) : threads(threads) {
+    for (std::size_t i = 1; i < threads; ++i) others.emplace_back([this, i] { follow(i); });
+  }
+  ~Impl() {
+    {
+      const std::scoped_lock lock(mutex);
+      leaving = true;
+    }
+    begun.notify_all();
+    for (auto& other : others) other.join();
+  }
+
+  void do_part(std::size_t thread) {
+    try {
+      for (std::size_t i = thread; i < count; i += threads) (*task)(i);
+    } catch (...) {
+      const std::scoped_lock lock(mutex);
+      if (!thrown) thrown = std::current_exception();
+    }
+  }
+
+  void follow(std::size_t thread) {
+    for (std::uint64_t seen = 0;;) {
+      std::unique_lock lock(mutex);
+      begun.wait(lock, [&] { return leaving || round != seen; });
+      if (leaving) return;
+      seen = round;
+      lock.unlock();
+      do_part(thread);
+      lock.lock();
+      if (--working == 0) ended.notify_one();
+    }
+  }
+
+  std::size_t threads = 1;
+  std::mutex mutex;
+  std::condition_variable begun, ended;
+  std::uint64_t round = 0;
+  std::size_t working = 0;
+  bool leaving = false;
+  std::size_t count = 0;
+  const std::function<void(std::size_t)>* task = nullptr;
+  std::exception_ptr thrown;
+  std::vector<std::thread> others;
+};
+
+ThreadTeam::ThreadTeam(int threads) : impl_(std::make_unique<Impl>(static_cast<std::size_t>(std::max(1, threads)))) {}
+ThreadTeam::~ThreadTeam() = default;
+
+void ThreadTeam::share(std::size_t count, const std::function<void(std::size_t)>& task) {
+  Impl& team = *impl_;
+  {
+    const std::scoped_lock lock(team.mutex);
+    team.count = count;
+    team.task = &task;
+    team.working = team.others.size();
+    ++team.round;
+  }
+  team.begun.notify_all();
+  team.do_part(0);
+  std::unique_lock lock(team.mutex);
+  team.ended.wait(lock, [&] { return team.working == 0; });
+  if (team.thrown) std::rethrow_exception(std::exchange(team.thrown, nullptr));
 }
 
 }  // namespace unietp

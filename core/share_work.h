@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace unietp {
 
@@ -17,5 +18,23 @@ void run_on_threads(int threads, const std::function<void()>& work);
 /// Calls `task(i)` for each i below `count`, several at a time, and returns when all are done. Each writes to places of
 /// its own, so that the number of threads changes nothing. After an exception, which is thrown here, no task is begun.
 void share_work(int threads, std::size_t count, const std::function<void(std::size_t)>& task);
+
+/// Threads that stay between rounds of work, for rounds so short that starting threads would cost as much. The calling
+/// thread is the first of them. One thread at a time may call `share`.
+class ThreadTeam {
+ public:
+  /// `threads`: at least 1.
+  explicit ThreadTeam(int threads);
+  ~ThreadTeam();
+
+  /// Calls `task(i)` for each i below `count` and returns when all are done. A task runs on the same thread in every
+  /// round, near the memory that it used before. What a task throws is thrown here once all threads have ended their
+  /// parts.
+  void share(std::size_t count, const std::function<void(std::size_t)>& task);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace unietp

@@ -1,5 +1,6 @@
 #include "environment/batch.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -19,7 +20,7 @@ struct EnvironmentBatch::Impl {
   /// Calls `work` for each member on the threads. Errors: that of the first member that has one.
   template <class Work>
   Result<Done> each(const Work& work) {
-    share_work(threads, members.size(), [&](std::size_t i) {
+    threads.share(members.size(), [&](std::size_t i) {
       members[i].error.reset();
       work(i, members[i]);
     });
@@ -68,7 +69,9 @@ struct EnvironmentBatch::Impl {
     return results;
   }
 
-  int threads = 1;
+  explicit Impl(int thread_count) : threads(thread_count) {}
+
+  ThreadTeam threads;
   Settings settings;
   TaskOfEpisode task_of;
   std::vector<Member> members;
@@ -84,8 +87,8 @@ Result<EnvironmentBatch> EnvironmentBatch::make(std::size_t count, int threads, 
   if (count < 1 || count > limits::kEnvironments)
     return Error{
         Error::Kind::Usage, "batch", {}, "expected 1 to " + std::to_string(limits::kEnvironments) + " environments"};
-  auto impl = std::make_unique<Impl>();
-  impl->threads = threads;
+  auto impl = std::make_unique<Impl>(
+      static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(std::max(1, threads)), count)));
   impl->settings = settings;
   impl->task_of = std::move(task_of);
   impl->members.resize(count);
@@ -116,7 +119,7 @@ Result<std::vector<StepResult>> EnvironmentBatch::step(std::span<const Answer> a
 
 std::vector<Picture> EnvironmentBatch::pictures() const {
   std::vector<Picture> pictures(size());
-  share_work(impl_->threads, size(), [&](std::size_t i) { pictures[i] = at(i).picture(); });
+  impl_->threads.share(size(), [&](std::size_t i) { pictures[i] = at(i).picture(); });
   return pictures;
 }
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <set>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -61,6 +62,36 @@ TEST(RunOnThreads, ThrowsOnlyWhenAllHaveReturned) {
 }
 
 TEST(ProcessorCount, IsAtLeastOne) { EXPECT_GE(processor_count(), 1); }
+
+TEST(ThreadTeam, DoesEveryTaskOfEveryRoundOnceAndOnTheSameThread) {
+  for (const int threads : {1, 2, 5}) {
+    ThreadTeam team(threads);
+    std::vector<std::thread::id> of_task(7);
+    for (int round = 0; round < 200; ++round) {
+      std::vector<int> done(of_task.size(), 0);
+      team.share(done.size(), [&](std::size_t i) {
+        ++done[i];
+        if (round == 0) of_task[i] = std::this_thread::get_id();
+        EXPECT_EQ(of_task[i], std::this_thread::get_id());
+      });
+      ASSERT_EQ(done, std::vector<int>(done.size(), 1));
+    }
+    EXPECT_EQ(std::set<std::thread::id>(of_task.begin(), of_task.end()).size(), static_cast<std::size_t>(threads));
+    team.share(0, [](std::size_t) { ADD_FAILURE(); });
+  }
+}
+
+TEST(ThreadTeam, ThrowsWhatATaskThrewAndGoesOn) {
+  ThreadTeam team(3);
+  EXPECT_THROW(team.share(9,
+                          [](std::size_t i) {
+                            if (i == 4) throw std::runtime_error("4");
+                          }),
+               std::runtime_error);
+  std::atomic<int> done{0};
+  team.share(9, [&](std::size_t) { ++done; });
+  EXPECT_EQ(done, 9);
+}
 
 }  // namespace
 }  // namespace unietp
