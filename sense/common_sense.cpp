@@ -158,7 +158,26 @@ std::vector<std::string> CommonSense::reasons_for(const Thing& thing, const Role
   return reasons;
 }
 
-Sense CommonSense::graded(const Thing& thing, const Role& role) const {
+/// Of a place of a wide kind, the narrower one that suits the thing best; the role itself when none suits it better.
+Role CommonSense::best_place(const std::string& kind, const Role& role) const {
+  const auto mark = role.rfind(':');
+  if (mark == Role::npos || role.rfind(kNextTo) != Role::npos) return role;
+  const auto* place = kinds_.find(role.substr(mark + 1));
+  if (place == nullptr || place->relation.empty()) return role;
+  Role best = role;
+  double most = score(kind, role);
+  for (const Kind* narrow : kinds_.narrower(place->name)) {
+    const Role other = role.substr(0, mark + 1) + narrow->name;
+    const double value = score(kind, other);
+    if (value <= most) continue;
+    most = value;
+    best = other;
+  }
+  return best;
+}
+
+Sense CommonSense::graded(const Thing& thing, const Role& asked) const {
+  const Role role = best_place(thing.kind, asked);
   const double value = score(thing.kind, role);
   return {grade_of(value), value, reasons_for(thing, role)};
 }
@@ -182,7 +201,7 @@ Sense CommonSense::beside(const Thing& thing, const Role& role, const std::strin
   } else {
     offer(kSharedPlace * score(thing.kind, "on:floor"), "on:floor");
     for (const auto* relation : {"on", "in"}) {
-      const Role at = kinds_.place_role(relation, other);
+      const Role at = best_place(thing.kind, kinds_.place_role(relation, other));
       if (grade_of(score(thing.kind, at)) != Grade::Senseless) offer(kStart[1], at);
     }
   }
@@ -211,7 +230,8 @@ Sense CommonSense::found(const Thing& thing, const Role& place) const {
 
 bool CommonSense::belongs(const Thing& thing, const std::string& place) const {
   for (const auto* relation : {"in", "on"}) {
-    if (grade_of(score(thing.kind, kinds_.place_role(relation, place))) != Grade::Senseless) return true;
+    const Role at = best_place(thing.kind, kinds_.place_role(relation, place));
+    if (grade_of(score(thing.kind, at)) != Grade::Senseless) return true;
   }
   return false;
 }

@@ -37,7 +37,8 @@ struct Thing {
 /// score = (n * e + 20 * start) / (n + 20), where n is what was written in all, at most 15, and e is share / 0.08, at
 /// most 0.9 for places and 0.75 for what is done. Of a rise from below 0.12, 0.6 are kept, and 0.5 against a judgment.
 /// That a role was not written of a kind counts only against a judgment of that very kind, and only when the sources
-/// speak of that role at all. docs/sense.md says where the numbers come from.
+/// speak of that role at all. A place of a wide kind, such as a cabinet in any room, is as good for a thing as the best
+/// of its narrower kinds. docs/sense.md says where the numbers come from.
 class CommonSense {
  public:
   CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgments, std::vector<SenseRule> rules,
@@ -62,6 +63,7 @@ class CommonSense {
     std::size_t best = 0;  // in evidence_: the row of most weight
   };
   double score(const std::string& kind, const Role& role) const;
+  Role best_place(const std::string& kind, const Role& role) const;
   double moved(const std::string& kind, const Role& role, double start, const Grade* judged) const;
   Sense graded(const Thing& thing, const Role& role) const;
   Sense beside(const Thing& thing, const Role& role, const std::string& other) const;

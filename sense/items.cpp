@@ -24,7 +24,7 @@ int int_of(const std::string& text) {
 std::string place_in_room(const std::string& place, const std::string& room) {
   const bool bath = room == "bathroom";
   const bool kitchen = room == "kitchen" || room == "pantry_room" || room == "dining_room";
-  if (place == "kitchen_cabinet" && !kitchen) return bath ? "bathroom_cabinet" : "cabinet";
+  if (place == "kitchen_cabinet" && !kitchen) return bath ? "bathroom_cabinet" : "storage_cabinet";
   if (place == "counter" && bath) return "bathroom_counter";
   return place;
 }

@@ -22,6 +22,14 @@ std::vector<const Kind*> Kinds::lineage(std::string_view name) const {
   return line;
 }
 
+std::vector<const Kind*> Kinds::narrower(std::string_view name) const {
+  std::vector<const Kind*> found;
+  for (const auto& kind : kinds_) {
+    if (!name.empty() && kind.parent == name) found.push_back(&kind);
+  }
+  return found;
+}
+
 bool Kinds::is_a(std::string_view kind, std::string_view wider) const {
   const auto line = lineage(kind);
   return std::any_of(line.begin(), line.end(), [&](const Kind* each) { return each->name == wider; });

@@ -34,6 +34,8 @@ class Kinds {
   const Kind* find(std::string_view name) const;
   /// The kind and all wider ones, narrowest first; empty for an unknown name.
   std::vector<const Kind*> lineage(std::string_view name) const;
+  /// The kinds right below it, in the order of the table; empty for an unknown name.
+  std::vector<const Kind*> narrower(std::string_view name) const;
   /// True when `wider` is the kind itself or one above it.
   bool is_a(std::string_view kind, std::string_view wider) const;
   /// The kind of what slicing a thing of this kind makes.

@@ -57,6 +57,13 @@ TEST(CommonSense, NoEvidenceOverridesARule) {
   EXPECT_NE(sense.grade({"fruit", "fruit", {}}, "in:bin").reasons.front(), "rule waste: food is not wasted");
 }
 
+TEST(CommonSense, APlaceOfAWideKindIsAsGoodAsTheBestOfItsNarrowerOnes) {
+  EXPECT_EQ(grade_of("cup", "in:storage_cabinet"), Grade::Senseless);
+  EXPECT_EQ(grade_of("cup", "in:cabinet"), Grade::Usual);
+  EXPECT_EQ(grade_of("tooth_care", "in:cabinet"), Grade::Usual);
+  EXPECT_EQ(grade_of("fruit_piece", "in:cabinet"), Grade::Senseless);
+}
+
 TEST(CommonSense, GradesWhatEverybodyKnows) {
   for (const auto& [kind, role] : std::vector<std::pair<std::string, Role>>{{"cup", "in:kitchen_cabinet"},
                                                                             {"dairy", "in:fridge"},

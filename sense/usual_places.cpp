@@ -1,0 +1,88 @@
+#include "sense/usual_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+Thing thing_of(const std::string& category, const Knowledge& knowledge, const CommonSense& sense) {
+  const auto* kind = sense.kind_of(knowledge.simulator(), category);
+  const auto* facts = knowledge.find(category);
+  return {kind == nullptr ? std::string() : kind->kind, facts == nullptr ? category : facts->display,
+          facts == nullptr ? std::vector<std::string>{} : facts->materials};
+}
+
+Role role_of(Predicate relation, const std::string& place, const CommonSense& sense) {
+  if (relation == Predicate::On || relation == Predicate::Inside)
+    return sense.kinds().place_role(relation == Predicate::On ? "on" : "in", place);
+  return (relation == Predicate::NextTo ? "next_to:" : "under:") + place;
+}
+
+/// What a grade depends on.
+using Question = std::tuple<std::string, std::vector<std::string>, Role>;  // kind, materials, role
+struct Answer {
+  Grade grade = Grade::Tolerable;
+  double score = 0;
+};
+
+bool before(const UsualPlace& a, const UsualPlace& b) {
+  const auto key = [](const UsualPlace& p) { return std::tuple(p.grade != Grade::Usual, -p.weight); };
+  if (key(a) != key(b)) return key(a) < key(b);
+  return std::tie(a.placement->receptacle, a.placement->relation) <
+         std::tie(b.placement->receptacle, b.placement->relation);
+}
+
+}  // namespace
+
+Sense grade_placement(const Placement& placement, const Knowledge& knowledge, const CommonSense& sense) {
+  const auto thing = thing_of(placement.object, knowledge, sense);
+  const auto place = thing_of(placement.receptacle, knowledge, sense);
+  if (thing.kind.empty() || place.kind.empty()) return {Grade::Tolerable, 0, {"a category has no kind"}};
+  auto own = sense.grade(thing, role_of(placement.relation, place.kind, sense));
+  return placement.relation == Predicate::NextTo ? worse_of(std::move(own), sense.together(thing, place)) : own;
+}
+
+UsualPlaces::UsualPlaces(const Knowledge& knowledge, const CommonSense& sense) {
+  std::map<std::string, Thing, std::less<>> things;
+  for (const auto& c : knowledge.categories()) things.emplace(c.name, thing_of(c.name, knowledge, sense));
+  std::map<Question, Answer> answers;
+  for (const auto& placement : knowledge.placements()) {
+    if (placement.relation != Predicate::On && placement.relation != Predicate::Inside) continue;
+    const auto &thing = things.find(placement.object)->second, &place = things.find(placement.receptacle)->second;
+    if (thing.kind.empty() || place.kind.empty()) continue;
+    const auto role = role_of(placement.relation, place.kind, sense);
+    const auto [answer, first] = answers.try_emplace({thing.kind, thing.materials, role});
+    if (first) {
+      const auto graded = sense.grade(thing, role);
+      answer->second = {graded.grade, graded.score};
+    }
+    const auto& [grade, score] = answer->second;
+    if (grade == Grade::Senseless) continue;
+    places_[placement.object].push_back({&placement, grade, score * std::sqrt(placement.likelihood)});
+  }
+  for (auto& [category, places] : places_) {
+    std::map<Grade, double> sum;
+    for (const auto& place : places) sum[place.grade] += place.weight;
+    for (auto& place : places) place.weight /= sum[place.grade];
+    std::sort(places.begin(), places.end(), before);
+  }
+}
+
+const std::vector<UsualPlace>& UsualPlaces::of(std::string_view category) const {
+  static const std::vector<UsualPlace> kNone;
+  const auto found = places_.find(category);
+  return found == places_.end() ? kNone : found->second;
+}
+
+std::vector<UsualPlace> UsualPlaces::best_of(std::string_view category) const {
+  const auto& all = of(category);
+  const auto tolerable =
+      std::find_if(all.begin(), all.end(), [](const UsualPlace& p) { return p.grade != Grade::Usual; });
+  return tolerable == all.begin() ? all : std::vector<UsualPlace>(all.begin(), tolerable);
+}
+
+}  // namespace unietp
