@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "environment/environment.h"
+#include "evaluation/episode_record.h"
+#include "scores/goal_parts.h"
+
+namespace unietp {
+
+/// An action of an episode as it went when it was done again.
+struct ReplayedAction {
+  EpisodeAction record;
+  std::string object;             // id of what it named, also by a box; "" when it named nothing that is there
+  std::optional<double> overlap;  // of its box and the best matching one in the picture; nullopt: named by no box
+  double progress = 0;            // afterwards
+  bool reached = false;           // the goal would hold if the episode ended here
+  std::vector<bool> parts;        // of the goal: which are met if it ended here
+};
+
+/// A reply of an episode, with what was in the picture before it.
+struct ReplayedStep {
+  std::vector<SeenObject> pictured;  // sorted by id
+  std::string unreadable;            // what was expected of a reply that could not be read
+  std::vector<ReplayedAction> actions;
+  std::string told;  // the observation afterwards, in words
+};
+
+/// All that follows from the replies of an episode, its task and its settings.
+struct ReplayedEpisode {
+  EpisodeOutcome end = EpisodeOutcome::Errored;  // Errored: it is not over after the last reply
+  bool success = false;
+  double start_progress = 0, progress = 0;
+  int counted = 0, failures = 0;
+  std::vector<GoalPart> parts;
+  std::vector<bool> parts_at_start, parts_lost;  // met at the start; not to be met any more at the end
+  std::vector<ReplayedStep> steps;               // fewer than the record's where the episode was over before
+  std::set<std::string, std::less<>> shown;      // ids of all that was ever in the picture, the last one included
+  std::string first_told;                        // the observation at the start, in words
+};
+
+/// Called before each reply, and once after the last, with the environment as it is then; for pictures.
+using WatchEpisode = std::function<void(std::size_t step, const Environment& environment)>;
+
+/// Does an episode again from its replies. Deterministic. Errors: those of Environment::make.
+Result<ReplayedEpisode> replay_episode(const EpisodeRecord& record, const SharedTask& task, const Settings& settings,
+                                       const WatchEpisode& watch = {});
+
+/// Where a record differs from what its replies lead to: the field as a JSON pointer in the line, and both values.
+/// Fields that replies do not determine (prompt, tokens, models, …) are not compared. Empty when they agree.
+struct EpisodeDifference {
+  std::string pointer, recorded, replayed;
+};
+std::vector<EpisodeDifference> differences(const EpisodeRecord& record, const ReplayedEpisode& replayed,
+                                           const EnvironmentTask& task);
+
+}  // namespace unietp

@@ -1,0 +1,182 @@
+#include "scores/scored_run.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/files.h"
+#include "core/in_quotes.h"
+#include "core/ordered_work.h"
+#include "record/line_file.h"
+#include "scores/bootstrap.h"
+
+namespace unietp {
+namespace {
+
+std::string name_of_folder(const std::filesystem::path& folder) {
+  const auto whole = std::filesystem::absolute(folder).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+Result<EvaluationManifest> manifest_of(const std::filesystem::path& folder) {
+  const auto text = read_file(folder, kEvaluationManifest);
+  if (!text) return text.error();
+  return read_evaluation_manifest((folder / kEvaluationManifest).string(), *text);
+}
+
+/// One line after the other of a file of JSON lines. A last line that was cut is no line.
+template <class Record>
+Result<Done> for_each_line(const std::filesystem::path& folder, const char* name,
+                           Result<Record> (*read)(std::string_view, int, std::string_view),
+                           const std::function<Result<Done>(int, Record&&)>& take) {
+  auto file = LineFile::open(folder, name, FileNames::WithFolder);
+  if (!file) return file.error();
+  while (const auto line = file->next()) {
+    if (!line->fault.empty())
+      return Error{Error::Kind::Parse, file->name(), {line->number, 1}, "the line " + line->fault};
+    auto record = read(file->name(), line->number, line->text);
+    if (!record) return record.error();
+    if (const auto taken = take(line->number, std::move(*record)); !taken) return taken.error();
+  }
+  return Done{};
+}
+
+/// By task and mode: the fewest steps of a success of this run.
+using FewestSteps = std::map<std::pair<std::string, Mode>, int>;
+
+struct Scored {
+  EpisodeScore score;
+  std::vector<ScoringDifference> differences;
+};
+
+std::optional<int> shortest_plan(const EpisodeKey& key, const EnvironmentTask& task, const FewestSteps& fewest) {
+  std::optional<int> shortest;
+  for (const TaskRecord::Count& shown : task.text.expert) {
+    if (shown.mode == key.mode) shortest = shown.steps;
+  }
+  if (const auto own = fewest.find({key.task, key.mode}); own != fewest.end())
+    shortest = std::min(shortest.value_or(own->second), own->second);
+  return shortest;
+}
+
+Result<Scored> score_of(int line, const EpisodeRecord& record, const EvaluationManifest& manifest,
+                        const ScoringData& data, const FewestSteps& fewest) {
+  const auto settings = manifest.setup.settings.find(record.key.mode);
+  if (settings == manifest.setup.settings.end())
+    return Error{Error::Kind::Schema,
+                 std::string(kEpisodesFile) + "#/mode",
+                 {line, 0},
+                 "the manifest has no settings of this mode"};
+  const auto task = data.tasks.task(record.key.task);
+  if (!task) return task.error();
+  const auto replayed = replay_episode(record, *task, settings->second);
+  if (!replayed) return replayed.error();
+  Scored scored;
+  const auto& text = (*task)->text;
+  scored.score = score_episode(record, *replayed, **task, shortest_plan(record.key, **task, fewest),
+                               data.held_out.contains(text.template_name));
+  for (EpisodeDifference& one : differences(record, *replayed, **task))
+    scored.differences.push_back({line, record.key, std::move(one)});
+  return scored;
+}
+
+Result<std::map<Mode, LatencyFigures>> latency_of(const std::filesystem::path& folder) {
+  std::map<Mode, LatencyFigures> figures;
+  if (!std::filesystem::exists(folder / kTimingFile)) return figures;
+  std::map<Mode, std::vector<double>> times;
+  const auto read =
+      for_each_line<TimingRecord>(folder, kTimingFile, read_timing, [&](int, TimingRecord&& timing) -> Result<Done> {
+        for (std::size_t i = 0; i < timing.reply_s.size(); ++i) {
+          if (i < timing.attempts.size() && timing.attempts[i] > 0) times[timing.key.mode].push_back(timing.reply_s[i]);
+        }
+        return Done{};
+      });
+  if (!read) return read.error();
+  for (auto& [mode, list] : times) {
+    std::sort(list.begin(), list.end());
+    LatencyFigures& one = figures[mode];
+    one.replies = static_cast<int>(list.size());
+    for (const double seconds : list) one.total += seconds;
+    one.mean = one.total / one.replies;
+    one.median = quantile_of(list, 0.5);
+    one.percentile_95 = quantile_of(list, 0.95);
+  }
+  return figures;
+}
+
+Result<ScoredRun> run_without_scores(const std::filesystem::path& folder) {
+  ScoredRun run;
+  run.name = name_of_folder(folder);
+  auto manifest = manifest_of(folder);
+  if (!manifest) return manifest.error();
+  run.manifest = std::move(*manifest);
+  auto latency = latency_of(folder);
+  if (!latency) return latency.error();
+  run.latency = std::move(*latency);
+  return run;
+}
+
+}  // namespace
+
+int ScoredRun::missing() const { return std::max(0, manifest.totals.episodes - static_cast<int>(scores.size())); }
+
+bool ScoredRun::complete() const {
+  return missing() == 0 && std::none_of(scores.begin(), scores.end(), [](const auto& one) { return one.errored(); });
+}
+
+Result<Done> for_each_episode(const std::filesystem::path& folder,
+                              const std::function<Result<Done>(int line, EpisodeRecord&& episode)>& take) {
+  return for_each_line<EpisodeRecord>(folder, kEpisodesFile, read_episode, take);
+}
+
+Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data,
+                            const std::function<void(const ScoringDifference&)>& differ) {
+  auto run = run_without_scores(folder);
+  if (!run) return run.error();
+  FewestSteps fewest;
+  const auto known = for_each_episode(folder, [&](int, EpisodeRecord&& episode) -> Result<Done> {
+    if (!episode.success) return Done{};
+    const auto [entry, added] = fewest.try_emplace({episode.key.task, episode.key.mode}, episode.counted);
+    if (!added) entry->second = std::min(entry->second, episode.counted);
+    return Done{};
+  });
+  if (!known) return known.error();
+  auto file = LineFile::open(folder, kEpisodesFile, FileNames::WithFolder);
+  if (!file) return file.error();
+  const auto done = work_in_order<FileLine, Result<Scored>>(
+      data.threads, [&] { return file->next(); },
+      [&](const FileLine& line) -> Result<Scored> {
+        const auto record = read_episode(file->name(), line.number, line.text);
+        return record ? score_of(line.number, *record, run->manifest, data, fewest) : Result<Scored>(record.error());
+      },
+      [&](Result<Scored>&& scored) -> Result<Done> {
+        if (!scored) return scored.error();
+        for (const ScoringDifference& one : scored->differences) {
+          if (differ) differ(one);
+        }
+        run->scores.push_back(std::move(scored->score));
+        return Done{};
+      });
+  if (!done) return done.error();
+  return run;
+}
+
+Result<ScoredRun> read_scored_run(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder))
+    return Error{Error::Kind::Usage, folder.string(), {}, "expected the folder of an evaluation"};
+  auto run = run_without_scores(folder);
+  if (!run) return run.error();
+  if (!std::filesystem::exists(folder / kScoresFile))
+    return Error{Error::Kind::Usage,
+                 folder.string(),
+                 {},
+                 std::string("has no ") + kScoresFile + "; `unietp evaluate --resume` writes it"};
+  const auto read = for_each_line<EpisodeScore>(folder, kScoresFile, read_score, [&](int, EpisodeScore&& score) {
+    run->scores.push_back(std::move(score));
+    return Result<Done>(Done{});
+  });
+  if (!read) return read.error();
+  return run;
+}
+
+}  // namespace unietp
