@@ -16,12 +16,6 @@ Thing thing_of(const std::string& category, const Knowledge& knowledge, const Co
           facts == nullptr ? std::vector<std::string>{} : facts->materials};
 }
 
-Role role_of(Predicate relation, const std::string& place, const CommonSense& sense) {
-  if (relation == Predicate::On || relation == Predicate::Inside)
-    return sense.kinds().place_role(relation == Predicate::On ? "on" : "in", place);
-  return (relation == Predicate::NextTo ? "next_to:" : "under:") + place;
-}
-
 /// What a grade depends on.
 using Question = std::tuple<std::string, std::vector<std::string>, Role>;  // kind, materials, role
 struct Answer {
@@ -38,11 +32,17 @@ bool before(const UsualPlace& a, const UsualPlace& b) {
 
 }  // namespace
 
+Role role_of(Predicate relation, const std::string& kind, const Kinds& kinds) {
+  if (relation == Predicate::On || relation == Predicate::Inside)
+    return kinds.place_role(relation == Predicate::On ? "on" : "in", kind);
+  return (relation == Predicate::NextTo ? "next_to:" : "under:") + kind;
+}
+
 Sense grade_placement(const Placement& placement, const Knowledge& knowledge, const CommonSense& sense) {
   const auto thing = thing_of(placement.object, knowledge, sense);
   const auto place = thing_of(placement.receptacle, knowledge, sense);
   if (thing.kind.empty() || place.kind.empty()) return {Grade::Tolerable, 0, {"a category has no kind"}};
-  auto own = sense.grade(thing, role_of(placement.relation, place.kind, sense));
+  auto own = sense.grade(thing, role_of(placement.relation, place.kind, sense.kinds()));
   return placement.relation == Predicate::NextTo ? worse_of(std::move(own), sense.together(thing, place)) : own;
 }
 
@@ -54,7 +54,7 @@ UsualPlaces::UsualPlaces(const Knowledge& knowledge, const CommonSense& sense) {
     if (placement.relation != Predicate::On && placement.relation != Predicate::Inside) continue;
     const auto &thing = things.find(placement.object)->second, &place = things.find(placement.receptacle)->second;
     if (thing.kind.empty() || place.kind.empty()) continue;
-    const auto role = role_of(placement.relation, place.kind, sense);
+    const auto role = role_of(placement.relation, place.kind, sense.kinds());
     const auto [answer, first] = answers.try_emplace({thing.kind, thing.materials, role});
     if (first) {
       const auto graded = sense.grade(thing, role);

@@ -37,6 +37,9 @@ class UsualPlaces {
   std::map<std::string, std::vector<UsualPlace>, std::less<>> places_;  // by category
 };
 
+/// The role of being on, in, next to or under a thing of a kind: "in:fridge", "next_to:cup".
+Role role_of(Predicate relation, const std::string& kind, const Kinds& kinds);
+
 /// Grades one placement row: a thing of a category on, in, next to or under another. Tolerable for a category without a
 /// kind.
 Sense grade_placement(const Placement& placement, const Knowledge& knowledge, const CommonSense& sense);
