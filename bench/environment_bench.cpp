@@ -1,6 +1,7 @@
 // What an agent's episodes cost on one core, in homes of the training pool of about 210 objects, for each simulator:
 // resets, new tasks, steps with boxes and with pictures, several threads, memory.
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -44,6 +45,9 @@ Settings endless(Mode mode, int side = 0) {
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
+
+/// Processor time of all threads.
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// The same task again.
 void BM_Reset(benchmark::State& state) {
@@ -92,23 +96,29 @@ void BM_Step(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 
-/// 32 environments of one home on some threads. Arguments: simulator, threads.
+/// Environments of one home on some threads. Arguments: simulator, how many environments, threads. The processor time
+/// of all threads in a step, which other programs change less than its wall time, tells what working side by side
+/// costs.
 void BM_Batch(benchmark::State& state) {
   const Procedural source = tasks_of(state, 1);
   const SharedTask task = first_task(state, source);
-  constexpr std::size_t kCount = 32;
-  auto batch = std::move(*EnvironmentBatch::make(kCount, static_cast<int>(state.range(1)), endless(Mode::M1),
+  const auto count = static_cast<std::size_t>(state.range(1));
+  auto batch = std::move(*EnvironmentBatch::make(count, static_cast<int>(state.range(2)), endless(Mode::M1),
                                                  [&](std::size_t, std::uint64_t) { return Result<SharedTask>(task); }));
   std::vector<testing::RandomAgent> agents;
-  for (std::size_t i = 0; i < kCount; ++i) agents.emplace_back(Rng(1).fork("agent", i));
+  for (std::size_t i = 0; i < count; ++i) agents.emplace_back(Rng(1).fork("agent", i));
+  double busy = 0;
   for (auto _ : state) {
     std::vector<std::string> said;
-    for (std::size_t i = 0; i < kCount; ++i) said.push_back(agents[i].answer(batch.at(i)));
+    for (std::size_t i = 0; i < count; ++i) said.push_back(agents[i].answer(batch.at(i)));
     const auto start = std::chrono::steady_clock::now();
-    benchmark::DoNotOptimize(batch.step(said));
+    const double busy_before = processor_seconds();
+    (void)batch.step(said, [](std::size_t, const StepResult& step) { benchmark::DoNotOptimize(step.reward); });
+    busy += processor_seconds() - busy_before;
     state.SetIterationTime(seconds_since(start));
   }
-  state.SetItemsProcessed(static_cast<std::int64_t>(kCount) * state.iterations());
+  state.counters["CPU_ms"] = benchmark::Counter(1000 * busy, benchmark::Counter::kAvgIterations);
+  state.SetItemsProcessed(static_cast<std::int64_t>(count) * state.iterations());
 }
 
 double resident_MB() {
@@ -145,7 +155,7 @@ BENCHMARK(BM_NewTask)->Apply(simulators)->Unit(benchmark::kMillisecond)->Iterati
 BENCHMARK(BM_NewHome)->Apply(simulators)->Unit(benchmark::kMillisecond)->Iterations(3);
 BENCHMARK(BM_Step)->ArgsProduct({{0, 1, 2, 3}, {0, 1, 2}, {0}})->UseManualTime()->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_Step)->ArgsProduct({{0, 1, 2, 3}, {0}, {300}})->UseManualTime()->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_Batch)->ArgsProduct({{0, 1, 2, 3}, {1, 2}})->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Batch)->ArgsProduct({{0, 1, 2, 3}, {32, 128}, {1, 2}})->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_Memory)->Apply(simulators)->Iterations(1);
 
 }  // namespace

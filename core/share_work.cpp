@@ -47,8 +47,27 @@ void share_work(int threads, std::size_t count, const std::function<void(std::si
   });
 }
 
+namespace {
+
+// How often a thread looks whether the others have come to an end before it sleeps: some tens of microseconds, about
+// what falling asleep and waking up cost.
+constexpr int kLooks = 2000;
+
+void rest_between_looks() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+}  // namespace
+
 struct ThreadTeam::Impl {
-  explicit Impl(std::size_t threads) : threads(threads) {
+  /// What one thread begins with: its own tasks, of which others take some when they have none left.
+  struct alignas(64) Part {             // on a cache line of its own
+    std::atomic<std::size_t> taken{0};  // tasks begun, in order
+  };
+
+  explicit Impl(std::size_t threads) : parts(threads) {
     for (std::size_t i = 1; i < threads; ++i) others.emplace_back([this, i] { follow(i); });
   }
   ~Impl() {
@@ -60,9 +79,18 @@ struct ThreadTeam::Impl {
     for (auto& other : others) other.join();
   }
 
-  void do_part(std::size_t thread) {
+  /// Own tasks first, then what is left of the others'.
+  void work(std::size_t thread) {
+    const std::size_t threads = parts.size();
     try {
-      for (std::size_t i = thread; i < count; i += threads) (*task)(i);
+      for (std::size_t turn = 0; turn < threads; ++turn) {
+        const std::size_t owner = (thread + turn) % threads;
+        for (;;) {
+          const std::size_t i = owner + parts[owner].taken.fetch_add(1, std::memory_order_relaxed) * threads;
+          if (i >= count) break;
+          (*task)(i);
+        }
+      }
     } catch (...) {
       const std::scoped_lock lock(mutex);
       if (!thrown) thrown = std::current_exception();
@@ -76,17 +104,27 @@ struct ThreadTeam::Impl {
       if (leaving) return;
       seen = round;
       lock.unlock();
-      do_part(thread);
-      lock.lock();
-      if (--working == 0) ended.notify_one();
+      work(thread);
+      if (working.fetch_sub(1, std::memory_order_acq_rel) > 1) continue;
+      { const std::scoped_lock last(mutex); }  // so that the wake-up cannot come between looking and sleeping
+      ended.notify_one();
     }
   }
 
-  std::size_t threads = 1;
+  void await_others() {
+    for (int looks = 0; looks < kLooks; ++looks) {
+      if (working.load(std::memory_order_acquire) == 0) return;
+      rest_between_looks();
+    }
+    std::unique_lock lock(mutex);
+    ended.wait(lock, [&] { return working.load(std::memory_order_acquire) == 0; });
+  }
+
+  std::vector<Part> parts;  // one for each thread
   std::mutex mutex;
   std::condition_variable begun, ended;
   std::uint64_t round = 0;
-  std::size_t working = 0;
+  std::atomic<std::size_t> working{0};  // other threads that have not ended the round
   bool leaving = false;
   std::size_t count = 0;
   const std::function<void(std::size_t)>* task = nullptr;
@@ -103,13 +141,13 @@ void ThreadTeam::share(std::size_t count, const std::function<void(std::size_t)>
     const std::scoped_lock lock(team.mutex);
     team.count = count;
     team.task = &task;
-    team.working = team.others.size();
+    for (auto& part : team.parts) part.taken.store(0, std::memory_order_relaxed);
+    team.working.store(team.others.size(), std::memory_order_relaxed);
     ++team.round;
   }
   team.begun.notify_all();
-  team.do_part(0);
-  std::unique_lock lock(team.mutex);
-  team.ended.wait(lock, [&] { return team.working == 0; });
+  team.work(0);
+  team.await_others();
   if (team.thrown) std::rethrow_exception(std::exchange(team.thrown, nullptr));
 }
 

@@ -27,9 +27,9 @@ class ThreadTeam {
   explicit ThreadTeam(int threads);
   ~ThreadTeam();
 
-  /// Calls `task(i)` for each i below `count` and returns when all are done. A task runs on the same thread in every
-  /// round, near the memory that it used before. What a task throws is thrown here once all threads have ended their
-  /// parts.
+  /// Calls `task(i)` for each i below `count` and returns when all are done. Each thread begins with the same tasks in
+  /// every round, near the memory that they used before, and then takes what is left of the others'. What a task
+  /// throws is thrown here once all threads have come to an end.
   void share(std::size_t count, const std::function<void(std::size_t)>& task);
 
  private:

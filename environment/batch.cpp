@@ -49,22 +49,27 @@ struct EnvironmentBatch::Impl {
   }
 
   template <class Said>
-  Result<std::vector<StepResult>> step(std::span<const Said> said) {
+  Result<Done> step(std::span<const Said> said, const TakeStep& take) {
     if (said.size() != members.size())
       return Error{Error::Kind::Usage,
                    "batch",
                    {},
                    "expected " + std::to_string(members.size()) + " answers, not " + std::to_string(said.size())};
-    std::vector<StepResult> results(members.size());
-    const auto done = each([&](std::size_t i, Member& member) {
-      if (!member.environment->over()) {
-        results[i] = member.environment->step(said[i]);
-        return;
-      }
+    return each([&](std::size_t i, Member& member) {
+      if (!member.environment->over()) return take(i, member.environment->step(said[i]));
       ++member.episode;
       begin(i, member);
-      results[i].observation = member.environment->observe();
+      if (member.error) return;
+      StepResult first;
+      first.observation = member.environment->observe();
+      take(i, std::move(first));
     });
+  }
+
+  template <class Said>
+  Result<std::vector<StepResult>> results(std::span<const Said> said) {
+    std::vector<StepResult> results(members.size());
+    const auto done = step(said, [&](std::size_t i, StepResult result) { results[i] = std::move(result); });
     if (!done) return done.error();
     return results;
   }
@@ -114,8 +119,18 @@ Result<std::vector<Observation>> EnvironmentBatch::reset() {
   return observations;
 }
 
-Result<std::vector<StepResult>> EnvironmentBatch::step(std::span<const std::string> said) { return impl_->step(said); }
-Result<std::vector<StepResult>> EnvironmentBatch::step(std::span<const Answer> answers) { return impl_->step(answers); }
+Result<std::vector<StepResult>> EnvironmentBatch::step(std::span<const std::string> said) {
+  return impl_->results(said);
+}
+Result<std::vector<StepResult>> EnvironmentBatch::step(std::span<const Answer> answers) {
+  return impl_->results(answers);
+}
+Result<Done> EnvironmentBatch::step(std::span<const std::string> said, const TakeStep& take) {
+  return impl_->step(said, take);
+}
+Result<Done> EnvironmentBatch::step(std::span<const Answer> answers, const TakeStep& take) {
+  return impl_->step(answers, take);
+}
 
 std::vector<Picture> EnvironmentBatch::pictures() const {
   std::vector<Picture> pictures(size());

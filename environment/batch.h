@@ -17,6 +17,9 @@ namespace unietp {
 /// on its arguments only.
 using TaskOfEpisode = std::function<Result<SharedTask>(std::size_t environment, std::uint64_t episode)>;
 
+/// Takes what a step gave one environment. Called on the thread that stepped it, several at once.
+using TakeStep = std::function<void(std::size_t environment, StepResult step)>;
+
 /// Environments that are stepped together on several threads. Autoreset mode: next step, as Gymnasium's vector
 /// environments have it by default: the step that ends an episode gives its last observation; the next step ignores the
 /// answer, begins the environment's next episode and gives its first observation with reward 0 and both ends false.
@@ -29,8 +32,9 @@ class EnvironmentBatch {
   EnvironmentBatch& operator=(EnvironmentBatch&&) noexcept;
   ~EnvironmentBatch();
 
+  /// How many environments.
   std::size_t size() const;
-  /// For reading; not while a step runs.
+  /// For reading; while a step runs, only from its TakeStep and for that environment.
   const Environment& at(std::size_t environment) const;
   Environment& at(std::size_t environment);
 
@@ -40,6 +44,10 @@ class EnvironmentBatch {
   /// Errors: Usage when there are not as many answers as environments; those of `task_of` where an episode begins.
   Result<std::vector<StepResult>> step(std::span<const std::string> said);
   Result<std::vector<StepResult>> step(std::span<const Answer> answers);
+  /// The same, with results handed over as they come, so that what is done with them is shared by the threads too.
+  /// After an error some were not handed over.
+  Result<Done> step(std::span<const std::string> said, const TakeStep& take);
+  Result<Done> step(std::span<const Answer> answers, const TakeStep& take);
   /// What each camera shows, made on the threads.
   std::vector<Picture> pictures() const;
 

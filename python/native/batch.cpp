@@ -18,6 +18,7 @@
 #include "python/native/failure.h"
 #include "python/native/json_to_python.h"
 #include "python/native/observed.h"
+#include "python/native/readable.h"
 #include "python/native/settings_text.h"
 #include "python/native/task_supply.h"
 
@@ -86,15 +87,14 @@ class SharedBatch {
 
   template <class Said>
   AllObserved step(const std::vector<Said>& said) {
-    const auto results = value_of(batch_.step(std::span<const Said>(said)));
     auto all = blank();
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      all.rewards[i] = results[i].reward;
-      all.terminated[i] = results[i].terminated ? 1 : 0;
-      all.truncated[i] = results[i].truncated ? 1 : 0;
+    (void)value_of(batch_.step(std::span<const Said>(said), [&](std::size_t i, const StepResult& step) {
+      all.rewards[i] = step.reward;
+      all.terminated[i] = step.terminated ? 1 : 0;
+      all.truncated[i] = step.truncated ? 1 : 0;
       all.success[i] = batch_.at(i).over() && batch_.at(i).privileged().success ? 1 : 0;
-      write(results[i].observation, i, all);
-    }
+      write(step.observation, i, all);
+    }));
     finish(all);
     return all;
   }
@@ -128,6 +128,7 @@ class SharedBatch {
             std::vector<std::uint8_t>(count),
             std::vector<std::uint8_t>(count)};
   }
+  /// Changes what belongs to environment i alone, so that several threads may write at once.
   void write(const Observation& observation, std::size_t i, AllObserved& all) {
     const bool first = observation.step == 0 && !observation.last;
     first ? forms_[i].begin(observation) : forms_[i].see(observation);
@@ -201,9 +202,10 @@ void define_batch(nb::module_& module) {
       .def(
           "observe",
           [](SharedBatch& self, std::size_t environment) {
-            return to_python(self.alone([&](SharedBatch& own) {
-              return observation_to_json(own.at(environment).observe(), own.at(environment).settings());
-            }));
+            const auto [observation, settings] = self.alone([&](SharedBatch& own) {
+              return std::pair(own.at(environment).observe(), own.at(environment).settings());
+            });
+            return readable(observation, settings);
           },
           "environment"_a, "The readable observation of one environment.")
       .def(

@@ -17,6 +17,7 @@
 #include "python/native/failure.h"
 #include "python/native/json_to_python.h"
 #include "python/native/observed.h"
+#include "python/native/readable.h"
 #include "python/native/settings_text.h"
 #include "scene/scene_json.h"
 
@@ -59,26 +60,27 @@ struct SavedState {
   std::vector<ExecutedAction> executed;
 };
 
-/// An observation in all its forms, made without the interpreter's lock.
+/// An observation in all its forms, made without the interpreter's lock but for the readable one.
 struct Observed {
   ArrayBlock arrays;
-  nlohmann::ordered_json readable;
+  Observation observation;
+  Settings settings;
   std::optional<Picture> picture;
 };
 
-Observed observed(SharedEnvironment& self) {
-  const auto& observation = self.environment_.observe();
-  Observed all{{1, self.encoding_->rows, self.encoding_->text_bytes},
-               observation_to_json(observation, self.environment_.settings()),
-               {}};
-  self.form_.see(observation);
-  self.form_.write(observation, all.arrays.part(0));
-  if (observation.has_picture) all.picture = self.environment_.picture();
+Observed observed(SharedEnvironment& self, Observation observation) {
+  Observed all{
+      {1, self.encoding_->rows, self.encoding_->text_bytes}, std::move(observation), self.environment_.settings(), {}};
+  self.form_.see(all.observation);
+  self.form_.write(all.observation, all.arrays.part(0));
+  if (all.observation.has_picture) all.picture = self.environment_.picture();
   return all;
 }
 
+Observed observed_now(SharedEnvironment& self) { return observed(self, self.environment_.observe()); }
+
 nb::tuple handed_over(Observed all) {
-  return nb::make_tuple(std::move(all.arrays).to_python(false), to_python(all.readable),
+  return nb::make_tuple(std::move(all.arrays).to_python(false), readable(all.observation, all.settings),
                         all.picture ? to_python(std::move(*all.picture)) : nb::none());
 }
 
@@ -91,7 +93,7 @@ nb::tuple reset(SharedEnvironment& self, const TaskHandle* task) {
     }
     own.executed_.clear();
     own.form_.begin(own.environment_.observe());
-    return observed(own);
+    return observed_now(own);
   });
   return handed_over(std::move(all));
 }
@@ -106,7 +108,7 @@ nb::tuple step(SharedEnvironment& self, Said said) {
     terminated = result.terminated;
     truncated = result.truncated;
     own.executed_ = std::move(result.executed);
-    return observed(own);
+    return observed(own, std::move(result.observation));
   });
   return nb::make_tuple(handed_over(std::move(all)), reward, terminated, truncated);
 }
@@ -149,7 +151,7 @@ void define_acting(nb::class_<SharedEnvironment>& environment) {
       .def("step_numbers", &step_numbers, "action"_a, "argument"_a, "box"_a,
            "The same for an action of Gymnasium's action space.")
       .def(
-          "observe", [](SharedEnvironment& self) { return handed_over(self.alone(observed)); },
+          "observe", [](SharedEnvironment& self) { return handed_over(self.alone(observed_now)); },
           "The present observation, as reset gives it.")
       .def(
           "render",

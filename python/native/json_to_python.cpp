@@ -5,15 +5,12 @@
 namespace nb = nanobind;
 
 namespace unietp::python {
-namespace {
 
-nb::object text_to_python(const std::string& text) {
+nb::object text_to_python(std::string_view text) {
   PyObject* made = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace");
   if (made == nullptr) nb::raise_python_error();
   return nb::steal(made);
 }
-
-}  // namespace
 
 nb::object to_python(const nlohmann::ordered_json& json) {
   using Type = nlohmann::ordered_json::value_t;

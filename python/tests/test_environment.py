@@ -2,6 +2,7 @@
 
 import json
 import random
+import subprocess
 import warnings
 
 import gymnasium
@@ -251,3 +252,35 @@ def test_m2_and_m3_answer_alike_for_what_is_not_and_what_is_not_seen(folder, dat
         last = env.step({"action": "pick_up", "args": [name]})[4]["observation"]["last"]
         answers.add(json.dumps({**last, "action": ""}))
     assert len(answers) == 1
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"mode": "M1", "global": "by_room"},
+        {"mode": "M2", "box_form": "thousand_y_first"},
+        {"mode": "M3", "boxes": True, "box_form": "unit"},
+    ],
+)
+def test_the_readable_observation_is_what_the_server_tells(folder, dataset, settings):
+    """The server's is JSON; of equal tasks, settings and actions both have the same names, order and values."""
+    sizes = {"image_width": 32, "image_height": 24}
+    env = unietp.make(folder, **{name if name != "global" else "global_": value for name, value in settings.items()}, **sizes)
+    serve = [unietp.places.PROGRAM, "serve", folder]
+    with subprocess.Popen(serve, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as server:
+
+        def call(method, **params):
+            request = {"jsonrpc": "2.0", "id": 1, "method": method, "params": params}
+            print(json.dumps(request), file=server.stdin, flush=True)
+            return json.loads(server.stdout.readline())["result"]
+
+        call("open", **settings, **sizes)
+        for index, shown in enumerate(dataset.demonstrations(settings["mode"])):
+            told = [call("reset", index=index)["observation"]]
+            seen = [env.reset(options={"index": index})[1]["observation"]]
+            for said in ["no_such_action(1)", *[step.said() for step in shown.steps]]:
+                told.append(call("step", action=said)["observation"])
+                seen.append(env.step(said)[4]["observation"])
+            for server_told, one in zip(told, seen, strict=True):
+                height, width, _ = one["image"].shape
+                assert json.dumps(server_told) == json.dumps(one | {"image": {"width": width, "height": height}})

@@ -63,22 +63,47 @@ TEST(RunOnThreads, ThrowsOnlyWhenAllHaveReturned) {
 
 TEST(ProcessorCount, IsAtLeastOne) { EXPECT_GE(processor_count(), 1); }
 
-TEST(ThreadTeam, DoesEveryTaskOfEveryRoundOnceAndOnTheSameThread) {
+TEST(ThreadTeam, DoesEveryTaskOfEveryRoundOnce) {
   for (const int threads : {1, 2, 5}) {
     ThreadTeam team(threads);
-    std::vector<std::thread::id> of_task(7);
-    for (int round = 0; round < 200; ++round) {
-      std::vector<int> done(of_task.size(), 0);
-      team.share(done.size(), [&](std::size_t i) {
-        ++done[i];
-        if (round == 0) of_task[i] = std::this_thread::get_id();
-        EXPECT_EQ(of_task[i], std::this_thread::get_id());
-      });
-      ASSERT_EQ(done, std::vector<int>(done.size(), 1));
+    for (int round = 0; round < 500; ++round) {
+      std::vector<std::atomic<int>> done(7);
+      team.share(done.size(), [&](std::size_t i) { ++done[i]; });
+      for (const auto& times : done) ASSERT_EQ(times, 1);
     }
-    EXPECT_EQ(std::set<std::thread::id>(of_task.begin(), of_task.end()).size(), static_cast<std::size_t>(threads));
     team.share(0, [](std::size_t) { ADD_FAILURE(); });
   }
+}
+
+TEST(ThreadTeam, BeginsWithTheSameTasksOnTheSameThreads) {
+  constexpr std::size_t kThreads = 3;
+  ThreadTeam team(kThreads);
+  std::vector<std::thread::id> of_task(kThreads);
+  for (int round = 0; round < 50; ++round) {
+    std::atomic<std::size_t> there{0};
+    team.share(kThreads, [&](std::size_t i) {
+      ++there;
+      while (there < kThreads) {  // nobody is free to take another's task
+      }
+      if (round == 0) of_task[i] = std::this_thread::get_id();
+      EXPECT_EQ(of_task[i], std::this_thread::get_id());
+    });
+  }
+  EXPECT_EQ(std::set<std::thread::id>(of_task.begin(), of_task.end()).size(), kThreads);
+}
+
+TEST(ThreadTeam, TakesWhatIsLeftOfOthersTasks) {
+  ThreadTeam team(2);
+  // The second task of the first thread can only end when the other thread has done all else.
+  std::atomic<int> done{0};
+  team.share(8, [&](std::size_t i) {
+    if (i == 2) {
+      while (done < 7) {
+      }
+    }
+    ++done;
+  });
+  EXPECT_EQ(done, 8);
 }
 
 TEST(ThreadTeam, ThrowsWhatATaskThrewAndGoesOn) {
