@@ -118,7 +118,7 @@ class Rules {
       if (2 * usual_failure().second < failed_) kinds.emplace_back("failures");
     } else if (!actions_.empty()) {
       // Still getting on: more of the goal is met than three quarters of the way.
-      const double before = actions_[actions_.size() * 3 / 4].action->progress;
+      const double before = actions_[std::max<std::size_t>(actions_.size() * 3 / 4, 1) - 1].action->progress;
       if (replayed_.progress > before) kinds.emplace_back("steps");
     }
     return kinds;
@@ -151,7 +151,7 @@ class Rules {
         is_alike = is_alike || objects.alike.contains(id);
       }
       instance = instance || (is_alike && !is_meant);
-      right = right || is_meant;
+      right = right || (is_meant && *type != ActionType::PlaceOn && *type != ActionType::PlaceIn);
       other = other || (takes && !is_meant && !is_alike);
     }
     std::vector<std::string> kinds;
@@ -176,15 +176,15 @@ class Rules {
     const std::vector<bool>& end = actions_.empty() ? replayed_.parts_at_start : actions_.back().action->parts;
     bool some = false, undone = false, count = false;
     for (std::size_t i = 0; i < replayed_.parts.size(); ++i) {
-      const GoalPartKind kind = replayed_.parts[i].kind;
+      const ScoredPartKind kind = replayed_.parts[i].kind;
       const auto was = [&](const Acted& done) { return done.action->parts[i]; };
       const bool was_met = std::any_of(actions_.begin(), actions_.end(), was);
       some = some || (end[i] && !replayed_.parts_at_start[i]);
       if (end[i]) continue;
-      if (kind == GoalPartKind::Order && replayed_.parts_lost[i]) add("order_lost");
-      if (kind == GoalPartKind::Constraint && replayed_.parts_lost[i]) add("constraint_broken");
-      count = count || (kind == GoalPartKind::Count && replayed_.progress > replayed_.start_progress);
-      undone = undone || (kind != GoalPartKind::Constraint && was_met) || replayed_.parts_at_start[i];
+      if (kind == ScoredPartKind::Order && replayed_.parts_lost[i]) add("order_lost");
+      if (kind == ScoredPartKind::Constraint && replayed_.parts_lost[i]) add("constraint_broken");
+      count = count || (kind == ScoredPartKind::Count && replayed_.progress > replayed_.start_progress);
+      undone = undone || (kind != ScoredPartKind::Constraint && was_met) || replayed_.parts_at_start[i];
     }
     if (count) add("count");
     if (undone) add("side_effect");

@@ -17,8 +17,11 @@ namespace {
 class PartMonitors {
  public:
   explicit PartMonitors(const SharedTask& task)
-      : task_(*task), reader_(task->reader), facts_(task->facts), parts_(goal_parts(task->goal)) {
-    for (const GoalPart& part : parts_) monitors_.emplace_back(part.formula);
+      : task_(*task), reader_(task->reader), facts_(task->facts), parts_(scored_parts(task->goal)) {
+    for (const ScoredPart& part : parts_) {
+      monitors_.emplace_back(part.formula);
+      relaxed_.emplace_back(part.relaxed);
+    }
     observe();
   }
 
@@ -29,29 +32,28 @@ class PartMonitors {
     observe();
   }
   std::vector<bool> met() const {
-    return each([](const Monitor& one) { return one.satisfied(); });
+    std::vector<bool> answers;
+    for (const Monitor& one : monitors_) answers.push_back(one.satisfied());
+    return answers;
   }
   std::vector<bool> lost() const {
-    return each([](const Monitor& one) { return one.hopeless(); });
+    std::vector<bool> answers;
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      answers.push_back(is_lost(parts_[i], monitors_[i].satisfied(), relaxed_[i].satisfied()));
+    return answers;
   }
-  const std::vector<GoalPart>& parts() const { return parts_; }
+  const std::vector<ScoredPart>& parts() const { return parts_; }
 
  private:
   void observe() {
     for (Monitor& one : monitors_) one.observe(reader_.entities(), facts_);
+    for (Monitor& one : relaxed_) one.observe(reader_.entities(), facts_);
   }
-  template <class Ask>
-  std::vector<bool> each(const Ask& ask) const {
-    std::vector<bool> answers;
-    for (const Monitor& one : monitors_) answers.push_back(ask(one));
-    return answers;
-  }
-
   const EnvironmentTask& task_;
   FactReader reader_;
   Facts facts_;
-  std::vector<GoalPart> parts_;
-  std::vector<Monitor> monitors_;
+  std::vector<ScoredPart> parts_;
+  std::vector<Monitor> monitors_, relaxed_;
 };
 
 /// With categories; of what the agent may name where it is told boxes, otherwise of all in the picture.

@@ -8,7 +8,7 @@
 
 #include "environment/environment.h"
 #include "evaluation/episode_record.h"
-#include "scores/goal_parts.h"
+#include "scores/scored_parts.h"
 
 namespace unietp {
 
@@ -36,11 +36,12 @@ struct ReplayedEpisode {
   bool success = false;
   double start_progress = 0, progress = 0;
   int counted = 0, failures = 0;
-  std::vector<GoalPart> parts;
-  std::vector<bool> parts_at_start, parts_lost;  // met at the start; not to be met any more at the end
-  std::vector<ReplayedStep> steps;               // fewer than the record's where the episode was over before
-  std::set<std::string, std::less<>> shown;      // ids of all that was ever in the picture, the last one included
-  std::string first_told;                        // the observation at the start, in words
+  std::vector<ScoredPart> parts;
+  std::vector<bool> parts_at_start;          // which are met at the start
+  std::vector<bool> parts_lost;              // of those not met at the end: which order or constraint was lost
+  std::vector<ReplayedStep> steps;           // fewer than the record's where the episode was over before
+  std::set<std::string, std::less<>> shown;  // ids of all that was ever in the picture, the last one included
+  std::string first_told;                    // the observation at the start, in words
 };
 
 /// Called before each reply, and once after the last, with the environment as it is then; for pictures.
