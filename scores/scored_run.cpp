@@ -4,11 +4,14 @@
 #include <map>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "core/files.h"
 #include "core/in_quotes.h"
 #include "core/ordered_work.h"
 #include "record/line_file.h"
 #include "scores/bootstrap.h"
+#include "scores/episode_view.h"
 
 namespace unietp {
 namespace {
@@ -46,6 +49,7 @@ using FewestSteps = std::map<std::pair<std::string, Mode>, int>;
 
 struct Scored {
   EpisodeScore score;
+  std::string view;
   std::vector<ScoringDifference> differences;
 };
 
@@ -59,8 +63,16 @@ std::optional<int> shortest_plan(const EpisodeKey& key, const EnvironmentTask& t
   return shortest;
 }
 
+/// The stored demonstration in a mode, if there is one.
+std::optional<DemonstrationRecord> expert_way(const TaskSource& tasks, const EpisodeKey& key) {
+  const auto position = tasks.find(key.task);
+  if (!position) return std::nullopt;
+  auto shown = tasks.demonstration(*position, key.mode);
+  return shown ? std::optional(std::move(*shown)) : std::nullopt;
+}
+
 Result<Scored> score_of(int line, const EpisodeRecord& record, const EvaluationManifest& manifest,
-                        const ScoringData& data, const FewestSteps& fewest) {
+                        const ScoringData& data, const FewestSteps& fewest, const ScoringWatch& watch) {
   const auto settings = manifest.setup.settings.find(record.key.mode);
   if (settings == manifest.setup.settings.end())
     return Error{Error::Kind::Schema,
@@ -69,7 +81,11 @@ Result<Scored> score_of(int line, const EpisodeRecord& record, const EvaluationM
                  "the manifest has no settings of this mode"};
   const auto task = data.tasks.task(record.key.task);
   if (!task) return task.error();
-  const auto replayed = replay_episode(record, *task, settings->second);
+  EpisodePictures pictures;
+  WatchEpisode look;
+  if (const int width = watch.pictures ? watch.pictures(record.key) : 0; width > 0)
+    look = [&pictures, width](std::size_t, const Environment& now) { pictures.push_back(view_picture(now, width)); };
+  const auto replayed = replay_episode(record, *task, settings->second, look);
   if (!replayed) return replayed.error();
   Scored scored;
   const auto& text = (*task)->text;
@@ -77,6 +93,11 @@ Result<Scored> score_of(int line, const EpisodeRecord& record, const EvaluationM
                                data.held_out.contains(text.template_name));
   for (EpisodeDifference& one : differences(record, *replayed, **task))
     scored.differences.push_back({line, record.key, std::move(one)});
+  if (watch.view) {
+    const auto expert = expert_way(data.tasks, record.key);
+    scored.view = episode_view(record, *replayed, scored.score, **task, expert ? &*expert : nullptr, pictures)
+                      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  }
   return scored;
 }
 
@@ -129,8 +150,7 @@ Result<Done> for_each_episode(const std::filesystem::path& folder,
   return for_each_line<EpisodeRecord>(folder, kEpisodesFile, read_episode, take);
 }
 
-Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data,
-                            const std::function<void(const ScoringDifference&)>& differ) {
+Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data, const ScoringWatch& watch) {
   auto run = run_without_scores(folder);
   if (!run) return run.error();
   FewestSteps fewest;
@@ -147,13 +167,15 @@ Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringDa
       data.threads, [&] { return file->next(); },
       [&](const FileLine& line) -> Result<Scored> {
         const auto record = read_episode(file->name(), line.number, line.text);
-        return record ? score_of(line.number, *record, run->manifest, data, fewest) : Result<Scored>(record.error());
+        return record ? score_of(line.number, *record, run->manifest, data, fewest, watch)
+                      : Result<Scored>(record.error());
       },
       [&](Result<Scored>&& scored) -> Result<Done> {
         if (!scored) return scored.error();
         for (const ScoringDifference& one : scored->differences) {
-          if (differ) differ(one);
+          if (watch.differ) watch.differ(one);
         }
+        if (watch.view) watch.view(std::move(scored->view));
         run->scores.push_back(std::move(scored->score));
         return Done{};
       });

@@ -49,11 +49,17 @@ struct ScoringDifference {
   EpisodeDifference difference;
 };
 
-/// Does all episodes of a folder again and scores them. `differ` hears of each disagreement, in the order of the file;
-/// the scores are those of the replies. Deterministic for any number of threads. Errors: Io, Parse and Schema of the
-/// files; Usage for a task that the data set lacks.
-Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data,
-                            const std::function<void(const ScoringDifference&)>& differ);
+/// What to make of the episodes beside their scores. Each may be empty.
+struct ScoringWatch {
+  std::function<void(const ScoringDifference&)> differ;  // hears of each disagreement
+  std::function<void(std::string&& view)> view;          // takes each episode_view as JSON
+  std::function<int(const EpisodeKey&)> pictures;        // their width in a view, pixels; 0: none. From several threads
+};
+
+/// Does all episodes of a folder again and scores them. `watch` is called in the order of the file; the scores are
+/// those of the replies. Deterministic for any number of threads. Errors: Io, Parse and Schema of the files; Usage for
+/// a task that the data set lacks.
+Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data, const ScoringWatch& watch);
 
 /// Reads the scores that a run's folder has. Errors: Io, Parse, Schema; Usage for a folder without them.
 Result<ScoredRun> read_scored_run(const std::filesystem::path& folder);
