@@ -6,6 +6,7 @@
 #include "fuzz_bodies.h"
 #include "llm/chat_reply.h"
 #include "llm/chat_request.h"
+#include "scores/episode_score.h"
 #include "support.h"
 
 namespace unietp::fuzz {
@@ -28,8 +29,9 @@ bool episode_body(std::string_view text) {
   const bool episode = reads_back<EpisodeRecord>(&read_episode, &episode_line, text);
   const bool timing = reads_back<TimingRecord>(&read_timing, &timing_line, text);
   const bool reply = reads_back<LoggedReply>(&read_logged_reply, &reply_line, text);
+  const bool score = reads_back<EpisodeScore>(&read_score, &score_line, text);
   const bool answer = check_result(read_policy_answer(text, 1));
-  return episode || timing || reply || answer;
+  return episode || timing || reply || score || answer;
 }
 
 bool evaluation_body(std::string_view text) {

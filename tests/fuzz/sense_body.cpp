@@ -3,6 +3,7 @@
 #include "fuzz_bodies.h"
 #include "sense/common_sense.h"
 #include "sense/question.h"
+#include "sense/start_states.h"
 #include "support.h"
 
 namespace unietp::fuzz {
@@ -19,6 +20,10 @@ bool sense_body(std::string_view text) {
   std::vector<Error> errors;
   const CommonSense sense = read_common_sense(folder.path(), errors);
   const WordKinds words = read_word_kinds(folder.path(), sense.kinds(), errors);
+  if (!text.empty()) {
+    folder.write("start_states.csv", text);
+    (void)read_start_states(folder.path() / "start_states.csv", sense.kinds(), errors);
+  }
   for (const Error& error : errors) check_error(error);
   for (const Kind& kind : sense.kinds().all()) {
     const auto lineage = sense.kinds().lineage(kind.name);
