@@ -14,6 +14,8 @@
 #include <cstring>
 #include <utility>
 
+#include "core/pause.h"
+
 extern char** environ;
 
 namespace unietp {
@@ -79,9 +81,16 @@ ChildProcess::~ChildProcess() {
 }
 
 Error ChildProcess::ended() {
+  using Clock = std::chrono::steady_clock;
+  // Its output is closed, so it is of no more use, but its own exit code tells more than being killed.
+  const auto end = Clock::now() + std::chrono::seconds(1);
   int status = 0;
-  (void)::kill(-id_, SIGKILL);  // its output is closed, so it is of no more use
-  const pid_t done = ::waitpid(std::exchange(id_, -1), &status, 0);
+  pid_t done = 0;
+  while ((done = ::waitpid(id_, &status, WNOHANG)) == 0 && Clock::now() < end)
+    (void)pause_until(Clock::now() + std::chrono::milliseconds(5), nullptr);
+  (void)::kill(-id_, SIGKILL);
+  if (done == 0) done = ::waitpid(id_, &status, 0);
+  id_ = -1;
   if (done > 0 && WIFEXITED(status))
     return process_error("the policy's program ended with exit code " + std::to_string(WEXITSTATUS(status)));
   if (done > 0 && WIFSIGNALED(status))
