@@ -69,10 +69,11 @@ std::string with_article(const std::string& noun) {
 }
 
 std::string named_again(std::string_view use) {
-  for (const std::string_view article : {"a ", "an ", "the "})
+  for (const std::string_view article : {"a ", "an ", "the ", "any ", "some "})
     if (use.starts_with(article)) return std::string(use.substr(article.size()));
-  constexpr std::string_view kSomething = "something ";
-  return use.starts_with(kSomething) ? "thing " + std::string(use.substr(kSomething.size())) : "";
+  for (const std::string_view thing : {"something ", "anything "})
+    if (use.starts_with(thing)) return "thing " + std::string(use.substr(thing.size()));
+  return "";
 }
 
 NounTable::NounTable(const Knowledge& knowledge) {

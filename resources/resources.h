@@ -70,7 +70,7 @@ ResourcesReading load_resources(const DataFolders& folders);
 Result<std::string> knowledge_digest(const DataFolders& folders);
 
 /// Checks that each category that a template names itself (not through a placeholder) is known to one of its
-/// simulators. Errors: Schema at the name's place in the template's file.
+/// simulators, and each kind to some category. Errors: Schema at the name's place in the template's file.
 std::vector<Error> unknown_categories(const Template& source, const std::vector<Backend>& backends);
 
 }  // namespace unietp

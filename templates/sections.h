@@ -8,6 +8,7 @@ namespace unietp {
 
 enum class SectionType : std::uint8_t {
   Name,
+  Purpose,
   Split,
   Refinement,
   Simulators,

@@ -17,9 +17,11 @@ std::string bytes_of(const std::filesystem::path& path) {
   return bytes ? *bytes : std::string();
 }
 
-/// The tables of a loaded knowledge base as CSV: equal text means every field is equal.
+/// The tables of a loaded knowledge base as CSV, without what lay_kinds adds: equal text means every field is equal.
 std::string all_text(const Knowledge& k) {
-  const Tables tables{k.categories(), k.affordances(), k.placements(), k.effects(), k.aliases(), k.assets()};
+  Tables tables{k.categories(), k.affordances(), k.placements(), k.effects(), k.aliases(), k.assets()};
+  std::erase_if(tables.aliases,
+                [](const Alias& alias) { return alias.source.source.starts_with("derived:function:"); });
   std::string text;
   for (const auto& table : table_names()) text += table_csv(tables, table);
   return text;

@@ -211,7 +211,6 @@ TEST_P(CommittedTables, SynonymsNameOneCategoryOnly) {
     }
   }
   EXPECT_GE(categories[AliasKind::Synonym].size(), 80U);
-  EXPECT_GE(categories[AliasKind::Function].size(), 30U);
   EXPECT_GE(categories[AliasKind::Context].size(), 30U);
 }
 

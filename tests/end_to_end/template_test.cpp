@@ -126,7 +126,8 @@ TEST(TemplateLint, WarnsOfPhrasingsWithoutTheNumberAndOfSimulatorsThatHaveNothin
   EXPECT_THAT(ended.err, HasSubstr("doubtful.template:9:39: warning: the goal counts 2"));
   EXPECT_THAT(ended.err, HasSubstr("doubtful.template:4:23: warning: habitat has no categories that can be bound"));
   EXPECT_THAT(ended.err, HasSubstr("without (heats T A) it would have"));
-  EXPECT_EQ(ended.out, "1 sound, 0 errors, 2 warnings\n");
+  EXPECT_THAT(ended.err, HasSubstr("doubtful.template:1:11: warning: no section (purpose ...)"));
+  EXPECT_EQ(ended.out, "1 sound, 0 errors, 3 warnings\n");
 }
 
 TEST(TemplateLint, TheLibraryIsSoundAndItsPhrasingsSayWhatTheirGoalsCount) {
@@ -144,6 +145,7 @@ TEST(TemplateNew, WritesACommentedFileThatLintsCleanAndNeverOverwritesOne) {
                                             "--init",        "(exists (?a - A) (and))",
                                             "--init",        "(forall (?a - A) (closed ?a))",
                                             "--goal",        "(exists (?a - A) (at-end (open ?a)))",
+                                            "--purpose",     "preparing (because (closed A))",
                                             "--instruction", "Unlock {A:indefinite}."};
   const auto made = ask(command);
   EXPECT_EQ(made.code, 0) << made.err;
