@@ -5,6 +5,7 @@
 #include "akb/database.h"
 #include "akb/knowledge.h"
 #include "akb/lay_kinds.h"
+#include "akb/lay_phrases.h"
 #include "akb/override.h"
 #include "core/digest.h"
 #include "core/files.h"
@@ -63,6 +64,7 @@ std::vector<Tables> read_all_tables(const std::filesystem::path& folder,
   if (errors.empty() && any_completed(folder)) lay_all_completed(folder, overrides, all, errors);
   if (errors.empty()) lay_overrides(folder, overrides, all, errors);
   if (errors.empty()) lay_kinds(folder, all, errors);
+  if (errors.empty()) lay_phrases(folder, all, errors);
   sort_all(all);
   return all;
 }

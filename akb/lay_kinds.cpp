@@ -144,7 +144,7 @@ std::vector<FunctionRow> read_functions(const fs::path& file,
 
 std::vector<fs::path> kind_files(const fs::path& tables) {
   std::vector<fs::path> files;
-  for (const auto* name : {"kinds.csv", "categories.csv", "functions.csv"}) {
+  for (const auto* name : {"kinds.csv", "categories.csv", "functions.csv", "phrases.csv"}) {
     std::error_code code;
     if (auto file = sense_of(tables) / name; fs::exists(file, code)) files.push_back(std::move(file));
   }

@@ -36,6 +36,7 @@ struct NounPhrase {
   int number = 0;
   Domain noun;                        // without `where`
   bool by_function = false;           // "something to drink from"; named again as "that object"
+  bool except = false;                // "every mug but the red one": all that the modifiers do not fit
   bool two = false;                   // the writer's: the start has two such objects: "both mugs", "the larger mug"
   std::vector<Complement> modifiers;  // all true in the start state ("that is dirty")
   std::vector<Complement> done;       // to be brought about ("that you put a mug into"); each a converse relation
@@ -92,6 +93,7 @@ struct Requirement {
     Then,      // Before, and clause 1 at the end
     ThenKept,  // Before, and both at the end
     Again,     // clause 0 at some point, clause 1 at the end
+    Fact,      // clause 0 is so at the start; asks nothing
     Stated,    // `stated`, which speaks of the subjects of clause 0 and of what it binds itself
   };
   Kind kind = Kind::Final;

@@ -1,8 +1,10 @@
 #include "annotator/compose.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "annotator/compose_proposition.h"
+#include "annotator/meaning.h"
 #include "annotator/references.h"
 
 namespace unietp {
@@ -29,7 +31,9 @@ Formula wrapped(Op op, std::vector<Formula> children) {
 
 class Composer {
  public:
-  Result<Formula> compose(const Message& message) {
+  explicit Composer(WordChoices& choices) : references_(choices) {}
+
+  Result<Reading> compose(const Message& message) {
     Box text;
     std::vector<Formula> parts;
     for (const Requirement& requirement : message) {
@@ -40,7 +44,14 @@ class Composer {
       references_.fail(1, "the text asks for nothing; a sentence such as \"Put a mug on a table.\" is accepted");
       return *references_.error();
     }
-    return boxed(text, conjunction(std::move(parts)));
+    parts.insert(parts.end(), excepted_.begin(), excepted_.end());
+    Formula all = conjunction(std::move(parts));
+    // What was only mentioned is not asked for.
+    std::erase_if(text.variables, [&](const auto& variable) {
+      return std::find(mentioned_.begin(), mentioned_.end(), variable.first) != mentioned_.end() &&
+             !mentions(all, variable.first);
+    });
+    return Reading{boxed(text, std::move(all)), std::move(facts_)};
   }
 
  private:
@@ -49,6 +60,7 @@ class Composer {
       for (const NounPhrase& phrase : requirement.clauses[0].subjects) references_.resolve(phrase, text);
       return;
     }
+    if (requirement.kind == Requirement::Kind::Fact) return add_fact(requirement.clauses[0], text);
     if (requirement.kind == Requirement::Kind::Stated) {
       parts.push_back(compose_proposition(requirement.stated[0], references_));
       return;
@@ -86,6 +98,7 @@ class Composer {
         parts.push_back(wrapped(Op::Before, {said[0], said[1]}));
         parts.push_back(at_end(said[1]));
         break;
+      case Requirement::Kind::Fact:
       case Requirement::Kind::Stated:
         break;
       case Requirement::Kind::Again:
@@ -93,6 +106,52 @@ class Composer {
         parts.push_back(at_end(said[1]));
         break;
     }
+  }
+
+  /// "There is a dirty mug on the desk.": it can be spoken of from now on. "There is more than one mug here.": none
+  /// can. "The lamp in the bedroom is on.": there is one such lamp.
+  void add_fact(const Clause& clause, Box& text) {
+    NounPhrase phrase = clause.subjects[0];
+    const bool the = phrase.determiner == Determiner::The;
+    if (!the) phrase.modifiers.insert(phrase.modifiers.end(), clause.complements.begin(), clause.complements.end());
+    Resolved slot;
+    if (phrase.determiner == Determiner::AtLeast) {
+      const std::string name = references_.fresh();
+      slot = {variable(name), true, references_.restricted(phrase, name), &phrase};
+      facts_.push_back(quantified(slot, conjunction({})));
+      return;
+    }
+    if (!the && phrase.determiner != Determiner::New && phrase.determiner != Determiner::Single)
+      return references_.fail(phrase.column, "expected 'a …' or 'the …' in what is said to be so");
+    slot = references_.introduced(phrase, text);
+    mentioned_.push_back(slot.term.name);
+    std::vector<Formula> so;
+    if (the) {
+      Formula one;
+      one.op = Op::Count;
+      one.number = 1;
+      one.variable = slot.term.name;
+      one.domain = slot.domain;
+      one.children = {conjunction({})};
+      facts_.push_back(std::move(one));
+      const std::vector<Resolved> objects = objects_of(clause.complements, clause, text);
+      for (std::size_t k = 0; k < objects.size(); ++k)
+        so.push_back(said_of(clause.complements[k], slot.term, objects[k].phrase ? &objects[k] : nullptr));
+    }
+    facts_.push_back(exists(slot.term.name, slot.domain, conjunction(std::move(so))));
+  }
+
+  /// "Put every mug but the red one on the table.": the red one is never there.
+  void leave_out(const Resolved& subject, const Formula& said) {
+    Resolved left = subject;
+    left.domain.where = {without_double_negation(negation(subject.domain.where[0]))};
+    Formula never;
+    never.op = Op::Always;
+    never.children = {forall(left.term.name, left.domain, negation(said))};
+    excepted_.push_back(std::move(never));
+  }
+  static Formula without_double_negation(const Formula& f) {
+    return f.op == Op::Not && f.children[0].op == Op::Not ? f.children[0].children[0] : f;
   }
 
   /// "if a fridge is open, close a cabinet": what is named in it is named for this sentence only.
@@ -189,6 +248,7 @@ class Composer {
       for (std::size_t k = 0; k < objects.size(); ++k)
         said.push_back(said_of(clause.complements[k], subjects[i].term, objects[k].phrase ? &objects[k] : nullptr));
       Formula f = clause.any_complement ? any_of_parts(std::move(said)) : conjunction(std::move(said));
+      if (clause.subjects[i].except) leave_out(subjects[i], f);
       if (subjects[i].local) f = quantified(subjects[i], std::move(f));
       parts.push_back(boxed(own[i], std::move(f)));
       for (const Complement& done : clause.subjects[i].done)
@@ -207,10 +267,12 @@ class Composer {
   }
 
   References references_;
+  std::vector<Formula> facts_, excepted_;
+  std::vector<std::string> mentioned_;  // variables of facts
 };
 
 }  // namespace
 
-Result<Formula> compose(const Message& message) { return Composer().compose(message); }
+Result<Reading> compose(const Message& message, WordChoices& choices) { return Composer(choices).compose(message); }
 
 }  // namespace unietp

@@ -36,13 +36,23 @@ std::string Naming::adjective(const Complement& modifier, bool two) {
   return modifier.symbol.empty() && word.find(' ') == std::string::npos ? word : "";
 }
 
+/// "the kitchen cabinet"
+std::string Naming::room_before(const Complement& modifier) const {
+  const bool room = style_ == Style::Compound && modifier.predicate == Predicate::InRoom && !modifier.negated &&
+                    !modifier.object.empty() && modifier.object[0].noun.members.size() == 1;
+  const auto* name = room ? lexicon_.display(modifier.object[0].noun.members[0].category) : nullptr;
+  return name == nullptr ? "" : name->singular;
+}
+
 std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Place place) {
   Description description;
   std::vector<const Complement*> rest;
   for (const Complement& modifier : said.modifiers) {
-    const std::string word = description.before.empty() ? adjective(modifier, said.two) : "";
+    std::string word = description.before.empty() ? adjective(modifier, said.two) : "";
+    if (word.empty() && description.before.empty()) word = room_before(modifier);
     const bool size = modifier.predicate == Predicate::Size;
-    if (!word.empty() && (size || rng_.chance(0.7))) {
+    const bool needed = size || style_ == Style::Ellipsis || style_ == Style::Compound;
+    if (!word.empty() && (needed || rng_.chance(0.7))) {
       description.before = word + " ";
       description.of_two = size && said.two && rng_.chance(0.4);
     } else {

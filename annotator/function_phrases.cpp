@@ -32,12 +32,13 @@ bool holds_member(const Domain& domain, const Domain::Member& member) {
 
 std::optional<NounTable> narrowed_for(const Specification& specification, const Knowledge& knowledge,
                                       const NounTable& usual) {
-  if (specification.style != Style::Function) return std::nullopt;
+  if (!names_by_phrase(specification.style)) return std::nullopt;
   NounTable nouns = usual;
   std::vector<Domain> domains;
   collect_domains(specification.goal, domains);
-  const auto phrases = nouns.function_phrases();
-  for (const auto& [phrase, served] : phrases) {
+  const auto phrases = nouns.phrases();
+  for (const auto& [phrase, meaning] : phrases) {
+    const Domain& served = meaning.noun;
     for (const Domain& domain : domains) {
       bool means = std::all_of(domain.members.begin(), domain.members.end(),
                                [&all = served](const auto& member) { return holds_member(all, member); });

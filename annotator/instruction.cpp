@@ -1,12 +1,12 @@
 #include "annotator/instruction.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
-#include "annotator/asides.h"
 #include "annotator/conditions.h"
 #include "annotator/function_phrases.h"
+#include "annotator/home_reading.h"
+#include "annotator/home_sentences.h"
 #include "annotator/meaning.h"
 #include "annotator/parse.h"
 #include "annotator/phrasing_sets.h"
@@ -14,7 +14,7 @@
 #include "annotator/realise.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
-#include "core/text.h"
+#include "scene/trace.h"
 
 namespace unietp {
 namespace {
@@ -23,79 +23,101 @@ constexpr int kDraws = 120;      // forms tried before the grammar gives up on a
 constexpr int kPlainDraws = 30;  // of these, draws without an opening "Choose a …"
 constexpr int kFreeDraws = 90;   // of these, draws that are not operator by operator
 
-/// The goal of a text, in the style `condition` without the conditions that the start meets.
-Formula intended_goal(const Formula& read, const Specification& specification) {
-  Formula all = expanded(read);
-  return specification.style == Style::Condition ? without_conditions(all, specification.init) : all;
+bool ranges_over(const Formula& formula, const Domain& noun) {
+  if (formula.domain.kind == noun.kind && formula.domain.members == noun.members) return true;
+  return std::any_of(formula.children.begin(), formula.children.end(),
+                     [&](const Formula& child) { return ranges_over(child, noun); });
 }
 
-/// `goal`: that of the specification, expanded.
-bool reads_back(const std::string& text, const Specification& specification, const Formula& goal,
-                const NounTable& lexicon) {
-  const auto read = parse_with(lexicon.behind_context(text), lexicon);
-  return read && same_expanded(intended_goal(*read, specification), goal) && form_faults(text, specification).empty();
+bool asks_for(const Formula& formula, Predicate state) {
+  if (formula.op == Formula::Op::Atom && formula.predicate == state) return true;
+  return std::any_of(formula.children.begin(), formula.children.end(),
+                     [&](const Formula& child) { return asks_for(child, state); });
 }
 
-std::vector<std::string> faults(const std::string& text, const Specification& specification, const NounTable& lexicon) {
-  std::vector<std::string> found = form_faults(text, specification);
-  const auto read = parse_with(lexicon.behind_context(text), lexicon);
-  if (!read) {
-    found.push_back(format(read.error()));
-  } else if (!same_expanded(intended_goal(*read, specification), expanded(specification.goal))) {
-    found.push_back("the text asks for " + to_text(normal_form(*read)) + ", the goal is " +
-                    to_text(normal_form(specification.goal)));
+/// What a text is held against: the specification with its goal expanded, and what is known of the home.
+class Judge {
+ public:
+  Judge(const Specification& specification, const Knowledge& knowledge, const NounTable& lexicon, const Scene* home)
+      : specification_(specification), knowledge_(knowledge), lexicon_(lexicon), goal_(expanded(specification.goal)) {
+    if (home != nullptr) start_ = to_logic(*home, {}, reads_comparisons(specification.goal));
   }
-  return found;
-}
 
-/// A context sentence of one of the goal's categories, or "".
-std::string context_of(const Specification& specification, const Knowledge& knowledge, Rng& rng) {
+  const Formula& goal() const { return goal_; }
+  const Trace& start() const { return start_; }
+
+  bool reads_back(const std::string& text) const {
+    const auto read = readings(text);
+    return read && read->size() == 1 && is_meant(read->front().goal) && form_faults(text, specification_).empty();
+  }
+
+  std::vector<std::string> faults(const std::string& text) const {
+    std::vector<std::string> found = form_faults(text, specification_);
+    const auto read = readings(text);
+    if (!read) {
+      found.push_back(format(read.error()));
+    } else if (read->empty()) {
+      found.emplace_back("nothing that the text can mean is possible in this home, or what it says of it is not so");
+    } else if (read->size() > 1) {
+      found.push_back("the text can be read in " + std::to_string(read->size()) + " ways in this home, such as " +
+                      to_text((*read)[0].goal) + " and " + to_text((*read)[1].goal));
+    } else if (!is_meant(read->front().goal)) {
+      found.push_back("the text asks for " + to_text(normal_form(read->front().goal)) + ", the goal is " +
+                      to_text(normal_form(specification_.goal)));
+    }
+    return found;
+  }
+
+ private:
+  Result<std::vector<Reading>> readings(const std::string& text) const {
+    auto read = readings_of(text, lexicon_);
+    if (!read || (read->size() == 1 && read->front().facts.empty())) return read;
+    return readings_in_home(std::move(*read), knowledge_, start_.states.empty() ? nullptr : &start_);
+  }
+
+  /// In the style `condition` without the conditions that the start meets.
+  bool is_meant(const Formula& read) const {
+    Formula all = expanded(read);
+    if (specification_.style == Style::Condition) all = without_conditions(all, specification_.init);
+    return same_expanded(all, goal_);
+  }
+
+  const Specification& specification_;
+  const Knowledge& knowledge_;
+  const NounTable& lexicon_;
+  Formula goal_;
+  Trace start_;
+};
+
+/// Puts the sentences that a style has in front of a text. False when there are none.
+bool add_style_frame(std::string& text, const Specification& specification, Style style, const Judge& judge,
+                     const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
   std::vector<std::string> sentences;
-  for (const std::string& category : categories_of(specification.goal))
-    for (const Alias* alias : knowledge.aliases_of(category, AliasKind::Context)) sentences.push_back(alias->text);
-  return sentences.empty() ? "" : rng.pick(sentences);
-}
-
-std::string with_capital(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
-
-/// "Never mind the bowl.": a remark on an object of the scene that the goal does not involve; "" when there is none.
-std::string bystander(const Specification& specification, const Knowledge& knowledge,
-                      const std::vector<std::string>& around, Rng& rng) {
-  const auto own = categories_of(specification.goal);
-  std::vector<std::string> others;
-  for (const std::string& name : around) {
-    const Category* category = knowledge.find(name);
-    const bool usable = category != nullptr && category->movable && category->countable;
-    if (usable && std::find(own.begin(), own.end(), name) == own.end()) others.push_back(category->display);
-  }
-  if (others.empty()) return "";
-  const auto words = never_minds();
-  return with_capital(std::string(words[rng.below(words.size())])) + " the " + rng.pick(others) + ".";
-}
-
-/// Adds the sentences that a style adds around a text. False when there are none.
-bool add_style_frame(std::string& text, Style style, const Specification& specification, const Knowledge& knowledge,
-                     const std::vector<std::string>& around, Rng& rng) {
   if (style == Style::Context) {
-    const std::string sentence = context_of(specification, knowledge, rng);
-    text.insert(0, sentence + " ");
-    return !sentence.empty();
-  }
-  if (style == Style::Background) {
-    std::vector<std::string_view> sentences(backgrounds().begin(), backgrounds().end());
-    rng.shuffle(sentences);
-    const std::size_t count = 2 + rng.below(2);
-    for (std::size_t i = 0; i < count; ++i) text.insert(0, std::string(sentences[i]) + " ");
-  }
-  if (style == Style::Bystander) {
-    const std::string sentence = bystander(specification, knowledge, around, rng);
-    text += " " + sentence;
-    return !sentence.empty();
+    for (const auto& [key, phrase] : lexicon.phrases())
+      if (phrase.use == AliasKind::Occasion && ranges_over(specification.goal, phrase.noun))
+        sentences.push_back(phrase.text);
+    if (sentences.empty()) return false;
+    text.insert(0, rng.pick(sentences) + " ");
+  } else if (style == Style::Aside) {
+    auto own = categories_of(specification.goal);
+    for (const Formula& start : specification.init)
+      for (auto& category : categories_of(start)) own.push_back(std::move(category));
+    sentences = home_sentences(judge.start(), own, knowledge, lexicon, rng.fork("home", 0));
+    if (sentences.empty()) return false;
+    const std::size_t count = std::min<std::size_t>(sentences.size(), 1 + rng.below(2));
+    for (std::size_t i = 0; i < count; ++i) text.insert(0, sentences[i] + " ");
   }
   return true;
+}
+
+/// A sentence that asks for the goal without naming anything: "It's too dark to read."
+std::optional<std::string> request_for(const Formula& goal, const NounTable& lexicon, Rng& rng) {
+  std::vector<std::string> sentences;
+  for (const auto& [key, phrase] : lexicon.phrases())
+    if (phrase.use == AliasKind::Request && ranges_over(goal, phrase.noun) && asks_for(goal, phrase.state))
+      sentences.push_back(phrase.text);
+  return sentences.empty() ? std::nullopt : std::optional(rng.pick(sentences));
 }
 
 /// A wording of the plan from the set of phrasings asked for; about half of all wordings are.
@@ -126,7 +148,7 @@ Result<Instruction> write_instruction(const Specification& specification, const 
                                       const NounTable& nouns, const WritingOptions& options, Rng rng) {
   const auto narrowed = narrowed_for(specification, knowledge, nouns);
   const NounTable& lexicon = narrowed ? *narrowed : nouns;
-  const Formula goal = expanded(specification.goal);
+  const Judge judge(specification, knowledge, lexicon, specification.style == Style::Direct ? nullptr : options.home);
   std::string last;
   std::vector<Style> styles{specification.style};
   if (specification.style != Style::Direct) styles.push_back(Style::Direct);
@@ -136,26 +158,30 @@ Result<Instruction> write_instruction(const Specification& specification, const 
     for (int draw = 0; draw < kDraws; ++draw) {
       Rng own = rng.fork(name_of(style), static_cast<std::uint64_t>(draw));
       exactly = exactly || (draw >= kFreeDraws && style == Style::Direct);
-      auto plan = plan_message(exactly ? specification.goal : goal, specification.init,
-                               {draw >= kPlainDraws, style == Style::Condition, exactly}, own.fork("plan", 0));
-      if (!plan && (exactly || style != Style::Direct)) break;
-      if (!plan) {
-        exactly = true;
-        continue;
+      std::optional<std::string> text;
+      if (style == Style::Request) {
+        text = request_for(specification.goal, lexicon, own);
+        if (!text) break;
+      } else {
+        auto plan = plan_message(exactly ? specification.goal : judge.goal(), specification.init,
+                                 {draw >= kPlainDraws, style == Style::Condition, exactly}, own.fork("plan", 0));
+        if (!plan && (exactly || style != Style::Direct)) break;
+        if (!plan) {
+          exactly = true;
+          continue;
+        }
+        if (!turn_to_style(*plan, style)) continue;
+        text = worded(*plan, lexicon, style, options.phrasings, own);
+        if (!text) continue;
       }
-      if (!turn_to_style(*plan, style)) continue;
-      auto text = worded(*plan, lexicon, style, options.phrasings, own);
-      if (!text) continue;
-      if (!add_style_frame(*text, style, specification, knowledge, options.around, own)) break;
-      if (reads_back(*text, specification, goal, lexicon) &&
-          style_fault(*text, style, specification.goal, options.around, lexicon).empty())
+      if (!add_style_frame(*text, specification, style, judge, knowledge, lexicon, own)) break;
+      if (judge.reads_back(*text) && style_fault(*text, style, specification.goal, options.around, lexicon).empty())
         return Instruction{std::move(*text), "grammar", style, {"form", "parses-back", "style"}, ""};
       last = std::move(*text);
     }
   }
   std::string why = last.empty() ? "no form says it" : "\"" + last + "\"";
-  for (const std::string& fault : last.empty() ? std::vector<std::string>() : faults(last, specification, lexicon))
-    why += ": " + fault;
+  for (const std::string& fault : last.empty() ? std::vector<std::string>() : judge.faults(last)) why += ": " + fault;
   return Error{Error::Kind::Unsatisfiable,
                specification.template_name,
                {},
@@ -163,15 +189,7 @@ Result<Instruction> write_instruction(const Specification& specification, const 
 }
 
 Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowledge) {
-  const NounTable nouns(knowledge);
-  const std::string_view rest = nouns.behind_context(text);
-  auto read = parse_with(rest, nouns);
-  if (read) return read;
-  Error error = read.error();
-  // Nothing left: trimmed away, it is no part of the text any more.
-  error.pos.column +=
-      static_cast<int>(rest.empty() ? text.size() : static_cast<std::size_t>(rest.data() - text.data()));
-  return error;
+  return parse_with(text, NounTable(knowledge));
 }
 
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
@@ -180,9 +198,9 @@ std::vector<std::string> check_instruction(const std::string& text, const Specif
 }
 
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
-                                           const Knowledge& knowledge, const NounTable& nouns) {
+                                           const Knowledge& knowledge, const NounTable& nouns, const Scene* home) {
   const auto narrowed = narrowed_for(specification, knowledge, nouns);
-  return faults(text, specification, narrowed ? *narrowed : nouns);
+  return Judge(specification, knowledge, narrowed ? *narrowed : nouns, home).faults(text);
 }
 
 }  // namespace unietp

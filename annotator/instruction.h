@@ -10,6 +10,7 @@
 #include "core/rng.h"
 #include "generator/specification.h"
 #include "logic/formula.h"
+#include "scene/scene.h"
 
 namespace unietp {
 
@@ -25,7 +26,8 @@ struct Instruction {
 /// How an instruction is worded.
 struct WritingOptions {
   Phrasings phrasings = Phrasings::All;
-  std::vector<std::string> around;  // categories in the start scene: what a text may name beside the goal (bystander)
+  std::vector<std::string> around;  // categories in the start scene: what a text may name beside the goal (aside)
+  const Scene* home = nullptr;      // the start scene, which an aside is about and readings are held against
 };
 
 /// Words a goal in English: every object, count, quantifier, order and referring constraint, and nothing else.
@@ -42,9 +44,12 @@ Result<Instruction> write_instruction(const Specification& specification, const 
 Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowledge);
 
 /// The checks of a text in the grammar's English: its form (word_check.h), and it reads back as a goal that is proven
-/// to mean the same. Empty when it passes, else what is wrong.
+/// to mean the same; where the words have several readings, exactly one of them can be meant in the home
+/// (home_reading.h), and that one is it. `home`: the start scene, or nullptr when it is not known. Empty when it
+/// passes, else what is wrong.
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
-                                           const Knowledge& knowledge, const NounTable& nouns);
+                                           const Knowledge& knowledge, const NounTable& nouns,
+                                           const Scene* home = nullptr);
 /// The same with a table of nouns made for this text.
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge);

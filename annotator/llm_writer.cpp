@@ -130,10 +130,9 @@ class Rounds {
   std::vector<std::string> faults(const std::string& text, const Draft& draft) const {
     const Specification& specification = draft.task.specification;
     auto wrong = form_faults(text, specification);
-    const std::string demand(draft.nouns().behind_context(text));
-    const auto said = saying_faults(demand, specification, draft.nouns());
+    const auto said = saying_faults(text, specification, draft.nouns());
     wrong.insert(wrong.end(), said.begin(), said.end());
-    const auto slips = spelling_->faults(demand, draft.nouns());
+    const auto slips = spelling_->faults(text, draft.nouns());
     wrong.insert(wrong.end(), slips.begin(), slips.end());
     auto style = style_fault(text, specification.style, specification.goal, draft.task.categories, draft.nouns());
     if (!style.empty()) wrong.push_back(std::move(style));

@@ -50,8 +50,29 @@ bool Naming::is_countable(const Domain& noun) const {
 }
 
 std::vector<std::string> Naming::uses(const Domain& noun) const {
-  const bool wanted = style_ == Style::Function || (noun.members.size() > 1 && style_ != Style::Alias);
-  return wanted && noun.kind == Domain::Kind::Categories ? lexicon_.functions(noun) : std::vector<std::string>();
+  if (noun.kind != Domain::Kind::Categories || style_ == Style::Alias) return {};
+  if (style_ == Style::Context)
+    return lexicon_.phrases(noun, AliasKind::Occasion).empty()
+               ? std::vector<std::string>()
+               : std::vector<std::string>{"what I need for that", "what we need for that"};
+  if (style_ == Style::Hypernym) return lexicon_.phrases(noun, AliasKind::Hypernym);
+  if (style_ == Style::Description) return lexicon_.phrases(noun, AliasKind::Description);
+  const bool wanted = style_ == Style::Function || noun.members.size() > 1;
+  return wanted ? lexicon_.phrases(noun, AliasKind::Function) : std::vector<std::string>();
+}
+
+std::optional<std::string> Naming::several(const Domain& domain) {
+  const auto bare = noun(domain, false);
+  if (!bare || bare->function || !bare->countable) return std::nullopt;
+  several_.push_back(domain);
+  return bare->singular;
+}
+
+/// "The red one", where the text said that there are several, or has named another.
+bool Naming::is_one_again(const NounPhrase& phrase) const {
+  if (style_ != Style::Ellipsis || phrase.modifiers.empty()) return false;
+  return std::find(several_.begin(), several_.end(), phrase.noun) != several_.end() ||
+         std::any_of(named_.begin(), named_.end(), [&](const Named& other) { return other.noun == phrase.noun; });
 }
 
 std::optional<Naming::Noun> Naming::noun(const Domain& domain, bool exact) {
@@ -121,6 +142,7 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
   if (!bare) return std::nullopt;
   if (!said.variable.empty() && was_named(said.variable)) return again(said, *bare, place);
   if (!said.variable.empty() && (place.inside_description || place.beside_none)) return std::nullopt;
+  if (said.except) return all_but(said, *bare);
   if (bare->function && (said.determiner != Determiner::New || !said.modifiers.empty())) return std::nullopt;
 
   const auto description = describe(said, place);
@@ -128,6 +150,21 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
   if (place.exact && !place.inside_description) return bound(said, *bare, *description);
   if (said.determiner != Determiner::New) return counted(said, *bare, *description);
   return first(said, *bare, place, *description);
+}
+
+/// "every mug but the red one"
+std::optional<Words> Naming::all_but(const NounPhrase& said, const Noun& noun) {
+  if (said.determiner != Determiner::Every || !noun.countable || noun.function) return std::nullopt;
+  const auto left = describe(said, {});
+  if (!left) return std::nullopt;
+  NounPhrase all = said;
+  all.except = all.two = false;
+  all.modifiers.clear();
+  auto words = counted(all, noun, {});
+  if (words)
+    words->text += pick({" but", " but", " except", " except for"}) + std::string(" the ") + left->before + "one" +
+                   left->tail(false);
+  return words;
 }
 
 std::optional<Words> Naming::bound(const NounPhrase& said, const Noun& noun, const Description& description) {
@@ -147,7 +184,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     if (other.variable == said.variable) position = alike.size(), use = other.use;
     if (other.noun == said.noun) alike.push_back(alike.size());
   }
-  if (!place.exact && named_.size() == 1 && rng_.chance(0.7)) return Words{"it"};
+  if (!place.exact && named_.size() == 1 && (style_ == Style::Anaphora || rng_.chance(0.7))) return Words{"it"};
   // "That object" is clear only where no other was named: "that thing to drink from".
   const std::string word = !vague ? noun.singular : named_.size() == 1 ? "object" : named_again(use);
   if (word.empty()) return std::nullopt;
@@ -176,11 +213,13 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   if (!said.variable.empty() && distinct != 0 && distinct != alike) return std::nullopt;
   const std::string tail = description.tail(false);
   const bool another = distinct > 0;
+  const bool again_one = noun.countable && !noun.function && is_one_again(said);
   // Inside a description the object is any of its kind and stays unnamed.
   if (!said.variable.empty())
     named_.push_back({said.variable, said.noun, noun.function || said.noun.kind == Domain::Kind::Object,
                       noun.function ? noun.singular : ""});
   if (noun.function) return another || place.beside_every ? std::nullopt : std::optional(Words{noun.singular});
+  if (again_one) return Words{"the " + before + "one" + tail};
   if (description.of_two) return Words{"the " + before + "of the two " + noun.plural + tail};
   if (another) {
     const std::string word = before + (noun.countable ? noun.singular : "piece of " + noun.singular);

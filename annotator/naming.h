@@ -47,6 +47,8 @@ class Naming {
   bool was_named(const std::string& variable) const;
   /// Whether such an object is first named by its function.
   bool names_by_use(const Domain& noun) const { return !uses(noun).empty(); }
+  /// The singular of what there are several of; from here on "the red one" means one of these.
+  std::optional<std::string> several(const Domain& noun);
   /// Ends an alternative: what it named cannot be named again.
   std::size_t named_count() const { return named_.size(); }
   void forget_after(std::size_t count) { named_.resize(count); }
@@ -80,7 +82,9 @@ class Naming {
   /// "some dirty mug", "every mug": what a proposition goes on to speak of.
   std::optional<Words> bound(const NounPhrase& phrase, const Noun& noun, const Description& description);
   std::string adjective(const Complement& modifier, bool two);
+  std::string room_before(const Complement& modifier) const;
   std::optional<Words> first(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description);
+  std::optional<Words> all_but(const NounPhrase& phrase, const Noun& noun);
   std::optional<Words> counted(const NounPhrase& phrase, const Noun& noun, const Description& description);
   std::string pick(std::initializer_list<const char*> choices);
 
@@ -88,7 +92,9 @@ class Naming {
   const NounTable& lexicon_;
   Style style_;
   Rng& rng_;
+  bool is_one_again(const NounPhrase& phrase) const;
   std::vector<Named> named_;
+  std::vector<Domain> several_;
   std::map<std::string, NounTable::Name> chosen_;  // one name per category in a text
 };
 

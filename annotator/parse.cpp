@@ -1,14 +1,17 @@
 #include "annotator/parse.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "annotator/asides.h"
 #include "annotator/clause_reading.h"
 #include "annotator/compose.h"
+#include "annotator/meaning.h"
 #include "annotator/reading.h"
 #include "annotator/reading_proposition.h"
+#include "annotator/word_choices.h"
 #include "core/text.h"
 
 namespace unietp {
@@ -33,8 +36,8 @@ constexpr std::array<std::string_view, 6> kExactOpenings{
 
 class TextReader {
  public:
-  TextReader(const std::vector<Token>& tokens, const NounTable& lexicon)
-      : words_(tokens, lexicon), clauses_(words_, lexicon) {}
+  TextReader(const std::vector<Token>& tokens, const NounTable& lexicon, WordChoices& choices)
+      : tokens_(tokens), lexicon_(lexicon), words_(tokens, lexicon, choices), clauses_(words_, lexicon) {}
 
   Result<Message> read() {
     while (!words_.done() && !words_.failed()) sentence();
@@ -50,18 +53,54 @@ class TextReader {
 
   void say(Kind kind, std::vector<Clause> clauses) { message_.push_back({kind, std::move(clauses), false, {}}); }
 
+  /// A sentence that is known as a whole: an occasion, or a request that names nothing.
+  bool known_sentence() {
+    const auto [phrase, length] = lexicon_.sentence_at(tokens_, words_.position());
+    if (phrase == nullptr) return false;
+    words_.go_back(words_.position() + length);
+    if (phrase->use == AliasKind::Occasion) {
+      words_.set_occasion(phrase->noun);
+      return true;
+    }
+    Clause asked;
+    NounPhrase thing;
+    thing.noun = phrase->noun;
+    thing.by_function = true;
+    asked.subjects.push_back(std::move(thing));
+    asked.complements.push_back({phrase->state, false, "", {}});
+    say(Kind::Final, {std::move(asked)});
+    return true;
+  }
+
+  /// "There is a dirty mug in the bedroom.", "There is more than one mug here.", "The lamp in the bedroom is on."
+  bool fact() {
+    Clause so;
+    const bool there = words_.accept_one({"there is", "there are", "there's"}) >= 0;
+    if (!there && !words_.comes("the")) return false;
+    if (there && words_.accept("more than one")) {
+      so.subjects.push_back(words_.bare_noun(false));
+      so.subjects.back().determiner = Determiner::AtLeast;
+      so.subjects.back().number = 2;
+    } else {
+      words_.set_bare_places(!there);
+      so.subjects.push_back(words_.phrase());
+      words_.set_bare_places(false);
+    }
+    if (!there && words_.accept_one({"is", "are"}) < 0) words_.fail("expected 'is', or a command such as 'Put …'");
+    if (words_.accept_one({"here", "somewhere"}) < 0 && (!there || words_.complement_comes())) words_.complements(so);
+    if (so.any_complement) words_.fail("expected what is so, without 'or', before this");
+    say(Kind::Fact, {std::move(so)});
+    end_sentence();
+    return true;
+  }
+
   void sentence() {
     clauses_.begin_sentence();
+    if (known_sentence() || fact()) return;
     for (bool more = true; more;) {
       more = false;
       for (const std::string_view request : kRequests) more |= words_.accept(request);
-      for (const std::string_view opening : nested_openings()) more |= words_.accept(opening);
     }
-    for (const std::string_view never_mind : never_minds())
-      if (words_.accept(never_mind)) {  // asks for nothing
-        if (words_.phrase().determiner != Determiner::The) words_.fail("expected 'the …' before this");
-        return end_sentence();
-      }
     for (const std::string_view opening : kExactOpenings)
       if (words_.accept(opening)) {
         message_.push_back({Kind::Stated, {}, false, {read_proposition(words_)}});
@@ -206,18 +245,52 @@ class TextReader {
     }
   }
 
+  const std::vector<Token>& tokens_;
+  const NounTable& lexicon_;
   PhraseReader words_;
   ClauseReader clauses_;
   Message message_;
 };
 
+Result<Reading> one_reading(const std::vector<Token>& tokens, const NounTable& lexicon, WordChoices& choices) {
+  const auto message = TextReader(tokens, lexicon, choices).read();
+  if (!message) return message.error();
+  return compose(*message, choices);
+}
+
+bool same_reading(const Reading& a, const Reading& b) { return a.facts == b.facts && same_meaning(a.goal, b.goal); }
+
 }  // namespace
 
-Result<Formula> parse_with(std::string_view text, const NounTable& lexicon) {
+Result<std::vector<Reading>> readings_of(std::string_view text, const NounTable& lexicon) {
   const std::vector<Token> tokens = tokens_of(text);
-  const auto message = TextReader(tokens, lexicon).read();
-  if (!message) return message.error();
-  return compose(*message);
+  std::vector<Reading> found;
+  std::optional<Error> first;
+  WordChoices choices;
+  for (int combinations = 1; combinations == 1 || choices.next(); ++combinations) {
+    if (combinations > kMostReadings)
+      return Error{Error::Kind::Parse, "instruction", {1, 1}, "the text can be read in too many ways"};
+    auto reading = one_reading(tokens, lexicon, choices);
+    if (!reading) {
+      if (!first) first = reading.error();
+      continue;
+    }
+    const auto known = [&](const Reading& other) { return same_reading(*reading, other); };
+    if (std::none_of(found.begin(), found.end(), known)) found.push_back(std::move(*reading));
+  }
+  if (found.empty()) return *first;
+  return found;
+}
+
+Result<Formula> parse_with(std::string_view text, const NounTable& lexicon) {
+  auto readings = readings_of(text, lexicon);
+  if (!readings) return readings.error();
+  if (readings->size() == 1) return std::move(readings->front().goal);
+  return Error{Error::Kind::Parse,
+               "instruction",
+               {1, 1},
+               "the text can be read in " + std::to_string(readings->size()) + " ways, such as " +
+                   to_text((*readings)[0].goal) + " and " + to_text((*readings)[1].goal)};
 }
 
 }  // namespace unietp

@@ -6,6 +6,7 @@
 
 #include "annotator/clause.h"
 #include "annotator/noun_table.h"
+#include "annotator/word_choices.h"
 #include "core/result.h"
 
 namespace unietp {
@@ -14,7 +15,9 @@ namespace unietp {
 /// independent of the writer's. The first word that does not fit is the error.
 class PhraseReader {
  public:
-  PhraseReader(const std::vector<Token>& tokens, const NounTable& lexicon) : tokens_(tokens), lexicon_(lexicon) {}
+  /// `choices`: of what words mean that mean several things. All live as long as this.
+  PhraseReader(const std::vector<Token>& tokens, const NounTable& lexicon, WordChoices& choices)
+      : tokens_(tokens), lexicon_(lexicon), choices_(choices) {}
 
   bool failed() const { return error_.has_value(); }
   const Error& error() const { return *error_; }
@@ -36,14 +39,16 @@ class PhraseReader {
 
   bool phrase_comes() const;
   NounPhrase phrase();
-  /// A bare plural noun.
-  NounPhrase bare_noun();
+  /// A bare plural noun, or a singular one.
+  NounPhrase bare_noun(bool plural = true);
   /// "three", "12".
   int number();
   /// "a mug, every bowl and that fork"; `any` becomes true for "or".
   std::vector<NounPhrase> phrases(bool& any);
   bool complement_comes() const;
   Complement complement();
+  /// What "what I need for that" means from here on.
+  void set_occasion(const Domain& needed) { occasion_ = needed; }
   /// From here on a place after a noun describes it: "open the drawer in the kitchen".
   void set_bare_places(bool bare) { bare_places_ = bare; }
   /// "clean and on that table", "either in a box or on a table"
@@ -56,6 +61,12 @@ class PhraseReader {
     return tokens_.empty() ? 1 : tokens_.back().column + static_cast<int>(tokens_.back().text.size());
   }
   NounPhrase noun_after(NounPhrase phrase, bool plural);
+  NounPhrase described(NounPhrase phrase);
+  void description(NounPhrase& phrase);
+  bool needed_for_occasion(NounPhrase& phrase);
+  bool room_before_noun(NounPhrase& phrase);
+  bool one_again(NounPhrase& phrase);
+  void left_out(NounPhrase& phrase);
   void direct_description(NounPhrase& phrase);
   std::optional<Complement> adjective() const;
   std::optional<Predicate> preposition();
@@ -63,6 +74,10 @@ class PhraseReader {
 
   const std::vector<Token>& tokens_;
   const NounTable& lexicon_;
+  WordChoices& choices_;
+  std::optional<Domain> occasion_;
+  std::vector<Domain> named_;  // what "the red one" may be one of
+  int depth_ = 0;              // of descriptions, whose nouns it cannot be
   std::size_t at_ = 0;
   bool bare_places_ = false;
   std::optional<Error> error_;

@@ -5,7 +5,6 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "annotator/asides.h"
 #include "annotator/clause_writing.h"
 #include "annotator/naming.h"
 #include "annotator/realise_proposition.h"
@@ -44,8 +43,7 @@ class Realiser {
         rng_(rng),
         naming_(plan, lexicon, style, rng_),
         clauses_(naming_, rng_),
-        statement_share_(rng_.chance(0.3) ? 0.8 : 0.1),
-        nested_(style == Style::NestedSyntax) {}
+        statement_share_(rng_.chance(0.3) ? 0.8 : 0.1) {}
 
   Text text() {
     std::vector<std::string> sentences;
@@ -55,7 +53,7 @@ class Realiser {
       if (message[i].kind == Kind::Final && message[i].clauses[0].given.empty()) {
         std::size_t end = i + 1;
         while (end < message.size() && message[end].kind == Kind::Final && message[end].clauses[0].given.empty() &&
-               (nested_ || rng_.chance(0.75)))
+               rng_.chance(0.75))
           ++end;
         next = final_sentence(i, end, sentences.empty());
         i = end;
@@ -80,7 +78,7 @@ class Realiser {
 
   Text final_sentence(std::size_t from, std::size_t to, bool is_first) {
     std::vector<std::string> parts;
-    const bool stated = !nested_ && rng_.chance(statement_share_);
+    const bool stated = rng_.chance(statement_share_);
     const std::string be = pick({"should be", "must be", "has to be"});
     const bool closing = rng_.chance(0.5);
     for (std::size_t i = from; i < to; ++i) {
@@ -103,7 +101,6 @@ class Realiser {
 
   Text asked(const std::string& command, bool is_first) {
     const bool forbids = command.starts_with("do not ") || command.find(" do not ") != std::string::npos;
-    if (nested_) return forbids ? std::nullopt : Text(nested(command));
     if (forbids) return sentence((rng_.chance(0.3) ? "please " : "") + command, '.');  // "could you do not" is wrong
     if (rng_.chance(0.2)) return sentence(command, '.');
     const std::string before = is_first ? pick_from(kFirstFrames) : pick_from(kLaterFrames);
@@ -113,18 +110,30 @@ class Realiser {
     return sentence(before + command, question ? '?' : '.');
   }
 
-  /// One long sentence: "I was wondering whether you, who …, could put …".
-  std::string nested(const std::string& command) {
-    const auto openings = nested_openings();
-    std::string text(openings[rng_.below(openings.size())]);
-    text = replace_all(replace_all(text, " ,", ","), " i ", " I ");
-    if (text.starts_with("i ")) text[0] = 'I';
-    return sentence(text + " " + command, '.');
+  /// "There is a dirty mug on the desk.", "There is more than one mug here."
+  Text fact(const NounPhrase& thing) {
+    if (thing.determiner == Determiner::AtLeast) {
+      const auto one = naming_.several(thing.noun);
+      return one ? Text(sentence("there is more than one " + *one + " here", '.')) : std::nullopt;
+    }
+    NounPhrase body = thing;
+    std::vector<Complement> places;
+    for (const Complement& modifier : thing.modifiers)
+      if (!modifier.object.empty()) places.push_back(modifier);
+    std::erase_if(body.modifiers, [](const Complement& modifier) { return !modifier.object.empty(); });
+    if (places.size() > 1) return std::nullopt;
+    const auto named = naming_.phrase(body, {.wanted = true});
+    if (!named || named->plural) return std::nullopt;
+    if (places.empty()) return sentence("there is " + named->text + " " + pick({"here", "somewhere"}), '.');
+    const Text where = naming_.complement(places[0], {.inside_description = true, .unique = true});
+    return where ? Text(sentence("there is " + named->text + " " + *where, '.')) : std::nullopt;
   }
 
   Text special_sentence(const Requirement& said) {
     const auto& clauses = said.clauses;
     switch (said.kind) {
+      case Kind::Fact:
+        return fact(clauses[0].subjects[0]);
       case Kind::Final:
         return conditional(clauses[0]);
       case Kind::Choose: {
@@ -232,7 +241,6 @@ class Realiser {
   Naming naming_;
   ClauseWriter clauses_;
   double statement_share_;
-  bool nested_;
 };
 
 }  // namespace

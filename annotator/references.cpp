@@ -41,7 +41,9 @@ Domain References::restricted(const NounPhrase& phrase, const std::string& name)
   Domain domain = phrase.noun;
   std::vector<Formula> where;
   for (const Complement& modifier : phrase.modifiers) where.push_back(restriction(modifier, reference_variable(name)));
-  if (!where.empty()) domain.where.push_back(conjunction(std::move(where)));
+  if (where.empty()) return domain;
+  Formula test = conjunction(std::move(where));
+  domain.where.push_back(phrase.except ? negation(std::move(test)) : std::move(test));
   return domain;
 }
 
@@ -76,9 +78,12 @@ Formula References::restriction(const Complement& modifier, const Term& subject)
 
 Term References::known(const NounPhrase& phrase) {
   if (phrase.determiner == Determiner::It) {
-    if (referents_.size() == 1) return reference_variable(referents_[0].variable);
-    fail(phrase.column, "'it' is clear only after exactly one object was named");
-    return {};
+    if (referents_.empty()) {
+      fail(phrase.column, "'it' means something that was named before, and nothing was");
+      return {};
+    }
+    const std::size_t back = choices_.choose(referents_.size());
+    return reference_variable(referents_[referents_.size() - 1 - back].variable);
   }
   const std::vector<const Referent*> found = named(phrase.noun);
   if (phrase.determiner == Determiner::Ordinal) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "annotator/clause.h"
+#include "annotator/word_choices.h"
 #include "core/result.h"
 
 namespace unietp {
@@ -35,6 +36,9 @@ Formula said_of(const Complement& complement, const Term& subject, const Resolve
 /// error.
 class References {
  public:
+  /// `choices`: of what "it" means, where several objects were named. Lives as long as this.
+  explicit References(WordChoices& choices) : choices_(choices) {}
+
   const std::optional<Error>& error() const { return error_; }
   void fail(int column, std::string message);
 
@@ -55,6 +59,7 @@ class References {
   Domain restricted(const NounPhrase& phrase, const std::string& name);
 
  private:
+  WordChoices& choices_;
   struct Referent {
     std::string variable;
     Domain noun;

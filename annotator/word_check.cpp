@@ -97,13 +97,16 @@ class Check {
       : nouns_(nouns),
         specification_(specification),
         goal_(words_of_goal(specification.goal)),
-        words_(tokens_of(text)),
-        text_(sorted(words_, nouns)) {}
+        words_(tokens_of(text)) {
+    const auto meant = take_sentences();
+    text_ = sorted(words_, nouns);
+    text_.nouns.insert(text_.nouns.end(), meant.begin(), meant.end());
+  }
 
   std::vector<std::string> faults() {
     categories();
     symbols();
-    states();
+    if (specification_.style != Style::Request) states();  // which its sentence says
     numbers();
     quantifiers();
     times();
@@ -114,6 +117,26 @@ class Check {
   }
 
  private:
+  /// Takes occasions and requests out of the words, and gives what they mean.
+  std::vector<NameInText> take_sentences() {
+    std::vector<NameInText> meant;
+    for (std::size_t i = 0; i < words_.size();) {
+      const auto [phrase, length] = nouns_.sentence_at(words_, i);
+      if (phrase == nullptr) {
+        ++i;
+        continue;
+      }
+      NameInText name;
+      name.length = length;
+      name.nouns = {phrase->noun};
+      name.singular = true;
+      meant.push_back(std::move(name));
+      const auto from = words_.begin() + static_cast<std::ptrdiff_t>(i);
+      words_.erase(from, from + static_cast<std::ptrdiff_t>(length));
+    }
+    return meant;
+  }
+
   void lacks(const std::string& what) { faults_.push_back("the text does not say " + what); }
   void exceeds(const std::string& what) { faults_.push_back("the text asks for more than the goal: " + what); }
 
@@ -128,9 +151,9 @@ class Check {
         exceeds("'" + shown(noun.nouns.front()) + "'");
   }
 
-  /// Whether the style may name it in addition to the goal: an unrelated object, or the subject of a condition.
+  /// Whether the style may name it in addition to the goal: something unrelated, or the subject of a condition.
   bool allowed_by_style(const NounTable::Reading& noun) const {
-    if (specification_.style == Style::Bystander) return true;
+    if (specification_.style == Style::Aside) return true;
     if (specification_.style != Style::Condition) return false;
     std::set<std::string> started;
     for (const Formula& start : specification_.init)
@@ -261,9 +284,8 @@ class Check {
 
   /// A denial where the goal has nothing to deny: "do not wash", "never".
   void denials() {
-    static const std::set<Style> kDenying{Style::Negation,  Style::Distractor,   Style::Background,
-                                          Style::Bystander, Style::NestedSyntax, Style::Context,
-                                          Style::Condition, Style::ImplicitNeed};
+    static const std::set<Style> kDenying{Style::Negation, Style::Distractor, Style::Aside,       Style::Context,
+                                          Style::Request,  Style::Condition,  Style::ImplicitNeed};
     if (kDenying.contains(specification_.style) || denies(specification_.goal) || goal_.order || goal_.throughout)
       return;
     for (std::size_t i = 0; i < words_.size(); ++i) {
@@ -287,8 +309,7 @@ class Check {
   /// Words that neither the goal nor the style explains: "throw", "behind", "tomorrow". Styles that tell a story have
   /// words of their own.
   void other_words() {
-    static const std::set<Style> kWithStories{Style::Background, Style::Bystander, Style::Context, Style::NestedSyntax,
-                                              Style::ImplicitNeed};
+    static const std::set<Style> kWithStories{Style::Aside, Style::Context, Style::Request, Style::ImplicitNeed};
     if (kWithStories.contains(specification_.style)) return;
     std::set<std::string> told;
     for (const Token& word : text_.plain) {

@@ -55,20 +55,13 @@ Result<std::vector<WordingTask>> wording_tasks(HomeCache& homes, const std::vect
   return wording;
 }
 
-/// The categories of a task's start scene, for the one style that asks what is around.
-Result<std::vector<std::string>> around(HomeCache& homes, const WordedTask& task) {
-  if (task.specification.style != Style::Bystander) return std::vector<std::string>();
-  const auto scene = read_start(homes, task);
-  if (!scene) return scene.error();
-  return categories_in(*scene);
-}
-
 Result<Instruction> by_grammar(HomeCache& homes, const WordedTask& task, const Resources& resources,
                                const AnnotateOptions& options, const Rng& rng) {
-  const auto seen = around(homes, task);
-  if (!seen) return seen.error();
+  const auto home = read_start(homes, task);
+  if (!home) return home.error();
   const Backend& backend = resources.backend(task.specification.simulator);
-  return write_instruction(task.specification, backend.knowledge, backend.nouns, {options.llm.phrasings, *seen}, rng);
+  return write_instruction(task.specification, backend.knowledge, backend.nouns,
+                           {options.llm.phrasings, categories_in(*home), &*home}, rng);
 }
 
 /// What the writer gives for each task whose text is to be written, in their order.

@@ -10,16 +10,6 @@
 #include "dataset/configuration.h"
 
 namespace unietp {
-namespace {
-
-/// The text without the sentence that a bystander's style puts behind it.
-std::string_view without_aside(std::string_view text, Style style) {
-  if (style != Style::Bystander || text.empty()) return text;
-  const auto end = text.find_last_of(".!?", text.size() - 2);
-  return end == std::string_view::npos ? text : text.substr(0, end + 1);
-}
-
-}  // namespace
 
 std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend) {
   std::vector<Problem> problems;
@@ -41,17 +31,16 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
   found(ProblemKind::TextForm, form);
   if (stated.writer == "person:unchecked") return problems;  // somebody vouches for it, against the reader
   const bool by_grammar = stated.writer == "grammar";
-  const std::string demand(nouns.behind_context(stated.text));
   auto meaning = by_grammar || stated.writer == "person"
-                     ? check_instruction(stated.text, specification, backend.knowledge, backend.nouns)
-                     : saying_faults(demand, specification, nouns);
+                     ? check_instruction(stated.text, specification, backend.knowledge, backend.nouns, stated.home)
+                     : saying_faults(stated.text, specification, nouns);
   std::erase_if(meaning,
                 [&](const std::string& fault) { return std::find(form.begin(), form.end(), fault) != form.end(); });
   found(ProblemKind::TextMeaning, meaning);
   if (const auto fault = style_fault(stated.text, *style, stated.goal, stated.around, nouns); !fault.empty())
     found(ProblemKind::TextStyle, {fault});
   if (by_grammar && stated.phrasings != "all") {
-    const auto own = name_of(phrasings_of(without_aside(demand, *style), nouns));
+    const auto own = name_of(phrasings_of(stated.text, nouns));
     if (own != stated.phrasings)
       found(ProblemKind::TextPhrasing, {"its sentence pattern belongs to " + std::string(own) + ", not to " +
                                         stated.phrasings + " as the manifest says"});

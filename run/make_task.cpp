@@ -43,7 +43,7 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
     specified = refine_referring(*plain, knowledge, layout.offer, source.refinement, rng.fork("referring", 0));
     if (!specified) return Rejection{RejectionReason::NoReferringConstraint, to_text(*binding)};
   } else if (plain->split != split && split == Split::Linguistic) {
-    specified = refine_linguistic(*plain, knowledge, source.refinement, rng.fork("linguistic", 0));
+    specified = refine_linguistic(*plain, knowledge, layout.offer, source.refinement, rng.fork("linguistic", 0));
     if (!specified) return Rejection{RejectionReason::NoWording, to_text(*binding)};
   }
   if (const auto refusal = refused_by(*plain, knowledge)) return refused(*refusal);
@@ -130,7 +130,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   timer.enter(Stage::Annotator);
   const Scene& start = task.episode.start;
   const auto categories = known.places ? categories_in(start, *known.places) : categories_in(start);
-  auto instruction = instruct(specification, backend, {configuration.phrasings, categories},
+  auto instruction = instruct(specification, backend, {configuration.phrasings, categories, &start},
                               wording_stream(configuration.seed, slot.index, plan.attempt));
   if (auto* why = std::get_if<Rejection>(&instruction)) return rejected(std::move(*why));
   task.instruction = std::move(std::get<Instruction>(instruction));

@@ -48,7 +48,7 @@ Result<Remade> TaskRemaker::make(const RunConfiguration& configuration, const Ta
     return Error{Error::Kind::Unsatisfiable, task.id, {}, why->detail};
   auto& episode = std::get<Grounded>(grounded).episode;
   auto instruction = write_instruction(*specification, backend.knowledge, backend.nouns,
-                                       {configuration.phrasings, categories_in(episode.start)},
+                                       {configuration.phrasings, categories_in(episode.start), &episode.start},
                                        wording_stream(task.run, task.slot, task.attempt));
   if (!instruction) return instruction.error();
   return Remade{std::move(episode), std::move(instruction->text)};

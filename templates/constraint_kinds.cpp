@@ -77,7 +77,7 @@ constexpr auto kKinds = [] {
        Words,
        {},
        {},
-       "(has-words A synonym|function|context)",
+       "(has-words A synonym|function|occasion)",
        "the knowledge base has such words for an A"},
       {C::Kind,
        "kind",

@@ -201,6 +201,7 @@ class TaskProver {
                                                goal,
                                                constraints_,
                                                {around.begin(), around.end()},
+                                               &start_,
                                                tools_.manifest == nullptr ? "all" : tools_.manifest->phrasings});
     for (Problem& problem : problems) problem.error.where = where;
     found(std::move(problems));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "logic/formula.h"
-#include "scene/simulator.h"
+#include "scene/scene.h"
 #include "validator/problem.h"
 
 namespace unietp {
@@ -17,6 +17,7 @@ struct StatedGoal {
   Formula goal;
   std::vector<Formula> constraints;  // that the start meets
   std::vector<std::string> around;   // categories of the objects and types of the rooms of the start, sorted
+  const Scene* home = nullptr;       // the start scene
   std::string phrasings;             // the set of turns of phrase that it is to be of: "all", "training", "benchmark"
 };
 

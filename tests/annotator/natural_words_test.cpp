@@ -121,8 +121,8 @@ TEST(ReadInstruction, TakesMayOnlyForWhatIsForbidden) {
 }
 
 TEST(FunctionStyle, IsNotClaimedForAPhraseThatFitsAnotherThing) {
-  // Mugs are something to drink coffee from, too: of cups alone it would ask for less than the goal.
-  const std::string phrase = "something to drink coffee from";
+  // Mugs are something to drink from, too: of cups alone it would ask for less than the goal.
+  const std::string phrase = "something to drink from";
   const auto& tables = committed_knowledge(Simulator::Behavior);
   const NounTable nouns(tables);
   const auto said = [&](const std::string& things) {
@@ -133,7 +133,9 @@ TEST(FunctionStyle, IsNotClaimedForAPhraseThatFitsAnotherThing) {
     return texts;
   };
   EXPECT_THAT(said("coffee_cup"), Not(HasSubstr(phrase)));
-  EXPECT_THAT(said("(either coffee_cup mug)"), HasSubstr(phrase));
+  const auto served = nouns.phrases().find(phrase);
+  ASSERT_NE(served, nouns.phrases().end());
+  EXPECT_THAT(said(to_text(served->second.noun)), HasSubstr(phrase));
 }
 
 }  // namespace

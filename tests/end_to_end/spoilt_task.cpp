@@ -386,7 +386,7 @@ const std::vector<Corruption> kCorruptions{
      [](SpoiltTask& s) {
        const std::string text = s.task["instruction"]["text"];
        if (s.task["instruction"]["style"] != "direct" || has_size(text, 15)) return false;
-       s.task["instruction"]["style"] = "nested-syntax";
+       s.task["instruction"]["style"] = "exception";
        return true;
      }},
 };
