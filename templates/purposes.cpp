@@ -21,7 +21,7 @@ constexpr std::array kServing{PurposeSign{On},  PurposeSign{Inside},          Pu
 constexpr std::array kCooking{PurposeSign{Hot},     PurposeSign{Predicate::Cool}, PurposeSign{Cooked},
                               PurposeSign{Frozen},  PurposeSign{Sliced},          PurposeSign{SliceOf},
                               PurposeSign{Covered}, PurposeSign{Inside},          PurposeSign{On},
-                              PurposeSign{Broken},  PurposeSign{PowerOn}};
+                              PurposeSign{Broken},  PurposeSign{Burnt},           PurposeSign{PowerOn}};
 constexpr std::array kDrinks{PurposeSign{Filled}, PurposeSign{Hot}, PurposeSign{Predicate::Cool}, PurposeSign{PowerOn}};
 constexpr std::array kCleaning{PurposeSign{Clean},  PurposeSign{Soaked},       PurposeSign{Dry},
                                PurposeSign{Empty},  PurposeSign{Filled, true}, PurposeSign{Covered, true},
@@ -36,7 +36,7 @@ constexpr std::array kLeisure{
     PurposeSign{On},      PurposeSign{InRoom},          PurposeSign{Held},  PurposeSign{Open}};
 constexpr std::array kPreparing{PurposeSign{Open},     PurposeSign{PowerOn}, PurposeSign{PluggedIn},
                                 PurposeSign{Unfolded}, PurposeSign{Filled},  PurposeSign{On},
-                                PurposeSign{Attached}};
+                                PurposeSign{Attached}, PurposeSign{Clean},   PurposeSign{Held}};
 constexpr std::array kSaving{PurposeSign{PowerOff}, PurposeSign{Closed}, PurposeSign{Unplugged}, PurposeSign{UsedUp}};
 constexpr std::array kSafety{
     PurposeSign{PowerOff}, PurposeSign{Closed},       PurposeSign{Unplugged},    PurposeSign{Inside},
