@@ -1,27 +1,19 @@
 """Resets and steps a second, memory of further environments, and two threads against one: python steps.py FOLDER.
 
 FOLDER is a data set of homes as large as the figures are to be of. Actions are those of the stored demonstrations of M1,
-repeated as long as it takes. Beside them, in the same run, peers that are installed: MiniGrid, TextWorld and the evolving
-graph of VirtualHome. One core; run it under `taskset -c 0`, and for two threads without.
+repeated as long as it takes. After them, in the same run, come the other environments of peers.py; `python/venv peers`
+makes an environment with their packages. One core; run it under `taskset -c 0`, and for two threads without.
 """
 
-import importlib.util
 import json
 import os
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
+from peers import peers_figures, rate
+
 import unietp
-
-
-def rate(work: Callable[[], int], seconds: float = 3.0) -> float:
-    """How often a second; `work` says how much it did."""
-    begun, done = time.perf_counter(), 0
-    while time.perf_counter() - begun < seconds:
-        done += work()
-    return done / (time.perf_counter() - begun)
 
 
 def memory_mb() -> float:
@@ -52,12 +44,11 @@ def own_figures(folder: str) -> dict[str, float]:
     for index, _ in plans:
         env.reset(options={"index": index})  # homes and tasks are in memory from here on
 
-    def reset() -> int:
-        for index, _ in plans:
-            env.reset(options={"index": index})
-        return len(plans)
+    def resets(some: list[tuple[int, list[object]]]) -> Callable[[], int]:
+        return lambda: sum(env.reset(options={"index": index}) is not None for index, _ in some)
 
-    figures["ms for a reset, home and task in memory"] = 1000 / rate(reset)
+    figures["ms for a reset, home in memory"] = 1000 / rate(resets(plans))  # a process keeps fewer tasks than homes
+    figures["ms for a reset, home and task in memory"] = 1000 / rate(resets(plans[:32]))
     figures["steps a second, boxes, resets included"] = rate(played(env, plans))
     env.reset(options={"index": 0})
     turns = unietp.make(folder, "M1", picture=False, steps=10**6)
@@ -104,54 +95,15 @@ def new_task_figures() -> dict[str, float]:
     return {"ms for a reset to a new task in a home in memory": 1000 / rate(reset, 6)}
 
 
-def minigrid_figures() -> dict[str, float]:
-    import gymnasium
-    import minigrid  # noqa: F401
-
-    env = gymnasium.make("MiniGrid-FourRooms-v0")
-    env.reset(seed=1)
-
-    def step() -> int:
-        *_, terminated, truncated, _ = env.step(env.action_space.sample())
-        if terminated or truncated:
-            env.reset()
-        return 1
-
-    return {"MiniGrid FourRooms: steps a second": rate(step), "MiniGrid FourRooms: ms for a reset": 1000 / rate(
-        lambda: env.reset() and 1
-    )}
-
-
-def textworld_figures() -> dict[str, float]:
-    import tempfile
-
-    import textworld
-
-    options = textworld.GameOptions()
-    options.nb_rooms, options.nb_objects, options.seeds = 8, 40, 1
-    with tempfile.TemporaryDirectory() as folder:
-        options.path = f"{folder}/game.z8"
-        file, _ = textworld.make(options)
-        env = textworld.start(file)
-        env.reset()
-        figures = {"TextWorld, 8 rooms, 40 objects: steps a second": rate(lambda: env.step("look") and 1)}
-        figures["TextWorld: ms for a reset"] = 1000 / rate(lambda: env.reset() and 1)
-        env.close()
-    return figures
-
-
-PEERS = {"minigrid": minigrid_figures, "textworld": textworld_figures}
-
-
 def main() -> None:
     folder = sys.argv[1]
     figures = own_figures(folder) | batch_figures(folder) | new_task_figures()
-    for package, measure in PEERS.items():
-        if importlib.util.find_spec(package):
-            figures |= measure()
-        else:
-            print(f"{package} is not installed")
-    for name, value in figures.items():
+    own_steps = figures["steps a second, boxes, resets included"]
+    peers = peers_figures(folder)
+    for name, value in peers.items():
+        if "steps a second" in name:
+            figures[f"times the steps of {name.split(':')[0]}"] = own_steps / value
+    for name, value in (figures | peers).items():
         print(f"{value:12.2f}  {name}")
 
 
