@@ -81,23 +81,6 @@ std::string box_rules(const ModeRules& rules, BoxForm form, const Profile& profi
   return text + " What you hold has no box and needs none.\n";
 }
 
-std::string naming_rules(const Settings& settings, const Profile& profile) {
-  const ModeRules& rules = settings.rules;
-  const bool by_id = names_by(rules, Naming::Id), by_box = names_by(rules, Naming::Box);
-  if (by_id && by_box) {
-    std::string classes;
-    const auto add = [&](Naming naming, const char* name) {
-      if (naming == Naming::Box) classes += (classes.empty() ? "" : ", ") + std::string(name);
-    };
-    add(rules.reach, "going and turning to objects");
-    add(rules.atomic, "handling objects");
-    add(rules.composite, "using appliances on what you hold");
-    return id_rules(rules) + "But for " + classes + ": " + box_rules(rules, settings.box_form, profile);
-  }
-  if (by_box) return box_rules(rules, settings.box_form, profile);
-  return by_id || rules.teleport != Teleport::Nothing ? id_rules(rules) : "";
-}
-
 std::string list(const std::string& title, const std::vector<std::string>& ids) {
   return ids.empty() ? "" : title + ": " + join(ids, ", ") + ".\n";
 }
@@ -127,18 +110,6 @@ std::string things_in_view(const std::vector<std::pair<std::string, Numbers>>& t
   return text + ".";
 }
 
-std::string results_text(const std::vector<ActionReport>& results) {
-  const auto told = [](const ActionReport& one) { return one.success.has_value(); };
-  if (results.empty() || !told(results.front())) return "";
-  if (results.size() == 1) return outcome_text(*results.front().success, results.front().feedback);
-  std::string text = "The last actions:";
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const ActionReport& one = results[i];
-    text += "\n" + std::to_string(i + 1) + ". " + history_text(one.action, *one.success, one.feedback);
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string action_space_text(const ModeRules& rules, const Profile& profile) {
@@ -151,6 +122,23 @@ std::string action_space_text(const ModeRules& rules, const Profile& profile) {
   return text;
 }
 
+std::string naming_text(const Settings& settings, const Profile& profile) {
+  const ModeRules& rules = settings.rules;
+  const bool by_id = names_by(rules, Naming::Id), by_box = names_by(rules, Naming::Box);
+  if (by_id && by_box) {
+    std::string classes;
+    const auto add = [&](Naming naming, const char* name) {
+      if (naming == Naming::Box) classes += (classes.empty() ? "" : ", ") + std::string(name);
+    };
+    add(rules.reach, "going and turning to objects");
+    add(rules.atomic, "handling objects");
+    add(rules.composite, "using appliances on what you hold");
+    return id_rules(rules) + "But for " + classes + ": " + box_rules(rules, settings.box_form, profile);
+  }
+  if (by_box) return box_rules(rules, settings.box_form, profile);
+  return by_id || rules.teleport != Teleport::Nothing ? id_rules(rules) : "";
+}
+
 std::string system_prompt(const Scene& start, const Settings& settings, const Profile& profile, bool reasoning) {
   const StepLimits& limits = settings.rules.limits;
   std::string text = "You are a robot in a home and carry out a task, one action at a time. ";
@@ -160,10 +148,13 @@ std::string system_prompt(const Scene& start, const Settings& settings, const Pr
   text += "Answer with nothing but a JSON object: {";
   if (reasoning) text += "\"reasoning\": \"one to three sentences\", ";
   text += "\"action\": \"NAME\", \"args\": [ARGUMENT]}, with \"args\": [] for an action that takes none.\n";
-  text += naming_rules(settings, profile) + "\nActions:\n" + action_space_text(settings.rules, profile);
-  const GlobalInformation known = global_information(start, settings.rules);
-  return text + "\nWhat you know of the home:\n" + list("Rooms", known.rooms) + list("Furniture", known.furniture) +
-         list("Small things", known.movables);
+  text += naming_text(settings, profile) + "\nActions:\n" + action_space_text(settings.rules, profile);
+  return text + "\nWhat you know of the home:\n" + home_text(start, settings.rules);
+}
+
+std::string home_text(const Scene& start, const ModeRules& rules) {
+  const GlobalInformation known = global_information(start, rules);
+  return list("Rooms", known.rooms) + list("Furniture", known.furniture) + list("Small things", known.movables);
 }
 
 std::string task_text(const std::string& instruction) { return "Task: " + instruction; }
@@ -182,20 +173,36 @@ std::string history_text(const std::string& action, bool success, const std::str
   return action + ": " + became(success, feedback);
 }
 
-std::string observation_text(const Observation& observation, const Settings& settings) {
-  std::vector<std::string> lines{observation.last ? results_text(observation.results)
-                                                  : task_text(observation.instruction)};
-  if (observation.boxes && settings.box_form == BoxForm::Pixels) {
+std::string results_text(const std::vector<ActionReport>& results) {
+  const auto told = [](const ActionReport& one) { return one.success.has_value(); };
+  if (results.empty() || !told(results.front())) return "";
+  if (results.size() == 1) return outcome_text(*results.front().success, results.front().feedback);
+  std::string text = "The last actions:";
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const ActionReport& one = results[i];
+    text += "\n" + std::to_string(i + 1) + ". " + history_text(one.action, *one.success, one.feedback);
+  }
+  return text;
+}
+
+std::string boxes_text(const Observation& observation, const Settings& settings) {
+  if (!observation.boxes) return "";
+  if (settings.box_form == BoxForm::Pixels) {
     std::vector<std::pair<std::string, PixelBox>> things;
     for (const SeenObject& object : *observation.boxes) things.emplace_back(object.id, object.box);
-    lines.push_back(things_in_view(things));
-  } else if (observation.boxes) {
-    std::vector<std::pair<std::string, std::vector<double>>> things;
-    for (const SeenObject& object : *observation.boxes)
-      things.emplace_back(
-          object.id, box_in_form(object.box, settings.box_form, observation.image_width, observation.image_height));
-    lines.push_back(things_in_view(things));
+    return things_in_view(things);
   }
+  std::vector<std::pair<std::string, std::vector<double>>> things;
+  for (const SeenObject& object : *observation.boxes)
+    things.emplace_back(object.id,
+                        box_in_form(object.box, settings.box_form, observation.image_width, observation.image_height));
+  return things_in_view(things);
+}
+
+std::string observation_text(const Observation& observation, const Settings& settings) {
+  std::vector<std::string> lines{
+      observation.last ? results_text(observation.results) : task_text(observation.instruction),
+      boxes_text(observation, settings)};
   std::erase(lines, "");
   return join(lines, "\n");
 }

@@ -21,6 +21,11 @@ std::string system_prompt(const Scene& start, const Settings& settings, const Pr
 /// The actions alone: one line for each that the rules and the simulator offer, with what it needs.
 std::string action_space_text(const ModeRules& rules, const Profile& profile);
 
+/// How objects and rooms are named, and where the agent may go at once; a paragraph, or "" where nothing is named.
+std::string naming_text(const Settings& settings, const Profile& profile);
+/// Rooms, furniture and small things of the home at the start, one line each, as far as the rules tell of them.
+std::string home_text(const Scene& start, const ModeRules& rules);
+
 /// "Task: Put a mug on the table."
 std::string task_text(const std::string& instruction);
 /// "In view: mug_1 [10,20,30,40]; table_1 [0,0,9,9]." or "Nothing is in view."
@@ -29,6 +34,11 @@ std::string view_text(const std::vector<VisibleObject>& visible);
 std::string outcome_text(bool success, const std::string& feedback);
 /// "pick_up(mug_1): succeeded", for a history.
 std::string history_text(const std::string& action, bool success, const std::string& feedback);
+
+/// What became of the last action, or of each action of a list as numbered lines; "" where it is not told.
+std::string results_text(const std::vector<ActionReport>& results);
+/// view_text of an observation, with boxes in the settings' form; "" where they are not told.
+std::string boxes_text(const Observation& observation, const Settings& settings);
 
 /// An observation as the user's turn of a chat: the task at the start, afterwards what became of the last action, or of
 /// each action of a list as numbered lines of a history; then what is in view. As much as the settings tell; the

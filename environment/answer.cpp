@@ -260,6 +260,16 @@ std::optional<Json> call_with_box(std::string_view text) {
 
 }  // namespace
 
+std::string release_action_name(std::string_view ours) {
+  std::string name(ours);
+  for (const auto& [theirs, known] : kReleaseNames) {
+    if (known == ours && !theirs.ends_with("_point")) name = theirs;
+  }
+  if (name.ends_with("_with")) name = name.substr(0, name.size() - 5) + "_the_object_in_hand_with";
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 Result<Answer> parse_answer(std::string_view text, const AnswerFrame& frame) {
   if (text.size() > limits::kAgentAnswerBytes)
     return unreadable("expected at most " + std::to_string(limits::kAgentAnswerBytes) + " bytes");

@@ -50,4 +50,7 @@ struct AnswerFrame {
 /// answer. Limits: limits::kAgentAnswerBytes, limits::kAgentActions, limits::kLabelBytes for names. Never throws.
 Result<Answer> parse_answer(std::string_view text, const AnswerFrame& frame);
 
+/// What the released runner calls an action of ours: "pick up", "heat the object in hand with", "done" for `stop`.
+std::string release_action_name(std::string_view ours);
+
 }  // namespace unietp

@@ -110,6 +110,8 @@ PrivilegedState Environment::privileged() const {
   return told;
 }
 
+double Environment::progress() const { return state_->monitor.progress(); }
+
 const Scene& Environment::scene() const { return state_->episode.world().scene(); }
 const std::vector<VisibleObject>& Environment::pictured() const { return state_->episode.world().pictured(); }
 

@@ -80,6 +80,8 @@ class Environment {
 
   // Privileged.
   PrivilegedState privileged() const;
+  /// privileged().progress alone, at a fraction of the cost.
+  double progress() const;
   /// The scene graph with all relations.
   const Scene& scene() const;
   /// How many actions of M1 the expert would still take from here, `stop` included: the length of one plan of its,

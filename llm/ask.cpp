@@ -14,16 +14,13 @@
 #include "llm/redact.h"
 #include "llm/retry_after.h"
 #include "llm/transport.h"
+#include "llm/waiting.h"
 
 namespace unietp {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kLongestPoll_s = 0.1;  // longest delay until a stop is noticed
-
-Clock::duration duration_of(double seconds) {
-  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::clamp(seconds, 0.0, 1e8)));
-}
 
 Error io_error(const std::string& message) { return {Error::Kind::Io, "language model", {}, message}; }
 
@@ -54,7 +51,7 @@ class RequestLoop {
         transport_(endpoint, std::min(options.attempt_s, options.total_s)) {}
 
   std::vector<Result<LlmAnswer>> run() {
-    const auto end = Clock::now() + duration_of(options_.total_s);
+    const auto end = Clock::now() + seconds_long(options_.total_s);
     queue_uncached();
     while (!pending_.empty()) {
       if (options_.stop != nullptr && *options_.stop) {
@@ -171,7 +168,7 @@ class RequestLoop {
     const auto asked = retry_after_s(ended.retry_after, ended.date);
     const double wait = std::min(asked.value_or(request.wait_s * (1 + request.rng.unit())), options_.longest_wait_s);
     request.wait_s *= 2;
-    request.not_before = Clock::now() + duration_of(wait);
+    request.not_before = Clock::now() + seconds_long(wait);
     if (asked && ended.status == 429) all_not_before_ = std::max(all_not_before_, request.not_before);
   }
 

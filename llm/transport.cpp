@@ -27,14 +27,13 @@ struct ListEnd {
 struct Transfer {
   HttpAnswer answer;
   std::string sent;
-  bool too_large = false;
   std::unique_ptr<CURL, EasyEnd> easy;
 };
 
 std::size_t take_body(char* data, std::size_t size, std::size_t count, void* user) {
   auto& transfer = *static_cast<Transfer*>(user);
-  transfer.too_large = transfer.answer.body.size() + size * count > limits::kAnswerBytes;
-  if (transfer.too_large) return 0;  // ends the transfer
+  transfer.answer.too_large = transfer.answer.body.size() + size * count > limits::kAnswerBytes;
+  if (transfer.answer.too_large) return 0;  // ends the transfer
   transfer.answer.body.append(data, size * count);
   return size * count;
 }
@@ -131,7 +130,8 @@ std::vector<HttpAnswer> Transport::wait(double seconds) {
     const auto found = impl_->transfers.find(easy);
     auto& transfer = *found->second;
     curl_easy_getinfo(easy, CURLINFO_RESPONSE_CODE, &transfer.answer.status);
-    if (transfer.too_large) {
+    transfer.answer.timed_out = code == CURLE_OPERATION_TIMEDOUT;
+    if (transfer.answer.too_large) {
       transfer.answer.failure = "an answer of more than " + std::to_string(limits::kAnswerBytes >> 20) + " MB";
     } else if (code != CURLE_OK) {
       transfer.answer.failure = curl_easy_strerror(code);

@@ -11,7 +11,8 @@ namespace unietp {
 /// How one HTTP attempt ended.
 struct HttpAnswer {
   std::size_t id = 0;
-  std::string failure;  // why there is no complete answer, without the key; "" when there is one
+  std::string failure;                        // why there is no complete answer, without the key; "" when there is one
+  bool timed_out = false, too_large = false;  // what the failure was
   long status = 0;
   std::string body, retry_after, date;
 };

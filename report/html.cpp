@@ -4,7 +4,7 @@
 
 #include "core/digest.h"
 #include "core/text.h"
-#include "report/base64.h"
+#include "core/base64.h"
 
 namespace unietp {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/ordered_work.h"
 #include "core/text.h"
 #include "report/asset.h"
-#include "report/base64.h"
+#include "core/base64.h"
 #include "report/html.h"
 
 namespace unietp {

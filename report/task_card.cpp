@@ -7,7 +7,7 @@
 #include "core/png.h"
 #include "core/text.h"
 #include "grounding/scene_svg.h"
-#include "report/base64.h"
+#include "core/base64.h"
 #include "report/goal_prose.h"
 #include "simulation/picture.h"
 

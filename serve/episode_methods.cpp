@@ -7,7 +7,7 @@
 
 #include "core/png.h"
 #include "environment/observation_json.h"
-#include "report/base64.h"
+#include "core/base64.h"
 #include "scene/action.h"
 #include "scene/scene_json.h"
 #include "serve/parameters.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "report/asset.h"
-#include "report/base64.h"
+#include "core/base64.h"
 
 namespace unietp {
 namespace {

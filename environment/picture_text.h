@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "environment/environment.h"
+
+namespace unietp {
+
+/// What the picture shows, in words, for agents that cannot see it: the states of the objects, and what they stand on
+/// or are in. Where boxes are told, of the objects that are told, by id; otherwise of all objects in the picture, by
+/// category and box in the settings' form. One line; "" when there is nothing to tell. Deterministic.
+std::string picture_text(const Environment& environment);
+
+}  // namespace unietp

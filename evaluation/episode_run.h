@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "environment/environment.h"
+#include "evaluation/policy.h"
+
+namespace unietp {
+
+/// What a run keeps of the text of an episode, so that a line of its files can be read again (limits::kLineBytes).
+inline constexpr std::size_t kReplyBytes = std::size_t{32} << 10;    // of one reply; what follows is cut off
+inline constexpr std::size_t kEpisodeBytes = std::size_t{3} << 20;   // of all replies of an episode, shared evenly
+inline constexpr std::size_t kThinkingBytes = std::size_t{2} << 20;  // of an episode; the log has the rest
+
+/// An episode as it was played.
+struct PlayedEpisode {
+  EpisodeRecord record;
+  TimingRecord timing;
+};
+
+/// Plays one episode in an environment at its start, until it ends or there is no reply. What the agent said goes to
+/// the environment as UTF-8 of at most `reply_bytes`, and is recorded so; what could not be read is a failed step like
+/// any other. Gives NoReply where the episode is to be left as if it had not begun: when the run is stopped or given
+/// up, and when it may be begun again. Deterministic as far as the policy is.
+std::variant<PlayedEpisode, NoReply> play_episode(const PlannedEpisode& planned, Environment& environment,
+                                                  Policy& policy);
+
+/// The record of an episode that never got a first reply. `environment` is at its start.
+PlayedEpisode unplayed(const PlannedEpisode& planned, const Environment& environment, const NoReply& none);
+
+/// The most bytes of a reply under these settings.
+std::size_t reply_bytes(const Settings& settings);
+/// The text with each byte that is no UTF-8 replaced by U+FFFD, and cut at `most` bytes, between characters.
+std::string kept_text(const std::string& text, std::size_t most);
+
+}  // namespace unietp
