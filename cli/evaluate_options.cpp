@@ -89,8 +89,8 @@ Result<Settings> read_settings(const EvaluateChoice& choice, Mode mode) {
 
 Result<PromptFile> read_prompt_choice(const EvaluateChoice& choice, const CommandLine& program) {
   const bool built_in = choice.prompt == "unietp" || choice.prompt == "release";
-  const std::filesystem::path path =
-      built_in ? program.folders.root / "data" / "prompts" / (choice.prompt + ".prompt") : choice.prompt;
+  const std::filesystem::path path = built_in ? program.folders.root / "data" / "prompts" / (choice.prompt + ".prompt")
+                                              : std::filesystem::path(choice.prompt);
   const auto text = read_file(path);
   if (!text) return text.error();
   return read_prompt(path.string(), *text, prompt_slot_names());

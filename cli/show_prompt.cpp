@@ -1,5 +1,6 @@
 #include "cli/show_prompt.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 
