@@ -31,6 +31,7 @@ enum class GlobalForm : std::uint8_t { List, ByRoom };
 /// with y before x. Said boxes are read and told boxes are written in this form.
 enum class BoxForm : std::uint8_t { Pixels, Unit, Thousand, ThousandYFirst };
 
+/// All values of each setting, in the order in which errors list them.
 inline constexpr std::array kTeleports{Teleport::Nothing, Teleport::Rooms, Teleport::Furniture, Teleport::Anything};
 inline constexpr std::array kNamings{Naming::None, Naming::Id, Naming::Box};
 inline constexpr std::array kFeedbacks{Feedback::Full, Feedback::Success, Feedback::None};

@@ -20,6 +20,7 @@ enum class CallFailure : int {
 /// The status that HTTP has for it.
 int http_status(CallFailure failure);
 
+/// Why a call has no result.
 struct CallError {
   CallFailure failure = CallFailure::NotARequest;
   std::string message;

@@ -25,6 +25,7 @@ struct MethodCall {
 
 using MethodResult = std::variant<nlohmann::ordered_json, CallError>;
 
+/// Errors that several methods answer with; `message` is for the client and names no file.
 CallError wrong_parameters(std::string message);
 CallError unknown_session();
 /// The token of the parameter "session", or of the caller's only session; nullopt when there is neither.

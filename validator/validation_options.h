@@ -54,6 +54,7 @@ using RemakeTask =
 
 class ProofMemory;
 
+/// What a verification reads and compares, and on how many threads.
 struct ValidationOptions {
   int threads = 1;
   double rest_m = 0.005;         // a body that moves farther than this when physics runs on was not at rest
