@@ -24,6 +24,11 @@ void collect_domains(const Formula& formula, std::vector<Domain>& into) {
   for (const Formula& child : formula.children) collect_domains(child, into);
 }
 
+/// Whether some object of the goal may be of several categories.
+bool accepts_several(const Formula& goal) {
+  return goal.domain.members.size() > 1 || std::any_of(goal.children.begin(), goal.children.end(), accepts_several);
+}
+
 bool holds_member(const Domain& domain, const Domain::Member& member) {
   return std::find(domain.members.begin(), domain.members.end(), member) != domain.members.end();
 }
@@ -32,7 +37,7 @@ bool holds_member(const Domain& domain, const Domain::Member& member) {
 
 std::optional<NounTable> narrowed_for(const Specification& specification, const Knowledge& knowledge,
                                       const NounTable& usual) {
-  if (!names_by_phrase(specification.style)) return std::nullopt;
+  if (!names_by_phrase(specification.style) && !accepts_several(specification.goal)) return std::nullopt;
   NounTable nouns = usual;
   std::vector<Domain> domains;
   collect_domains(specification.goal, domains);

@@ -93,7 +93,7 @@ class Judge {
 bool add_style_frame(std::string& text, const Specification& specification, Style style, const Judge& judge,
                      const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
   std::vector<std::string> sentences;
-  if (style == Style::Context) {
+  if (style == Style::Context || text.find("I need for that") != std::string::npos) {
     for (const auto& [key, phrase] : lexicon.phrases())
       if (phrase.use == AliasKind::Occasion && ranges_over(specification.goal, phrase.noun))
         sentences.push_back(phrase.text);
@@ -159,10 +159,10 @@ Result<Instruction> write_instruction(const Specification& specification, const 
       Rng own = rng.fork(name_of(style), static_cast<std::uint64_t>(draw));
       exactly = exactly || (draw >= kFreeDraws && style == Style::Direct);
       std::optional<std::string> text;
-      if (style == Style::Request) {
-        text = request_for(specification.goal, lexicon, own);
-        if (!text) break;
-      } else {
+      // Of a goal that accepts very many things, a request may be all that says it.
+      if (style == Style::Request || draw == kFreeDraws) text = request_for(specification.goal, lexicon, own);
+      if (style == Style::Request && !text) break;
+      if (!text) {
         auto plan = plan_message(exactly ? specification.goal : judge.goal(), specification.init,
                                  {draw >= kPlainDraws, style == Style::Condition, exactly}, own.fork("plan", 0));
         if (!plan && (exactly || style != Style::Direct)) break;

@@ -28,7 +28,10 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
     const NounTable::Name* display = lexicon_.display(member.category);
     if (display == nullptr) return std::nullopt;
     NounTable::Name name = *display;
-    if (style_ == Style::Alias)
+    // What a text of another style is about is not to be found by the usual names alone.
+    const bool other = style_ == Style::Alias || (style_ != Style::Direct && style_ != Style::Condition &&
+                                                  !names_by_phrase(style_) && rng_.chance(0.8));
+    if (other)
       if (const auto others = lexicon_.synonyms(member.category); !others.empty()) name = rng_.pick(others);
     if (name.singular.empty()) return std::nullopt;
     found = chosen_.emplace(member.category, name).first;
@@ -49,16 +52,34 @@ bool Naming::is_countable(const Domain& noun) const {
   });
 }
 
+/// The phrases that do not say the name of what they stand for.
+std::vector<std::string> Naming::nameless(const Domain& noun, AliasKind use) const {
+  auto phrases = lexicon_.phrases(noun, use);
+  std::erase_if(phrases, [&](const std::string& phrase) {
+    const auto words = tokens_of(phrase);
+    return std::any_of(noun.members.begin(), noun.members.end(), [&](const Domain::Member& member) {
+      const auto* name = lexicon_.display(member.category);
+      return name != nullptr && (says(words, name->singular) || says(words, name->plural));
+    });
+  });
+  return phrases;
+}
+
 std::vector<std::string> Naming::uses(const Domain& noun) const {
   if (noun.kind != Domain::Kind::Categories || style_ == Style::Alias) return {};
   if (style_ == Style::Context)
     return lexicon_.phrases(noun, AliasKind::Occasion).empty()
                ? std::vector<std::string>()
                : std::vector<std::string>{"what I need for that", "what we need for that"};
-  if (style_ == Style::Hypernym) return lexicon_.phrases(noun, AliasKind::Hypernym);
-  if (style_ == Style::Description) return lexicon_.phrases(noun, AliasKind::Description);
-  const bool wanted = style_ == Style::Function || noun.members.size() > 1;
-  return wanted ? lexicon_.phrases(noun, AliasKind::Function) : std::vector<std::string>();
+  if (style_ == Style::Hypernym) return nameless(noun, AliasKind::Hypernym);
+  if (style_ == Style::Description) return nameless(noun, AliasKind::Description);
+  if (style_ == Style::Function) return nameless(noun, AliasKind::Function);
+  if (noun.members.size() == 1) return {};
+  for (const AliasKind use : {AliasKind::Function, AliasKind::Hypernym, AliasKind::Description})
+    if (auto found = lexicon_.phrases(noun, use); !found.empty()) return found;
+  constexpr std::size_t kMostListed = 4;  // "an apple, pear or plum"; more have no words but an occasion
+  if (noun.members.size() <= kMostListed || lexicon_.phrases(noun, AliasKind::Occasion).empty()) return {};
+  return {"what I need for that"};
 }
 
 std::optional<std::string> Naming::several(const Domain& domain) {

@@ -64,6 +64,7 @@ class Naming {
     bool vague = false;  // "that object" may mean it
     std::string use;     // "something to drink from", or ""
   };
+  std::vector<std::string> nameless(const Domain& noun, AliasKind use) const;
   std::vector<std::string> uses(const Domain& noun) const;
   std::optional<Noun> noun(const Domain& domain, bool exact);
   std::optional<std::string> name_of(const Domain::Member& member, bool plural, bool& countable);

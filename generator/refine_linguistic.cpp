@@ -15,11 +15,16 @@ struct StyleShare {
   double weight;
 };
 constexpr std::array kShares = {
-    StyleShare{Style::Alias, 1},       StyleShare{Style::Function, 1}, StyleShare{Style::Hypernym, 2},
-    StyleShare{Style::Description, 2}, StyleShare{Style::Context, 2},  StyleShare{Style::Request, 12},
-    StyleShare{Style::Aside, 1},       StyleShare{Style::Negation, 1}, StyleShare{Style::Exception, 12},
-    StyleShare{Style::Ellipsis, 1},    StyleShare{Style::Anaphora, 1}, StyleShare{Style::Compound, 4},
-};
+    StyleShare{Style::Alias, 1},          StyleShare{Style::Function, 1},       StyleShare{Style::Hypernym, 2},
+    StyleShare{Style::Description, 3},    StyleShare{Style::Context, 1.2},      StyleShare{Style::Request, 100},
+    StyleShare{Style::Aside, 0.8},        StyleShare{Style::Negation, 0.7},     StyleShare{Style::Exception, 100},
+    StyleShare{Style::Ellipsis, 3},       StyleShare{Style::Anaphora, 2},       StyleShare{Style::Compound, 10},
+    StyleShare{Style::InvertedOrder, 20}, StyleShare{Style::VagueQuantity, 100}};
+
+bool says(const Formula& goal, const auto& is_asked) {
+  return is_asked(goal) || std::any_of(goal.children.begin(), goal.children.end(),
+                                       [&](const Formula& child) { return says(child, is_asked); });
+}
 
 std::vector<Style> in_drawn_order(Rng& rng) {
   std::vector<StyleShare> left(kShares.begin(), kShares.end());
@@ -58,6 +63,16 @@ std::optional<Specification> refined(const Specification& plain, const Knowledge
       return has_another_name(plain, knowledge) ? std::optional(reworded(plain, style)) : std::nullopt;
     case Style::Aside:
       return reworded(plain, style);
+    case Style::InvertedOrder: {
+      const auto in_order = [](const Formula& f) { return f.op == Formula::Op::Before; };
+      return says(plain.goal, in_order) ? std::optional(reworded(plain, style)) : std::nullopt;
+    }
+    case Style::VagueQuantity: {
+      const auto few = [](const Formula& f) {
+        return f.op == Formula::Op::Count && f.comparison == Comparison::AtLeast && (f.number == 2 || f.number == 3);
+      };
+      return says(plain.goal, few) ? std::optional(reworded(plain, style)) : std::nullopt;
+    }
     case Style::Negation:
     case Style::Exception:
     case Style::Ellipsis:
