@@ -8,6 +8,7 @@
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "cli/evaluate_options.h"
+#include "cli/evaluation_results.h"
 #include "cli/progress_line.h"
 #include "cli/served_tasks.h"
 #include "cli/show_prompt.h"
@@ -169,6 +170,8 @@ Exit run_job(const EvaluateChoice& choice, const EvaluationJob& job, const Comma
   const auto manifest = write_evaluation(choice.out, job.setup, job.plan, *log);
   if (!manifest) return refuse(manifest.error());
   print_summary(*manifest, *report, choice.out);
+  if (const Exit exit = write_and_print_results(choice.out, job.tasks, program.processors, program); exit != Exit::Ok)
+    return exit;
   return manifest->totals.complete() ? Exit::Ok : Exit::Wrong;
 }
 

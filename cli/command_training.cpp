@@ -3,9 +3,8 @@
 
 #include "cli/command_parser.h"
 #include "cli/common_options.h"
+#include "cli/held_out_templates.h"
 #include "cli/run_command.h"
-#include "core/files.h"
-#include "core/text.h"
 
 namespace unietp {
 namespace {
@@ -17,18 +16,6 @@ struct TrainingOptions : RunCommand {
   bool hold_out = false;
   std::string without_simulators;
 };
-
-/// One name per line; # starts a comment. Errors: Io.
-Result<std::vector<std::string>> names_in(const std::filesystem::path& file) {
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  std::vector<std::string> names;
-  for (const auto& line : split(*text, '\n')) {
-    if (const auto name = trim(std::string_view(line).substr(0, line.find('#'))); !name.empty())
-      names.emplace_back(name);
-  }
-  return names;
-}
 
 /// The settings of the configuration file, changed by the options.
 Result<RunConfiguration> settings_of(const TrainingOptions& options, CommandLine& program) {
@@ -54,7 +41,7 @@ Result<RunConfiguration> settings_of(const TrainingOptions& options, CommandLine
       return Error{Error::Kind::Usage, "--without-simulator", {}, "no simulator is left"};
   }
   if (options.hold_out) {
-    const auto names = names_in(folders.runs() / "held_out_templates.txt");
+    const auto names = held_out_templates(folders);
     if (!names) return names.error();
     configuration->without.insert(configuration->without.end(), names->begin(), names->end());
   }

@@ -8,6 +8,7 @@
 #include "cli/command_parser.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
+#include "cli/evaluation_results.h"
 #include "cli/full_validation.h"
 #include "cli/likeness_output.h"
 #include "core/in_quotes.h"
@@ -21,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ValidateOptions {
-  std::filesystem::path folder;
+  std::filesystem::path folder, dataset;
   std::vector<std::filesystem::path> against;
   int threads = 1;
   bool json = false, kinds = false;
@@ -124,6 +125,8 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
                      folder.empty() ? "expected the folder of a finished data set"
                                     : "is not a folder; expected a finished data set"});
   }
+  if (is_evaluation(options.folder))
+    return validate_evaluation(options.folder, options.dataset, options.threads, program);
   auto folders = program.folders;
   folders.extended_library = records_extended_library(options.folder);
   const auto reading = load_resources(folders);
@@ -150,13 +153,16 @@ void add_validate_command(CommandParser& app, CommandLine& program) {
       "change, evaluates the goal, checks that damaged plans fail, and reads each instruction back into its goal. Also "
       "checks checksums, quotas, balance, duplicates and overlap with other data sets, from which homes and tasks must "
       "not be copied with small changes either.\n\n"
+      "Of an evaluation that `unietp evaluate` wrote, it executes every episode again and computes every number of its "
+      "results again.\n\n"
       "Prints one line per problem with its kind, task, file and line, then a table. Exit code 0 only when nothing is "
       "wrong.",
       {{"unietp validate out/first", ""},
+       {"unietp validate out/my-model --dataset out/benchmark", "an evaluation"},
        {"unietp validate out/first --json > report.json", ""},
        {"unietp validate out/training --against out/benchmark",
         "no home, seed or instruction may be shared, nor a home or task copied with changes"}});
-  auto* folder = command->add_option("FOLDER", options->folder, "A finished data set")->folder();
+  auto* folder = command->add_option("FOLDER", options->folder, "A finished data set or an evaluation")->folder();
   command
       ->add_option(
           "--against", options->against,
@@ -164,6 +170,7 @@ void add_validate_command(CommandParser& app, CommandLine& program) {
           "changes; shows how alike the two are; may be repeated")
       ->folder()
       ->one_each();
+  command->add_option("--dataset", options->dataset, "For an evaluation: the data set that it was made on")->folder();
   command->add_flag("--kinds", options->kinds, "List the kinds of problems, as Markdown")->excludes(folder);
   add_threads_option(*command, options->threads, program);
   command->add_flag("--json", options->json, "Print the report as JSON");

@@ -39,6 +39,7 @@ void add_render_command(CommandParser& app, CommandLine& program);
 void add_serve_command(CommandParser& app, CommandLine& program);
 void add_play_command(CommandParser& app, CommandLine& program);
 void add_evaluate_command(CommandParser& app, CommandLine& program);
+void add_compare_command(CommandParser& app, CommandLine& program);
 void add_knowledge_command(CommandParser& app, CommandLine& program);
 void add_sense_command(CommandParser& app, CommandLine& program);
 void add_template_command(CommandParser& app, CommandLine& program);

@@ -71,6 +71,7 @@ void add_commands(unietp::CommandParser& app, unietp::CommandLine& program) {
   unietp::add_export_command(app, program);
   unietp::add_play_command(app, program);
   unietp::add_evaluate_command(app, program);
+  unietp::add_compare_command(app, program);
   unietp::add_serve_command(app, program);
   unietp::add_annotate_command(app, program);
   unietp::add_template_command(app, program);

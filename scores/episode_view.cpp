@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base64.h"
 #include "core/png.h"
 #include "core/text.h"
-#include "report/base64.h"
 #include "report/goal_prose.h"
 #include "simulation/picture.h"
 

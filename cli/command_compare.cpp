@@ -1,0 +1,75 @@
+#include <cstdio>
+#include <memory>
+
+#include "cli/command_parser.h"
+#include "cli/commands.h"
+#include "core/files.h"
+#include "core/staged_folder.h"
+#include "scores/comparison.h"
+#include "scores/evaluation_page.h"
+#include "scores/result_tables.h"
+
+namespace unietp {
+namespace {
+
+struct CompareOptions {
+  std::vector<std::filesystem::path> runs;
+  std::filesystem::path out;
+};
+
+Result<Done> write_comparison(const std::filesystem::path& folder, const std::vector<ScoredRun>& runs,
+                              const std::vector<ResultTable>& tables) {
+  auto staged = StagedFolder::begin(folder, false);
+  if (!staged) return staged.error();
+  const std::pair<const char*, std::string> files[] = {{"tables.md", to_markdown(tables)},
+                                                       {"tables.tex", to_latex(tables)},
+                                                       {"tables.csv", to_csv(tables)},
+                                                       {"leaderboard.html", leaderboard_page(runs)}};
+  for (const auto& [name, text] : files) {
+    if (auto done = write_file(staged->folder(), name, text); !done) return done;
+  }
+  return staged->finish();
+}
+
+Exit compare(const CompareOptions& options) {
+  std::vector<ScoredRun> runs;
+  for (const auto& folder : options.runs) {
+    auto run = read_scored_run(folder);
+    if (!run) return refuse(run.error());
+    runs.push_back(std::move(*run));
+  }
+  if (const auto fine = check_comparable(runs); !fine) return refuse(fine.error());
+  auto tables = comparison_tables(runs);
+  for (ResultTable& table : result_tables(runs)) tables.push_back(std::move(table));
+  if (!options.out.empty()) {
+    if (const auto done = write_comparison(options.out, runs, tables); !done) return refuse(done.error());
+  }
+  std::fputs(to_plain_text(tables).c_str(), stdout);
+  for (const ScoredRun& run : runs) {
+    if (!run.complete()) return Exit::Wrong;
+  }
+  return Exit::Ok;
+}
+
+}  // namespace
+
+void add_compare_command(CommandParser& app, CommandLine& program) {
+  auto options = std::make_shared<CompareOptions>();  // shared: the callback outlives this function
+  auto* command = app.add_subcommand("compare", "Put evaluations side by side, with tests of their differences");
+  command->explain(
+      "Prints the tables of all runs, their ranks, and for each pair whether they differ: by McNemar's exact test on "
+      "the "
+      "tasks that both finished or, with repeats, by a sign-flip test over homes; corrected for the number of pairs. "
+      "Runs "
+      "that cannot be told apart share their place. Runs on different data sets or versions of the benchmark are "
+      "refused. "
+      "Exit code 1: a run is incomplete.",
+      {{"unietp compare out/model-a out/model-b", ""},
+       {"unietp compare out/runs/* --out out/leaderboard",
+        "also as leaderboard.html, tables.md, tables.tex, tables.csv"}});
+  command->add_option("RUN", options->runs, "Folders that `unietp evaluate` wrote")->required()->folder();
+  command->add_option("--out", options->out, "New folder for the tables and the page")->folder();
+  command->callback([options, &program] { program.exit = compare(*options); });
+}
+
+}  // namespace unietp

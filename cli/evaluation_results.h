@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "cli/commands.h"
+#include "environment/task_source.h"
+
+namespace unietp {
+
+/// Scores a finished or incomplete evaluation and writes its results (scores/write_results.h); prints its tables.
+Exit write_and_print_results(const std::filesystem::path& folder, const TaskSource& tasks, int threads,
+                             const CommandLine& program);
+
+/// Whether a folder is that of an evaluation, by the format of its manifest.
+bool is_evaluation(const std::filesystem::path& folder);
+
+/// `unietp validate` for an evaluation: prints each problem and what was checked. `dataset`: what it was made on, whose
+/// digest must be the manifest's.
+Exit validate_evaluation(const std::filesystem::path& folder, const std::filesystem::path& dataset, int threads,
+                         const CommandLine& program);
+
+}  // namespace unietp
