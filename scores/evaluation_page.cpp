@@ -35,7 +35,9 @@ std::string html_of(const ResultTable& table) {
   std::string html = "<h3>" + escaped_html(table.title) + "</h3><p class=\"soft small\">" + escaped_html(table.note) +
                      "</p><div class=\"scroll card\" tabindex=\"0\" role=\"region\" aria-label=\"" +
                      escaped_html(table.title) + "\"><table id=\"table-" + escaped_html(table.id) + "\"><thead>";
-  if (table.groups.size() > 1) {
+  const bool grouped =
+      std::any_of(table.groups.begin(), table.groups.end(), [](const auto& g) { return !g.name.empty(); });
+  if (grouped) {
     html += "<tr>";
     for (const ResultTable::Group& group : table.groups)
       html +=
@@ -76,7 +78,7 @@ BarChart failure_chart(const ScoredRun& run, Mode mode) {
   chart.note = "Share of the episodes of each split, in percent. Click a bar for its episodes.";
   chart.axis = "";
   chart.measure = "percent of episodes";
-  chart.stacked = chart.wide = true;
+  chart.stacked = true;
   std::map<std::string, int> episodes;
   std::map<std::pair<FailureGroup, std::string>, int> failures;
   for (const EpisodeScore& one : run.scores) {

@@ -1,0 +1,134 @@
+// Results of the real program: a forged number in any file of an evaluation is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/digest.h"
+#include "core/files.h"
+#include "core/text.h"
+#include "data_set.h"
+#include "program.h"
+#include "tests/support/scratch_folder.h"
+
+namespace unietp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+/// A value of the same type that is another one.
+Json forged(const Json& value) {
+  if (value.is_boolean()) return !value.get<bool>();
+  if (value.is_number_integer() || value.is_number_unsigned()) return value.get<std::int64_t>() + 1;
+  if (value.is_number()) return value.get<double>() == 0 ? Json(0.25) : Json(value.get<double>() / 2);
+  return value.get<std::string>() + "x";
+}
+
+std::vector<std::string> leaves(const Json& json) {
+  std::vector<std::string> pointers;
+  const Json flat = json.flatten();
+  for (const auto& [pointer, value] : flat.items()) {
+    if (value.is_boolean() || value.is_number() || value.is_string()) pointers.push_back(pointer);
+  }
+  return pointers;
+}
+
+class ForgedRun : public ::testing::Test {
+ protected:
+  ForgedRun() : run_(scratch_.at("run")) {
+    const Ended made = run_program(
+        {"evaluate", data_set_in_all_modes().string(), "--policy", "noisy:0.3", "--modes", "M1,M3", "--out", run_});
+    EXPECT_EQ(made.code, 0) << made.err;
+  }
+  Ended validated() const { return run_program({"validate", run_, "--dataset", data_set_in_all_modes().string()}); }
+  std::string read(const std::string& file) const { return *read_file(fs::path(run_) / file); }
+  void write(const std::string& file, const std::string& text) const {
+    ASSERT_TRUE(write_file(fs::path(run_) / file, text));
+  }
+  /// Makes the manifest's checksum of the episodes true again, so that only what they mean is left to find.
+  void vouch() const {
+    Json manifest = Json::parse(read("manifest.json"));
+    for (Json& file : manifest["files"]) {
+      if (file["path"] == "episodes.jsonl") file["sha256"] = sha256(read("episodes.jsonl"));
+    }
+    write("manifest.json", manifest.dump(2) + "\n");
+  }
+
+  ScratchFolder scratch_;
+  std::string run_;
+};
+
+TEST_F(ForgedRun, IsSoundAsItWasWritten) {
+  const Ended fine = validated();
+  EXPECT_EQ(fine.code, 0) << fine.out << fine.err;
+  EXPECT_THAT(fine.out, HasSubstr("no problem"));
+  EXPECT_EQ(run_program({"validate", run_}).code, 2) << "it has to be told the data set";
+  EXPECT_EQ(run_program({"validate", run_, "--dataset", small_data_set().string()}).code, 2) << "and the right one";
+}
+
+TEST_F(ForgedRun, IsFoundByEveryFieldThatFollowsFromTheReplies) {
+  const std::string episodes = read("episodes.jsonl"), manifest = read("manifest.json");
+  std::vector<std::string> lines = split(episodes, '\n');
+  const std::string first = lines.front();
+  std::set<std::string> tried;
+  for (const std::string& pointer : leaves(Json::parse(first))) {
+    std::string field = pointer;  // without numbers: each field once
+    std::erase_if(field, [](char c) { return c >= '0' && c <= '9'; });
+    if (!tried.insert(field).second) continue;
+    Json line = Json::parse(first);
+    Json& value = line[Json::json_pointer(pointer)];
+    value = forged(value);
+    lines.front() = line.dump();
+    write("episodes.jsonl", join(lines, "\n"));
+    vouch();
+    const Ended ended = validated();
+    EXPECT_TRUE(ended.code == 1 || ended.code == 2) << pointer << "\n" << ended.out;
+  }
+  EXPECT_GT(tried.size(), 20U);
+  write("episodes.jsonl", episodes);
+  write("manifest.json", manifest);
+  EXPECT_EQ(validated().code, 0);
+}
+
+TEST_F(ForgedRun, IsFoundByEveryNumberOfItsResults) {
+  for (const std::string file : {"results.json", "lm_eval.json"}) {
+    const std::string sound = read(file);
+    const auto pointers = leaves(Json::parse(sound));
+    for (std::size_t i = 0; i < pointers.size(); i += 97) {
+      Json json = Json::parse(sound);
+      Json& value = json[Json::json_pointer(pointers[i])];
+      value = forged(value);
+      write(file, json.dump(1) + "\n");
+      const Ended ended = validated();
+      EXPECT_EQ(ended.code, 1) << pointers[i];
+      EXPECT_THAT(ended.out, HasSubstr(file));
+    }
+    write(file, sound);
+  }
+  for (const std::string file :
+       {"tables.md", "tables.tex", "tables.csv", "scores.jsonl", "report.html", "timing.jsonl"}) {
+    const std::string sound = read(file);
+    std::string changed = sound;
+    const auto digit = changed.find_last_of("12345678");
+    changed[digit] = static_cast<char>(changed[digit] + 1);
+    write(file, changed);
+    EXPECT_EQ(validated().code, 1) << file;
+    write(file, sound);
+  }
+  EXPECT_EQ(validated().code, 0);
+}
+
+TEST_F(ForgedRun, MustNotBeMixedWithAnotherDataSet) {
+  EXPECT_EQ(run_program({"compare", run_, run_}).code, 0);
+  const std::string other = scratch_.at("other");
+  ASSERT_EQ(
+      run_program({"evaluate", small_data_set().string(), "--policy", "stop", "--limit", "3", "--out", other}).code, 0);
+  const Ended mixed = run_program({"compare", run_, other});
+  EXPECT_EQ(mixed.code, 2);
+  EXPECT_THAT(mixed.err, HasSubstr("cannot be compared"));
+}
+
+}  // namespace
+}  // namespace unietp
