@@ -44,6 +44,13 @@ Json instruction_json(const Instruction& instruction) {
   return json;
 }
 
+Json sense_json(const TaskSense& sense) {
+  Json parts = Json::array();
+  for (const auto& part : sense.parts)
+    parts.push_back({{"part", part.part}, {"grade", name_of(part.sense.grade)}, {"why", part.sense.why}});
+  return {{"grade", name_of(sense.grade)}, {"parts", std::move(parts)}};
+}
+
 std::string start_text(const TaskEntry& task) {
   std::string text;
   JsonText json(text);
@@ -109,6 +116,7 @@ std::string line_of(const TaskEntry& task) {
   object.field("goal", {{"text", task.goal_text}, {"tree", formula_to_json(task.goal)}});
   object.raw("start", start_text(task));
   object.field("instruction", instruction_json(task.instruction));
+  object.field("sense", sense_json(task.sense));
   object.field("expert", expert);
   object.field("seed", {{"run", task.run_seed}, {"slot", task.slot}, {"attempt", task.attempt}});
   return object.finish();

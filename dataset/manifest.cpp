@@ -123,6 +123,8 @@ std::string to_text(const Manifest& manifest) {
               {"by_split", counts_json(counts.by_split)},
               {"by_simulator", counts_json(counts.by_simulator)},
               {"by_template", list_json("template", counts.by_template)},
+              {"by_sense", counts_json(counts.by_sense)},
+              {"not_usual", list_json("template", counts.not_usual)},
               {"balance", std::move(balance)},
               {"rejections", std::move(rejections)}}},
             {"files", std::move(files)},

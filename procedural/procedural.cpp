@@ -33,6 +33,7 @@ RunConfiguration run_of_one(const ProceduralOptions& options, Simulator simulato
   run.splits = {split};
   run.templates = options.templates;
   run.modes = options.modes;
+  run.sense = options.sense;
   run.attempts = options.attempts;
   run.homes = HomeSource::Training;
   run.phrasings = Phrasings::Training;

@@ -27,6 +27,12 @@ struct TaskRecord {
   std::string instruction, writer, style;
   std::vector<std::string> checks;  // names of the checks that the text passed
   std::string fallback;             // why the grammar wrote the text instead of a model; "" otherwise
+  std::string grade;                // of its sense
+  struct SensePart {
+    std::string part, grade, why;
+    bool operator==(const SensePart&) const = default;
+  };
+  std::vector<SensePart> sense;  // worst first
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;

@@ -15,6 +15,7 @@ struct DataFolders {
 
   std::filesystem::path tables() const { return root / "data" / "akb"; }
   std::filesystem::path profiles() const { return root / "data" / "simulators"; }
+  std::filesystem::path sense() const { return root / "data" / "sense"; }
   std::filesystem::path runs() const { return root / "data" / "runs"; }
   std::filesystem::path layouts() const { return root / "data" / "layouts"; }
   std::filesystem::path scene_files() const { return root / "data" / "scene_files"; }  // interchange/format_facts.h

@@ -92,6 +92,16 @@ CompiledKnowledge compile_inputs(const fs::path& folder, const DataFolders& fold
   return {database, {}};
 }
 
+void load_sense(const DataFolders& folders, ResourcesReading& reading) {
+  Resources& resources = reading.resources;
+  auto common = read_common_sense(folders.sense(), reading.errors);
+  auto words = read_word_kinds(folders.sense(), common.kinds(), reading.errors);
+  if (!reading.errors.empty()) return;
+  resources.sense = std::make_shared<const SenseTables>(SenseTables{std::move(common), std::move(words)});
+  for (const auto& backend : resources.backends)
+    resources.piece_grades.emplace_back(backend.knowledge, resources.sense);
+}
+
 }  // namespace
 
 CompiledKnowledge compiled_knowledge(const DataFolders& folders) {
@@ -156,6 +166,7 @@ ResourcesReading load_resources(const DataFolders& folders) {
       resources.recipes.push_back(std::move(*recipe));
     }
   }
+  load_sense(folders, reading);
   if (auto benchmark = benchmark_layouts(folders.layouts()); !benchmark) {
     reading.errors.push_back(benchmark.error());
   } else {
@@ -172,7 +183,8 @@ ResourcesReading load_resources(const DataFolders& folders) {
 
 Result<std::string> knowledge_digest(const DataFolders& folders) {
   std::string listing;
-  std::vector<fs::path> covered{folders.tables(), folders.profiles(), folders.layouts(), folders.library()};
+  std::vector<fs::path> covered{folders.tables(), folders.sense(), folders.profiles(), folders.layouts(),
+                                folders.library()};
   if (std::error_code code; fs::exists(folders.extended(), code)) covered.push_back(folders.extended());
   for (const auto& folder : covered) {
     const auto files = files_below(folder);

@@ -6,6 +6,7 @@
 
 #include "generator/domain_constraints.h"
 #include "generator/weighted_binding.h"
+#include "run/sense_of_binding.h"
 
 namespace unietp {
 namespace {
@@ -47,13 +48,20 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
       counts.add({Dimension::Template, resources_.templates[turn.source].name});
     }
     --turn.left;
-    CandidatePlan plan{number, attempt, turn.source, 0, std::nullopt};
+    CandidatePlan plan{number, attempt, turn.source, 0, std::nullopt, least_of(slot, turn.source, attempt)};
     choose_home(plan, slot, counts, rng);
     count(plan, slot, counts);
     plans.push_back(std::move(plan));
   }
   for (const auto& plan : plans) ++tried_[{slots_[position(plan.slot)].simulator, plan.home}];
   return plans;
+}
+
+Grade CandidatePlanner::least_of(const TaskSlot& slot, std::size_t source, int attempt) const {
+  const auto at = std::find(slot.templates.begin(), slot.templates.end(), source) - slot.templates.begin();
+  const Grade least = slot.least[static_cast<std::size_t>(at)];
+  const bool late = attempt >= static_cast<int>(kPatience * configuration_.attempts);
+  return late ? std::min(least, Grade::Tolerable) : least;
 }
 
 std::size_t CandidatePlanner::next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts,
@@ -119,8 +127,8 @@ std::optional<Binding> CandidatePlanner::draw_binding(const CandidatePlan& plan,
     for (const auto& [type, share] : stands->second) room += share * counts.weight(Dimension::Room, type);
     return own * room;
   };
-  return sample_binding(source, resources_.backend(slot.simulator).knowledge, layout.offer.categories,
-                        configuration_.binding, weight, rng);
+  const BindingWishes wishes{configuration_.binding, weight, at_least(plan.least, source, resources_, slot.simulator)};
+  return sample_binding(source, resources_.backend(slot.simulator).knowledge, layout.offer.categories, wishes, rng);
 }
 
 void CandidatePlanner::count(const CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts) {

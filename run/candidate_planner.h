@@ -17,6 +17,7 @@ struct CandidatePlan {
   std::size_t source = 0;          // position in Resources::templates
   int home = 0;                    // in the layout pool
   std::optional<Binding> binding;  // nullopt: none of the homes that were tried offers one
+  Grade least = Grade::Usual;      // sense that the task has to make
   bool operator==(const CandidatePlan&) const = default;
 };
 
@@ -38,6 +39,8 @@ class CandidatePlanner {
   const Frequencies& counts() const { return counts_; }
 
   static constexpr int kAttemptsPerTemplate = 3;
+  /// The share of a slot's attempts after which tolerable tasks will do where usual ones were asked for.
+  static constexpr double kPatience = 0.75;
 
  private:
   /// The template that a slot currently uses, and those that it has used.
@@ -50,6 +53,7 @@ class CandidatePlanner {
   using RoomTypes = std::map<std::string, std::map<std::string, double>>;
 
   std::size_t next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts, Rng rng) const;
+  Grade least_of(const TaskSlot& slot, std::size_t source, int attempt) const;
   void choose_home(CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts, const Rng& rng);
   std::optional<Binding> draw_binding(const CandidatePlan& plan, const TaskSlot& slot, const Frequencies& counts,
                                       Rng rng);

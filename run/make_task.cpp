@@ -1,6 +1,7 @@
 #include "run/make_task.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "annotator/home_facts.h"
@@ -11,6 +12,7 @@
 #include "generator/weighted_binding.h"
 #include "grounding/ground.h"
 #include "run/given_binding.h"
+#include "run/sense_of_binding.h"
 
 namespace unietp {
 namespace {
@@ -21,11 +23,26 @@ std::string task_id(const TaskSlot& slot) {
   return std::string(name_of(slot.simulator)) + "-" + digits;
 }
 
+using SenseOf = std::function<TaskSense(const Specification&)>;
+
+/// "A=Mug, B=Bed: mug on bed (rule:…)"
+std::string said_of(const Binding& binding, const TaskSense& sense) {
+  std::string text = to_text(binding);
+  if (!sense.parts.empty()) text += ": " + sense.parts.front().part + " (" + sense.parts.front().sense.why + ")";
+  return text;
+}
+
+bool another_binding_helps(RejectionReason reason) {
+  return reason == RejectionReason::NoReferringConstraint || reason == RejectionReason::NoWording ||
+         reason == RejectionReason::Senseless;
+}
+
 /// The specification in the slot's split, or why there is none. `as_it_is`: the home must already contain the furniture
 /// that the template refers to; otherwise grounding may still find a place for what is missing.
 std::variant<Specification, Rejection> specify_once(const Template& source, const Layout& layout,
                                                     const Knowledge& knowledge, const std::optional<Binding>& binding,
-                                                    Split split, bool as_it_is, const Rng& rng) {
+                                                    Split split, bool as_it_is, Grade least, const SenseOf& sense_of,
+                                                    const Rng& rng) {
   if (!binding)
     return Rejection{RejectionReason::NoBinding, "no categories that " + layout.home.scene.id +
                                                      " can offer meet the constraints of " + source.name};
@@ -46,6 +63,10 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
     specified = refine_linguistic(*plain, knowledge, layout.offer, source.refinement, rng.fork("linguistic", 0));
     if (!specified) return Rejection{RejectionReason::NoWording, to_text(*binding)};
   }
+  if (least > Grade::Senseless) {
+    const TaskSense sense = sense_of(*specified);
+    if (sense.grade < least) return Rejection{RejectionReason::Senseless, said_of(*binding, sense)};
+  }
   if (const auto refusal = refused_by(*plain, knowledge)) return refused(*refusal);
   return std::move(*specified);
 }
@@ -53,23 +74,20 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
 /// Most categories cannot be referred to in every home, nor worded in every style: a few further bindings, with the
 /// `fixed` categories, are tried before a candidate is rejected.
 std::variant<Specification, Rejection> specify(const Template& source, const Layout& layout, const Knowledge& knowledge,
-                                               const std::optional<Binding>& planned, const Binding& fixed, Split split,
-                                               const CategoryWeight& weight, const Rng& rng) {
+                                               const std::optional<Binding>& planned, const BindingWishes& wishes,
+                                               Split split, Grade least, const SenseOf& sense_of, const Rng& rng) {
   constexpr std::uint64_t kBindings = 8;  // of the candidates that 32 bindings save, 8 save 98 %
-  auto specified = specify_once(source, layout, knowledge, planned, split, true, rng);
+  auto specified = specify_once(source, layout, knowledge, planned, split, true, least, sense_of, rng);
   for (std::uint64_t i = 1; i < kBindings; ++i) {
     const auto* why = std::get_if<Rejection>(&specified);
-    if (why == nullptr ||
-        (why->reason != RejectionReason::NoReferringConstraint && why->reason != RejectionReason::NoWording))
-      break;
+    if (why == nullptr || !another_binding_helps(why->reason)) break;
     const auto again = rng.fork("again", i);
-    const auto binding =
-        sample_binding(source, knowledge, layout.offer.categories, fixed, weight, again.fork("binding", 0));
-    specified = specify_once(source, layout, knowledge, binding, split, true, again);
+    const auto binding = sample_binding(source, knowledge, layout.offer.categories, wishes, again.fork("binding", 0));
+    specified = specify_once(source, layout, knowledge, binding, split, true, least, sense_of, again);
   }
   const auto* why = std::get_if<Rejection>(&specified);
   if (why != nullptr && why->reason == RejectionReason::NoReferringConstraint && split_of_tasks(source) == split)
-    specified = specify_once(source, layout, knowledge, planned, split, false, rng);
+    specified = specify_once(source, layout, knowledge, planned, split, false, least, sense_of, rng);
   return specified;
 }
 
@@ -108,7 +126,9 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
     return counts.weight(dimensions[static_cast<std::size_t>(&parameter - source.parameters.data())],
                          simulator + category);
   };
-  auto specified = specify(source, *layout, backend.knowledge, plan.binding, configuration.binding, slot.split, weight,
+  const SenseOf sense_of = [&](const Specification& one) { return sense_of_task(one, resources); };
+  const BindingWishes wishes{configuration.binding, weight, at_least(plan.least, source, resources, slot.simulator)};
+  auto specified = specify(source, *layout, backend.knowledge, plan.binding, wishes, slot.split, plan.least, sense_of,
                            root.fork("generator", item));
   if (auto* why = std::get_if<Rejection>(&specified)) return rejected(std::move(*why));
   const auto& specification = std::get<Specification>(specified);
@@ -124,7 +144,8 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
       ground(specification, layout->home, backend.knowledge, backend.profile, grounding, root.fork("grounding", item));
   if (auto* why = std::get_if<Rejection>(&grounded)) return rejected(std::move(*why));
   auto& [episode, known] = std::get<Grounded>(grounded);
-  Task task{task_id(slot), std::move(episode), {}, {}, {}, {}, configuration.seed, slot.index, plan.attempt};
+  Task task{task_id(slot), std::move(episode), {}, {}, {}, {}, {}, configuration.seed, slot.index, plan.attempt};
+  task.sense = sense_of(task.episode.specification);
   task.episode.start.id = task.id;  // the id under which it is written
 
   timer.enter(Stage::Annotator);

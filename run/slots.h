@@ -14,6 +14,7 @@ struct TaskSlot {
   Simulator simulator = Simulator::Ai2thor;
   Split split = Split::Atomic;
   std::vector<std::size_t> templates;  // positions in Resources::templates, ascending; not empty
+  std::vector<Grade> least;            // of each of them: what its tasks have to reach, as far as it can at all
   std::size_t first_template = 0;      // position in `templates` of the one that is tried first
 };
 

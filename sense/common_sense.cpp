@@ -30,9 +30,11 @@ bool matches(std::string_view pattern, std::string_view role) {
   return role.starts_with(pattern.substr(0, pattern.size() - 1));
 }
 
-constexpr std::string_view kNextTo = "next_to:";
+constexpr std::string_view kNextTo = "next_to:", kMaterialMark = "material:";
 
-Sense refused_by(const SenseRule& rule) { return {Grade::Senseless, 0, {"rule " + rule.name + ": " + rule.reason}}; }
+Sense refused_by(const SenseRule& rule) {
+  return {Grade::Senseless, 0, {"rule " + rule.name + ": " + rule.reason}, "rule:" + rule.name};
+}
 
 std::string short_number(double value) {
   return number_text(static_cast<double>(static_cast<int>(value * 100 + 0.5)) / 100);
@@ -106,12 +108,11 @@ double CommonSense::moved(const std::string& kind, const Role& role, double star
 }
 
 bool CommonSense::meets(const SenseRule& rule, const Thing& thing) const {
-  constexpr std::string_view material = "material:";
   for (const auto& kind : rule.except) {
     if (kinds_.is_a(thing.kind, kind)) return false;
   }
-  if (!rule.thing.starts_with(material)) return kinds_.is_a(thing.kind, rule.thing);
-  const auto of = rule.thing.substr(material.size());
+  if (!rule.thing.starts_with(kMaterialMark)) return kinds_.is_a(thing.kind, rule.thing);
+  const auto of = rule.thing.substr(kMaterialMark.size());
   return !thing.materials.empty() && std::all_of(thing.materials.begin(), thing.materials.end(),
                                                  [&](const std::string& each) { return each == of; });
 }
@@ -179,7 +180,16 @@ Role CommonSense::best_place(const std::string& kind, const Role& role) const {
 Sense CommonSense::graded(const Thing& thing, const Role& asked) const {
   const Role role = best_place(thing.kind, asked);
   const double value = score(thing.kind, role);
-  return {grade_of(value), value, reasons_for(thing, role)};
+  return {grade_of(value), value, reasons_for(thing, role), std::string(why(thing, role))};
+}
+
+std::string_view CommonSense::why(const Thing& thing, const Role& role) const {
+  bool judged = false;
+  for (const Kind* kind : kinds_.lineage(thing.kind)) {
+    if (kinds_.lineage(kind->name).size() > 2 && counts_.contains({kind->name, role})) return "written";
+    judged = judged || judgments_.contains({kind->name, role});
+  }
+  return judged ? "judged" : "unspoken";
 }
 
 Sense CommonSense::beside(const Thing& thing, const Role& role, const std::string& other) const {
@@ -206,7 +216,13 @@ Sense CommonSense::beside(const Thing& thing, const Role& role, const std::strin
     }
   }
   if (best <= own.score) return own;
-  return {grade_of(best), best, {"both may be at one place: " + where}};
+  return {grade_of(best), best, {"both may be at one place: " + where}, "shared"};
+}
+
+bool CommonSense::has_rule_on(std::string_view material) const {
+  return std::any_of(rules_.begin(), rules_.end(), [&](const SenseRule& rule) {
+    return rule.thing.starts_with(kMaterialMark) && rule.thing.substr(kMaterialMark.size()) == material;
+  });
 }
 
 const SenseRule* CommonSense::broken(const Thing& thing, const Role& role) const {
@@ -225,7 +241,7 @@ Sense CommonSense::grade(const Thing& thing, const Role& asked) const {
 
 Sense CommonSense::found(const Thing& thing, const Role& place) const {
   if (const auto* rule = broken(thing, "found:" + place)) return refused_by(*rule);
-  return {Grade::Usual, 1, {}};
+  return {Grade::Usual, 1, {}, ""};
 }
 
 bool CommonSense::belongs(const Thing& thing, const std::string& place) const {
@@ -243,7 +259,7 @@ Sense CommonSense::together(const Thing& a, const Thing& b) const {
       if (meets(rule, *first) && kinds_.is_a(second->kind, rule.other)) return refused_by(rule);
     }
   }
-  return {Grade::Usual, 1, {}};
+  return {Grade::Usual, 1, {}, ""};
 }
 
 CommonSense read_common_sense(const std::filesystem::path& folder, std::vector<Error>& errors) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -18,7 +19,11 @@ struct Sense {
   Grade grade = Grade::Tolerable;
   double score = 0;  // what the grade was read from: at least 0.5 usual, below 0.12 senseless
   std::vector<std::string> reasons;
+  std::string why;  // the same in a word: one of kWhys, or "rule:" and the rule's name
 };
+/// What a grade rests on: a person's judgment of the kind or a wider one, what people wrote of it, that two things have
+/// a place in common, that two wants have nothing to do with one another, or nothing.
+inline constexpr std::array<std::string_view, 5> kWhys{"judged", "written", "shared", "apart", "unspoken"};
 /// The worse of two; the reasons of both when they are equal.
 Sense worse_of(Sense a, Sense b);
 
@@ -54,6 +59,8 @@ class CommonSense {
   Sense found(const Thing& thing, const Role& place) const;
   /// True when the thing is at home on or in a place or machine, so that opening this one may be for its sake.
   bool belongs(const Thing& thing, const std::string& place) const;
+  /// True when some rule looks at this material.
+  bool has_rule_on(std::string_view material) const;
   /// The rules on two things at one place, or next to one another.
   Sense together(const Thing& a, const Thing& b) const;
 
@@ -68,6 +75,7 @@ class CommonSense {
   Sense graded(const Thing& thing, const Role& role) const;
   Sense beside(const Thing& thing, const Role& role, const std::string& other) const;
   std::vector<std::string> reasons_for(const Thing& thing, const Role& role) const;
+  std::string_view why(const Thing& thing, const Role& role) const;
   bool meets(const SenseRule& rule, const Thing& thing) const;
   const SenseRule* broken(const Thing& thing, const Role& role) const;
   Role known_role(const Thing& thing, const Role& role) const;

@@ -68,6 +68,44 @@ std::string_view deed_of(Predicate predicate) {
   }
 }
 
+bool is_place(const Want& want) {
+  return (want.predicate == Predicate::On || want.predicate == Predicate::Inside) && !want.negated;
+}
+
+bool turns(const Want& want) {
+  return !want.negated && (want.predicate == Predicate::Open || want.predicate == Predicate::Closed ||
+                           want.predicate == Predicate::PowerOn || want.predicate == Predicate::PowerOff);
+}
+
+/// True for two wants that may say something together which neither says alone.
+bool go_together(const Want& a, const Want& b) {
+  if (a.thing == b.thing || (is_place(a) && is_place(b) && a.other == b.other)) return true;
+  return (turns(a) && is_place(b)) || (turns(b) && is_place(a));
+}
+
+/// The piece of the wants that has these, with the things that they speak of.
+Wants piece_of(const Wants& whole, std::vector<Want> wants, std::vector<Want> found) {
+  Wants piece;
+  std::vector<std::size_t> old;
+  const auto moved = [&](std::size_t thing) {
+    const auto at = std::find(old.begin(), old.end(), thing);
+    if (at != old.end()) return static_cast<std::size_t>(at - old.begin());
+    old.push_back(thing);
+    piece.things.push_back(whole.things[thing]);
+    piece.things.back().where.clear();
+    return old.size() - 1;
+  };
+  for (auto* list : {&wants, &found}) {
+    for (Want& want : *list) {
+      want.thing = moved(want.thing);
+      if (want.other) want.other = moved(*want.other);
+    }
+  }
+  piece.wants = std::move(wants);
+  piece.found = std::move(found);
+  return piece;
+}
+
 /// A want about one category, in words and as a role.
 struct Asked {
   Role role;
@@ -84,6 +122,7 @@ class GoalGrader {
     for (const auto& want : wants_.found) found(want);
     for (std::size_t i = 0; i < wants_.wants.size(); ++i) {
       for (std::size_t j = i + 1; j < wants_.wants.size(); ++j) {
+        if (!go_together(wants_.wants[i], wants_.wants[j])) continue;
         pair(wants_.wants[i], wants_.wants[j]);
         apart(wants_.wants[i], wants_.wants[j]);
         apart(wants_.wants[j], wants_.wants[i]);
@@ -217,22 +256,16 @@ class GoalGrader {
     }
   }
 
-  static bool is_place(const Want& want) {
-    return (want.predicate == Predicate::On || want.predicate == Predicate::Inside) && !want.negated;
-  }
-
   /// Opening or switching on something in a task that puts a thing elsewhere which never goes there.
   void apart(const Want& part, const Want& moved) {
-    const bool turns = part.predicate == Predicate::Open || part.predicate == Predicate::Closed ||
-                       part.predicate == Predicate::PowerOn || part.predicate == Predicate::PowerOff;
-    if (!turns || part.negated || !is_place(moved) || moved.thing == part.thing || moved.other == part.thing) return;
+    if (!turns(part) || !is_place(moved) || moved.thing == part.thing || moved.other == part.thing) return;
     for (const auto& machine : things_of(part.thing)) {
       for (const auto& thing : things_of(moved.thing)) {
         const auto& kinds = sense_.kinds();
         const bool stays = kinds.is_a(machine.kind, "place") || kinds.is_a(machine.kind, "fixture");
         if (!stays || thing.kind.empty() || sense_.belongs(thing, machine.kind)) continue;
         keep(std::string(deed_of(part.predicate)) + " " + machine.words + ", and " + thing.words + " elsewhere",
-             {Grade::Tolerable, 0.3, {"the two have nothing to do with one another"}});
+             {Grade::Tolerable, 0.3, {"the two have nothing to do with one another"}, "apart"});
       }
     }
   }
@@ -262,6 +295,25 @@ class GoalGrader {
 };
 
 }  // namespace
+
+std::vector<Wants> pieces_of(const Wants& wants) {
+  std::vector<Wants> pieces;
+  for (const Want& want : wants.wants) pieces.push_back(piece_of(wants, {want}, {}));
+  for (const Want& want : wants.found) pieces.push_back(piece_of(wants, {}, {want}));
+  for (std::size_t i = 0; i < wants.wants.size(); ++i) {
+    for (std::size_t j = i + 1; j < wants.wants.size(); ++j) {
+      if (go_together(wants.wants[i], wants.wants[j]))
+        pieces.push_back(piece_of(wants, {wants.wants[i], wants.wants[j]}, {}));
+    }
+  }
+  return pieces;
+}
+
+std::optional<Grade> grade_piece(const Wants& piece, const Knowledge& knowledge, const CommonSense& sense,
+                                 const WordKinds& words) {
+  const TaskSense task = GoalGrader(knowledge, sense, words, piece).grade();
+  return task.parts.empty() ? std::nullopt : std::optional(task.grade);
+}
 
 TaskSense grade_goal(const Formula& goal, const Knowledge& knowledge, const CommonSense& sense,
                      const WordKinds& words) {

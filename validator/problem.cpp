@@ -51,6 +51,7 @@ constexpr std::array kProblems{
     ProblemInfo{Kind::Edits, "edits", "a start, or the edits that name what was changed, is not what the run made"},
     ProblemInfo{Kind::GoalText, "goal-text", "the goal's text is not a valid goal"},
     ProblemInfo{Kind::GoalTree, "goal-tree", "the goal's tree and text are different formulas"},
+    ProblemInfo{Kind::Sense, "sense", "a recorded grade, or a reason for it, is not the one that the goal has"},
     ProblemInfo{Kind::BoundCategory, "binding",
                 "a category is not in the knowledge base, or the goal uses one that is not bound"},
     ProblemInfo{Kind::OfTemplate, "template", "a task is not one of its template with its binding"},
