@@ -19,7 +19,7 @@ struct Sense {
   Grade grade = Grade::Tolerable;
   double score = 0;  // what the grade was read from: at least 0.5 usual, below 0.12 senseless
   std::vector<std::string> reasons;
-  std::string why;  // the same in a word: one of kWhys, or "rule:" and the rule's name
+  std::string why = {};  // the same in a word: one of kWhys, or "rule:" and the rule's name
 };
 /// What a grade rests on: a person's judgment of the kind or a wider one, what people wrote of it, that two things have
 /// a place in common, that two wants have nothing to do with one another, or nothing.

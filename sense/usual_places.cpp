@@ -41,7 +41,7 @@ Role role_of(Predicate relation, const std::string& kind, const Kinds& kinds) {
 Sense grade_placement(const Placement& placement, const Knowledge& knowledge, const CommonSense& sense) {
   const auto thing = thing_of(placement.object, knowledge, sense);
   const auto place = thing_of(placement.receptacle, knowledge, sense);
-  if (thing.kind.empty() || place.kind.empty()) return {Grade::Tolerable, 0, {"a category has no kind"}};
+  if (thing.kind.empty() || place.kind.empty()) return {Grade::Tolerable, 0, {"a category has no kind"}, "unspoken"};
   auto own = sense.grade(thing, role_of(placement.relation, place.kind, sense.kinds()));
   return placement.relation == Predicate::NextTo ? worse_of(std::move(own), sense.together(thing, place)) : own;
 }
