@@ -174,7 +174,8 @@ void add_effects(TableBuilder& builder, const Json& types, const Json& alfred) {
 
 }  // namespace
 
-Result<Tables> import_ai2thor(const std::filesystem::path& upstream, const std::filesystem::path& curated) {
+Result<Tables> import_ai2thor(const std::filesystem::path& upstream, const std::filesystem::path& curated,
+                              const AbsurdPlace& absurd) {
   const auto folder = upstream / "ai2thor";
   const auto types = read_metadata_json(folder / "object_types.json");
   if (!types) return types.error();
@@ -191,6 +192,7 @@ Result<Tables> import_ai2thor(const std::filesystem::path& upstream, const std::
   if (!built_in) return built_in.error();
 
   TableBuilder builder(Simulator::Ai2thor, curated);
+  builder.refuse(absurd);
   const auto facts = facts_of(*scenes);
   add_categories(builder, *types, *assets, facts);
   add_affordances(builder, *types, *alfred);

@@ -30,7 +30,7 @@ bool matches(std::string_view pattern, std::string_view role) {
   return role.starts_with(pattern.substr(0, pattern.size() - 1));
 }
 
-constexpr std::string_view kNextTo = "next_to:", kMaterialMark = "material:";
+constexpr std::string_view kNextTo = "next_to:", kMaterialMark = "material:", kOnFloor = "on:floor";
 
 Sense refused_by(const SenseRule& rule) {
   return {Grade::Senseless, 0, {"rule " + rule.name + ": " + rule.reason}, "rule:" + rule.name};
@@ -202,14 +202,14 @@ Sense CommonSense::beside(const Thing& thing, const Role& role, const std::strin
       where = what;
     }
   };
-  if (kinds_.is_a(other, "movable")) {
-    for (const auto& place : kinds_.all()) {
-      if (place.relation.empty() || !kinds_.is_a(place.name, "place")) continue;
-      const Role at = kinds_.place_role(kinds_.usual_relation(place.name), place.name);
-      offer(kSharedPlace * std::min(score(thing.kind, at), score(other, at)), at);
-    }
-  } else {
-    offer(kSharedPlace * score(thing.kind, "on:floor"), "on:floor");
+  // What stands on furniture, a lamp or a toaster, has others beside it there.
+  for (const auto& place : kinds_.all()) {
+    if (place.relation.empty() || !kinds_.is_a(place.name, "place")) continue;
+    const Role at = kinds_.place_role(kinds_.usual_relation(place.name), place.name);
+    const bool floor = !kinds_.is_a(other, "movable") && at == kOnFloor;
+    offer(kSharedPlace * std::min(score(thing.kind, at), floor ? 1 : score(other, at)), at);
+  }
+  if (!kinds_.is_a(other, "movable")) {
     for (const auto* relation : {"on", "in"}) {
       const Role at = best_place(thing.kind, kinds_.place_role(relation, other));
       if (grade_of(score(thing.kind, at)) != Grade::Senseless) offer(kStart[1], at);
