@@ -32,6 +32,12 @@ bool wordnet_body(std::string_view text);
 bool http_body(std::string_view text);
 /// What a language model's server answers when it is asked for facts.
 bool completion_body(std::string_view text);
+/// A chat completion whose text may be anything, a stored one, and further fields of a request.
+bool chat_body(std::string_view text);
+/// A line of an evaluation's files or log, or what a policy's program answers.
+bool episode_body(std::string_view text);
+bool evaluation_body(std::string_view text);  // its manifest
+bool prompt_body(std::string_view text);
 /// What a batch service hands back for texts and judgements, and what a server may say of when to ask again.
 bool answers_body(std::string_view text);
 /// A simulator's own JSON file.
