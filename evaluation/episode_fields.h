@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "evaluation/episode_record.h"
+#include "evaluation/episode_key.h"
 #include "scene/json_reader.h"
 
 namespace unietp {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "core/result.h"
+#include "evaluation/episode_key.h"
 #include "scene/command.h"
 
 namespace unietp {
@@ -15,17 +15,6 @@ namespace unietp {
 /// Files of an evaluation's folder (docs/evaluation.md).
 inline constexpr const char* kEpisodesFile = "episodes.jsonl";  // what happened: the same bytes for the same replies
 inline constexpr const char* kTimingFile = "timing.jsonl";      // how long it took, and what was tried again
-
-/// Which episode: a task in a mode, done again `repeat` times, counted from 1.
-struct EpisodeKey {
-  std::string task;
-  Mode mode = Mode::M1;
-  int repeat = 1;
-  bool operator==(const EpisodeKey&) const = default;
-  auto operator<=>(const EpisodeKey& other) const {
-    return std::tie(task, mode, repeat) <=> std::tie(other.task, other.mode, other.repeat);
-  }
-};
 
 /// An action of a reply and what it came to, whatever the agent was told of it.
 struct EpisodeAction {

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
+#include "core/pause.h"
 #include "core/share_work.h"
 #include "evaluation/episode_run.h"
 
@@ -86,22 +86,14 @@ class EvaluationRun {
       if (last.hopeless) give_up(last.message);
       if (last.hopeless || last.stopped) return Done{};
       if (attempt >= options_.policy_attempts) break;
-      if (!wait(wait_s)) return Done{};
+      const auto pause = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait_s));
+      if (!pause_until(Clock::now() + pause, options_.stop)) return Done{};
       wait_s *= 2;
     }
     auto environment = Environment::make(*task, settings_.at(planned.key.mode));
     if (!environment) return environment.error();
     last.attempts = options_.policy_attempts;
     return take(unplayed(planned, *environment, last));
-  }
-
-  bool wait(double seconds) const {
-    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-    while (Clock::now() < end) {
-      if (stopped()) return false;
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return true;
   }
 
   Result<Done> take(const PlayedEpisode& episode) {

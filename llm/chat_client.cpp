@@ -1,9 +1,9 @@
 #include "llm/chat_client.h"
 
 #include <algorithm>
-#include <thread>
 #include <utility>
 
+#include "core/pause.h"
 #include "llm/chat.h"
 #include "llm/retry_after.h"
 #include "llm/transport.h"
@@ -52,16 +52,6 @@ ChatClient::ChatClient(LlmEndpoint endpoint, const ChatOptions& options, std::sh
       transport_(std::make_unique<Transport>(endpoint_, options.attempt_s)) {}
 ChatClient::~ChatClient() = default;
 
-/// False when stopped before.
-bool ChatClient::wait_until(Holdback::Time time) const {
-  for (;;) {
-    if (stopped()) return false;
-    const auto now = Holdback::Clock::now();
-    if (now >= time) return true;
-    std::this_thread::sleep_for(std::min<Holdback::Clock::duration>(time - now, seconds_long(kPoll_s)));
-  }
-}
-
 std::variant<ChatReply, ChatFailure> ChatClient::attempt(const std::string& body, double& asked_wait_s) {
   transport_->start(0, body);
   std::vector<HttpAnswer> ended;
@@ -90,7 +80,7 @@ std::variant<ChatReply, ChatFailure> ChatClient::attempt(const std::string& body
 ChatAnswer ChatClient::ask(const std::string& body, Rng rng) {
   double wait_s = options_.first_wait_s;
   for (int attempts = 1;; ++attempts) {
-    if (!wait_until(holdback_->until())) return {stopped_failure(), attempts - 1};
+    if (!pause_until(holdback_->until(), options_.stop)) return {stopped_failure(), attempts - 1};
     double asked_wait_s = -1;
     auto result = attempt(body, asked_wait_s);
     const auto* failure = std::get_if<ChatFailure>(&result);
@@ -99,7 +89,7 @@ ChatAnswer ChatClient::ask(const std::string& body, Rng rng) {
     const double pause =
         asked_wait_s >= 0 ? asked_wait_s : std::min(wait_s * (1 + rng.unit()), options_.longest_wait_s);
     wait_s *= 2;
-    if (!wait_until(Holdback::Clock::now() + seconds_long(pause))) return {stopped_failure(), attempts};
+    if (!pause_until(Holdback::Clock::now() + seconds_long(pause), options_.stop)) return {stopped_failure(), attempts};
   }
 }
 

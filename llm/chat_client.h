@@ -68,7 +68,6 @@ class ChatClient {
 
  private:
   std::variant<ChatReply, ChatFailure> attempt(const std::string& body, double& asked_wait_s);
-  bool wait_until(Holdback::Time time) const;
   bool stopped() const { return options_.stop != nullptr && *options_.stop; }
 
   LlmEndpoint endpoint_;

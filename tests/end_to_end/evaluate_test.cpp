@@ -1,0 +1,289 @@
+// `unietp evaluate` as people run it: policies of the program, other programs, and models behind servers that behave
+// well or badly.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/digest.h"
+#include "core/files.h"
+#include "core/rng.h"
+#include "data_set.h"
+#include "evaluation/episode_record.h"
+#include "tests/llm/server.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ChatServer;
+using test::completion;
+using test::http;
+using test::Received;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string set() { return data_set_in_all_modes().string(); }
+
+std::vector<EpisodeRecord> episodes_in(const fs::path& folder) {
+  std::vector<EpisodeRecord> episodes;
+  for (const auto& json : json_lines(folder / kEpisodesFile)) {
+    auto episode = read_episode("episodes.jsonl", 1, json.dump());
+    EXPECT_TRUE(episode) << format(episode.error());
+    if (episode) episodes.push_back(std::move(*episode));
+  }
+  return episodes;
+}
+
+int successes(const fs::path& folder) {
+  const auto episodes = episodes_in(folder);
+  return static_cast<int>(
+      std::count_if(episodes.begin(), episodes.end(), [](const EpisodeRecord& one) { return one.success; }));
+}
+
+Ended evaluate(std::vector<std::string> options, const std::string& out) {
+  options.insert(options.begin(), {"evaluate", set(), "--out", out});
+  return run_program(options);
+}
+std::vector<std::string> model_at(const std::string& url) {
+  return {"--model", "some-model", "--llm-url", url, "--images", "none", "--llm-wait", "0.01"};
+}
+template <class... More>
+std::vector<std::string> with(std::vector<std::string> options, More... more) {
+  (options.emplace_back(more), ...);
+  return options;
+}
+
+/// What a model says that knows nothing: the same to the same prompt. It stops in one of four replies.
+std::string said_to(const Received& request) {
+  const std::string digest = sha256(request.body);
+  if (digest[0] < '4') return R"({"action": "stop", "args": []})";
+  if (digest[0] < '8') return "I would look around first.";
+  return R"(<think>left?</think>{"action": "turn_left", "args": []})";
+}
+std::string calm(const Received& request) { return http("200 OK", completion(said_to(request))); }
+
+TEST(Evaluate, TheStoredAndTheExpertsWaySucceedAndStoppingDoesNot) {
+  const ScratchFolder scratch;
+  for (const char* policy : {"replay", "expert"}) {
+    const auto ended = evaluate({"--policy", policy, "--modes", "M1,M2,M3"}, scratch.at(policy));
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(successes(scratch.at(policy)), 3 * kCountInAllModes) << policy;
+  }
+  EXPECT_EQ(evaluate({"--policy", "stop"}, scratch.at("stop")).code, 0);
+  EXPECT_EQ(successes(scratch.at("stop")), 0);
+  const auto again = evaluate({"--policy", "replay", "--modes", "M1,M2,M3", "--at-once", "1"}, scratch.at("alone"));
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(*read_file(scratch.at("alone") + "/episodes.jsonl"), *read_file(scratch.at("replay") + "/episodes.jsonl"));
+}
+
+TEST(Evaluate, NoiseSucceedsAsOftenAsTheClosedFormSays) {
+  // No step of a demonstration but `stop` can be left out, so one of n actions succeeds with (1 - P)^(n - 1).
+  const ScratchFolder scratch;
+  constexpr double kNoise = 0.1;
+  constexpr int kRepeats = 60;
+  const auto ended = evaluate({"--policy", "noisy:0.1", "--repeats", std::to_string(kRepeats)}, scratch.at("noisy"));
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  double mean = 0, variance = 0;
+  for (const auto& shown : json_lines(data_set_in_all_modes() / "demonstrations" / "M1.jsonl")) {
+    const double chance = std::pow(1 - kNoise, static_cast<double>(shown["steps"].size()) - 1);
+    mean += kRepeats * chance;
+    variance += kRepeats * chance * (1 - chance);
+  }
+  EXPECT_NEAR(successes(scratch.at("noisy")), mean, 3.5 * std::sqrt(variance));
+}
+
+TEST(Evaluate, ABadServerChangesNothingThatIsRecorded) {
+  const ScratchFolder scratch;
+  ChatServer good(&calm);
+  ASSERT_EQ(evaluate(model_at(good.url), scratch.at("good")).code, 0);
+  ChatServer bad([](const Received& request) {
+    switch (request.number % 7) {
+      case 0:
+        return http("429 Too Many Requests", "{}", "Retry-After: 0\r\n");
+      case 1:
+        return http("500 Internal Server Error", "oops");
+      case 2:
+        return std::string("HTTP/1.1 200 OK\r\nContent-Length: 1000\r\n\r\n{\"choi");
+      case 3:
+        return http("200 OK", "{\"choices\": \"\xFF\xFE\"}");
+      case 4:
+        return http("200 OK", "[1, 2");
+      case 5:
+        return http("200 OK", std::string(5 << 20, ' '));
+      default:
+        return calm(request);
+    }
+  });
+  const auto ended = evaluate(with(model_at(bad.url), "--llm-attempts", "60", "--at-once", "2"), scratch.at("bad"));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(*read_file(scratch.at("bad") + "/episodes.jsonl"), *read_file(scratch.at("good") + "/episodes.jsonl"));
+}
+
+TEST(Evaluate, WhatTheModelSaysIsNotAskedAgain) {
+  const ScratchFolder scratch;
+  ChatServer server([](const Received&) { return http("200 OK", completion("{\"action\": ")); });
+  const auto ended = evaluate(with(model_at(server.url), "--limit", "1"), scratch.at("run"));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const auto episodes = episodes_in(scratch.at("run"));
+  ASSERT_EQ(episodes.size(), 1U);
+  EXPECT_EQ(episodes[0].end, EpisodeOutcome::Failures);
+  EXPECT_EQ(episodes[0].steps.size(), 10U);
+  EXPECT_EQ(server.count(), 10);
+  EXPECT_NE(episodes[0].steps[0].unreadable, "");
+}
+
+TEST(Evaluate, WithoutRepliesEpisodesAreErroredAndResumed) {
+  const ScratchFolder scratch;
+  std::atomic<bool> broken{true};
+  ChatServer server([&](const Received& request) {
+    if (broken && request.number >= 5)
+      return http("503 Service Unavailable", R"({"error": {"message": "overloaded"}})");
+    return calm(request);
+  });
+  const auto options = with(model_at(server.url), "--llm-attempts", "2", "--at-once", "1");
+  const auto first = evaluate(options, scratch.at("run"));
+  EXPECT_EQ(first.code, 1);
+  EXPECT_THAT(first.out, HasSubstr("incomplete"));
+  int errored = 0;
+  for (const EpisodeRecord& episode : episodes_in(scratch.at("run"))) {
+    if (!episode.error) continue;
+    ++errored;
+    EXPECT_EQ(episode.error->kind, EpisodeErrorKind::Server);
+    EXPECT_THAT(episode.error->message, HasSubstr("overloaded"));
+  }
+  EXPECT_GT(errored, 0);
+  EXPECT_EQ(evaluate(options, scratch.at("run")).code, 2);  // not without --resume
+  broken = false;
+  const auto second = evaluate(with(options, "--resume"), scratch.at("run"));
+  EXPECT_EQ(second.code, 0) << second.err;
+  ChatServer good(&calm);
+  ASSERT_EQ(evaluate(model_at(good.url), scratch.at("good")).code, 0);
+  EXPECT_EQ(*read_file(scratch.at("run") + "/episodes.jsonl"), *read_file(scratch.at("good") + "/episodes.jsonl"));
+  EXPECT_EQ(server.count() - 2 * errored, good.count());  // no stored reply was asked for again
+}
+
+TEST(Evaluate, AWrongKeyStopsTheRunAtOnce) {
+  const ScratchFolder scratch;
+  ChatServer server([](const Received&) { return http("401 Unauthorized", R"({"error": "no such key"})"); });
+  const auto ended = evaluate(with(model_at(server.url), "--at-once", "1"), scratch.at("run"));
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.out, HasSubstr("no such key"));
+  EXPECT_EQ(server.count(), 1);
+}
+
+TEST(Evaluate, WithoutFeedbackNoPromptTellsOfSuccess) {
+  const ScratchFolder scratch;
+  for (const char* chat : {"single", "multi"}) {
+    std::vector<std::string> users;
+    ChatServer server(&calm);
+    const auto ended = evaluate(with(model_at(server.url), "--feedback", "none", "--chat", chat, "--modes", "M1,M3"),
+                                scratch.at(chat));
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    int told = 0;
+    for (const Received& request : server.received()) {
+      for (const auto& message : nlohmann::json::parse(request.body)["messages"]) {
+        if (message["role"] != "user") continue;
+        ++told;
+        const std::string text = message["content"];
+        for (const char* word : {"succeed", "fail", "success", "true", "false"})
+          EXPECT_THAT(text, Not(HasSubstr(word)));
+      }
+    }
+    EXPECT_GT(told, 20);
+  }
+}
+
+TEST(Evaluate, AChangedSettingIsNotResumed) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(evaluate({"--policy", "stop"}, scratch.at("run")).code, 0);
+  const auto ended = evaluate({"--policy", "stop", "--resume", "--setting", "steps=20"}, scratch.at("run"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("settings.M1.steps: 50 then, 20 now"));
+}
+
+TEST(Evaluate, ProgramsActAndTheirEndIsNoFailureOfTheTask) {
+  const ScratchFolder scratch;
+  ASSERT_TRUE(write_file(scratch.path() / "agent.py",
+                         "class Agent:\n"
+                         "    def begin(self, episode): self.left = 2\n"
+                         "    def act(self, observation):\n"
+                         "        print('thinking aloud')\n"
+                         "        self.left -= 1\n"
+                         "        return {'action': 'turn_left', 'args': []} if self.left >= 0 else 'stop'\n"
+                         "class Broken:\n"
+                         "    def act(self, observation): raise SystemExit(3)\n"));
+  const auto run = [&](const std::string& policy, const std::string& out) {
+    RunningProgram program(
+        "unietp",
+        {"evaluate", set(), "--policy", policy, "--limit", "2", "--out", scratch.at(out), "--llm-wait", "0.01"},
+        scratch.path());
+    return program.wait();
+  };
+  const auto good = run("python:agent.Agent", "good");
+  EXPECT_EQ(good.code, 0) << good.err;
+  for (const EpisodeRecord& episode : episodes_in(scratch.at("good"))) {
+    EXPECT_EQ(episode.end, EpisodeOutcome::Stop);
+    EXPECT_EQ(episode.steps.size(), 3U);
+  }
+  const auto broken = run("python:agent.Broken", "broken");
+  EXPECT_EQ(broken.code, 1) << broken.err;
+  for (const EpisodeRecord& episode : episodes_in(scratch.at("broken"))) {
+    ASSERT_TRUE(episode.error);
+    EXPECT_EQ(episode.error->kind, EpisodeErrorKind::Policy);
+    EXPECT_THAT(episode.error->message, HasSubstr("exit code 3"));
+  }
+  EXPECT_EQ(run("no-such-program-here", "none").code, 1);
+}
+
+TEST(Evaluate, AnInterruptEndsItWithinTwoSeconds) {
+  const ScratchFolder scratch;
+  ChatServer server([](const Received&) { return ChatServer::kSilence; });
+  auto options = model_at(server.url);
+  options.insert(options.begin(), {"evaluate", set(), "--out", scratch.at("run")});
+  RunningProgram program(options);
+  for (int i = 0; i < 500 && server.count() == 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  ASSERT_GT(server.count(), 0);
+  const auto begin = std::chrono::steady_clock::now();
+  program.send(SIGTERM);
+  EXPECT_EQ(program.wait().code, 130);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
+}
+
+TEST(EvaluateKilled, AtAHundredRandomPointsItEndsWithTheSameBytes) {
+  const ScratchFolder scratch;
+  ChatServer good(&calm);
+  ASSERT_EQ(evaluate(with(model_at(good.url), "--repeats", "3"), scratch.at("good")).code, 0);
+  ChatServer slow([](const Received& request) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return calm(request);
+  });
+  auto options = with(model_at(slow.url), "--repeats", "3", "--resume", "--at-once", "2");
+  Rng rng(27);
+  int kills = 0;
+  for (int run = 0; kills < 100; ++run) {
+    const std::string out = scratch.at("run" + std::to_string(run));
+    auto arguments = options;
+    arguments.insert(arguments.begin(), {"evaluate", set(), "--out", out});
+    for (bool done = false; !done;) {
+      RunningProgram program(arguments);
+      if (kills < 100) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(150 + rng.below(500)));
+        program.send(SIGKILL);
+      }
+      const auto ended = program.wait();
+      kills += ended.signal == SIGKILL ? 1 : 0;
+      done = ended.code == 0;
+      ASSERT_TRUE(done || ended.signal == SIGKILL) << ended.err;
+    }
+    ASSERT_EQ(*read_file(out + "/episodes.jsonl"), *read_file(scratch.at("good") + "/episodes.jsonl")) << run;
+  }
+}
+
+}  // namespace
+}  // namespace unietp
