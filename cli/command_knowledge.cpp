@@ -7,7 +7,7 @@
 
 #include "akb/importers.h"
 #include "cli/command_parser.h"
-#include "cli/command_sense.h"
+#include "cli/sense_folder.h"
 #include "core/text.h"
 #include "sense/usual_places.h"
 

@@ -6,8 +6,8 @@
 
 #include "cli/command_knowledge.h"
 #include "cli/command_parser.h"
-#include "cli/command_sense.h"
 #include "cli/common_options.h"
+#include "cli/sense_folder.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
 #include "sense/usual_places.h"

@@ -3,7 +3,7 @@
 
 #include "cli/command_knowledge.h"
 #include "cli/command_parser.h"
-#include "cli/command_sense.h"
+#include "cli/sense_folder.h"
 #include "core/text.h"
 #include "sense/fit.h"
 #include "sense/measure.h"

@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "core/base64.h"
 #include "core/digest.h"
 #include "core/text.h"
-#include "core/base64.h"
 
 namespace unietp {
 namespace {

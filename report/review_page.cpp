@@ -7,11 +7,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base64.h"
 #include "core/files.h"
 #include "core/ordered_work.h"
 #include "core/text.h"
 #include "report/asset.h"
-#include "core/base64.h"
 #include "report/html.h"
 
 namespace unietp {

@@ -4,10 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base64.h"
 #include "core/png.h"
 #include "core/text.h"
 #include "grounding/scene_svg.h"
-#include "core/base64.h"
 #include "report/goal_prose.h"
 #include "simulation/picture.h"
 

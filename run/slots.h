@@ -5,6 +5,7 @@
 #include "core/result.h"
 #include "dataset/configuration.h"
 #include "resources/resources.h"
+#include "sense/evidence.h"
 
 namespace unietp {
 

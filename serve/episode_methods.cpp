@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base64.h"
 #include "core/png.h"
 #include "environment/observation_json.h"
-#include "core/base64.h"
 #include "scene/action.h"
 #include "scene/scene_json.h"
 #include "serve/parameters.h"

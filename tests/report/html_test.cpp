@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "report/asset.h"
 #include "core/base64.h"
+#include "report/asset.h"
 
 namespace unietp {
 namespace {
