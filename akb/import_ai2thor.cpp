@@ -51,7 +51,8 @@ SceneFacts facts_of(const Json& scenes) {
     for (const auto& object : scene.at("objects")) type_of[object.at("objectId")] = object.at("objectType");
     for (const auto& object : scene.at("objects")) {
       const std::string type = object.at("objectType");
-      if (object.contains("mass")) facts.masses[type].push_back(object.at("mass"));
+      // 1 kg is what Unity gives a body that nobody weighed.
+      if (object.contains("mass") && object.at("mass") != 1) facts.masses[type].push_back(object.at("mass"));
       if (object.contains("aabbSize")) {
         const auto& s = object.at("aabbSize");
         facts.extents[type].emplace_back(s.at(0).get<double>(), s.at(2).get<double>(), s.at(1).get<double>());
