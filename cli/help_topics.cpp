@@ -144,7 +144,7 @@ std::string main_screen() {
          "  look      stats, report, render, actions, schemas\n"
          "  convert   export, annotate\n"
          "  extend    template, knowledge, scene, goal, sense\n"
-         "  act       play, serve\n"
+         "  act       play, serve, evaluate, compare\n"
          "  shell     help, completion\n"
          "\n"
          "  unietp COMMAND --help    options and examples of a command\n"
