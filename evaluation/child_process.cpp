@@ -14,6 +14,8 @@
 #include <cstring>
 #include <utility>
 
+#include "core/pause.h"
+
 extern char** environ;
 
 namespace unietp {
@@ -78,10 +80,18 @@ ChildProcess::~ChildProcess() {
   (void)::waitpid(id_, nullptr, 0);
 }
 
+/// Its output is closed, so it is of no more use. It may still be ending by itself, with an exit code that says why.
 Error ChildProcess::ended() {
   int status = 0;
-  (void)::kill(-id_, SIGKILL);  // its output is closed, so it is of no more use
-  const pid_t done = ::waitpid(std::exchange(id_, -1), &status, 0);
+  pid_t done = ::waitpid(id_, &status, WNOHANG);
+  const auto begin = std::chrono::steady_clock::now();
+  for (int tenths = 1; done == 0 && tenths <= 10; ++tenths) {
+    (void)pause_until(begin + tenths * std::chrono::milliseconds(100), nullptr);
+    done = ::waitpid(id_, &status, WNOHANG);
+  }
+  (void)::kill(-id_, SIGKILL);
+  if (done == 0) done = ::waitpid(id_, &status, 0);
+  id_ = -1;
   if (done > 0 && WIFEXITED(status))
     return process_error("the policy's program ended with exit code " + std::to_string(WEXITSTATUS(status)));
   if (done > 0 && WIFSIGNALED(status))

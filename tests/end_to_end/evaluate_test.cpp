@@ -51,7 +51,7 @@ Ended evaluate(std::vector<std::string> options, const std::string& out) {
   return run_program(options);
 }
 std::vector<std::string> model_at(const std::string& url) {
-  return {"--model", "some-model", "--llm-url", url, "--images", "none", "--llm-wait", "0.01"};
+  return {"--model", "some-model", "--llm-url", url, "--images", "none", "--llm-wait", "0"};
 }
 template <class... More>
 std::vector<std::string> with(std::vector<std::string> options, More... more) {
@@ -66,7 +66,7 @@ std::string said_to(const Received& request) {
   if (digest[0] < '8') return "I would look around first.";
   return R"(<think>left?</think>{"action": "turn_left", "args": []})";
 }
-std::string calm(const Received& request) { return http("200 OK", completion(said_to(request))); }
+std::string calm(const Received& request) { return completion(said_to(request)); }
 
 TEST(Evaluate, TheStoredAndTheExpertsWaySucceedAndStoppingDoesNot) {
   const ScratchFolder scratch;
@@ -127,7 +127,7 @@ TEST(Evaluate, ABadServerChangesNothingThatIsRecorded) {
 
 TEST(Evaluate, WhatTheModelSaysIsNotAskedAgain) {
   const ScratchFolder scratch;
-  ChatServer server([](const Received&) { return http("200 OK", completion("{\"action\": ")); });
+  ChatServer server([](const Received&) { return completion("{\"action\": "); });
   const auto ended = evaluate(with(model_at(server.url), "--limit", "1"), scratch.at("run"));
   EXPECT_EQ(ended.code, 0) << ended.err;
   const auto episodes = episodes_in(scratch.at("run"));
@@ -187,7 +187,8 @@ TEST(Evaluate, WithoutFeedbackNoPromptTellsOfSuccess) {
     EXPECT_EQ(ended.code, 0) << ended.err;
     int told = 0;
     for (const Received& request : server.received()) {
-      for (const auto& message : nlohmann::json::parse(request.body)["messages"]) {
+      const auto body = nlohmann::json::parse(request.body);
+      for (const auto& message : body["messages"]) {
         if (message["role"] != "user") continue;
         ++told;
         const std::string text = message["content"];
@@ -219,10 +220,10 @@ TEST(Evaluate, ProgramsActAndTheirEndIsNoFailureOfTheTask) {
                          "class Broken:\n"
                          "    def act(self, observation): raise SystemExit(3)\n"));
   const auto run = [&](const std::string& policy, const std::string& out) {
-    RunningProgram program(
-        "unietp",
-        {"evaluate", set(), "--policy", policy, "--limit", "2", "--out", scratch.at(out), "--llm-wait", "0.01"},
-        scratch.path());
+    RunningProgram program("/usr/bin/env",
+                           {"unietp", "evaluate", set(), "--policy", policy, "--limit", "2", "--out", scratch.at(out),
+                            "--llm-wait", "0.01"},
+                           scratch.path());
     return program.wait();
   };
   const auto good = run("python:agent.Agent", "good");
