@@ -6,6 +6,7 @@
 
 #include "generator/domain_constraints.h"
 #include "generator/weighted_binding.h"
+#include "run/category_weights.h"
 #include "run/sense_of_binding.h"
 
 namespace unietp {
@@ -114,19 +115,9 @@ void CandidatePlanner::choose_home(CandidatePlan& plan, const TaskSlot& slot, Fr
 std::optional<Binding> CandidatePlanner::draw_binding(const CandidatePlan& plan, const TaskSlot& slot,
                                                       const Frequencies& counts, Rng rng) {
   const auto& layout = *layouts_.layout(slot.simulator, plan.home);
-  const auto& rooms = room_types_in(slot.simulator, plan.home, layout);
+  const auto& rooms = rooms_of(slot.simulator, plan.home, layout);
   const auto& source = resources_.templates[plan.source];
-  std::vector<Dimension> dimensions;
-  for (const auto& parameter : source.parameters) dimensions.push_back(dimension_of(parameter, source));
-  const CategoryWeight weight = [&](const Parameter& parameter, const std::string& category) {
-    const auto dimension = dimensions[static_cast<std::size_t>(&parameter - source.parameters.data())];
-    const auto own = counts.weight(dimension, key(slot.simulator, category));
-    const auto stands = rooms.find(category);
-    if (stands == rooms.end()) return own;
-    double room = 0;
-    for (const auto& [type, share] : stands->second) room += share * counts.weight(Dimension::Room, type);
-    return own * room;
-  };
+  const CategoryWeight weight = weight_in(layout, source, counts, &rooms);
   const BindingWishes wishes{configuration_.binding, weight, at_least(plan.least, source, resources_, slot.simulator)};
   return sample_binding(source, resources_.backend(slot.simulator).knowledge, layout.offer.categories, wishes, rng);
 }
@@ -135,7 +126,7 @@ void CandidatePlanner::count(const CandidatePlan& plan, const TaskSlot& slot, Fr
   if (!plan.binding) return;
   const auto& layout = *layouts_.layout(slot.simulator, plan.home);
   const auto& source = resources_.templates[plan.source];
-  const auto& rooms = room_types_in(slot.simulator, plan.home, layout);
+  const auto& rooms = rooms_of(slot.simulator, plan.home, layout);
   counts.add({Dimension::Scene, layout.home.scene.id});
   for (std::size_t i = 0; i < plan.binding->size(); ++i) {
     if (is_value(source.parameters[i])) continue;
@@ -147,22 +138,9 @@ void CandidatePlanner::count(const CandidatePlan& plan, const TaskSlot& slot, Fr
   }
 }
 
-const CandidatePlanner::RoomTypes& CandidatePlanner::room_types_in(Simulator simulator, int home,
-                                                                   const Layout& layout) {
+const RoomTypes& CandidatePlanner::rooms_of(Simulator simulator, int home, const Layout& layout) {
   const auto [at, fresh] = rooms_.try_emplace({simulator, home});
-  if (!fresh) return at->second;
-  const auto& scene = layout.home.scene;
-  std::map<std::string_view, int> in_rooms;  // nodes of a category
-  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
-    const auto room = layout.home.rooms[node];
-    if (room < 0) continue;
-    const auto& category = scene.nodes[node].category;
-    ++in_rooms[category];
-    at->second[category][key(simulator, scene.rooms[static_cast<std::size_t>(room)].type)] += 1;
-  }
-  for (auto& [category, types] : at->second) {
-    for (auto& [type, share] : types) share /= in_rooms[category];
-  }
+  if (fresh) at->second = room_types_in(layout);
   return at->second;
 }
 

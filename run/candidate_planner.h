@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dataset/balance.h"
+#include "run/category_weights.h"
 #include "run/layout_pool.h"
 #include "run/slots.h"
 
@@ -49,16 +50,13 @@ class CandidatePlanner {
     int left = 0;                    // further attempts with it
     std::vector<std::size_t> tried;  // templates, the current one included
   };
-  /// Category -> the kinds of room that have it, as Frequencies names them -> what share of it.
-  using RoomTypes = std::map<std::string, std::map<std::string, double>>;
-
   std::size_t next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts, Rng rng) const;
   Grade least_of(const TaskSlot& slot, std::size_t source, int attempt) const;
   void choose_home(CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts, const Rng& rng);
   std::optional<Binding> draw_binding(const CandidatePlan& plan, const TaskSlot& slot, const Frequencies& counts,
                                       Rng rng);
   void count(const CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts);
-  const RoomTypes& room_types_in(Simulator simulator, int home, const Layout& layout);
+  const RoomTypes& rooms_of(Simulator simulator, int home, const Layout& layout);
 
   const RunConfiguration& configuration_;
   const Resources& resources_;

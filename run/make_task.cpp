@@ -11,6 +11,7 @@
 #include "generator/propose.h"
 #include "generator/weighted_binding.h"
 #include "grounding/ground.h"
+#include "run/category_weights.h"
 #include "run/given_binding.h"
 #include "run/sense_of_binding.h"
 
@@ -119,13 +120,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   if (!layout) return rejected({RejectionReason::NoLayout, layout.error().message});
 
   timer.enter(Stage::Generator);
-  const auto simulator = std::string(name_of(slot.simulator)) + "/";
-  std::vector<Dimension> dimensions;
-  for (const auto& parameter : source.parameters) dimensions.push_back(dimension_of(parameter, source));
-  const CategoryWeight weight = [&](const Parameter& parameter, const std::string& category) {
-    return counts.weight(dimensions[static_cast<std::size_t>(&parameter - source.parameters.data())],
-                         simulator + category);
-  };
+  const CategoryWeight weight = weight_in(*layout, source, counts, nullptr);
   const SenseOf sense_of = [&](const Specification& one) { return sense_of_task(one, resources); };
   const BindingWishes wishes{configuration.binding, weight, at_least(plan.least, source, resources, slot.simulator)};
   auto specified = specify(source, *layout, backend.knowledge, plan.binding, wishes, slot.split, plan.least, sense_of,
