@@ -22,8 +22,9 @@ struct Sense {
   std::string why = {};  // the same in a word: one of kWhys, or "rule:" and the rule's name
 };
 /// What a grade rests on: a person's judgment of the kind or a wider one, what people wrote of it, that two things have
-/// a place in common, that two wants have nothing to do with one another, or nothing.
-inline constexpr std::array<std::string_view, 5> kWhys{"judged", "written", "shared", "apart", "unspoken"};
+/// a place in common, that two wants have nothing to do with one another, that something is taken away from where it
+/// is, or nothing.
+inline constexpr std::array<std::string_view, 6> kWhys{"judged", "written", "shared", "apart", "cleared", "unspoken"};
 /// The worse of two; the reasons of both when they are equal.
 Sense worse_of(Sense a, Sense b);
 

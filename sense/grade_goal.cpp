@@ -1,6 +1,7 @@
 #include "sense/grade_goal.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "core/text.h"
@@ -105,6 +106,9 @@ Wants piece_of(const Wants& whole, std::vector<Want> wants, std::vector<Want> fo
   piece.found = std::move(found);
   return piece;
 }
+
+/// Kinds of places in which things are kept.
+constexpr std::array<std::string_view, 6> kKeepers{"cabinet", "drawer", "fridge", "freezer", "wardrobe", "dresser"};
 
 /// A want about one category, in words and as a role.
 struct Asked {
@@ -231,6 +235,26 @@ class GoalGrader {
       for (auto& each : asked(want, thing)) keep(std::move(each.words), sense_.grade(thing, each.role));
       const bool beside = want.predicate == Predicate::NextTo && want.other && !want.negated;
       if (beside) company(want.thing, *want.other);
+      if (want.negated && want.other) taken_away(want, thing);
+    }
+  }
+
+  /// Taking a thing away from where it is: a surface or a floor is cleared, but what is where it is kept stays there.
+  void taken_away(const Want& want, const Thing& thing) {
+    if (want.predicate == Predicate::OnFloor)
+      return keep("no " + thing.words + " on the floor", {Grade::Usual, 1, {"floors are cleared"}, "cleared"});
+    if (want.predicate != Predicate::On && want.predicate != Predicate::Inside) return;
+    const std::string relation = want.predicate == Predicate::On ? "on" : "in";
+    for (const auto& place : things_of(*want.other)) {
+      const auto& kinds = sense_.kinds();
+      if (place.kind.empty()) continue;
+      const bool keeps = std::any_of(kKeepers.begin(), kKeepers.end(),
+                                     [&](std::string_view keeper) { return kinds.is_a(place.kind, keeper); });
+      const bool kept = relation == "in" && keeps &&
+                        sense_.grade(thing, kinds.place_role(relation, place.kind)).grade == Grade::Usual;
+      keep("no " + thing.words + " " + relation + " " + place.words,
+           kept ? Sense{Grade::Tolerable, 0.3, {"it is where it is kept"}, "cleared"}
+                : Sense{Grade::Usual, 1, {"surfaces are cleared"}, "cleared"});
     }
   }
 
