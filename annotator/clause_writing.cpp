@@ -78,6 +78,15 @@ std::string ClauseWriter::pick(std::initializer_list<const char*> choices) {
   return *(choices.begin() + rng_.below(choices.size()));
 }
 
+/// One of the ways to say it; everyday words take the first of them most often.
+const std::string& ClauseWriter::chosen(const std::vector<std::string>& patterns) {
+  if (!naming_.everyday()) return patterns[rng_.below(patterns.size())];
+  std::size_t at = 0;
+  while (at + 1 < patterns.size() && rng_.chance(0.3)) ++at;
+  // "Pour water into a can and put it on a table" could be about the water.
+  return patterns[at].starts_with("pour ") && !naming_.says_one_thing() ? patterns[0] : patterns[at];
+}
+
 /// "keep every fridge closed"
 std::optional<std::string> ClauseWriter::keeping(const Clause& clause) {
   if (clause.kind != Clause::Kind::Simple || clause.complements.size() != 1 || clause.any_subject) return std::nullopt;
@@ -155,7 +164,8 @@ std::optional<std::string> ClauseWriter::given(const Clause& part) {
   for (const NounPhrase& there : part.given) {
     NounPhrase bare = there;
     bare.modifiers.clear();
-    if (speaks_of(part, there.noun) && naming_.is_countable(there.noun)) bare.determiner = Determiner::Any;
+    const bool several = speaks_of(part, there.noun) && naming_.is_countable(there.noun);
+    if (several && !(naming_.everyday() && naming_.is_alone(there.noun))) bare.determiner = Determiner::Any;
     const auto subject = naming_.phrase(bare, {});
     if (!subject) return std::nullopt;
     std::vector<std::string> states;
@@ -192,11 +202,11 @@ std::optional<std::string> ClauseWriter::command(const Clause& clause) {
     const Text text = special_command(clause, special);
     if (special) return text;
     if (clause.complements.size() == 1) {
-      const auto patterns = verbs(clause.complements[0]);
+      const auto patterns = naming_.everyday() ? everyday_verbs(clause.complements[0]) : verbs(clause.complements[0]);
       const bool clean_subject = clause.subjects[0].determiner != Determiner::No &&
                                  clause.subjects[0].determiner != Determiner::AtMost &&
                                  clause.subjects[0].determiner != Determiner::Agent;
-      if (!patterns.empty() && clean_subject) return filled(patterns[rng_.below(patterns.size())], clause);
+      if (!patterns.empty() && clean_subject) return filled(chosen(patterns), clause);
     }
   }
   const Text stated = statement(clause, "is");
@@ -229,7 +239,7 @@ std::optional<std::string> ClauseWriter::special_command(const Clause& clause, b
     const auto from = naming_.phrase(said.object[0], {.beside_every = true});
     if (!taken || !from) return std::nullopt;
     if (said.predicate == Predicate::Inside) return "take " + taken->text + " out of " + from->text;
-    const bool remove = rng_.chance(0.6);
+    const bool remove = !naming_.everyday() && rng_.chance(0.6);
     return (remove ? "remove " : "take ") + taken->text + (remove ? " from " : " off ") + from->text;
   }
   if (!clause.any_complement || clause.subjects.size() != 1 || subject.determiner == Determiner::No)
@@ -245,7 +255,7 @@ std::optional<std::string> ClauseWriter::special_command(const Clause& clause, b
     if (!where) return std::nullopt;
     places.push_back(*where);
   }
-  return pick({"put ", "place "}) + moved->text + " either " + listed(places, "or");
+  return (naming_.everyday() ? "put " : pick({"put ", "place "})) + moved->text + " either " + listed(places, "or");
 }
 
 /// "put the mug that is on a desk in a box" could be read as a desk in a box, "put something to toast on a table" as
@@ -254,7 +264,9 @@ std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
   const auto subject = naming_.phrase(clause.subjects[0], {});
   if (!subject || subject->plural) return std::nullopt;
   const Text where = naming_.complement(clause.complements[0], place_of(clause));
-  return where ? Text("take " + subject->text + pick({" and put it ", " and place it "}) + *where) : std::nullopt;
+  return where ? Text("take " + subject->text +
+                      (naming_.everyday() ? " and put it " : pick({" and put it ", " and place it "})) + *where)
+               : std::nullopt;
 }
 
 bool ClauseWriter::described_by_place(const Clause& clause) const {

@@ -36,6 +36,7 @@ Clause ClauseReader::command() {
   if (words_.accept_one({"remove", "take", "bring"}) >= 0) return taken();
   if (words_.accept("fill")) return with_symbol(P::Filled);
   if (words_.accept("cover")) return with_symbol(P::Covered);
+  if (words_.accept("pour")) return symbol_first(P::Filled, "into", false);
   if (words_.accept("spread")) return symbol_first(P::Covered, "over", false);
   if (words_.accept("wipe the")) return symbol_first(P::Covered, "off", true);
   if (words_.accept("attach")) {

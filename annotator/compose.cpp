@@ -6,6 +6,7 @@
 #include "annotator/compose_proposition.h"
 #include "annotator/meaning.h"
 #include "annotator/references.h"
+#include "scene/states.h"
 
 namespace unietp {
 namespace {
@@ -27,6 +28,25 @@ Formula wrapped(Op op, std::vector<Formula> children) {
   f.op = op;
   f.children = std::move(children);
   return f;
+}
+
+/// Where a thing is.
+bool is_place(Predicate predicate) {
+  using P = Predicate;
+  return predicate == P::On || predicate == P::Inside || predicate == P::NextTo || predicate == P::Under ||
+         predicate == P::OnFloor || predicate == P::InRoom || predicate == P::Held;
+}
+
+/// "First put a mug on a table, then wash it" leaves it there, "…, then put it in a sink" does not: what was done lasts
+/// unless what follows is another place or the opposite state of the same thing.
+bool lasts(const Formula& done, const Formula& next) {
+  if (next.op != Op::Atom)
+    return std::all_of(next.children.begin(), next.children.end(), [&](const Formula& f) { return lasts(done, f); });
+  if (done.op != Op::Atom)
+    return std::all_of(done.children.begin(), done.children.end(), [&](const Formula& f) { return lasts(f, next); });
+  if (done.terms[0] != next.terms[0]) return true;
+  if (is_place(done.predicate) && is_place(next.predicate)) return false;
+  return opposite_of(done.predicate) != next.predicate;
 }
 
 class Composer {
@@ -95,6 +115,7 @@ class Composer {
         parts.push_back(at_end(said[0]));
         [[fallthrough]];
       case Requirement::Kind::Then:
+        if (requirement.kind == Requirement::Kind::Then && lasts(said[0], said[1])) parts.push_back(at_end(said[0]));
         parts.push_back(wrapped(Op::Before, {said[0], said[1]}));
         parts.push_back(at_end(said[1]));
         break;
@@ -158,7 +179,7 @@ class Composer {
   Formula conditional(const Clause& clause) {
     const std::size_t before = references_.named_count();
     Box condition, own;
-    for (const NounPhrase& there : clause.given) references_.introduced(there, condition);
+    for (const NounPhrase& there : clause.given) references_.given(there, condition);
     references_.leave(before);
     Formula then = state(clause, own);
     references_.leave(before);
@@ -177,7 +198,7 @@ class Composer {
         for (const Clause& part : clause.parts) {
           Box own;
           const std::size_t before = references_.named_count();
-          for (const NounPhrase& there : part.given) references_.introduced(there, own);
+          for (const NounPhrase& there : part.given) references_.given(there, own);
           Formula f = state(part, own);
           parts.push_back(boxed(own, std::move(f)));
           references_.leave(before);

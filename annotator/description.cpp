@@ -52,9 +52,9 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
     if (word.empty() && description.before.empty()) word = room_before(modifier);
     const bool size = modifier.predicate == Predicate::Size;
     const bool needed = size || style_ == Style::Ellipsis || style_ == Style::Compound;
-    if (!word.empty() && (needed || rng_.chance(0.7))) {
+    if (!word.empty() && (needed || rng_.chance(everyday() ? 0.95 : 0.7))) {
       description.before = word + " ";
-      description.of_two = size && said.two && rng_.chance(0.4);
+      description.of_two = size && said.two && !everyday() && rng_.chance(0.4);
     } else {
       rest.push_back(&modifier);
     }
@@ -73,7 +73,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
     const auto text = complement(*modifier, inside);
     if (!text) return std::nullopt;
     const bool direct = rest.size() == 1 && is_direct(*modifier, place.bare);
-    if (direct && (modifier->predicate == Predicate::Nearest || rng_.chance(0.7))) {
+    if (direct && (everyday() || modifier->predicate == Predicate::Nearest || rng_.chance(0.7))) {
       description.directly = " " + *text;
     } else {
       description.is += (description.is.empty() ? "" : " and ") + *text;
@@ -84,7 +84,8 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
            one->predicate == Predicate::Size;
   });
   // "The mug that is in a sink is on a table" needs it.
-  if (!description.is.empty() && !lasting && (rng_.chance(0.3) || place.outcome)) description.is.insert(0, "now ");
+  const bool now = place.outcome || (!everyday() && rng_.chance(0.3));
+  if (!description.is.empty() && !lasting && now) description.is.insert(0, "now ");
   for (const Complement& done : said.done) {
     const auto object = phrase(done.object[0], {});
     if (!object) return std::nullopt;

@@ -5,6 +5,7 @@
 
 #include "annotator/conditions.h"
 #include "annotator/function_phrases.h"
+#include "annotator/home_facts.h"
 #include "annotator/home_reading.h"
 #include "annotator/home_sentences.h"
 #include "annotator/meaning.h"
@@ -121,12 +122,14 @@ std::optional<std::string> request_for(const Formula& goal, const NounTable& lex
 }
 
 /// A wording of the plan from the set of phrasings asked for; about half of all wordings are.
-std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings phrasings,
-                                  const Rng& rng) {
+std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings set,
+                                  std::span<const std::string> alone, const Rng& rng) {
   constexpr std::uint64_t kWordings = 4;
+  const Wording wording{style, set == Phrasings::Everyday, alone};
   for (std::uint64_t i = 0; i < kWordings; ++i) {
-    auto text = realise(plan, lexicon, style, rng.fork("words", i));
-    if (!text || phrasings == Phrasings::All || phrasings_of(*text, lexicon) == phrasings) return text;
+    auto text = realise(plan, lexicon, wording, rng.fork("words", i));
+    if (!text || set == Phrasings::Everyday || set == Phrasings::All || phrasings_of(*text, lexicon) == set)
+      return text;
   }
   return std::nullopt;
 }
@@ -149,6 +152,9 @@ Result<Instruction> write_instruction(const Specification& specification, const 
   const auto narrowed = narrowed_for(specification, knowledge, nouns);
   const NounTable& lexicon = narrowed ? *narrowed : nouns;
   const Judge judge(specification, knowledge, lexicon, specification.style == Style::Direct ? nullptr : options.home);
+  const Phrasings set = options.phrasings;
+  const bool everyday = set == Phrasings::Everyday;
+  const auto alone = options.home == nullptr ? std::vector<std::string>() : alone_in(*options.home);
   std::string last;
   std::vector<Style> styles{specification.style};
   if (specification.style != Style::Direct) styles.push_back(Style::Direct);
@@ -163,15 +169,16 @@ Result<Instruction> write_instruction(const Specification& specification, const 
       if (style == Style::Request || draw == kFreeDraws) text = request_for(specification.goal, lexicon, own);
       if (style == Style::Request && !text) break;
       if (!text) {
-        auto plan = plan_message(exactly ? specification.goal : judge.goal(), specification.init,
-                                 {draw >= kPlainDraws, style == Style::Condition, exactly}, own.fork("plan", 0));
+        auto plan =
+            plan_message(exactly ? specification.goal : judge.goal(), specification.init,
+                         {draw >= kPlainDraws, style == Style::Condition, everyday, exactly}, own.fork("plan", 0));
         if (!plan && (exactly || style != Style::Direct)) break;
         if (!plan) {
           exactly = true;
           continue;
         }
         if (!turn_to_style(*plan, style)) continue;
-        text = worded(*plan, lexicon, style, options.phrasings, own);
+        text = worded(*plan, lexicon, style, set, alone, own);
         if (!text) continue;
       }
       if (!add_style_frame(*text, specification, style, judge, knowledge, lexicon, own)) break;

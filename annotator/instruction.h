@@ -25,7 +25,7 @@ struct Instruction {
 
 /// How an instruction is worded.
 struct WritingOptions {
-  Phrasings phrasings = Phrasings::All;
+  Phrasings phrasings = Phrasings::Everyday;
   std::vector<std::string> around;  // categories in the start scene: what a text may name beside the goal (aside)
   const Scene* home = nullptr;      // the start scene, which an aside is about and readings are held against
 };

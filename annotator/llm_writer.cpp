@@ -47,7 +47,7 @@ class Rounds {
       for (std::uint64_t i = 0; i < kSamples && !draft.done; ++i) {
         const Rng rng = i == 0 ? task.rng : task.rng.fork("sample", i);
         auto sample = write_instruction(task.specification, *task.knowledge, *task.nouns,
-                                        {options.phrasings, task.categories}, rng);
+                                        {options.phrasings, task.categories, task.home.get()}, rng);
         if (!sample) {
           draft.done = sample.error();
           break;

@@ -205,7 +205,8 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     if (other.variable == said.variable) position = alike.size(), use = other.use;
     if (other.noun == said.noun) alike.push_back(alike.size());
   }
-  if (!place.exact && named_.size() == 1 && (style_ == Style::Anaphora || rng_.chance(0.7))) return Words{"it"};
+  if (!place.exact && named_.size() == 1 && (everyday() || style_ == Style::Anaphora || rng_.chance(0.7)))
+    return Words{"it"};
   // "That object" is clear only where no other was named: "that thing to drink from".
   const std::string word = !vague ? noun.singular : named_.size() == 1 ? "object" : named_again(use);
   if (word.empty()) return std::nullopt;
@@ -217,6 +218,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     return Words{"the " + std::string(kOrdinals[position]) + (noun.countable ? " " : " piece of ") + word};
   }
   if (place.exact) return Words{(place.inside_description ? "that " : "the ") + word};
+  if (everyday() && !vague) return Words{"the " + word};
   const std::string article =
       vague || noun.countable ? pick({"that", "that", "the same", "the"}) : pick({"that", "the same"});
   return Words{article + " " + word};
@@ -242,9 +244,10 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   if (noun.function) return another || place.beside_every ? std::nullopt : std::optional(Words{noun.singular});
   if (again_one) return Words{"the " + before + "one" + tail};
   if (description.of_two) return Words{"the " + before + "of the two " + noun.plural + tail};
+  if (everyday() && !another) return first_everyday(said, noun, place, description);
   if (another) {
     const std::string word = before + (noun.countable ? noun.singular : "piece of " + noun.singular);
-    return Words{(rng_.chance(0.7) ? "another " : "a different ") + word + tail};
+    return Words{(everyday() || rng_.chance(0.7) ? "another " : "a different ") + word + tail};
   }
   if (!noun.countable) {
     if (place.beside_every) return Words{"a single " + before + "piece of " + noun.singular + tail};
@@ -285,11 +288,13 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, c
         plural = false;
         text = "all the " + before + noun.singular;
       } else {
-        text = plural ? pick({"all", "all the", "all of the"}) + " " + many : pick({"every", "each"}) + " " + one;
+        plural = plural || (everyday() && rng_.chance(0.5));
+        const std::string all = everyday() ? "all the" : pick({"all", "all the", "all of the"});
+        text = plural ? all + " " + many : (everyday() ? "every" : pick({"every", "each"})) + " " + one;
       }
-      if (said.two && noun.countable && rng_.chance(0.8)) {
+      if (said.two && noun.countable && (everyday() || rng_.chance(0.8))) {
         plural = true;
-        text = pick({"both", "both", "both of the"}) + " " + many;
+        text = (everyday() ? "both" : pick({"both", "both", "both of the"})) + " " + many;
       }
       break;
     case Determiner::No:
@@ -297,12 +302,12 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, c
       text = "no " + (plural ? many : before + noun.singular);
       break;
     case Determiner::Exactly:
-      text = pick({"exactly", "exactly", "precisely"}) + " " + number;
+      text = (everyday() ? "exactly" : pick({"exactly", "exactly", "precisely"})) + " " + number;
       break;
     case Determiner::AtLeast:
       if (style_ == Style::VagueQuantity && noun.countable && (said.number == 2 || said.number == 3))
         return Words{(said.number == 2 ? "a couple of " : "a few ") + many + description.tail(true), true};
-      text = pick({"at least ", "no fewer than "}) + number;
+      text = (everyday() ? "at least " : pick({"at least ", "no fewer than "})) + number;
       break;
     case Determiner::AtMost:
       text = pick({"at most ", "no more than "}) + number;

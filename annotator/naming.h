@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "annotator/clause.h"
@@ -16,6 +17,13 @@ namespace unietp {
 struct Words {
   std::string text;
   bool plural = false;
+};
+
+/// How a plan is worded.
+struct Wording {
+  Style style = Style::Direct;
+  bool everyday = true;                // as people ask for things; false: a wide choice of frames and statements
+  std::span<const std::string> alone;  // categories and room types of which the home has one, sorted: "the sink"
 };
 
 /// The context of a noun phrase that limits its determiner.
@@ -35,13 +43,19 @@ struct Place {
 /// `nullopt` from any member: this wording is impossible; the caller tries another one.
 class Naming {
  public:
-  Naming(const Plan& plan, const NounTable& lexicon, Style style, Rng& rng)
-      : plan_(plan), lexicon_(lexicon), style_(style), rng_(rng) {}
+  Naming(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng& rng)
+      : plan_(plan), lexicon_(lexicon), style_(wording.style), wording_(wording), rng_(rng) {}
+
+  bool everyday() const { return wording_.everyday; }
+  /// Whether the text is one command, so that no "it" follows.
+  bool says_one_thing() const { return plan_.message.size() == 1 && plan_.message[0].clauses.size() == 1; }
 
   std::optional<Words> phrase(const NounPhrase& phrase, Place place);
   /// The bare noun, as "more mugs" has it; `exact`: what it binds can be named from here on.
   std::optional<std::string> plural(const NounPhrase& phrase, Place place = {});
   bool is_countable(const Domain& noun) const;
+  /// Whether the home has one such object, so that "the fridge" means it.
+  bool is_alone(const Domain& noun) const;
   /// "clean", "on that table", "filled with water".
   std::optional<std::string> complement(const Complement& complement, Place place);
   bool was_named(const std::string& variable) const;
@@ -86,12 +100,15 @@ class Naming {
   std::string room_before(const Complement& modifier) const;
   std::optional<Words> first(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description);
   std::optional<Words> all_but(const NounPhrase& phrase, const Noun& noun);
+  /// The same as people say it, where they have other words.
+  Words first_everyday(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description) const;
   std::optional<Words> counted(const NounPhrase& phrase, const Noun& noun, const Description& description);
   std::string pick(std::initializer_list<const char*> choices);
 
   const Plan& plan_;
   const NounTable& lexicon_;
   Style style_;
+  Wording wording_;
   Rng& rng_;
   bool is_one_again(const NounPhrase& phrase) const;
   std::vector<Named> named_;

@@ -128,8 +128,11 @@ class TextReader {
         return end_sentence();
       }
     if (words_.accept("before you")) {
+      words_.set_comma_lists(false);
       Clause later = clauses_.command();
-      words_.expect(", please");  // "…, open a fridge" could go on about what is open
+      words_.set_comma_lists(true);
+      words_.expect(",");
+      words_.accept("please");
       Clause sooner = clauses_.command();
       say(kept() ? Kind::ThenKept : Kind::Then, {std::move(later), std::move(sooner)});
       message_.back().inverted = true;
@@ -198,9 +201,9 @@ class TextReader {
       Clause clause = clauses_.command();
       if (then_comes()) {
         then();
-        Clause undone = clauses_.command();
-        words_.expect("again");
-        say(Kind::Again, {std::move(clause), std::move(undone)});
+        Clause next = clauses_.command();
+        const bool again = words_.accept("again");
+        say(again ? Kind::Again : kept() ? Kind::ThenKept : Kind::Then, {std::move(clause), std::move(next)});
         return;
       }
       say(Kind::Final, {std::move(clause)});

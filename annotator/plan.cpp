@@ -19,7 +19,7 @@ using Op = Formula::Op;
 class Planner {
  public:
   Planner(const std::vector<Formula>& start, PlanOptions options, Rng rng)
-      : choosing_(options.choosing), rng_(rng), phrases_(start) {
+      : choosing_(options.choosing), everyday_(options.everyday), rng_(rng), phrases_(start) {
     if (options.conditions) conditions_ = conditions_of(start);
   }
 
@@ -63,7 +63,7 @@ class Planner {
         clauses.push_back(std::move(said));
       }
     }
-    if (rng_.chance(0.8)) join_subjects(clauses);
+    if (everyday_ || rng_.chance(0.8)) join_subjects(clauses);
     plan_.message = std::move(early);
     for (Clause& said : clauses) plan_.message.push_back({Requirement::Kind::Final, {std::move(said)}, false, {}});
     for (Requirement& requirement : late) plan_.message.push_back(std::move(requirement));
@@ -133,7 +133,8 @@ class Planner {
         const auto meanwhile = [&](const Formula& part) {
           return !(part == *undone) && mentions(part, f.children[0].terms[0].name);
         };
-        if (undone == finals.end() || rng_.chance(0.3) || std::any_of(finals.begin(), finals.end(), meanwhile)) {
+        if (undone == finals.end() || (!everyday_ && rng_.chance(0.3)) ||
+            std::any_of(finals.begin(), finals.end(), meanwhile)) {
           // Taking something out of a fridge comes before closing it.
           if (undone != finals.end()) std::rotate(undone, undone + 1, finals.end());
           return say(Kind::Sometime, {said(0)});
@@ -146,8 +147,11 @@ class Planner {
         const bool apart = rng_.chance(0.25);
         std::vector<Clause> clauses{said(0), said(1)};
         if (phrases_.clear_error()) return false;
-        if (apart || !take(f.children[1], finals)) return say(Kind::Before, std::move(clauses));
-        return say(take(f.children[0], finals) ? Kind::ThenKept : Kind::Then, std::move(clauses));
+        std::vector<Formula> rest = finals;
+        const bool ends = take(f.children[1], rest), kept = ends && take(f.children[0], rest);
+        if (!ends || (apart && !(kept && everyday_))) return say(Kind::Before, std::move(clauses));
+        finals = std::move(rest);
+        return say(kept ? Kind::ThenKept : Kind::Then, std::move(clauses));
       }
       default:
         return false;
@@ -171,7 +175,7 @@ class Planner {
     plan_.message.insert(plan_.message.begin(), {Requirement::Kind::Choose, {said}, false, {}});
   }
 
-  bool choosing_;
+  bool choosing_, everyday_;
   Rng rng_;
   std::vector<Formula> conditions_;
   PhrasePlanner phrases_;

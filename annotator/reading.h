@@ -51,6 +51,8 @@ class PhraseReader {
   void set_occasion(const Domain& needed) { occasion_ = needed; }
   /// From here on a place after a noun describes it: "open the drawer in the kitchen".
   void set_bare_places(bool bare) { bare_places_ = bare; }
+  /// Whether a comma alone goes on with what is said of something; "before you put it there, open a fridge" does not.
+  void set_comma_lists(bool lists) { comma_lists_ = lists; }
   /// "clean and on that table", "either in a box or on a table"
   void complements(Clause& into);
   /// Words up to where a clause can continue, joined by "_": "tomato_sauce".
@@ -79,7 +81,7 @@ class PhraseReader {
   std::vector<Domain> named_;  // what "the red one" may be one of
   int depth_ = 0;              // of descriptions, whose nouns it cannot be
   std::size_t at_ = 0;
-  bool bare_places_ = false;
+  bool bare_places_ = false, comma_lists_ = true;
   std::optional<Error> error_;
 };
 

@@ -82,7 +82,7 @@ void PhraseReader::complements(Clause& into) {
     const std::size_t here = at_;
     const bool comma = accept(",");
     const bool alternative = accept("or");
-    if ((!alternative && !accept("and") && !comma) || !complement_comes()) {
+    if ((!alternative && !accept("and") && !(comma && comma_lists_)) || !complement_comes()) {
       at_ = here;
       break;
     }
@@ -96,8 +96,8 @@ std::string PhraseReader::symbol() {
   std::vector<std::string> words;
   while (!done() && !failed()) {
     bool stop = false;
-    for (const char* end : {",", ".", "?", "!", ";", "and", "or", "before", "until", "then", "on", "in", "over", "off",
-                            "at", "again", "the", "is", "if"})
+    for (const char* end : {",",  ".",  "?",    "!",    ";",   "and", "or",    "before", "until", "then",
+                            "on", "in", "into", "over", "off", "at",  "again", "the",    "is",    "if"})
       stop |= peek() == end;
     if (stop) break;
     words.push_back(peek());

@@ -1,11 +1,10 @@
 #include "annotator/realise.h"
 
-#include <array>
-#include <cctype>
 #include <initializer_list>
 #include <string_view>
 
 #include "annotator/clause_writing.h"
+#include "annotator/frames.h"
 #include "annotator/naming.h"
 #include "annotator/realise_proposition.h"
 #include "core/text.h"
@@ -16,46 +15,28 @@ namespace {
 using Text = std::optional<std::string>;
 using Kind = Requirement::Kind;
 
-std::string sentence(std::string text, char end) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + end;
-}
-
-/// What a command follows in the first sentence, and in later ones.
-constexpr std::array<std::string_view, 20> kFirstFrames{"please ",           "could you ",
-                                                        "could you please ", "can you ",
-                                                        "can you please ",   "would you ",
-                                                        "would you kindly ", "will you ",
-                                                        "will you please ",  "kindly ",
-                                                        "i need you to ",    "I'd like you to ",
-                                                        "I want you to ",    "I would like you to ",
-                                                        "you need to ",      "you should ",
-                                                        "your task is to ",  "your job is to ",
-                                                        "the task is to ",   "go ahead and "};
-constexpr std::array<std::string_view, 12> kLaterFrames{
-    "please ",          "could you ", "could you please ", "can you ", "would you ", "will you ", "i need you to ",
-    "I'd like you to ", "also, ",     "also, please ",     "kindly ",  "you should "};
-
 class Realiser {
  public:
-  Realiser(const Plan& plan, const NounTable& lexicon, Style style, Rng rng)
+  Realiser(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng)
       : plan_(plan),
         rng_(rng),
-        naming_(plan, lexicon, style, rng_),
+        naming_(plan, lexicon, wording, rng_),
         clauses_(naming_, rng_),
-        statement_share_(rng_.chance(0.3) ? 0.8 : 0.1) {}
+        statement_share_(rng_.chance(0.3) ? 0.8 : 0.1),
+        everyday_(wording.everyday) {}
 
   Text text() {
     std::vector<std::string> sentences;
     const Message& message = plan_.message;
+    const std::size_t most = everyday_ ? 3 : message.size();  // commands in a sentence
     for (std::size_t i = 0; i < message.size();) {
       Text next;
       if (message[i].kind == Kind::Final && message[i].clauses[0].given.empty()) {
         std::size_t end = i + 1;
         while (end < message.size() && message[end].kind == Kind::Final && message[end].clauses[0].given.empty() &&
-               rng_.chance(0.75))
+               end - i < most && (everyday_ || rng_.chance(0.75)))
           ++end;
-        next = final_sentence(i, end, sentences.empty());
+        next = everyday_ ? everyday_sentence(i, end, sentences.empty()) : final_sentence(i, end, sentences.empty());
         i = end;
       } else {
         next = special_sentence(message[i]);
@@ -68,12 +49,21 @@ class Realiser {
   }
 
  private:
-  template <class List>
-  std::string pick_from(const List& list) {
-    return std::string(list[rng_.below(list.size())]);
-  }
   std::string pick(std::initializer_list<const char*> choices) {
     return *(choices.begin() + rng_.below(choices.size()));
+  }
+
+  /// "Wash a pan and put it in the sink."
+  Text everyday_sentence(std::size_t from, std::size_t to, bool is_first) {
+    std::vector<std::string> parts;
+    for (std::size_t i = from; i < to; ++i) {
+      const Text part = clauses_.command(plan_.message[i].clauses[0]);
+      if (!part) return std::nullopt;
+      parts.push_back(*part);
+    }
+    const bool long_parts = parts.size() == 2 && (parts[0].find(" and ") != std::string::npos);
+    const std::string body = long_parts ? parts[0] + ", and " + parts[1] : listed(parts, "and");
+    return asked(body, is_first);
   }
 
   Text final_sentence(std::size_t from, std::size_t to, bool is_first) {
@@ -100,14 +90,7 @@ class Realiser {
   }
 
   Text asked(const std::string& command, bool is_first) {
-    const bool forbids = command.starts_with("do not ") || command.find(" do not ") != std::string::npos;
-    if (forbids) return sentence((rng_.chance(0.3) ? "please " : "") + command, '.');  // "could you do not" is wrong
-    if (rng_.chance(0.2)) return sentence(command, '.');
-    const std::string before = is_first ? pick_from(kFirstFrames) : pick_from(kLaterFrames);
-    if (before == "would you " && rng_.chance(0.5)) return sentence(before + command + ", please", '?');
-    const bool question = before.starts_with("could ") || before.starts_with("would ") || before.starts_with("can ") ||
-                          before.starts_with("will ");
-    return sentence(before + command, question ? '?' : '.');
+    return everyday_ ? everyday_request(command, is_first, rng_) : framed_request(command, is_first, rng_);
   }
 
   /// "There is a dirty mug on the desk.", "There is more than one mug here."
@@ -171,6 +154,7 @@ class Realiser {
         const Text first = clauses_.command(clauses[0]);
         const Text second = first ? clauses_.command(clauses[1]) : std::nullopt;
         if (!second) return std::nullopt;
+        if (everyday_) return in_order(*first, *second, said.inverted);
         const std::string kept =
             said.kind == Kind::Then
                 ? ""
@@ -183,12 +167,20 @@ class Realiser {
         const Text first = clauses_.command(clauses[0]);
         const Text second = first ? clauses_.command(clauses[1]) : std::nullopt;
         if (!second) return std::nullopt;
-        return framed(pick({"", "please "}), Text(*first + pick({", then ", " and then "}) + *second), " again");
+        return framed(everyday_ ? "" : pick({"", "please "}), Text(*first + pick({", then ", " and then "}) + *second),
+                      " again");
       }
       case Kind::Stated:
         return stated(said);
     }
     return std::nullopt;
+  }
+
+  /// "First wash a pan, then heat it."
+  Text in_order(const std::string& first, const std::string& second, bool inverted) {
+    if (inverted) return framed("before you ", Text(first + ", " + second), "");
+    if (rng_.chance(0.4)) return framed("first ", Text(first + ", then " + second), "");
+    return framed("", Text(first + (rng_.chance(0.6) ? ", then " : " and then ") + second), "");
   }
 
   /// "Choose a mug. Make sure of this: at all times, if the mug is hot, then …"
@@ -241,12 +233,13 @@ class Realiser {
   Naming naming_;
   ClauseWriter clauses_;
   double statement_share_;
+  bool everyday_;
 };
 
 }  // namespace
 
-std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, Style style, Rng rng) {
-  auto text = Realiser(plan, lexicon, style, rng).text();
+std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng) {
+  auto text = Realiser(plan, lexicon, wording, rng).text();
   if (text && text->find(" that that ") != std::string::npos) return std::nullopt;  // right, and hard to read
   return text;
 }

@@ -10,6 +10,9 @@ using Op = Formula::Op;
 std::string numbered(int number) { return std::string("n").append(std::to_string(number)); }
 Term reference_variable(const std::string& name) { return {Term::Kind::Variable, name}; }
 
+/// "The fridge" promises that there is one, so that a later "the fridge" is the same; "the mug on a desk" does not.
+bool is_definite(const NounPhrase& phrase) { return phrase.determiner == Determiner::The && phrase.modifiers.empty(); }
+
 }  // namespace
 
 Formula boxed(const Box& box, Formula body) {
@@ -66,7 +69,7 @@ Formula References::restriction(const Complement& modifier, const Term& subject)
     case Determiner::Single:
     case Determiner::Any: {
       const std::string name = fresh();
-      hidden_.push_back(phrase.noun);
+      if (!is_definite(phrase)) hidden_.push_back(phrase.noun);
       slot = {reference_variable(name), true, restricted(phrase, name), &phrase};
       break;
     }
@@ -143,7 +146,14 @@ Resolved References::introduced(const NounPhrase& phrase, Box& box) {
   const std::string name = fresh();
   Resolved slot{reference_variable(name), false, restricted(phrase, name), &phrase};
   box.variables.emplace_back(name, slot.domain);
-  referents_.push_back({name, phrase.noun, phrase.by_function || phrase.noun.kind == Domain::Kind::Object});
+  referents_.push_back(
+      {name, phrase.noun, phrase.by_function || phrase.noun.kind == Domain::Kind::Object, is_definite(phrase)});
+  return slot;
+}
+
+Resolved References::given(const NounPhrase& phrase, Box& box) {
+  Resolved slot = introduced(phrase, box);
+  referents_.back().definite = phrase.determiner == Determiner::The;
   return slot;
 }
 
@@ -187,12 +197,13 @@ Formula said_of(const Complement& complement, const Term& subject, const Resolve
 Resolved References::bound(const NounPhrase& phrase) {
   const std::string name = fresh();
   Resolved slot{reference_variable(name), true, restricted(phrase, name), &phrase};
-  referents_.push_back({name, phrase.noun, phrase.noun.kind == Domain::Kind::Object});
+  referents_.push_back({name, phrase.noun, phrase.noun.kind == Domain::Kind::Object, false});
   return slot;
 }
 
 void References::leave(std::size_t before) {
-  for (std::size_t i = before; i < referents_.size(); ++i) hidden_.push_back(referents_[i].noun);
+  for (std::size_t i = before; i < referents_.size(); ++i)
+    if (!referents_[i].definite) hidden_.push_back(referents_[i].noun);
   referents_.resize(before);
 }
 

@@ -46,6 +46,8 @@ class References {
   Resolved resolve(const NounPhrase& phrase, Box& box);
   /// A new object of the box, whatever the article.
   Resolved introduced(const NounPhrase& phrase, Box& box);
+  /// The same of "if a fridge is open, …", whose modifiers are what is said of it.
+  Resolved given(const NounPhrase& phrase, Box& box);
   /// The object named before that a phrase means.
   Term known(const NounPhrase& phrase);
   /// Binds a variable by a phrase of any determiner; its name can be referred to until `leave`.
@@ -63,14 +65,15 @@ class References {
   struct Referent {
     std::string variable;
     Domain noun;
-    bool vague = false;  // "that object" may mean it
+    bool vague = false;     // "that object" may mean it
+    bool definite = false;  // named by "the": there is one only, whoever speaks of it
   };
   std::vector<const Referent*> named(const Domain& noun) const;
   bool hidden(const Domain& noun) const;
   Formula restriction(const Complement& modifier, const Term& subject);
 
   std::vector<Referent> referents_;
-  std::vector<Domain> hidden_;  // named, but cannot be referred to
+  std::vector<Domain> hidden_;  // named as one of several, but cannot be referred to
   int count_ = 0;
   std::optional<Error> error_;
 };

@@ -143,7 +143,7 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
   }
   const auto phrasings = check_writer(command.writer);
   if (!phrasings) return refuse(phrasings.error());
-  if (*phrasings != Phrasings::All) command.configuration.phrasings = *phrasings;
+  if (*phrasings != Phrasings::Everyday) command.configuration.phrasings = *phrasings;
   const bool by_grammar = command.writer.writer == "grammar";
   if (!by_grammar && !command.run.shard.is_whole())
     return refuse({Error::Kind::Usage,

@@ -43,7 +43,7 @@ std::string_view name_of(HomeSource source) {
 }
 
 std::string_view name_of(Phrasings phrasings) {
-  static constexpr std::array<std::string_view, kPhrasings.size()> kNames{"all", "training", "benchmark"};
+  static constexpr std::array<std::string_view, kPhrasings.size()> kNames{"everyday", "all", "training", "benchmark"};
   return kNames[static_cast<std::size_t>(phrasings)];
 }
 

@@ -25,7 +25,7 @@ enum class HomeSource { Drawn, Benchmark, Training };
 inline constexpr std::array kHomeSources{HomeSource::Drawn, HomeSource::Benchmark, HomeSource::Training};
 std::string_view name_of(HomeSource source);  // "benchmark"
 
-inline constexpr std::array kPhrasings{Phrasings::All, Phrasings::Training, Phrasings::Benchmark};
+inline constexpr std::array kPhrasings{Phrasings::Everyday, Phrasings::All, Phrasings::Training, Phrasings::Benchmark};
 std::string_view name_of(Phrasings phrasings);  // "training"
 
 /// The least sense that tasks are to make, in the words of `--sense`: "usual", "tolerable", "any" for Senseless.
@@ -59,7 +59,7 @@ struct RunConfiguration {
   int rooms = 6;                    // of a drawn home
   int objects = 60;                 // movable ones asked for in a drawn home
   std::vector<std::string> scenes;  // given homes, "<id> <sha256>"; empty: homes are drawn
-  Phrasings phrasings = Phrasings::All;
+  Phrasings phrasings = Phrasings::Everyday;
   Grade sense = Grade::Usual;  // at least; where a template has nothing so good, its tasks are the best that it has
   bool operator==(const RunConfiguration&) const = default;
 };

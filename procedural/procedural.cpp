@@ -36,7 +36,6 @@ RunConfiguration run_of_one(const ProceduralOptions& options, Simulator simulato
   run.sense = options.sense;
   run.attempts = options.attempts;
   run.homes = HomeSource::Training;
-  run.phrasings = Phrasings::Training;
   return run;
 }
 

@@ -25,7 +25,7 @@ struct RecordedRun {
   std::vector<std::string> templates, without;        // empty templates: all
   std::map<std::string, int> by_split, by_simulator;  // quotas; both empty: equal shares
   std::vector<Mode> modes;
-  std::string phrasings;             // "all", "training", "benchmark"
+  std::string phrasings;             // "everyday", "all", "training", "benchmark"
   std::string sense;                 // "usual", "tolerable", "any"
   std::string homes;                 // "benchmark", "training", "drawn"
   int attempts = 0;                  // candidates tried for one task
@@ -42,7 +42,7 @@ struct RecordedRun {
 struct RecordedWriting {
   std::string writer;
   std::optional<std::uint64_t> seed;
-  std::string phrasings = "all";
+  std::string phrasings = "everyday";
   std::vector<std::pair<std::string, int>> counts;  // writer of the instruction, tasks
 };
 

@@ -49,6 +49,7 @@ Result<std::vector<WordingTask>> wording_tasks(HomeCache& homes, const std::vect
                        &backend.knowledge,
                        &backend.nouns,
                        {categories.begin(), categories.end()},
+                       std::make_shared<const Scene>(*scene),
                        home_in_words(*scene, backend.nouns),
                        stream_of(task, options)});
   }

@@ -202,7 +202,7 @@ class TaskProver {
                                                constraints_,
                                                {around.begin(), around.end()},
                                                &start_,
-                                               tools_.manifest == nullptr ? "all" : tools_.manifest->phrasings});
+                                               tools_.manifest == nullptr ? "everyday" : tools_.manifest->phrasings});
     for (Problem& problem : problems) problem.error.where = where;
     found(std::move(problems));
   }

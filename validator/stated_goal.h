@@ -18,7 +18,7 @@ struct StatedGoal {
   std::vector<Formula> constraints;  // that the start meets
   std::vector<std::string> around;   // categories of the objects and types of the rooms of the start, sorted
   const Scene* home = nullptr;       // the start scene
-  std::string phrasings;             // the set of turns of phrase that it is to be of: "all", "training", "benchmark"
+  std::string phrasings;             // the set of turns of phrase that it is to be of: "everyday", "all", …
 };
 
 /// Reads English: what is wrong with a text, without task and place. The validator has no grammar of its own; whoever

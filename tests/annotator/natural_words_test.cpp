@@ -27,7 +27,7 @@ std::vector<std::string> texts_of(const std::string& goal, const std::string& st
   if (!start.empty()) specification.init = {*parse_formula("test", start, FormulaUse::State)};
   std::vector<std::string> texts;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    const auto written = write_instruction(specification, knowledge, nouns, {}, Rng(seed));
+    const auto written = write_instruction(specification, knowledge, nouns, {Phrasings::All, {}, nullptr}, Rng(seed));
     EXPECT_TRUE(written) << format(written.error());
     if (!written) break;
     EXPECT_EQ(name_of(written->style), style) << written->text;

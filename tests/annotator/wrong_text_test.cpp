@@ -68,7 +68,7 @@ class WrongTexts : public ::testing::Test {
                               const std::string& style = "direct") const {
     Specification styled = asked;
     styled.style = style_named(style).value();
-    return write_instruction(styled, *knowledge_, *nouns_, {Phrasings::All, around_}, Rng(seed));
+    return write_instruction(styled, *knowledge_, *nouns_, {Phrasings::Everyday, around_, nullptr}, Rng(seed));
   }
 
   TemplateReading library_;
@@ -165,7 +165,7 @@ TEST_F(WrongTexts, RightOnesOfEveryStyleAreNotRefusedByTheirWords) {
   int texts = 0, refused = 0;
   for (const auto& [style, tally] : tallies) texts += tally.texts, refused += tally.by_words;
   std::printf("%d right texts of %zu styles, %d refused by their words\n", texts, tallies.size(), refused);
-  EXPECT_GT(texts, 2000);
+  EXPECT_GT(texts, 1900);
   EXPECT_LE(refused * 100, texts);
 }
 
