@@ -205,6 +205,11 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     if (other.variable == said.variable) position = alike.size(), use = other.use;
     if (other.noun == said.noun) alike.push_back(alike.size());
   }
+  // The reader takes "it" where only one thing can be meant; people say it of what was spoken of last.
+  const bool close = std::find(mentioned_.rbegin(), mentioned_.rend(), said.variable) - mentioned_.rbegin() < 2;
+  mentioned_.push_back(said.variable);
+  if (!place.exact && everyday() && close && named_.size() > 1 && !place.inside_description && rng_.chance(0.75))
+    return Words{"it"};
   if (!place.exact && named_.size() == 1 && (everyday() || style_ == Style::Anaphora || rng_.chance(0.7)))
     return Words{"it"};
   // "That object" is clear only where no other was named: "that thing to drink from".
@@ -238,6 +243,7 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   const bool another = distinct > 0;
   const bool again_one = noun.countable && !noun.function && is_one_again(said);
   // Inside a description the object is any of its kind and stays unnamed.
+  if (!said.variable.empty()) mentioned_.push_back(said.variable);
   if (!said.variable.empty())
     named_.push_back({said.variable, said.noun, noun.function || said.noun.kind == Domain::Kind::Object,
                       noun.function ? noun.singular : ""});

@@ -101,7 +101,7 @@ class Naming {
   std::optional<Words> first(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description);
   std::optional<Words> all_but(const NounPhrase& phrase, const Noun& noun);
   /// The same as people say it, where they have other words.
-  Words first_everyday(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description) const;
+  Words first_everyday(const NounPhrase& phrase, const Noun& noun, Place place, const Description& description);
   std::optional<Words> counted(const NounPhrase& phrase, const Noun& noun, const Description& description);
   std::string pick(std::initializer_list<const char*> choices);
 
@@ -112,6 +112,7 @@ class Naming {
   Rng& rng_;
   bool is_one_again(const NounPhrase& phrase) const;
   std::vector<Named> named_;
+  std::vector<std::string> mentioned_;  // variables, the latest last
   std::vector<Domain> several_;
   std::map<std::string, NounTable::Name> chosen_;  // one name per category in a text
 };

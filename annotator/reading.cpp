@@ -88,7 +88,10 @@ NounPhrase PhraseReader::phrase() {
     read.determiner = Determiner::Agent;
     return read;
   }
-  if (const auto function = lexicon_.function_at(tokens_, at_); function.length > 0) {
+  // "a light switch" is no light.
+  const std::size_t named =
+      comes("a") || comes("an") || comes("the") ? lexicon_.noun_at(tokens_, at_ + 1).length + 1 : 0;
+  if (const auto function = lexicon_.function_at(tokens_, at_); function.length > 0 && function.length >= named) {
     at_ += function.length;
     read.noun = function.nouns.front();
     read.by_function = true;

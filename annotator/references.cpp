@@ -40,18 +40,19 @@ bool References::hidden(const Domain& noun) const {
   return std::find(hidden_.begin(), hidden_.end(), noun) != hidden_.end();
 }
 
-Domain References::restricted(const NounPhrase& phrase, const std::string& name) {
+Domain References::restricted(const NounPhrase& phrase, const std::string& name, Box* text) {
   Domain domain = phrase.noun;
   std::vector<Formula> where;
-  for (const Complement& modifier : phrase.modifiers) where.push_back(restriction(modifier, reference_variable(name)));
+  for (const Complement& modifier : phrase.modifiers)
+    where.push_back(restriction(modifier, reference_variable(name), text));
   if (where.empty()) return domain;
   Formula test = conjunction(std::move(where));
   domain.where.push_back(phrase.except ? negation(std::move(test)) : std::move(test));
   return domain;
 }
 
-/// "that is on a desk": the desk is any desk, and is not a referent of the text.
-Formula References::restriction(const Complement& modifier, const Term& subject) {
+/// "that is on a desk": the desk is any desk, and is not a referent of the text; "the desk" may be.
+Formula References::restriction(const Complement& modifier, const Term& subject, Box* text) {
   if (modifier.object.empty()) return said_of(modifier, subject, nullptr);
   const NounPhrase& phrase = modifier.object[0];
   Resolved slot;
@@ -63,7 +64,14 @@ Formula References::restriction(const Complement& modifier, const Term& subject)
       slot.term = known(phrase);
       break;
     case Determiner::The:
-      if (!named(phrase.noun).empty()) fail(phrase.column, "which one is meant is not clear; say 'that …' or 'a …'");
+      if (is_definite(phrase) && !named(phrase.noun).empty()) {
+        slot.term = known(phrase);
+        break;
+      }
+      if (text != nullptr && modifier.predicate == Predicate::InRoom) {
+        slot.term = introduced(phrase, *text).term;
+        break;
+      }
       [[fallthrough]];
     case Determiner::New:
     case Determiner::Single:
@@ -138,7 +146,8 @@ Resolved References::resolve(const NounPhrase& phrase, Box& box) {
   }
   const std::string name = fresh();
   hidden_.push_back(phrase.noun);
-  slot = {reference_variable(name), true, restricted(phrase, name), &phrase};
+  const bool all = phrase.determiner == Determiner::Every || phrase.determiner == Determiner::No;
+  slot = {reference_variable(name), true, restricted(phrase, name, all ? &box : nullptr), &phrase};
   return slot;
 }
 

@@ -58,7 +58,8 @@ class References {
   void leave(std::size_t before);
 
   std::string fresh();
-  Domain restricted(const NounPhrase& phrase, const std::string& name);
+  /// `text`: where "the kitchen" of "every cabinet in the kitchen" is named; nullptr: within the description.
+  Domain restricted(const NounPhrase& phrase, const std::string& name, Box* text = nullptr);
 
  private:
   WordChoices& choices_;
@@ -70,7 +71,7 @@ class References {
   };
   std::vector<const Referent*> named(const Domain& noun) const;
   bool hidden(const Domain& noun) const;
-  Formula restriction(const Complement& modifier, const Term& subject);
+  Formula restriction(const Complement& modifier, const Term& subject, Box* text);
 
   std::vector<Referent> referents_;
   std::vector<Domain> hidden_;  // named as one of several, but cannot be referred to
