@@ -20,12 +20,14 @@ int int_of(const std::string& text) {
   return number;
 }
 
-/// Housekeep has one name for the cabinets of all rooms.
+/// Housekeep has one name for the cabinets of all rooms, and one for their shelves.
 std::string place_in_room(const std::string& place, const std::string& room) {
   const bool bath = room == "bathroom";
   const bool kitchen = room == "kitchen" || room == "pantry_room" || room == "dining_room";
   if (place == "kitchen_cabinet" && !kitchen) return bath ? "bathroom_cabinet" : "storage_cabinet";
   if (place == "counter" && bath) return "bathroom_counter";
+  if (place == "shelf" && (bath || kitchen))
+    return bath ? "bathroom_cabinet" : "kitchen_cabinet";  // for the same things
   return place;
 }
 

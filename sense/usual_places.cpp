@@ -55,11 +55,10 @@ Sense grade_placement(const Placement& placement, const Knowledge& knowledge, co
 bool is_absurd(const CommonSense& sense, Simulator simulator, const Category& object, Predicate relation,
                const Category& receptacle) {
   constexpr std::string_view kOutside = "outside";
-  if (!object.movable) return false;
   const auto thing = thing_of(object, simulator, sense), place = thing_of(receptacle, simulator, sense);
   const bool case_of_its_kind =
       relation == Predicate::Inside && thing.kind == place.kind;  // a plaster, a first-aid kit
-  if (thing.kind == kOutside || case_of_its_kind) return false;
+  if ((object.movable && thing.kind == kOutside) || case_of_its_kind) return false;
   return graded(thing, relation, place, sense).grade == Grade::Senseless;
 }
 

@@ -40,8 +40,9 @@ class UsualPlaces {
 /// The role of being on, in, next to or under a thing of a kind: "in:fridge", "next_to:cup".
 Role role_of(Predicate relation, const std::string& kind, const Kinds& kinds);
 
-/// Whether a placement is senseless, so that the importers leave it out. Never so for a category without a kind, nor
-/// for furniture, whose places are those of the building.
+/// Whether a placement is senseless, so that the importers leave it out. Never so for a category without a kind, for
+/// what can be carried but is not of a home, of which nobody judged anything, nor for a case of things of its own kind,
+/// such as tools in a toolbox.
 bool is_absurd(const CommonSense& sense, Simulator simulator, const Category& object, Predicate relation,
                const Category& receptacle);
 

@@ -3,6 +3,7 @@
 #include "fuzz_bodies.h"
 #include "sense/common_sense.h"
 #include "sense/question.h"
+#include "sense/start_states.h"
 #include "support.h"
 
 namespace unietp::fuzz {
@@ -10,8 +11,8 @@ namespace unietp::fuzz {
 bool sense_body(std::string_view text) {
   static const Folder folder("sense");
   constexpr std::string_view kBetween = "====\n";
-  for (const char* file :
-       {"kinds.csv", "categories.csv", "judged.csv", "counts.csv", "rules.csv", "words.csv", "hypernyms.csv"}) {
+  for (const char* file : {"kinds.csv", "categories.csv", "judged.csv", "counts.csv", "rules.csv", "words.csv",
+                           "hypernyms.csv", "start_states.csv"}) {
     const std::size_t end = text.find(kBetween);
     folder.write(file, text.substr(0, end));
     text = end == std::string_view::npos ? "" : text.substr(end + kBetween.size());
@@ -19,6 +20,7 @@ bool sense_body(std::string_view text) {
   std::vector<Error> errors;
   const CommonSense sense = read_common_sense(folder.path(), errors);
   const WordKinds words = read_word_kinds(folder.path(), sense.kinds(), errors);
+  const StartStates states = read_start_states(folder.path() / "start_states.csv", sense.kinds(), errors);
   for (const Error& error : errors) check_error(error);
   for (const Kind& kind : sense.kinds().all()) {
     const auto lineage = sense.kinds().lineage(kind.name);
@@ -29,6 +31,7 @@ bool sense_body(std::string_view text) {
       require(answer.score >= 0 && answer.score <= 1);
     }
     (void)sense.together(thing, thing);
+    for (const auto& row : states.of(kind.name, "in:" + kind.name)) require(row.share >= 0 && row.share <= 1);
     const auto named = words.of_word(kind.name);
     require(!errors.empty() || !named || sense.kinds().find(*named) != nullptr);
   }
