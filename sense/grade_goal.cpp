@@ -80,7 +80,8 @@ bool turns(const Want& want) {
 
 /// True for two wants that may say something together which neither says alone.
 bool go_together(const Want& a, const Want& b) {
-  if (a.thing == b.thing || (is_place(a) && is_place(b) && a.other == b.other)) return true;
+  if (a.thing == b.thing) return true;
+  if (is_place(a) && is_place(b) && (a.other == b.other || a.other == b.thing || b.other == a.thing)) return true;
   return (turns(a) && is_place(b)) || (turns(b) && is_place(a));
 }
 
@@ -294,7 +295,21 @@ class GoalGrader {
     }
   }
 
+  /// A thing on or in another that is put somewhere comes along: an apple on a plate goes into the dishwasher with it.
+  void along(const Want& inner, const Want& outer) {
+    if (!is_place(inner) || !is_place(outer) || inner.other != outer.thing) return;
+    for (const auto& thing : things_of(inner.thing)) {
+      if (thing.kind.empty()) continue;
+      for (auto& there : asked(outer, thing)) {
+        auto sense = sense_.grade(thing, there.role);
+        if (sense.grade == Grade::Senseless) keep(there.words + ", with what it is on or in", std::move(sense));
+      }
+    }
+  }
+
   void pair(const Want& a, const Want& b) {
+    along(a, b);
+    along(b, a);
     if (is_place(a) && is_place(b) && a.thing != b.thing && a.other == b.other) company(a.thing, b.thing);
     if (a.thing != b.thing) return;
     const bool turned = a.other && !b.other;  // in one state, the change comes before the place
