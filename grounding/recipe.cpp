@@ -149,7 +149,8 @@ Result<LayoutRecipe> read_recipe(const RecipeTexts& texts, const Knowledge& know
   return reader.finish();
 }
 
-Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge) {
+Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge,
+                                 std::shared_ptr<const Household> household) {
   const std::string name(name_of(knowledge.simulator()));
   RecipeTexts texts;
   const std::pair<const char*, std::string*> files[] = {{"_rooms.csv", &texts.rooms},
@@ -161,7 +162,14 @@ Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Know
     if (!text) return text.error();
     *content = std::move(*text);
   }
-  return read_recipe(texts, knowledge);
+  if (household == nullptr) {
+    auto read = read_household(folder.parent_path() / "sense", knowledge);
+    if (!read) return read.error();
+    household = std::make_shared<const Household>(std::move(*read));
+  }
+  auto recipe = read_recipe(texts, knowledge);
+  if (recipe) recipe->household = std::move(household);
+  return recipe;
 }
 
 }  // namespace unietp

@@ -133,6 +133,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
 
   timer.enter(Stage::Grounding);
   GroundingOptions grounding;
+  grounding.household = resources.recipe(slot.simulator).household.get();
   const auto& modes = configuration.modes;
   grounding.pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();
   auto grounded =

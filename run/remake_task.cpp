@@ -40,6 +40,7 @@ Result<Remade> TaskRemaker::make(const RunConfiguration& configuration, const Ta
   if (!specification) return specification.error();
   const Backend& backend = resources_.backend(specification->simulator);
   GroundingOptions grounding;
+  grounding.household = resources_.recipe(specification->simulator).household.get();
   const auto& modes = configuration.modes;
   grounding.pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();
   auto grounded = ground(*specification, *prepared(home), backend.knowledge, backend.profile, grounding,
