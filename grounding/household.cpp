@@ -1,11 +1,16 @@
 #include "grounding/household.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 #include <utility>
 
 namespace unietp {
 namespace {
+
+// Goals put things there, but nobody keeps them there: food waits in an oven only while it is cooked.
+constexpr std::array<std::string_view, 5> kPassing{"oven", "microwave", "toaster", "stove", "dishwasher"};
+constexpr double kInPassing = 0.15;  // of the weight of such a place
 
 constexpr double kTolerable = 0.08;  // weight of all tolerable places of a category together; the usual ones have 1
 constexpr double kUnspoken = 0.02;   // share of a state that nobody spoke of
@@ -22,9 +27,14 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
     if (all.empty()) continue;
     auto& places = places_[category.name];
     for (const UsualPlace& place : all) {
+      const auto& receptacle = place.placement->receptacle;
+      const auto* at = sense.kind_of(knowledge.simulator(), receptacle);
+      const auto is_a = [&](std::string_view kind) { return at != nullptr && kinds_.is_a(at->kind, kind); };
+      if (is_a("trash_can") && !kinds_.is_a(kind_of(category.name), "rubbish")) continue;
+      const bool passing = std::any_of(kPassing.begin(), kPassing.end(), is_a);
       const bool is_usual = place.grade == Grade::Usual;
-      places.push_back({place.placement->relation, place.placement->receptacle,
-                        place.weight * (is_usual ? 1 : kTolerable), is_usual});
+      const double weight = place.weight * (is_usual ? 1 : kTolerable) * (passing ? kInPassing : 1);
+      places.push_back({place.placement->relation, receptacle, weight, is_usual});
     }
     std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
       return std::tie(a.receptacle, a.relation) < std::tie(b.receptacle, b.relation);

@@ -17,6 +17,7 @@ constexpr double kObjectSizeSpread = 0.04;
 constexpr double kUsualRoomFactor = 4;
 constexpr double kHeldByOthers = 0.5;  // things that a receptacle holds of which no home shows how many
 constexpr int kReceptaclesPerTry = 3;
+constexpr double kSecond = 3;       // chance of a second thing where there is one already, to that of another category
 constexpr double kMostOften = 1.5;  // times the number of a thing in real homes, when more things are asked for
 
 /// Of a category's things, one bool a room.
@@ -75,12 +76,20 @@ class Scatterer {
     const std::string& type = workspace_.scene().rooms[room].type;
     std::vector<const Category*> usual;
     std::vector<double> chances;
+    std::map<std::string_view, int> alike;  // categories of a kind
     for (const Category& category : workspace_.knowledge().categories()) {
       if (!category.movable || sliced_.contains(category.name)) continue;
       if (std::find(category.rooms.begin(), category.rooms.end(), type) == category.rooms.end()) continue;
-      const auto there = rooms_[room].find(category.name);
+      if (workspace_.household() != nullptr && workspace_.household()->places_of(category.name).empty()) continue;
       usual.push_back(&category);
-      chances.push_back(std::pow(0.5, there == rooms_[room].end() ? 0.0 : static_cast<double>(there->second.size())));
+      ++alike[kind_of(category)];
+    }
+    for (const Category* category : usual) {
+      const auto there = rooms_[room].find(category->name);
+      const std::size_t number = there == rooms_[room].end() ? 0 : there->second.size();
+      // People have several of many things; of hundreds of kinds of food no home has most.
+      const double again = number == 0 ? 1 : number == 1 ? kSecond : std::pow(0.5, static_cast<double>(number));
+      chances.push_back(again / std::sqrt(alike[kind_of(*category)]));
     }
     if (usual.empty()) return std::nullopt;
     return Wish{room, usual[rng.weighted(chances)]};
@@ -135,6 +144,10 @@ class Scatterer {
       if (category.movable && kept && !spoken.contains(category.name)) unseen.push_back(&category);
     }
     return unseen;
+  }
+
+  static std::string_view kind_of(const Category& category) {
+    return category.kinds.empty() ? std::string_view() : std::string_view(category.kinds.front());
   }
 
   void enter(std::size_t index) {

@@ -117,7 +117,7 @@ std::optional<Binding> CandidatePlanner::draw_binding(const CandidatePlan& plan,
   const auto& layout = *layouts_.layout(slot.simulator, plan.home);
   const auto& rooms = rooms_of(slot.simulator, plan.home, layout);
   const auto& source = resources_.templates[plan.source];
-  const CategoryWeight weight = weight_in(layout, source, counts, &rooms);
+  const CategoryWeight weight = weight_in(layout, source, slot.split, counts, &rooms);
   const BindingWishes wishes{configuration_.binding, weight, at_least(plan.least, source, resources_, slot.simulator)};
   return sample_binding(source, resources_.backend(slot.simulator).knowledge, layout.offer.categories, wishes, rng);
 }

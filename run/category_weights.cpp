@@ -1,15 +1,32 @@
 #include "run/category_weights.h"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "generator/domain_constraints.h"
+#include "templates/init_shape.h"
 
 namespace unietp {
 namespace {
 
-constexpr double kAdded = 1e-4;  // times the weight of what is there
+constexpr double kAdded = 1e-4;   // times the weight of what is there
+constexpr double kTooFew = 0.02;  // likewise, of what is there, but not in the number that is needed
+
+/// How many of each placeholder's category the start needs: those that `init` counts, and another one to tell it from.
+std::vector<std::size_t> needed_by(const Template& source, Split split) {
+  std::vector<std::size_t> needed;
+  for (const auto& parameter : source.parameters) {
+    int most = 1;
+    for (const Formula& start : source.init) {
+      if (start.domain == of_category(parameter.name)) most = std::max(most, demanded_count(start));
+    }
+    const bool told_apart = split == Split::InstanceGrounding && source.split != split && needed.empty();
+    needed.push_back(static_cast<std::size_t>(most + (told_apart ? 1 : 0)));
+  }
+  return needed;
+}
 
 }  // namespace
 
@@ -31,17 +48,20 @@ RoomTypes room_types_in(const Layout& layout) {
   return types;
 }
 
-CategoryWeight weight_in(const Layout& layout, const Template& source, const Frequencies& counts,
+CategoryWeight weight_in(const Layout& layout, const Template& source, Split split, const Frequencies& counts,
                          const RoomTypes* rooms) {
   std::vector<Dimension> dimensions;
   for (const auto& parameter : source.parameters) dimensions.push_back(dimension_of(parameter, source));
-  return [&layout, &source, &counts, rooms, dimensions = std::move(dimensions),
+  return [&layout, &source, &counts, rooms, dimensions = std::move(dimensions), needed = needed_by(source, split),
           prefix = std::string(name_of(layout.home.scene.simulator)) + "/"](const Parameter& parameter,
                                                                             const std::string& category) {
-    const auto dimension = dimensions[static_cast<std::size_t>(&parameter - source.parameters.data())];
-    const double own = counts.weight(dimension, prefix + category);
+    const auto at = static_cast<std::size_t>(&parameter - source.parameters.data());
+    const auto dimension = dimensions[at];
+    double own = counts.weight(dimension, prefix + category);
     if (dimension == Dimension::Room || is_value(parameter)) return own;
-    if (layout.home.places.of(category).empty()) return own * kAdded;
+    const std::size_t there = layout.home.places.of(category).size();
+    if (there == 0) return own * kAdded;
+    if (there < needed[at]) own *= kTooFew;
     if (rooms == nullptr) return own;
     const auto stands = rooms->find(category);
     if (stands == rooms->end()) return own;

@@ -120,7 +120,7 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   if (!layout) return rejected({RejectionReason::NoLayout, layout.error().message});
 
   timer.enter(Stage::Generator);
-  const CategoryWeight weight = weight_in(*layout, source, counts, nullptr);
+  const CategoryWeight weight = weight_in(*layout, source, slot.split, counts, nullptr);
   const SenseOf sense_of = [&](const Specification& one) { return sense_of_task(one, resources); };
   const BindingWishes wishes{configuration.binding, weight, at_least(plan.least, source, resources, slot.simulator)};
   auto specified = specify(source, *layout, backend.knowledge, plan.binding, wishes, slot.split, plan.least, sense_of,
