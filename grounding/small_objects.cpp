@@ -17,7 +17,7 @@ constexpr double kObjectSizeSpread = 0.04;
 constexpr double kUsualRoomFactor = 4;
 constexpr double kHeldByOthers = 0.5;  // things that a receptacle holds of which no home shows how many
 constexpr int kReceptaclesPerTry = 3;
-constexpr double kSecond = 3;       // chance of a second thing where there is one already, to that of another category
+constexpr double kSecond = 0.5;       // chance of a second thing where there is one already, to that of another category
 constexpr double kMostOften = 1.5;  // times the number of a thing in real homes, when more things are asked for
 
 /// Of a category's things, one bool a room.
@@ -31,6 +31,7 @@ std::vector<bool> usual_rooms(const Workspace& workspace, const Category& catego
 struct Wish {
   std::optional<std::size_t> room;  // nullopt: any
   const Category* category;
+  bool of_rule = false;  // real homes have it there
 };
 
 /// What each category can be put on or in, room by room, kept up while things are added.
@@ -61,7 +62,7 @@ class Scatterer {
     const auto unseen = unseen_categories();
     const double rest = options_.wanted * recipe_.unseen_share;
     const int others = static_cast<int>(rest) + (rng.chance(rest - std::floor(rest)) ? 1 : 0);
-    for (int i = 0; i < others && !unseen.empty(); ++i) wishes.push_back({std::nullopt, rng.pick(unseen)});
+    for (int i = 0; i < others && !unseen.empty(); ++i) wishes.push_back({std::nullopt, rng.pick(unseen), false});
     rng.shuffle(wishes);
     return wishes;
   }
@@ -89,10 +90,10 @@ class Scatterer {
       const std::size_t number = there == rooms_[room].end() ? 0 : there->second.size();
       // People have several of many things; of hundreds of kinds of food no home has most.
       const double again = number == 0 ? 1 : number == 1 ? kSecond : std::pow(0.5, static_cast<double>(number));
-      chances.push_back(again / std::sqrt(alike[kind_of(*category)]));
+      chances.push_back(again);
     }
     if (usual.empty()) return std::nullopt;
-    return Wish{room, usual[rng.weighted(chances)]};
+    return Wish{room, usual[rng.weighted(chances)], false};
   }
 
   bool place(const Wish& wish, Rng rng) {
@@ -127,7 +128,7 @@ class Scatterer {
       for (const ObjectRule& rule : recipe_.objects) {
         if (rule.room != workspace_.scene().rooms[room].type) continue;
         const Category* category = workspace_.knowledge().find(rule.category);
-        if (category != nullptr) each(Wish{room, category}, rule.mean);
+        if (category != nullptr) each(Wish{room, category, true}, rule.mean);
       }
     }
   }
@@ -163,7 +164,7 @@ class Scatterer {
     for (std::size_t room = 0; room < rooms_.size(); ++room) {
       if (wish.room && *wish.room != room) continue;
       if (workspace_.household() != nullptr) {
-        add_usual_hosts(room, workspace_.household()->places_of(wish.category->name), hosts);
+        add_usual_hosts(room, wish, hosts);
         continue;
       }
       for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
@@ -174,11 +175,12 @@ class Scatterer {
     return hosts;
   }
 
-  /// Nothing where the room has none of the usual places of what has such places.
-  void add_usual_hosts(std::size_t room, const std::vector<Household::Place>& places, std::vector<Host>& hosts) const {
+  /// Nothing where the room has none of the usual places of what has such places, unless real homes have it there.
+  void add_usual_hosts(std::size_t room, const Wish& wish, std::vector<Host>& hosts) const {
+    const auto& places = workspace_.household()->places_of(wish.category->name);
     const auto is_usual = [](const Household::Place& place) { return place.usual; };
     const auto is_here = [&](const Household::Place& place) { return rooms_[room].contains(place.receptacle); };
-    const bool some = std::any_of(places.begin(), places.end(), is_usual);
+    const bool some = !wish.of_rule && std::any_of(places.begin(), places.end(), is_usual);
     if (some &&
         std::none_of(places.begin(), places.end(), [&](const auto& one) { return is_usual(one) && is_here(one); }))
       return;

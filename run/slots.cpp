@@ -129,6 +129,7 @@ void grade_templates(std::vector<TaskSlot>& slots, const RunConfiguration& confi
     for (const auto source : slot.templates) {
       const auto [at, fresh] = best.try_emplace({source, slot.simulator}, Grade::Senseless);
       if (!fresh) continue;
+      if (configuration.sense == Grade::Senseless) continue;
       at->second =
           best_grade(configuration.sense, resources.templates[source], resources, slot.simulator, configuration.binding)
               .value_or(Grade::Senseless);
