@@ -11,7 +11,7 @@
 namespace unietp {
 
 /// Why an episode did not reach its goal. The order is that of the rules: the first that fits is the class of the
-/// episode (docs/evaluation.md has each rule).
+/// episode (docs/results.md has each rule).
 enum class FailureGroup : std::uint8_t { Errored, Output, Stop, Limit, Exploration, Grounding, Precondition, Goal };
 std::string_view name_of(FailureGroup group);  // "errored"
 

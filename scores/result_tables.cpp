@@ -165,7 +165,7 @@ ResultTable steps_table(const Shown& shown, Mode mode) {
 ResultTable failure_table(const Shown& shown) {
   ResultTable table{"failures",
                     "Why episodes did not succeed",
-                    shown.conditions + " Episodes by the first class of failure that fits (docs/evaluation.md).",
+                    shown.conditions + " Episodes by the first class of failure that fits (docs/results.md).",
                     {{"", 1}},
                     {"Class"},
                     {}};
