@@ -4,6 +4,8 @@
 #include "akb/completed.h"
 #include "akb/database.h"
 #include "akb/knowledge.h"
+#include "akb/lay_kinds.h"
+#include "akb/lay_phrases.h"
 #include "akb/override.h"
 #include "core/digest.h"
 #include "core/files.h"
@@ -61,6 +63,8 @@ std::vector<Tables> read_all_tables(const std::filesystem::path& folder,
   // A row that is left out for a fault of its own would make an override that names it look wrong too.
   if (errors.empty() && any_completed(folder)) lay_all_completed(folder, overrides, all, errors);
   if (errors.empty()) lay_overrides(folder, overrides, all, errors);
+  if (errors.empty()) lay_kinds(folder, all, errors);
+  if (errors.empty()) lay_phrases(folder, all, errors);
   sort_all(all);
   return all;
 }
@@ -113,6 +117,9 @@ Result<std::string> digest_of_tables(const std::filesystem::path& tables,
     for (const auto& path : completed_files(tables, simulator)) {
       if (auto added = add(path, path.lexically_relative(tables).generic_string()); !added) return added.error();
     }
+  }
+  for (const auto& file : kind_files(tables)) {
+    if (auto added = add(file, "sense/" + file.filename().string()); !added) return added.error();
   }
   // Of an override only the file's own name counts: it becomes the source of facts, its folder does not.
   for (const auto& file : override_files(tables, overrides)) {

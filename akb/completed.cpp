@@ -72,8 +72,9 @@ FactKind kind_of(const Alias& alias) {
       return FactKind::Function;
     case AliasKind::Context:
       return FactKind::Context;
+    default:  // laid over the tables later
+      return FactKind::Aliases;
   }
-  return FactKind::Aliases;
 }
 
 StatedFacts stated_by(const Tables& tables) {

@@ -15,7 +15,7 @@ namespace unietp {
 // the columns of its CSV file and `simulator` before them.
 
 /// Stored in the file; a file of another format is refused.
-inline constexpr std::string_view kDatabaseFormat = "unietp-knowledge/4";
+inline constexpr std::string_view kDatabaseFormat = "unietp-knowledge/5";
 
 /// Statements that make all tables and views in an empty file.
 extern const char* const kDatabaseSchema;

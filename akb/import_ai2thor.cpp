@@ -51,7 +51,8 @@ SceneFacts facts_of(const Json& scenes) {
     for (const auto& object : scene.at("objects")) type_of[object.at("objectId")] = object.at("objectType");
     for (const auto& object : scene.at("objects")) {
       const std::string type = object.at("objectType");
-      if (object.contains("mass")) facts.masses[type].push_back(object.at("mass"));
+      // 1 kg is what Unity gives a body that nobody weighed.
+      if (object.contains("mass") && object.at("mass") != 1) facts.masses[type].push_back(object.at("mass"));
       if (object.contains("aabbSize")) {
         const auto& s = object.at("aabbSize");
         facts.extents[type].emplace_back(s.at(0).get<double>(), s.at(2).get<double>(), s.at(1).get<double>());
@@ -174,7 +175,8 @@ void add_effects(TableBuilder& builder, const Json& types, const Json& alfred) {
 
 }  // namespace
 
-Result<Tables> import_ai2thor(const std::filesystem::path& upstream, const std::filesystem::path& curated) {
+Result<Tables> import_ai2thor(const std::filesystem::path& upstream, const std::filesystem::path& curated,
+                              const AbsurdPlace& absurd) {
   const auto folder = upstream / "ai2thor";
   const auto types = read_metadata_json(folder / "object_types.json");
   if (!types) return types.error();
@@ -191,6 +193,7 @@ Result<Tables> import_ai2thor(const std::filesystem::path& upstream, const std::
   if (!built_in) return built_in.error();
 
   TableBuilder builder(Simulator::Ai2thor, curated);
+  builder.refuse(absurd);
   const auto facts = facts_of(*scenes);
   add_categories(builder, *types, *assets, facts);
   add_affordances(builder, *types, *alfred);

@@ -71,7 +71,8 @@ void add_models(TableBuilder& builder, const Metadata& metadata) {
 
 }  // namespace
 
-Result<Tables> import_behavior(const std::filesystem::path& upstream, const std::filesystem::path& curated) {
+Result<Tables> import_behavior(const std::filesystem::path& upstream, const std::filesystem::path& curated,
+                               const AbsurdPlace& absurd) {
   const auto folder = upstream / "behavior";
   const auto annotations = read_metadata_json(folder / "propagated_annots_params.json.gz");
   if (!annotations) return annotations.error();
@@ -85,6 +86,7 @@ Result<Tables> import_behavior(const std::filesystem::path& upstream, const std:
   if (!wordnet) return wordnet.error();
 
   TableBuilder builder(Simulator::Behavior, curated);
+  builder.refuse(absurd);
   const behavior::Words words(curated, *metadata, builder.errors());
   const GroupPhrases phrases = read_group_phrases(curated / "phrases.csv", builder.errors());
   if (!builder.errors().empty()) return builder.errors().front();

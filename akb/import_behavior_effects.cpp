@@ -45,7 +45,9 @@ void add_cold(TableBuilder& builder, const std::string& tool, const Json& source
       builder.effect({tool, treatment, target, "", 0, needs_of(source), {kAnnotations, 1}});
     };
     if (builder.has(target, "heatable")) add(Treatment::Cools);
-    if (builder.has(target, "freezable") && source.value("temperature", 0.0) < 0) add(Treatment::Freezes);
+    // The annotations let fridges freeze, too.
+    const bool freezes = builder.is_kind(tool, "freezer") && source.value("temperature", 0.0) < 0;
+    if (freezes && builder.has(target, "freezable")) add(Treatment::Freezes);
   }
 }
 

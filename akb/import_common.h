@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "akb/absurd_place.h"
 #include "akb/kind_groups.h"
 #include "akb/lexicon.h"
 #include "akb/placement_rules.h"
@@ -33,6 +34,9 @@ struct RawCategory {
 class TableBuilder {
  public:
   TableBuilder(Simulator simulator, std::filesystem::path curated);
+
+  /// Placements that are absurd are dropped, whatever says them.
+  void refuse(AbsurdPlace absurd) { absurd_ = std::move(absurd); }
 
   /// Names that curated/<simulator>/category.csv lists, in its order.
   std::vector<std::string> curated_names() const;
@@ -110,8 +114,11 @@ class TableBuilder {
   void drop_ambiguous_aliases();
   std::filesystem::path folder() const;
 
+  bool is_absurd(const std::string& object, Predicate relation, const std::string& receptacle) const;
+
   Simulator simulator_;
   std::filesystem::path curated_;
+  AbsurdPlace absurd_;
   std::vector<Error> errors_;
   Lexicon lexicon_;
   KindGroups groups_;

@@ -84,7 +84,8 @@ void add_affordances(TableBuilder& builder, const Lists& lists) {
 
 }  // namespace
 
-Result<Tables> import_habitat(const std::filesystem::path& upstream, const std::filesystem::path& curated) {
+Result<Tables> import_habitat(const std::filesystem::path& upstream, const std::filesystem::path& curated,
+                              const AbsurdPlace& absurd) {
   const auto lists = read_lists(upstream, curated);
   if (!lists) return lists.error();
   const auto one_each = read_metadata_csv(upstream / "habitat" / "ovmm_one_object_per_category.csv");
@@ -101,6 +102,7 @@ Result<Tables> import_habitat(const std::filesystem::path& upstream, const std::
     if (asset != procthor->end()) own[row[1].text] = {asset->name, row[1].text, asset->size, {kOneEach, 0.9}};
   }
   TableBuilder builder(Simulator::Habitat, curated);
+  builder.refuse(absurd);
   std::set<std::string> names = lists->scenes;
   names.insert(lists->objects.begin(), lists->objects.end());
   names.insert(lists->receptacles.begin(), lists->receptacles.end());

@@ -116,7 +116,16 @@ int TableBuilder::room_beside(const Placement& p) const {
   return most;
 }
 
+bool TableBuilder::is_absurd(const std::string& object, Predicate relation, const std::string& receptacle) const {
+  const auto *thing = find(object), *place = find(receptacle);
+  return absurd_ && thing != nullptr && place != nullptr && absurd_(*thing, relation, *place);
+}
+
 void TableBuilder::drop_unfit_placements() {
+  std::erase_if(placements_, [&](const auto& entry) {
+    const Placement& p = entry.second;
+    return is_absurd(p.object, p.relation, p.receptacle);
+  });
   const auto drop = [&](bool beside, const auto& capacity) {
     for (auto& [key, p] : placements_) {
       if ((p.relation == Predicate::NextTo) == beside) p.capacity = capacity(p);

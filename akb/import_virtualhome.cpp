@@ -120,7 +120,8 @@ void add_affordances(TableBuilder& builder, const Json& properties) {
 
 }  // namespace
 
-Result<Tables> import_virtualhome(const std::filesystem::path& upstream, const std::filesystem::path& curated) {
+Result<Tables> import_virtualhome(const std::filesystem::path& upstream, const std::filesystem::path& curated,
+                                  const AbsurdPlace& absurd) {
   const auto folder = upstream / "virtualhome";
   const auto properties = read_metadata_json(folder / "properties_data_unity.json");
   if (!properties) return properties.error();
@@ -145,6 +146,7 @@ Result<Tables> import_virtualhome(const std::filesystem::path& upstream, const s
   if (!further) return further.error();
 
   TableBuilder builder(Simulator::Virtualhome, curated);
+  builder.refuse(absurd);
   const auto prefabs = prefabs_of(*classes);
   const auto add = [&](const std::string& name, bool grabbable, const std::string& source) {
     RawCategory raw;

@@ -5,17 +5,17 @@
 namespace unietp {
 
 Result<Tables> import_simulator(Simulator simulator, const std::filesystem::path& upstream,
-                                const std::filesystem::path& curated) {
+                                const std::filesystem::path& curated, const AbsurdPlace& absurd) {
   try {
     switch (simulator) {
       case Simulator::Ai2thor:
-        return import_ai2thor(upstream, curated);
+        return import_ai2thor(upstream, curated, absurd);
       case Simulator::Virtualhome:
-        return import_virtualhome(upstream, curated);
+        return import_virtualhome(upstream, curated, absurd);
       case Simulator::Habitat:
-        return import_habitat(upstream, curated);
+        return import_habitat(upstream, curated, absurd);
       case Simulator::Behavior:
-        return import_behavior(upstream, curated);
+        return import_behavior(upstream, curated, absurd);
     }
   } catch (const std::exception& failure) {  // nlohmann-json, when a file lacks a field or a field has another type
     return Error{Error::Kind::Schema,
@@ -26,10 +26,11 @@ Result<Tables> import_simulator(Simulator simulator, const std::filesystem::path
   return Error{Error::Kind::Usage, {}, {}, "no such simulator; expected ai2thor, virtualhome, habitat or behavior"};
 }
 
-Result<Done> import_all(const std::filesystem::path& upstream, const std::filesystem::path& tables) {
+Result<Done> import_all(const std::filesystem::path& upstream, const std::filesystem::path& tables,
+                        const AbsurdPlaceOf& absurd) {
   std::vector<Tables> all;
   for (const auto simulator : kSimulators) {
-    auto imported = import_simulator(simulator, upstream, tables / "curated");
+    auto imported = import_simulator(simulator, upstream, tables / "curated", absurd(simulator));
     if (!imported) return imported.error();
     all.push_back(std::move(*imported));
   }

@@ -21,7 +21,7 @@ class Knowledge {
             std::vector<Placement> placements, std::vector<Effect> effects, std::vector<Alias> aliases,
             std::vector<Asset> assets = {});
 
-  Simulator simulator() const { return simulator_; }
+  Simulator simulator() const { return simulator_; }  // whose categories these are
   const std::vector<Category>& categories() const { return categories_; }
   /// nullptr for an unknown name. In all queries below, an unknown name gives nothing: nullptr, false or an empty list.
   /// Pointers are valid as long as this value.
@@ -32,13 +32,13 @@ class Knowledge {
   std::vector<std::string> affordances_of(std::string_view category) const;
   std::vector<const AffordanceFact*> affordance_facts_of(std::string_view category) const;
 
-  const std::vector<Placement>& placements() const { return placements_; }
+  const std::vector<Placement>& placements() const { return placements_; }  // by object, relation and receptacle
   /// Whether and how often an object of one category is on, inside, next to or under one of another.
   const Placement* placement(std::string_view object, Predicate relation, std::string_view receptacle) const;
   std::vector<const Placement*> placements_of(std::string_view object, Predicate relation) const;
   std::vector<const Placement*> placements_at(std::string_view receptacle, Predicate relation) const;
 
-  const std::vector<Effect>& effects() const { return effects_; }
+  const std::vector<Effect>& effects() const { return effects_; }  // by tool, effect and target
   /// What the tool does to the target, if it does that at all.
   const Effect* effect(std::string_view tool, Treatment treatment, std::string_view target) const;
   std::vector<const Effect*> effects_on(std::string_view target, Treatment treatment) const;
@@ -54,8 +54,8 @@ class Knowledge {
   const Asset* asset(std::string_view name) const;
   const std::vector<Asset>& assets() const { return assets_; }
 
-  const std::vector<AffordanceFact>& affordances() const { return affordances_; }
-  const std::vector<Alias>& aliases() const { return aliases_; }
+  const std::vector<AffordanceFact>& affordances() const { return affordances_; }  // by category
+  const std::vector<Alias>& aliases() const { return aliases_; }                   // by category
 
  private:
   Simulator simulator_;

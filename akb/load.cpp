@@ -122,6 +122,7 @@ Knowledge read_all(SqliteFile& file, Simulator simulator) {
     c.rooms = from.items();
     c.colours = from.items();
     c.materials = from.items();
+    c.kinds = from.items();
     c.source = from.source();
     c.size_source = from.source();
     c.mass_source = from.source();

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::array<std::string_view, kEffectNeeds.size()> kNeedNames{"closed", "power_on", "held",
                                                                        "inside", "on",       "under_tap"};
-constexpr std::array<std::string_view, kAliasKinds.size()> kKindNames{"synonym", "function", "context"};
+constexpr std::array<std::string_view, kAliasKinds.size()> kKindNames{"synonym",     "function", "context", "hypernym",
+                                                                      "description", "occasion", "request"};
 
 template <class Value, std::size_t kCount>
 std::optional<Value> value_named(std::string_view name, const std::array<Value, kCount>& values,

@@ -38,6 +38,7 @@ struct Category {
   double mass = 0;                              // kilograms
   std::vector<std::string> rooms;               // usual room types, most usual first
   std::vector<std::string> colours, materials;  // what instances come in
+  std::vector<std::string> kinds;               // of data/sense/kinds.csv, narrowest first; empty when it has none
   Source source;                                // of the row as a whole
   Source size_source, mass_source;
   Source synset_source;  // that of the row, but for a completed one
@@ -89,11 +90,20 @@ bool has_need(const Effect& effect, EffectNeed need);
 /// Names of the needs, in their order.
 std::vector<std::string> names_of(const std::vector<EffectNeed>& needs);
 
-/// What a further name or phrase says of a category: another name; what it is for ("something to drink from"); when one
-/// wants it ("I am thirsty.").
-enum class AliasKind : std::uint8_t { Synonym, Function, Context };
+/// What a further name or phrase says of a category. The phrases of data/sense/phrases.csv are the last four.
+enum class AliasKind : std::uint8_t {
+  Synonym,      // another name
+  Function,     // what it is for: "something to drink from"
+  Context,      // when one wants it: "I am thirsty."
+  Hypernym,     // a wider name: "a piece of cutlery"
+  Description,  // by use or part: "the place where we keep the milk cold"
+  Occasion,  // a sentence that says what is going to be done, and so which thing is needed: "I want to make a salad."
+  Request,   // a state and a sentence that asks for it: "power_on It's too dark to read."
+};
 /// In the order of the enum.
-inline constexpr std::array kAliasKinds{AliasKind::Synonym, AliasKind::Function, AliasKind::Context};
+inline constexpr std::array kAliasKinds{AliasKind::Synonym,  AliasKind::Function,    AliasKind::Context,
+                                        AliasKind::Hypernym, AliasKind::Description, AliasKind::Occasion,
+                                        AliasKind::Request};
 std::string_view name_of(AliasKind kind);  // "synonym"
 /// nullopt for an unknown name.
 std::optional<AliasKind> alias_kind_named(std::string_view name);

@@ -37,7 +37,7 @@ Tables read_tables(const std::filesystem::path& folder, std::vector<Error>& erro
 
 /// The tables of the four simulators in `<folder>/<simulator>/`, in the order of kSimulators and sorted, with completed
 /// facts (completed.h) laid under them, and `<folder>/override.csv` (where there is one) and then each of `overrides`
-/// over them. Errors: as above, and
+/// over them, and the kinds and functions of lay_kinds.h. Errors: as above, and
 /// those of read_overrides and apply_overrides; overrides are looked at only when the tables are sound.
 std::vector<Tables> read_all_tables(const std::filesystem::path& folder,
                                     const std::vector<std::filesystem::path>& overrides, std::vector<Error>& errors);

@@ -36,9 +36,11 @@ struct NounPhrase {
   int number = 0;
   Domain noun;                        // without `where`
   bool by_function = false;           // "something to drink from"; named again as "that object"
+  bool except = false;                // "every mug but the red one": all that the modifiers do not fit
   bool two = false;                   // the writer's: the start has two such objects: "both mugs", "the larger mug"
   std::vector<Complement> modifiers;  // all true in the start state ("that is dirty")
-  std::vector<Complement> done;       // to be brought about ("that you put a mug into"); each a converse relation
+  std::vector<Complement> done;       // to be brought about ("that you put a mug into"; "a slice of it")
+  std::vector<Domain> absent;         // of which the home has none: else "a slice of bread" would be one of these
   std::string variable;               // the writer's: which variable of the goal; "" when read
   int column = 0;                     // the reader's: where it stood
 };
@@ -60,7 +62,10 @@ struct Clause {
   bool any_subject = false;
   std::vector<Complement> complements;  // Simple: all, or (any_complement) one of them. Compare: one for each subject
   bool any_complement = false;
-  bool removal = false;                       // Simple: "remove every A from B", subject No
+  bool removal = false;       // Simple: "remove every A from B", subject No
+  bool put_down = false;      // Simple: and none of that kind is in your hand: "…, and put them down"
+  bool each_has_one = false;  // at each of the places is at least one: "divide all the mugs between A and B, …"
+  bool poured = false;        // filled with what the clause before it was filled with: "…, then pour it into B"
   Comparison comparison = Comparison::Equal;  // Compare: Equal, Greater or AtLeast
   std::vector<Clause> parts;                  // And, Or
   std::vector<NounPhrase> given;              // of a part of Or: only where such things are at the start; of the
@@ -82,17 +87,20 @@ struct Proposition {
 /// A clause, or several, with a temporal relation.
 struct Requirement {
   enum class Kind {
-    Choose,    // introduces the subject of clause 0, asks nothing
-    Final,     // clause 0 at the end
-    Need,      // the same, said as what someone wants: one subject, a state and a place
-    Sometime,  // clause 0 at some point
-    Always,    // clause 0 all the time
-    Until,     // clause 0 until clause 1
-    Before,    // clause 0 before clause 1
-    Then,      // Before, and clause 1 at the end
-    ThenKept,  // Before, and both at the end
-    Again,     // clause 0 at some point, clause 1 at the end
-    Stated,    // `stated`, which speaks of the subjects of clause 0 and of what it binds itself
+    Choose,     // introduces the subject of clause 0, asks nothing
+    Final,      // clause 0 at the end
+    Need,       // the same, said as what someone wants: one subject, a state and a place
+    Sometime,   // clause 0 at some point
+    Always,     // clause 0 all the time
+    Until,      // clause 0 until clause 1
+    Before,     // clause 0 before clause 1
+    Then,       // Before, and clause 1 at the end
+    ThenKept,   // Before, and both at the end
+    Again,      // clause 0 at some point, the others at the end: "open B, take A out of it and close it again"
+    UntilThen,  // Until, and both clause 1 and clause 2 at the end: "keep B closed until A is on C, then open it"
+    OnlyThen,   // clause 0 before any of what clause 1 says, and both at the end: "…, and only then all the mugs"
+    Fact,       // clause 0 is so at the start; asks nothing
+    Stated,     // `stated`, which speaks of the subjects of clause 0 and of what it binds itself
   };
   Kind kind = Kind::Final;
   std::vector<Clause> clauses;

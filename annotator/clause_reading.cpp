@@ -36,7 +36,7 @@ Clause ClauseReader::given(Clause part) {
 
 NounPhrase ClauseReader::condition() {
   NounPhrase there = words_.phrase();
-  if (there.determiner != Determiner::New && there.determiner != Determiner::Any)
+  if (there.determiner != Determiner::New && there.determiner != Determiner::The && there.determiner != Determiner::Any)
     words_.fail("expected 'a …' or 'any …' before this");
   if (be(false)) words_.fail("a condition is of something that is so");
   Clause said;

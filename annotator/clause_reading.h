@@ -21,6 +21,9 @@ class ClauseReader {
   /// One imperative, or several after "either".
   Clause command();
   Clause command_list();
+  /// What is so the whole time: "do not open any fridge", "leave all the plates on the table"; false, with nothing
+  /// read, when none comes. What "leave" asks for at the end is a command.
+  bool left_alone(Clause& clause);
   /// "a fridge is open", of the start.
   NounPhrase condition();
 
@@ -37,6 +40,13 @@ class ClauseReader {
   Clause with_symbol(Predicate predicate);
   Clause symbol_first(Predicate predicate, std::string_view link, bool negated);
   Clause changed();
+  Clause shared_out();
+  Clause same_number();
+  Clause outnumbering();
+  Clause poured();
+  Clause remaining();
+  bool put_down();
+  bool taken_from(Clause& clause);
 
   PhraseReader& words_;
   const NounTable& lexicon_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "annotator/idiom_writing.h"
 #include "annotator/words_for_writing.h"
 #include "core/text.h"
 
@@ -49,6 +50,13 @@ bool is_done_in_place(Predicate predicate) {
          predicate == P::Held;
 }
 
+/// "Cook the leek next to the knife" and "wash the mug in the kitchen" are clear, too.
+bool is_told_apart(const Clause& clause) {
+  const auto& modifiers = clause.subjects[0].modifiers;
+  return clause.subjects.size() == 1 && !modifiers.empty() &&
+         (modifiers.back().predicate == Predicate::NextTo || modifiers.back().predicate == Predicate::InRoom);
+}
+
 /// "turn it off" rather than "turn off it"; no long object before "up".
 std::string with_particle_order(const std::string& pattern, const std::string& subject, const Complement& said) {
   const auto parted = [](const std::string& words) {
@@ -61,6 +69,14 @@ std::string with_particle_order(const std::string& pattern, const std::string& s
     if (is_long && parted(pattern) && !parted(words)) return words;
   }
   return pattern;
+}
+
+/// "take the mug off the desk", "out of the sink", "from the kitchen": "" where it is described otherwise.
+std::string taken_from(const Complement& place) {
+  if (place.negated || place.converse || place.object.empty()) return "";
+  if (place.predicate == Predicate::On) return " off ";
+  if (place.predicate == Predicate::Inside) return " out of ";
+  return place.predicate == Predicate::InRoom ? " from " : "";
 }
 
 }  // namespace
@@ -76,6 +92,15 @@ std::string listed(const std::vector<std::string>& parts, const char* word) {
 
 std::string ClauseWriter::pick(std::initializer_list<const char*> choices) {
   return *(choices.begin() + rng_.below(choices.size()));
+}
+
+/// One of the ways to say it; everyday words take the first of them most often.
+const std::string& ClauseWriter::chosen(const std::vector<std::string>& patterns) {
+  if (!naming_.everyday()) return patterns[rng_.below(patterns.size())];
+  std::size_t at = 0;
+  while (at + 1 < patterns.size() && rng_.chance(0.3)) ++at;
+  // "Pour water into a can and put it on a table" could be about the water.
+  return patterns[at].starts_with("pour ") && !naming_.says_one_thing() ? patterns[0] : patterns[at];
 }
 
 /// "keep every fridge closed"
@@ -155,7 +180,8 @@ std::optional<std::string> ClauseWriter::given(const Clause& part) {
   for (const NounPhrase& there : part.given) {
     NounPhrase bare = there;
     bare.modifiers.clear();
-    if (speaks_of(part, there.noun) && naming_.is_countable(there.noun)) bare.determiner = Determiner::Any;
+    const bool several = speaks_of(part, there.noun) && naming_.is_countable(there.noun);
+    if (several && !(naming_.everyday() && naming_.is_alone(there.noun))) bare.determiner = Determiner::Any;
     const auto subject = naming_.phrase(bare, {});
     if (!subject) return std::nullopt;
     std::vector<std::string> states;
@@ -186,17 +212,24 @@ std::optional<std::string> ClauseWriter::comparison(const Clause& clause, const 
 
 /// An imperative, without frame.
 std::optional<std::string> ClauseWriter::command(const Clause& clause) {
+  Text text = worded(clause);
+  if (text) naming_.set_topic(clause.subjects.size() == 1 ? clause.subjects[0].variable : "");
+  return text;
+}
+
+std::optional<std::string> ClauseWriter::worded(const Clause& clause) {
+  if (naming_.everyday() && is_idiom(clause)) return idiom(clause, naming_, rng_);
   if (clause.kind == Clause::Kind::And || clause.kind == Clause::Kind::Or) return joined_parts(clause, nullptr);
   if (clause.kind == Clause::Kind::Simple) {
     bool special = false;
     const Text text = special_command(clause, special);
     if (special) return text;
     if (clause.complements.size() == 1) {
-      const auto patterns = verbs(clause.complements[0]);
+      const auto patterns = naming_.everyday() ? everyday_verbs(clause.complements[0]) : verbs(clause.complements[0]);
       const bool clean_subject = clause.subjects[0].determiner != Determiner::No &&
                                  clause.subjects[0].determiner != Determiner::AtMost &&
                                  clause.subjects[0].determiner != Determiner::Agent;
-      if (!patterns.empty() && clean_subject) return filled(patterns[rng_.below(patterns.size())], clause);
+      if (!patterns.empty() && clean_subject) return filled(chosen(patterns), clause);
     }
   }
   const Text stated = statement(clause, "is");
@@ -229,7 +262,7 @@ std::optional<std::string> ClauseWriter::special_command(const Clause& clause, b
     const auto from = naming_.phrase(said.object[0], {.beside_every = true});
     if (!taken || !from) return std::nullopt;
     if (said.predicate == Predicate::Inside) return "take " + taken->text + " out of " + from->text;
-    const bool remove = rng_.chance(0.6);
+    const bool remove = !naming_.everyday() && rng_.chance(0.6);
     return (remove ? "remove " : "take ") + taken->text + (remove ? " from " : " off ") + from->text;
   }
   if (!clause.any_complement || clause.subjects.size() != 1 || subject.determiner == Determiner::No)
@@ -245,16 +278,32 @@ std::optional<std::string> ClauseWriter::special_command(const Clause& clause, b
     if (!where) return std::nullopt;
     places.push_back(*where);
   }
-  return pick({"put ", "place "}) + moved->text + " either " + listed(places, "or");
+  return (naming_.everyday() ? "put " : pick({"put ", "place "})) + moved->text + " either " + listed(places, "or");
 }
 
 /// "put the mug that is on a desk in a box" could be read as a desk in a box, "put something to toast on a table" as
 /// toasting there: "take … and put it in a box" cannot.
 std::optional<std::string> ClauseWriter::taken_first(const Clause& clause) {
-  const auto subject = naming_.phrase(clause.subjects[0], {});
+  NounPhrase thing = clause.subjects[0];
+  std::string from;
+  if (naming_.everyday() && !thing.modifiers.empty()) {
+    const Complement place = thing.modifiers.back();
+    from = taken_from(place);
+    if (!from.empty()) {
+      thing.modifiers.pop_back();
+      const bool room = place.predicate == Predicate::InRoom;
+      const auto there = naming_.phrase(place.object[0], {.inside_description = true, .unique = room});
+      if (!there) return std::nullopt;
+      from += there->text;
+    }
+  }
+  auto subject = naming_.phrase(thing, {.unique = !from.empty()});
   if (!subject || subject->plural) return std::nullopt;
+  subject->text += from;
   const Text where = naming_.complement(clause.complements[0], place_of(clause));
-  return where ? Text("take " + subject->text + pick({" and put it ", " and place it "}) + *where) : std::nullopt;
+  return where ? Text("take " + subject->text +
+                      (naming_.everyday() ? " and put it " : pick({" and put it ", " and place it "})) + *where)
+               : std::nullopt;
 }
 
 bool ClauseWriter::described_by_place(const Clause& clause) const {
@@ -268,8 +317,10 @@ bool ClauseWriter::described_by_place(const Clause& clause) const {
 std::optional<std::string> ClauseWriter::filled(const std::string& pattern, const Clause& clause) {
   if (described_by_place(clause) && !pattern.starts_with("attach")) return taken_first(clause);
   // Only where the reader expects no place: verbs that end with what they are done to.
-  const bool bare = is_done_in_place(clause.complements[0].predicate) && pattern.ends_with(" {s}");
-  const auto subjects = subjects_of(clause, {.bare = bare});
+  const bool bare = pattern.ends_with(" {s}") && (is_done_in_place(clause.complements[0].predicate) ||
+                                                  (naming_.everyday() && is_told_apart(clause)));
+  const bool moved = pattern.find("{o}") != std::string::npos;
+  const auto subjects = subjects_of(clause, {.bare = bare, .moved = moved});
   if (!subjects) return std::nullopt;
   std::string text = with_particle_order(pattern, subjects->text, clause.complements[0]);
   text = replace_all(text, "{m}", replace_all(clause.complements[0].symbol, "_", " "));

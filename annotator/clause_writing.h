@@ -30,6 +30,8 @@ class ClauseWriter {
   std::optional<std::string> given(const Clause& part);
 
  private:
+  std::optional<std::string> worded(const Clause& clause);
+  const std::string& chosen(const std::vector<std::string>& patterns);
   std::string pick(std::initializer_list<const char*> choices);
   std::optional<Words> subjects_of(const Clause& clause, Place place = {});
   std::optional<std::string> denial(const Clause& clause, const std::string& be);

@@ -30,12 +30,18 @@ Clause ClauseReader::command() {
     clause.complements.push_back({P::Held, false, "", {}});
     return clause;
   }
+  if (words_.accept("divide")) return shared_out();
+  if (words_.accept("put the same number of")) return same_number();
+  if (words_.accept("put more")) return outnumbering();
+  if (words_.accept("pour it into")) return poured();
+  if (words_.accept("leave")) return remaining();
   const bool repeated = moving_ && words_.phrase_comes();  // "put a mug on a table and a bowl in a box"
   moving_ = repeated || words_.accept_one({"put", "place", "set"}) >= 0;
   if (moving_) return moved();
   if (words_.accept_one({"remove", "take", "bring"}) >= 0) return taken();
   if (words_.accept("fill")) return with_symbol(P::Filled);
   if (words_.accept("cover")) return with_symbol(P::Covered);
+  if (words_.accept("pour")) return symbol_first(P::Filled, "into", false);
   if (words_.accept("spread")) return symbol_first(P::Covered, "over", false);
   if (words_.accept("wipe the")) return symbol_first(P::Covered, "off", true);
   if (words_.accept("attach")) {
@@ -86,6 +92,7 @@ Clause ClauseReader::taken() {
     words_.complements(clause);
     return clause;
   }
+  if (taken_from(clause)) return clause;
   const int room = words_.accept_one({"to", "into"});
   if (room >= 0) {
     clause.complements.push_back({P::InRoom, false, "", {words_.phrase()}});
@@ -99,9 +106,12 @@ Clause ClauseReader::taken() {
     if (subject.determiner != Determiner::Every) words_.fail("expected 'every …' before this");
     subject.determiner = Determiner::No;
   }
-  clause.complements.push_back({inside ? P::Inside : P::On, false, "", {words_.phrase()}});
+  clause.complements.push_back({inside ? P::Inside : P::On, false, "", {}});
+  if (!inside && words_.accept("the floor of")) clause.complements[0].predicate = P::OnFloor;
+  clause.complements[0].object.push_back(words_.place());
   if (clause.complements[0].object[0].determiner == Determiner::New)
     words_.fail("expected 'one …' or 'any …' before this");
+  clause.put_down = put_down();
   return clause;
 }
 

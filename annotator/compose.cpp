@@ -1,9 +1,12 @@
 #include "annotator/compose.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "annotator/compose_proposition.h"
+#include "annotator/meaning.h"
 #include "annotator/references.h"
+#include "scene/states.h"
 
 namespace unietp {
 namespace {
@@ -27,9 +30,45 @@ Formula wrapped(Op op, std::vector<Formula> children) {
   return f;
 }
 
+/// Where a thing is.
+bool is_place(Predicate predicate) {
+  using P = Predicate;
+  return predicate == P::On || predicate == P::Inside || predicate == P::NextTo || predicate == P::Under ||
+         predicate == P::OnFloor || predicate == P::InRoom || predicate == P::Held;
+}
+
+/// "First put a mug on a table, then wash it" leaves it there, "…, then put it in a sink" does not: what was done lasts
+/// unless what follows is another place or the opposite state of the same thing.
+bool lasts(const Formula& done, const Formula& next) {
+  if (next.op != Op::Atom)
+    return std::all_of(next.children.begin(), next.children.end(), [&](const Formula& f) { return lasts(done, f); });
+  if (done.op != Op::Atom)
+    return std::all_of(done.children.begin(), done.children.end(), [&](const Formula& f) { return lasts(f, next); });
+  if (done.terms[0] != next.terms[0]) return true;
+  if (is_place(done.predicate) && is_place(next.predicate)) return false;
+  return opposite_of(done.predicate) != next.predicate;
+}
+
+/// "There is a table here. There is a key on it.": puts what is said of a thing into the sentence that brings it in.
+/// False when nothing brings it in.
+bool join_facts(std::vector<Formula>& facts) {
+  for (std::size_t i = facts.size(); i-- > 0;) {
+    const auto free = free_variables(facts[i]);
+    if (free.empty()) continue;
+    const auto about = std::find_if(facts.rbegin() + static_cast<std::ptrdiff_t>(facts.size() - i), facts.rend(),
+                                    [&](const Formula& f) { return f.op == Op::Exists && f.variable == free.back(); });
+    if (about == facts.rend()) return false;
+    about->children = {conjunction({about->children[0], facts[i]})};
+    facts.erase(facts.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return true;
+}
+
 class Composer {
  public:
-  Result<Formula> compose(const Message& message) {
+  explicit Composer(WordChoices& choices) : references_(choices) {}
+
+  Result<Reading> compose(const Message& message) {
     Box text;
     std::vector<Formula> parts;
     for (const Requirement& requirement : message) {
@@ -40,7 +79,23 @@ class Composer {
       references_.fail(1, "the text asks for nothing; a sentence such as \"Put a mug on a table.\" is accepted");
       return *references_.error();
     }
-    return boxed(text, conjunction(std::move(parts)));
+    parts.insert(parts.end(), excepted_.begin(), excepted_.end());
+    parts.insert(parts.end(), cut_.begin(), cut_.end());
+    for (const Domain& absent : references_.absent()) {
+      const std::string none = references_.fresh();
+      facts_.push_back(forall(none, absent, negation(conjunction({}))));
+    }
+    if (!join_facts(facts_)) {
+      references_.fail(1, "what is said to be so is about something that is only asked for");
+      return *references_.error();
+    }
+    Formula all = conjunction(std::move(parts));
+    // What was only mentioned is not asked for.
+    std::erase_if(text.variables, [&](const auto& variable) {
+      return std::find(mentioned_.begin(), mentioned_.end(), variable.first) != mentioned_.end() &&
+             !mentions(all, variable.first);
+    });
+    return Reading{boxed(text, std::move(all)), std::move(facts_)};
   }
 
  private:
@@ -49,6 +104,7 @@ class Composer {
       for (const NounPhrase& phrase : requirement.clauses[0].subjects) references_.resolve(phrase, text);
       return;
     }
+    if (requirement.kind == Requirement::Kind::Fact) return add_fact(requirement.clauses[0], text);
     if (requirement.kind == Requirement::Kind::Stated) {
       parts.push_back(compose_proposition(requirement.stated[0], references_));
       return;
@@ -83,23 +139,97 @@ class Composer {
         parts.push_back(at_end(said[0]));
         [[fallthrough]];
       case Requirement::Kind::Then:
+        if (requirement.kind == Requirement::Kind::Then && !uses_up(requirement) && lasts(said[0], said[1]))
+          parts.push_back(at_end(said[0]));
         parts.push_back(wrapped(Op::Before, {said[0], said[1]}));
         parts.push_back(at_end(said[1]));
         break;
+      case Requirement::Kind::Fact:
       case Requirement::Kind::Stated:
         break;
       case Requirement::Kind::Again:
         parts.push_back(wrapped(Op::Sometime, {said[0]}));
         parts.push_back(at_end(said[1]));
         break;
+      case Requirement::Kind::UntilThen:
+        parts.push_back(wrapped(Op::Until, {said[0], said[1]}));
+        parts.push_back(at_end(said[1]));
+        parts.push_back(at_end(said[2]));
+        break;
+      case Requirement::Kind::OnlyThen: {
+        Formula none = said[1];
+        if (none.op != Op::Forall)
+          return references_.fail(requirement.clauses[1].subjects[0].column, "expected 'all the …' after 'only then'");
+        none.children = {negation(said[1].children[0])};
+        parts.push_back(wrapped(Op::Until, {std::move(none), said[0]}));
+        parts.push_back(at_end(said[0]));
+        parts.push_back(at_end(said[1]));
+        break;
+      }
     }
+  }
+
+  /// "Fill the pot, then pour it into a vase.", "Slice a potato, then cook a slice of it.": of the first nothing is
+  /// said at the end.
+  static bool uses_up(const Requirement& requirement) {
+    return std::any_of(requirement.clauses.begin(), requirement.clauses.end(), [](const Clause& clause) {
+      const auto cut = [](const Complement& done) { return done.predicate == Predicate::SliceOf; };
+      return clause.poured || (!clause.subjects.empty() &&
+                               std::any_of(clause.subjects[0].done.begin(), clause.subjects[0].done.end(), cut));
+    });
+  }
+
+  /// "There is a dirty mug on the desk.": it can be spoken of from now on. "There is more than one mug here.": none
+  /// can. "The lamp in the bedroom is on.": there is one such lamp.
+  void add_fact(const Clause& clause, Box& text) {
+    NounPhrase phrase = clause.subjects[0];
+    const bool the = phrase.determiner == Determiner::The;
+    if (!the) phrase.modifiers.insert(phrase.modifiers.end(), clause.complements.begin(), clause.complements.end());
+    Resolved slot;
+    if (phrase.determiner == Determiner::AtLeast) {
+      const std::string name = references_.fresh();
+      slot = {variable(name), true, references_.restricted(phrase, name), &phrase};
+      facts_.push_back(quantified(slot, conjunction({})));
+      return;
+    }
+    if (!the && phrase.determiner != Determiner::New && phrase.determiner != Determiner::Single)
+      return references_.fail(phrase.column, "expected 'a …' or 'the …' in what is said to be so");
+    slot = references_.introduced(phrase, text);
+    mentioned_.push_back(slot.term.name);
+    std::vector<Formula> so;
+    if (the) {
+      Formula one;
+      one.op = Op::Count;
+      one.number = 1;
+      one.variable = slot.term.name;
+      one.domain = slot.domain;
+      one.children = {conjunction({})};
+      facts_.push_back(std::move(one));
+      const std::vector<Resolved> objects = objects_of(clause.complements, clause, text);
+      for (std::size_t k = 0; k < objects.size(); ++k)
+        so.push_back(said_of(clause.complements[k], slot.term, objects[k].phrase ? &objects[k] : nullptr));
+    }
+    facts_.push_back(exists(slot.term.name, slot.domain, conjunction(std::move(so))));
+  }
+
+  /// "Put every mug but the red one on the table.": the red one is never there.
+  void leave_out(const Resolved& subject, const Formula& said) {
+    Resolved left = subject;
+    left.domain.where = {without_double_negation(negation(subject.domain.where[0]))};
+    Formula never;
+    never.op = Op::Always;
+    never.children = {forall(left.term.name, left.domain, negation(said))};
+    excepted_.push_back(std::move(never));
+  }
+  static Formula without_double_negation(const Formula& f) {
+    return f.op == Op::Not && f.children[0].op == Op::Not ? f.children[0].children[0] : f;
   }
 
   /// "if a fridge is open, close a cabinet": what is named in it is named for this sentence only.
   Formula conditional(const Clause& clause) {
     const std::size_t before = references_.named_count();
     Box condition, own;
-    for (const NounPhrase& there : clause.given) references_.introduced(there, condition);
+    for (const NounPhrase& there : clause.given) references_.given(there, condition);
     references_.leave(before);
     Formula then = state(clause, own);
     references_.leave(before);
@@ -118,7 +248,7 @@ class Composer {
         for (const Clause& part : clause.parts) {
           Box own;
           const std::size_t before = references_.named_count();
-          for (const NounPhrase& there : part.given) references_.introduced(there, own);
+          for (const NounPhrase& there : part.given) references_.given(there, own);
           Formula f = state(part, own);
           parts.push_back(boxed(own, std::move(f)));
           references_.leave(before);
@@ -147,7 +277,17 @@ class Composer {
       side.children = {said_of(clause.complements[i], variable(name), objects[0].phrase ? &objects[0] : nullptr)};
       f.children.push_back(std::move(side));
     }
-    return f;
+    if (!clause.each_has_one) return f;
+    const Formula& last = f.children[1];  // of equal numbers one is enough
+    Formula one = exists(last.variable, last.domain, last.children[0]);
+    return conjunction({std::move(f), std::move(one)});
+  }
+
+  /// "…, and put them down"
+  Formula none_held(const Domain& noun) {
+    Resolved none{variable(references_.fresh()), true, noun, nullptr};
+    const Formula held = said_of({Predicate::Held, false, "", {}}, none.term, nullptr);
+    return forall(none.term.name, noun, negation(held));
   }
 
   std::vector<Resolved> objects_of(const std::vector<Complement>& complements, const Clause& clause, Box& box) {
@@ -166,7 +306,8 @@ class Composer {
       const std::size_t before = references_.named_count();
       slots.push_back(references_.resolve(phrase, box));
       const bool opened = references_.named_count() > before;
-      if (opened && (none || (every && phrase.determiner == Determiner::New)))
+      const bool the = phrase.determiner == Determiner::The && phrase.modifiers.empty();
+      if (opened && ((none && !the) || (every && phrase.determiner == Determiner::New && !phrase.by_function)))
         references_.fail(phrase.column,
                          "whether this is one and the same object is not clear; 'any …' or 'a single …' is");
       if (opened && complement.negated) references_.fail(phrase.column, "'not … a' has two readings; 'any …' has one");
@@ -189,10 +330,22 @@ class Composer {
       for (std::size_t k = 0; k < objects.size(); ++k)
         said.push_back(said_of(clause.complements[k], subjects[i].term, objects[k].phrase ? &objects[k] : nullptr));
       Formula f = clause.any_complement ? any_of_parts(std::move(said)) : conjunction(std::move(said));
+      if (clause.subjects[i].except) leave_out(subjects[i], f);
       if (subjects[i].local) f = quantified(subjects[i], std::move(f));
       parts.push_back(boxed(own[i], std::move(f)));
-      for (const Complement& done : clause.subjects[i].done)
-        parts.push_back(brought_about(done, subjects[i], clause, box));
+      for (const Complement& done : clause.subjects[i].done) {
+        Formula also = brought_about(done, subjects[i], clause, box);
+        if (done.predicate == Predicate::SliceOf) {
+          cut_.push_back(at_end(std::move(also)));
+        } else {
+          parts.push_back(std::move(also));
+        }
+      }
+      if (clause.put_down) parts.push_back(none_held(clause.subjects[i].noun));
+      for (std::size_t k = 0; k < objects.size() && clause.each_has_one; ++k) {
+        const std::string one = references_.fresh();
+        parts.push_back(exists(one, subjects[i].domain, said_of(clause.complements[k], variable(one), &objects[k])));
+      }
     }
     return clause.any_subject ? any_of_parts(std::move(parts)) : conjunction(std::move(parts));
   }
@@ -207,10 +360,12 @@ class Composer {
   }
 
   References references_;
+  std::vector<Formula> facts_, excepted_, cut_;
+  std::vector<std::string> mentioned_;  // variables of facts
 };
 
 }  // namespace
 
-Result<Formula> compose(const Message& message) { return Composer().compose(message); }
+Result<Reading> compose(const Message& message, WordChoices& choices) { return Composer(choices).compose(message); }
 
 }  // namespace unietp

@@ -36,15 +36,25 @@ std::string Naming::adjective(const Complement& modifier, bool two) {
   return modifier.symbol.empty() && word.find(' ') == std::string::npos ? word : "";
 }
 
+/// "the kitchen cabinet"
+std::string Naming::room_before(const Complement& modifier) const {
+  const bool room = style_ == Style::Compound && modifier.predicate == Predicate::InRoom && !modifier.negated &&
+                    !modifier.object.empty() && modifier.object[0].noun.members.size() == 1;
+  const auto* name = room ? lexicon_.display(modifier.object[0].noun.members[0].category) : nullptr;
+  return name == nullptr ? "" : name->singular;
+}
+
 std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Place place) {
   Description description;
   std::vector<const Complement*> rest;
   for (const Complement& modifier : said.modifiers) {
-    const std::string word = description.before.empty() ? adjective(modifier, said.two) : "";
+    std::string word = description.before.empty() ? adjective(modifier, said.two) : "";
+    if (word.empty() && description.before.empty()) word = room_before(modifier);
     const bool size = modifier.predicate == Predicate::Size;
-    if (!word.empty() && (size || rng_.chance(0.7))) {
+    const bool needed = size || style_ == Style::Ellipsis || style_ == Style::Compound;
+    if (!word.empty() && (needed || rng_.chance(everyday() ? 0.95 : 0.7))) {
       description.before = word + " ";
-      description.of_two = size && said.two && rng_.chance(0.4);
+      description.of_two = size && said.two && !everyday() && rng_.chance(0.4);
     } else {
       rest.push_back(&modifier);
     }
@@ -53,6 +63,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
     Place inside{.inside_description = true, .exact = place.exact};
     inside.unique =
         !place.exact && (modifier->predicate == Predicate::Nearest || modifier->predicate == Predicate::InRoom);
+    inside.denied = modifier->negated;
     if (modifier->converse) {
       const auto object = phrase(modifier->object[0], inside);
       if (!object || rest.size() > 1) return std::nullopt;
@@ -63,7 +74,7 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
     const auto text = complement(*modifier, inside);
     if (!text) return std::nullopt;
     const bool direct = rest.size() == 1 && is_direct(*modifier, place.bare);
-    if (direct && (modifier->predicate == Predicate::Nearest || rng_.chance(0.7))) {
+    if (direct && (everyday() || modifier->predicate == Predicate::Nearest || rng_.chance(0.7))) {
       description.directly = " " + *text;
     } else {
       description.is += (description.is.empty() ? "" : " and ") + *text;
@@ -74,7 +85,8 @@ std::optional<Naming::Description> Naming::describe(const NounPhrase& said, Plac
            one->predicate == Predicate::Size;
   });
   // "The mug that is in a sink is on a table" needs it.
-  if (!description.is.empty() && !lasting && (rng_.chance(0.3) || place.outcome)) description.is.insert(0, "now ");
+  const bool now = !everyday() && (place.outcome || rng_.chance(0.3));
+  if (!description.is.empty() && !lasting && now) description.is.insert(0, "now ");
   for (const Complement& done : said.done) {
     const auto object = phrase(done.object[0], {});
     if (!object) return std::nullopt;

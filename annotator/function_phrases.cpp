@@ -24,6 +24,11 @@ void collect_domains(const Formula& formula, std::vector<Domain>& into) {
   for (const Formula& child : formula.children) collect_domains(child, into);
 }
 
+/// Whether some object of the goal may be of several categories.
+bool accepts_several(const Formula& goal) {
+  return goal.domain.members.size() > 1 || std::any_of(goal.children.begin(), goal.children.end(), accepts_several);
+}
+
 bool holds_member(const Domain& domain, const Domain::Member& member) {
   return std::find(domain.members.begin(), domain.members.end(), member) != domain.members.end();
 }
@@ -32,12 +37,13 @@ bool holds_member(const Domain& domain, const Domain::Member& member) {
 
 std::optional<NounTable> narrowed_for(const Specification& specification, const Knowledge& knowledge,
                                       const NounTable& usual) {
-  if (specification.style != Style::Function) return std::nullopt;
+  if (!names_by_phrase(specification.style) && !accepts_several(specification.goal)) return std::nullopt;
   NounTable nouns = usual;
   std::vector<Domain> domains;
   collect_domains(specification.goal, domains);
-  const auto phrases = nouns.function_phrases();
-  for (const auto& [phrase, served] : phrases) {
+  const auto phrases = nouns.phrases();
+  for (const auto& [phrase, meaning] : phrases) {
+    const Domain& served = meaning.noun;
     for (const Domain& domain : domains) {
       bool means = std::all_of(domain.members.begin(), domain.members.end(),
                                [&all = served](const auto& member) { return holds_member(all, member); });

@@ -38,4 +38,14 @@ std::vector<std::string> categories_in(const Scene& scene, const NodeIndex& plac
   return categories;
 }
 
+std::vector<std::string> alone_in(const Scene& scene) {
+  std::map<std::string_view, int> counts;
+  for (const Node& node : scene.nodes) ++counts[node.category];
+  for (const Room& room : scene.rooms) ++counts[room.type];
+  std::vector<std::string> alone;
+  for (const auto& [category, count] : counts)
+    if (count == 1) alone.emplace_back(category);
+  return alone;
+}
+
 }  // namespace unietp

@@ -17,5 +17,7 @@ std::string home_in_words(const Scene& scene, const NounTable& nouns);
 std::vector<std::string> categories_in(const Scene& scene);
 /// The same; `places`: of its nodes.
 std::vector<std::string> categories_in(const Scene& scene, const NodeIndex& places);
+/// Those of them of which the scene has exactly one, sorted: what "the fridge" can mean.
+std::vector<std::string> alone_in(const Scene& scene);
 
 }  // namespace unietp

@@ -1,110 +1,160 @@
 #include "annotator/instruction.h"
 
 #include <algorithm>
-#include <cctype>
+#include <numeric>
 #include <optional>
 
-#include "annotator/asides.h"
+#include "annotator/authored.h"
 #include "annotator/conditions.h"
 #include "annotator/function_phrases.h"
+#include "annotator/home_facts.h"
+#include "annotator/home_reading.h"
+#include "annotator/home_sentences.h"
 #include "annotator/meaning.h"
+#include "annotator/only_ones.h"
 #include "annotator/parse.h"
+#include "annotator/phenomena.h"
 #include "annotator/phrasing_sets.h"
 #include "annotator/plan.h"
 #include "annotator/realise.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
-#include "core/text.h"
+#include "scene/trace.h"
 
 namespace unietp {
 namespace {
 
-constexpr int kDraws = 120;      // forms tried before the grammar gives up on a style
-constexpr int kPlainDraws = 30;  // of these, draws without an opening "Choose a …"
-constexpr int kFreeDraws = 90;   // of these, draws that are not operator by operator
+constexpr int kDraws = 120;                  // forms tried before the grammar gives up on a style
+constexpr int kPlainDraws = 30;              // of these, draws without an opening "Choose a …"
+constexpr int kFreeDraws = 90;               // of these, draws that are not operator by operator
+constexpr double kAuthoredShare = 0.5;       // of the texts for which the template's own phrasings come first
+constexpr std::uint64_t kAuthoredDraws = 2;  // ways to name the things of each
 
-/// The goal of a text, in the style `condition` without the conditions that the start meets.
-Formula intended_goal(const Formula& read, const Specification& specification) {
-  Formula all = expanded(read);
-  return specification.style == Style::Condition ? without_conditions(all, specification.init) : all;
+bool ranges_over(const Formula& formula, const Domain& noun) {
+  if (formula.domain.kind == noun.kind && formula.domain.members == noun.members) return true;
+  return std::any_of(formula.children.begin(), formula.children.end(),
+                     [&](const Formula& child) { return ranges_over(child, noun); });
 }
 
-/// `goal`: that of the specification, expanded.
-bool reads_back(const std::string& text, const Specification& specification, const Formula& goal,
-                const NounTable& lexicon) {
-  const auto read = parse_with(lexicon.behind_context(text), lexicon);
-  return read && same_expanded(intended_goal(*read, specification), goal) && form_faults(text, specification).empty();
+bool asks_for(const Formula& formula, Predicate state) {
+  if (formula.op == Formula::Op::Atom && formula.predicate == state) return true;
+  return std::any_of(formula.children.begin(), formula.children.end(),
+                     [&](const Formula& child) { return asks_for(child, state); });
 }
 
-std::vector<std::string> faults(const std::string& text, const Specification& specification, const NounTable& lexicon) {
-  std::vector<std::string> found = form_faults(text, specification);
-  const auto read = parse_with(lexicon.behind_context(text), lexicon);
-  if (!read) {
-    found.push_back(format(read.error()));
-  } else if (!same_expanded(intended_goal(*read, specification), expanded(specification.goal))) {
-    found.push_back("the text asks for " + to_text(normal_form(*read)) + ", the goal is " +
-                    to_text(normal_form(specification.goal)));
+/// What a text is held against: the specification with its goal expanded, and what is known of the home.
+class Judge {
+ public:
+  Judge(const Specification& specification, const Knowledge& knowledge, const NounTable& lexicon, const Scene* home)
+      : specification_(specification),
+        knowledge_(knowledge),
+        lexicon_(lexicon),
+        home_(home),
+        alone_(home == nullptr ? std::vector<std::string>() : alone_in(*home)),
+        there_(home == nullptr ? std::vector<std::string>() : categories_in(*home)),
+        goal_(expanded(specification.goal)),
+        named_goal_(expanded(with_names_of_only_ones(goal_, alone_))) {}
+
+  const Formula& goal() const { return goal_; }
+  /// Of which the home has one.
+  const std::vector<std::string>& alone() const { return alone_; }
+  const std::vector<std::string>& there() const { return there_; }
+  const Trace& start() const {
+    if (home_ != nullptr && start_.states.empty())
+      start_ = to_logic(*home_, {}, reads_comparisons(specification_.goal));
+    return start_;
   }
-  return found;
-}
 
-/// A context sentence of one of the goal's categories, or "".
-std::string context_of(const Specification& specification, const Knowledge& knowledge, Rng& rng) {
+  bool reads_back(const std::string& text) const {
+    const auto read = readings(text);
+    return read && !read->empty() && all_meant(*read) && form_faults(text, specification_).empty();
+  }
+
+  std::vector<std::string> faults(const std::string& text) const {
+    std::vector<std::string> found = form_faults(text, specification_);
+    const auto read = readings(text);
+    if (!read) {
+      found.push_back(format(read.error()));
+    } else if (read->empty()) {
+      found.emplace_back("nothing that the text can mean is possible in this home, or what it says of it is not so");
+    } else if (read->size() > 1 && !all_meant(*read)) {
+      found.push_back("the text can be read in " + std::to_string(read->size()) + " ways in this home, such as " +
+                      to_text((*read)[0].goal) + " and " + to_text((*read)[1].goal));
+    } else if (!is_meant(read->front().goal)) {
+      found.push_back("the text asks for " + to_text(normal_form(read->front().goal)) + ", the goal is " +
+                      to_text(normal_form(specification_.goal)));
+    }
+    return found;
+  }
+
+ private:
+  Result<std::vector<Reading>> readings(const std::string& text) const {
+    auto read = readings_of(text, lexicon_);
+    if (!read || (read->size() == 1 && read->front().facts.empty())) return read;
+    return readings_in_home(std::move(*read), knowledge_, home_ == nullptr ? nullptr : &start());
+  }
+
+  /// In the style `condition` without the conditions that the start meets.
+  bool is_meant(const Formula& read) const {
+    Formula all = expanded(read);
+    if (specification_.style == Style::Condition) all = without_conditions(all, specification_.init);
+    return same_expanded(all, goal_) ||
+           (!alone_.empty() && same_expanded(expanded(with_names_of_only_ones(all, alone_)), named_goal_));
+  }
+  /// Readings that are the same in this home are one.
+  bool all_meant(const std::vector<Reading>& read) const {
+    return std::all_of(read.begin(), read.end(), [&](const Reading& one) { return is_meant(one.goal); });
+  }
+
+  const Specification& specification_;
+  const Knowledge& knowledge_;
+  const NounTable& lexicon_;
+  const Scene* home_;
+  std::vector<std::string> alone_, there_;
+  Formula goal_, named_goal_;
+  mutable Trace start_;  // made when it is asked for
+};
+
+/// Puts the sentences that a style has in front of a text. False when there are none.
+bool add_style_frame(std::string& text, const Specification& specification, Style style, const Judge& judge,
+                     const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
   std::vector<std::string> sentences;
-  for (const std::string& category : categories_of(specification.goal))
-    for (const Alias* alias : knowledge.aliases_of(category, AliasKind::Context)) sentences.push_back(alias->text);
-  return sentences.empty() ? "" : rng.pick(sentences);
-}
-
-std::string with_capital(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
-
-/// "Never mind the bowl.": a remark on an object of the scene that the goal does not involve; "" when there is none.
-std::string bystander(const Specification& specification, const Knowledge& knowledge,
-                      const std::vector<std::string>& around, Rng& rng) {
-  const auto own = categories_of(specification.goal);
-  std::vector<std::string> others;
-  for (const std::string& name : around) {
-    const Category* category = knowledge.find(name);
-    const bool usable = category != nullptr && category->movable && category->countable;
-    if (usable && std::find(own.begin(), own.end(), name) == own.end()) others.push_back(category->display);
-  }
-  if (others.empty()) return "";
-  const auto words = never_minds();
-  return with_capital(std::string(words[rng.below(words.size())])) + " the " + rng.pick(others) + ".";
-}
-
-/// Adds the sentences that a style adds around a text. False when there are none.
-bool add_style_frame(std::string& text, Style style, const Specification& specification, const Knowledge& knowledge,
-                     const std::vector<std::string>& around, Rng& rng) {
-  if (style == Style::Context) {
-    const std::string sentence = context_of(specification, knowledge, rng);
-    text.insert(0, sentence + " ");
-    return !sentence.empty();
-  }
-  if (style == Style::Background) {
-    std::vector<std::string_view> sentences(backgrounds().begin(), backgrounds().end());
-    rng.shuffle(sentences);
-    const std::size_t count = 2 + rng.below(2);
-    for (std::size_t i = 0; i < count; ++i) text.insert(0, std::string(sentences[i]) + " ");
-  }
-  if (style == Style::Bystander) {
-    const std::string sentence = bystander(specification, knowledge, around, rng);
-    text += " " + sentence;
-    return !sentence.empty();
+  if (style == Style::Context || text.find("I need for that") != std::string::npos) {
+    for (const auto& [key, phrase] : lexicon.phrases())
+      if (phrase.use == AliasKind::Occasion && ranges_over(specification.goal, phrase.noun))
+        sentences.push_back(phrase.text);
+    if (sentences.empty()) return false;
+    text.insert(0, rng.pick(sentences) + " ");
+  } else if (style == Style::Aside) {
+    auto own = categories_of(specification.goal);
+    for (const Formula& start : specification.init)
+      for (auto& category : categories_of(start)) own.push_back(std::move(category));
+    sentences = home_sentences(judge.start(), own, knowledge, lexicon, rng.fork("home", 0));
+    if (sentences.empty()) return false;
+    const std::size_t count = std::min<std::size_t>(sentences.size(), 1 + rng.below(2));
+    for (std::size_t i = 0; i < count; ++i) text.insert(0, sentences[i] + " ");
   }
   return true;
 }
 
+/// A sentence that asks for the goal without naming anything: "It's too dark to read."
+std::optional<std::string> request_for(const Formula& goal, const NounTable& lexicon, Rng& rng) {
+  std::vector<std::string> sentences;
+  for (const auto& [key, phrase] : lexicon.phrases())
+    if (phrase.use == AliasKind::Request && ranges_over(goal, phrase.noun) && asks_for(goal, phrase.state))
+      sentences.push_back(phrase.text);
+  return sentences.empty() ? std::nullopt : std::optional(rng.pick(sentences));
+}
+
 /// A wording of the plan from the set of phrasings asked for; about half of all wordings are.
-std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings phrasings,
-                                  const Rng& rng) {
+std::optional<std::string> worded(const Plan& plan, const NounTable& lexicon, Style style, Phrasings set,
+                                  const Judge& judge, const Rng& rng) {
   constexpr std::uint64_t kWordings = 4;
+  const Wording wording{style, set == Phrasings::Everyday, judge.alone(), judge.there()};
   for (std::uint64_t i = 0; i < kWordings; ++i) {
-    auto text = realise(plan, lexicon, style, rng.fork("words", i));
-    if (!text || phrasings == Phrasings::All || phrasings_of(*text, lexicon) == phrasings) return text;
+    auto text = realise(plan, lexicon, wording, rng.fork("words", i));
+    if (!text || set == Phrasings::Everyday || set == Phrasings::All || phrasings_of(*text, lexicon) == set)
+      return text;
   }
   return std::nullopt;
 }
@@ -116,6 +166,102 @@ bool has_material(const Specification& specification, Style style, const NounTab
                      [&](const std::string& c) { return !lexicon.synonyms(c).empty(); });
 }
 
+/// Writes the text of one task. `nouns`: with the phrases of its goal.
+class Writer {
+ public:
+  Writer(const Specification& specification, const Knowledge& knowledge, const NounTable& nouns,
+         const WritingOptions& options)
+      : specification_(specification),
+        knowledge_(knowledge),
+        nouns_(nouns),
+        options_(options),
+        judge_(specification, knowledge, nouns, options.home) {}
+
+  std::optional<Instruction> write(Style style, const Rng& rng) {
+    if (!has_material(specification_, style, nouns_)) return std::nullopt;
+    if (auto own = by_author(style, rng.fork("author", 0))) return own;
+    bool exactly = false;
+    for (int draw = 0; draw < kDraws; ++draw) {
+      Rng own = rng.fork(name_of(style), static_cast<std::uint64_t>(draw));
+      exactly = exactly || (draw >= kFreeDraws && style == Style::Direct);
+      std::optional<std::string> text;
+      // Of a goal that accepts very many things, a request may be all that says it.
+      if (style == Style::Request || draw == kFreeDraws) text = request_for(specification_.goal, nouns_, own);
+      if (style == Style::Request && !text) return std::nullopt;
+      if (!text) {
+        auto plan =
+            plan_message(exactly ? specification_.goal : judge_.goal(), specification_.init,
+                         {draw >= kPlainDraws, style == Style::Condition, is_everyday(), exactly}, own.fork("plan", 0));
+        if (!plan && (exactly || style != Style::Direct)) return std::nullopt;
+        if (!plan) {
+          exactly = true;
+          continue;
+        }
+        if (!turn_to_style(*plan, style)) continue;
+        text = worded(*plan, nouns_, style, options_.phrasings, judge_, own);
+        if (!text) continue;
+      }
+      if (!framed(*text, style, own)) return std::nullopt;
+      if (auto written = accepted(*text, style)) return written;
+      last_ = std::move(*text);
+    }
+    return std::nullopt;
+  }
+
+  Error failure() const {
+    std::string why = last_.empty() ? "no form says it" : "\"" + last_ + "\"";
+    for (const std::string& fault : last_.empty() ? std::vector<std::string>() : judge_.faults(last_))
+      why += ": " + fault;
+    return Error{Error::Kind::Unsatisfiable,
+                 specification_.template_name,
+                 {},
+                 "the grammar found no text that says the goal and nothing else; the last one was " + why};
+  }
+
+ private:
+  bool is_everyday() const { return options_.phrasings == Phrasings::Everyday; }
+  bool framed(std::string& text, Style style, Rng& rng) const {
+    return add_style_frame(text, specification_, style, judge_, knowledge_, nouns_, rng);
+  }
+
+  std::optional<Instruction> accepted(const std::string& text, Style style) const {
+    if (!judge_.reads_back(text) || !style_fault(text, style, specification_.goal, options_.around, nouns_).empty())
+      return std::nullopt;
+    return Instruction{text,  "grammar",
+                       style, {"form", "parses-back", "style"},
+                       "",    phenomena_of(text, style, specification_.goal, nouns_)};
+  }
+
+  /// Of the template's own phrasings one that says the goal in the style; some texts are left to the grammar.
+  std::optional<Instruction> by_author(Style style, Rng rng) const {
+    const auto phrasings = options_.phrasings_of_template;
+    if (phrasings.empty() || !is_everyday() || !rng.chance(kAuthoredShare)) return std::nullopt;
+    std::vector<std::size_t> order(phrasings.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    rng.shuffle(order);
+    for (const std::size_t i : order) {
+      for (std::uint64_t draw = 0; draw < kAuthoredDraws; ++draw) {
+        Rng own = rng.fork("phrasing", i * kAuthoredDraws + draw);
+        auto text =
+            authored_text(phrasings[i], specification_, nouns_, {style, true, judge_.alone(), judge_.there()}, own);
+        if (!text || !framed(*text, style, own)) break;
+        auto written = accepted(*text, style);
+        if (!written) continue;
+        written->phrasing = static_cast<int>(i) + 1;
+        return written;
+      }
+    }
+    return std::nullopt;
+  }
+
+  const Specification& specification_;
+  const Knowledge& knowledge_;
+  const NounTable& nouns_;
+  const WritingOptions& options_;
+  Judge judge_;
+  std::string last_;
+};
+
 }  // namespace
 
 Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge, Rng rng) {
@@ -125,53 +271,16 @@ Result<Instruction> write_instruction(const Specification& specification, const 
 Result<Instruction> write_instruction(const Specification& specification, const Knowledge& knowledge,
                                       const NounTable& nouns, const WritingOptions& options, Rng rng) {
   const auto narrowed = narrowed_for(specification, knowledge, nouns);
-  const NounTable& lexicon = narrowed ? *narrowed : nouns;
-  const Formula goal = expanded(specification.goal);
-  std::string last;
+  Writer writer(specification, knowledge, narrowed ? *narrowed : nouns, options);
   std::vector<Style> styles{specification.style};
   if (specification.style != Style::Direct) styles.push_back(Style::Direct);
-  for (const Style style : styles) {
-    if (!has_material(specification, style, lexicon)) continue;
-    bool exactly = false;
-    for (int draw = 0; draw < kDraws; ++draw) {
-      Rng own = rng.fork(name_of(style), static_cast<std::uint64_t>(draw));
-      exactly = exactly || (draw >= kFreeDraws && style == Style::Direct);
-      auto plan = plan_message(exactly ? specification.goal : goal, specification.init,
-                               {draw >= kPlainDraws, style == Style::Condition, exactly}, own.fork("plan", 0));
-      if (!plan && (exactly || style != Style::Direct)) break;
-      if (!plan) {
-        exactly = true;
-        continue;
-      }
-      if (!turn_to_style(*plan, style)) continue;
-      auto text = worded(*plan, lexicon, style, options.phrasings, own);
-      if (!text) continue;
-      if (!add_style_frame(*text, style, specification, knowledge, options.around, own)) break;
-      if (reads_back(*text, specification, goal, lexicon) &&
-          style_fault(*text, style, specification.goal, options.around, lexicon).empty())
-        return Instruction{std::move(*text), "grammar", style, {"form", "parses-back", "style"}, ""};
-      last = std::move(*text);
-    }
-  }
-  std::string why = last.empty() ? "no form says it" : "\"" + last + "\"";
-  for (const std::string& fault : last.empty() ? std::vector<std::string>() : faults(last, specification, lexicon))
-    why += ": " + fault;
-  return Error{Error::Kind::Unsatisfiable,
-               specification.template_name,
-               {},
-               "the grammar found no text that says the goal and nothing else; the last one was " + why};
+  for (const Style style : styles)
+    if (auto written = writer.write(style, rng)) return std::move(*written);
+  return writer.failure();
 }
 
 Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowledge) {
-  const NounTable nouns(knowledge);
-  const std::string_view rest = nouns.behind_context(text);
-  auto read = parse_with(rest, nouns);
-  if (read) return read;
-  Error error = read.error();
-  // Nothing left: trimmed away, it is no part of the text any more.
-  error.pos.column +=
-      static_cast<int>(rest.empty() ? text.size() : static_cast<std::size_t>(rest.data() - text.data()));
-  return error;
+  return parse_with(text, NounTable(knowledge));
 }
 
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
@@ -180,9 +289,9 @@ std::vector<std::string> check_instruction(const std::string& text, const Specif
 }
 
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
-                                           const Knowledge& knowledge, const NounTable& nouns) {
+                                           const Knowledge& knowledge, const NounTable& nouns, const Scene* home) {
   const auto narrowed = narrowed_for(specification, knowledge, nouns);
-  return faults(text, specification, narrowed ? *narrowed : nouns);
+  return Judge(specification, knowledge, narrowed ? *narrowed : nouns, home).faults(text);
 }
 
 }  // namespace unietp

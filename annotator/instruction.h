@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,22 +11,27 @@
 #include "core/rng.h"
 #include "generator/specification.h"
 #include "logic/formula.h"
+#include "scene/scene.h"
 
 namespace unietp {
 
 /// An instruction with how it was made and what was checked.
 struct Instruction {
   std::string text;
-  std::string writer;               // "grammar", or "llm:<model>"
-  Style style = Style::Direct;      // as asked, or direct after a fallback
-  std::vector<std::string> checks;  // names of the checks that it passed
-  std::string why;                  // why the grammar wrote it instead of the requested writer; "" otherwise
+  std::string writer;                 // "grammar", or "llm:<model>"
+  Style style = Style::Direct;        // as asked, or direct after a fallback
+  std::vector<std::string> checks;    // names of the checks that it passed
+  std::string why;                    // why the grammar wrote it instead of the requested writer; "" otherwise
+  std::vector<Style> phenomena = {};  // that it shows (phenomena.h)
+  int phrasing = 0;                   // the template's own, counted from 1; 0: a form of the grammar
 };
 
 /// How an instruction is worded.
 struct WritingOptions {
-  Phrasings phrasings = Phrasings::All;
-  std::vector<std::string> around;  // categories in the start scene: what a text may name beside the goal (bystander)
+  Phrasings phrasings = Phrasings::Everyday;
+  std::vector<std::string> around;  // categories in the start scene: what a text may name beside the goal (aside)
+  const Scene* home = nullptr;      // the start scene, which an aside is about and readings are held against
+  std::span<const std::string> phrasings_of_template = {};  // with slots (templates/phrasing.h); they outlive the call
 };
 
 /// Words a goal in English: every object, count, quantifier, order and referring constraint, and nothing else.
@@ -42,9 +48,12 @@ Result<Instruction> write_instruction(const Specification& specification, const 
 Result<Formula> parse_instruction(std::string_view text, const Knowledge& knowledge);
 
 /// The checks of a text in the grammar's English: its form (word_check.h), and it reads back as a goal that is proven
-/// to mean the same. Empty when it passes, else what is wrong.
+/// to mean the same; where the words have several readings, exactly one of them can be meant in the home
+/// (home_reading.h), and that one is it. `home`: the start scene, or nullptr when it is not known. Empty when it
+/// passes, else what is wrong.
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
-                                           const Knowledge& knowledge, const NounTable& nouns);
+                                           const Knowledge& knowledge, const NounTable& nouns,
+                                           const Scene* home = nullptr);
 /// The same with a table of nouns made for this text.
 std::vector<std::string> check_instruction(const std::string& text, const Specification& specification,
                                            const Knowledge& knowledge);

@@ -45,12 +45,12 @@ std::string vocabulary(const WordingTask& task) {
     for (const auto& other : task.nouns->synonyms(category)) text += ", " + other.singular;
     text += "\n";
   }
-  for (const auto& [phrase, served] : task.nouns->function_phrases()) {
+  for (const auto& [key, phrase] : task.nouns->phrases()) {
     Domain here;
-    for (const Domain::Member& member : served.members)
+    for (const Domain::Member& member : phrase.noun.members)
       if (std::find(task.categories.begin(), task.categories.end(), member.category) != task.categories.end())
         here.members.push_back(member);
-    if (!here.members.empty()) text += "- " + to_text(here) + ": " + phrase + "\n";
+    if (!here.members.empty()) text += "- " + to_text(here) + ": " + phrase.text + "\n";
   }
   return text;
 }

@@ -8,6 +8,7 @@
 #include "annotator/function_phrases.h"
 #include "annotator/judge.h"
 #include "annotator/meaning.h"
+#include "annotator/phenomena.h"
 #include "annotator/spelling.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
@@ -46,8 +47,9 @@ class Rounds {
       draft.narrowed = narrowed_for(task.specification, *task.knowledge, *task.nouns);
       for (std::uint64_t i = 0; i < kSamples && !draft.done; ++i) {
         const Rng rng = i == 0 ? task.rng : task.rng.fork("sample", i);
-        auto sample = write_instruction(task.specification, *task.knowledge, *task.nouns,
-                                        {options.phrasings, task.categories}, rng);
+        auto sample =
+            write_instruction(task.specification, *task.knowledge, *task.nouns,
+                              {options.phrasings, task.categories, task.home.get(), task.phrasings_of_template}, rng);
         if (!sample) {
           draft.done = sample.error();
           break;
@@ -130,10 +132,9 @@ class Rounds {
   std::vector<std::string> faults(const std::string& text, const Draft& draft) const {
     const Specification& specification = draft.task.specification;
     auto wrong = form_faults(text, specification);
-    const std::string demand(draft.nouns().behind_context(text));
-    const auto said = saying_faults(demand, specification, draft.nouns());
+    const auto said = saying_faults(text, specification, draft.nouns());
     wrong.insert(wrong.end(), said.begin(), said.end());
-    const auto slips = spelling_->faults(demand, draft.nouns());
+    const auto slips = spelling_->faults(text, draft.nouns());
     wrong.insert(wrong.end(), slips.begin(), slips.end());
     auto style = style_fault(text, specification.style, specification.goal, draft.task.categories, draft.nouns());
     if (!style.empty()) wrong.push_back(std::move(style));
@@ -171,7 +172,8 @@ class Rounds {
                                "llm:" + options_.model,
                                draft.task.specification.style,
                                {"form", "words", "style", "judged-back"},
-                               ""};
+                               "",
+                               phenomena_of(draft.text, specification.style, specification.goal, draft.nouns())};
     }
   }
 

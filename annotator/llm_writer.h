@@ -15,9 +15,9 @@ using LlmBatchCall = std::function<std::vector<Result<LlmAnswer>>(const std::vec
 /// The model and the grammar behind it.
 struct LlmWriterOptions {
   LlmBatchCall ask;
-  std::string model;                     // for Instruction::writer
-  int rewrites = 2;                      // further attempts for a task whose text was rejected
-  Phrasings phrasings = Phrasings::All;  // of the grammar's texts: examples in prompts, and the fallback
+  std::string model;                          // for Instruction::writer
+  int rewrites = 2;                           // further attempts for a task whose text was rejected
+  Phrasings phrasings = Phrasings::Everyday;  // of the grammar's texts: examples in prompts, and the fallback
 };
 
 /// Has a language model word all tasks, several requests at a time. Each text must pass the checks of word_check.h and

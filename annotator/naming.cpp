@@ -22,13 +22,30 @@ bool Naming::was_named(const std::string& variable) const {
   return std::any_of(named_.begin(), named_.end(), [&](const Named& n) { return n.variable == variable; });
 }
 
+bool Naming::was_named_kind(const Domain& noun) const {
+  return std::any_of(named_.begin(), named_.end(), [&](const Named& other) { return other.noun == noun; });
+}
+
+/// Whether the home may have what is called so.
+bool Naming::may_mean_what_is_there(const std::string& name) const {
+  if (!lexicon_.is_name(name)) return false;
+  const auto nouns = lexicon_.noun_at(tokens_of(name), 0).nouns;
+  return wording_.there.empty() || std::any_of(nouns.begin(), nouns.end(), [&](const Domain& noun) {
+           return !noun.members[0].slice &&
+                  std::binary_search(wording_.there.begin(), wording_.there.end(), noun.members[0].category);
+         });
+}
+
 std::optional<std::string> Naming::name_of(const Domain::Member& member, bool plural, bool& countable) {
   auto found = chosen_.find(member.category);
   if (found == chosen_.end()) {
     const NounTable::Name* display = lexicon_.display(member.category);
     if (display == nullptr) return std::nullopt;
     NounTable::Name name = *display;
-    if (style_ == Style::Alias)
+    // What a text of another style is about is not to be found by the usual names alone.
+    const bool other = style_ == Style::Alias || (style_ != Style::Direct && style_ != Style::Condition &&
+                                                  !names_by_phrase(style_) && rng_.chance(0.8));
+    if (other)
       if (const auto others = lexicon_.synonyms(member.category); !others.empty()) name = rng_.pick(others);
     if (name.singular.empty()) return std::nullopt;
     found = chosen_.emplace(member.category, name).first;
@@ -36,7 +53,7 @@ std::optional<std::string> Naming::name_of(const Domain::Member& member, bool pl
   const NounTable::Name& name = found->second;
   countable = name.countable || member.slice;
   if (member.slice) {
-    const std::string fresh = lexicon_.is_name("slice of " + name.singular) ? "freshly cut " : "";
+    const std::string fresh = may_mean_what_is_there("slice of " + name.singular) ? "freshly cut " : "";
     return fresh + (plural ? "slices of " : "slice of ") + name.singular;
   }
   return plural ? name.plural : name.singular;
@@ -49,9 +66,53 @@ bool Naming::is_countable(const Domain& noun) const {
   });
 }
 
+/// The phrases that do not say the name of what they stand for.
+std::vector<std::string> Naming::nameless(const Domain& noun, AliasKind use) const {
+  auto phrases = lexicon_.phrases(noun, use);
+  std::erase_if(phrases, [&](const std::string& phrase) {
+    const auto words = tokens_of(phrase);
+    return std::any_of(noun.members.begin(), noun.members.end(), [&](const Domain::Member& member) {
+      const auto* name = lexicon_.display(member.category);
+      return name != nullptr && (says(words, name->singular) || says(words, name->plural));
+    });
+  });
+  return phrases;
+}
+
 std::vector<std::string> Naming::uses(const Domain& noun) const {
-  const bool wanted = style_ == Style::Function || (noun.members.size() > 1 && style_ != Style::Alias);
-  return wanted && noun.kind == Domain::Kind::Categories ? lexicon_.functions(noun) : std::vector<std::string>();
+  if (noun.kind != Domain::Kind::Categories || style_ == Style::Alias) return {};
+  if (style_ == Style::Context)
+    return lexicon_.phrases(noun, AliasKind::Occasion).empty()
+               ? std::vector<std::string>()
+               : std::vector<std::string>{"what I need for that", "what we need for that"};
+  if (style_ == Style::Hypernym) return nameless(noun, AliasKind::Hypernym);
+  if (style_ == Style::Description) return nameless(noun, AliasKind::Description);
+  if (style_ == Style::Function) return nameless(noun, AliasKind::Function);
+  if (noun.members.size() == 1) return {};
+  for (const AliasKind use : {AliasKind::Function, AliasKind::Hypernym, AliasKind::Description})
+    if (auto found = lexicon_.phrases(noun, use); !found.empty()) return found;
+  constexpr std::size_t kMostListed = 4;  // "an apple, pear or plum"; more have no words but an occasion
+  if (noun.members.size() <= kMostListed || lexicon_.phrases(noun, AliasKind::Occasion).empty()) return {};
+  return {"what I need for that"};
+}
+
+std::optional<std::string> Naming::singular(const Domain& domain) {
+  const auto bare = noun(domain, false);
+  if (!bare || bare->function) return std::nullopt;
+  return bare->singular;
+}
+
+std::optional<std::string> Naming::several(const Domain& domain) {
+  const auto one = is_countable(domain) ? singular(domain) : std::nullopt;
+  if (one) several_.push_back(domain);
+  return one;
+}
+
+/// "The red one", where the text said that there are several, or has named another.
+bool Naming::is_one_again(const NounPhrase& phrase) const {
+  if (style_ != Style::Ellipsis || phrase.modifiers.empty()) return false;
+  return std::find(several_.begin(), several_.end(), phrase.noun) != several_.end() ||
+         std::any_of(named_.begin(), named_.end(), [&](const Named& other) { return other.noun == phrase.noun; });
 }
 
 std::optional<Naming::Noun> Naming::noun(const Domain& domain, bool exact) {
@@ -120,14 +181,39 @@ std::optional<Words> Naming::phrase(const NounPhrase& said, Place place) {
   const auto bare = noun(said.noun, place.exact);
   if (!bare) return std::nullopt;
   if (!said.variable.empty() && was_named(said.variable)) return again(said, *bare, place);
-  if (!said.variable.empty() && (place.inside_description || place.beside_none)) return std::nullopt;
+  if (!said.variable.empty() && (place.inside_description || place.beside_none)) {
+    if (!everyday() || !is_alone(said.noun) || !said.modifiers.empty()) return std::nullopt;
+    return Words{"the " + bare->singular};
+  }
+  if (said.except) return all_but(said, *bare);
+  if (!said.done.empty() && said.done[0].predicate == Predicate::SliceOf) {
+    if (topic_ != said.done[0].object[0].variable) return std::nullopt;
+    mentioned_.push_back(said.variable);
+    named_.push_back({said.variable, said.noun, false, ""});
+    return Words{"a slice of it"};
+  }
   if (bare->function && (said.determiner != Determiner::New || !said.modifiers.empty())) return std::nullopt;
 
   const auto description = describe(said, place);
   if (!description) return std::nullopt;
   if (place.exact && !place.inside_description) return bound(said, *bare, *description);
-  if (said.determiner != Determiner::New) return counted(said, *bare, *description);
+  if (said.determiner != Determiner::New) return counted(said, *bare, place, *description);
   return first(said, *bare, place, *description);
+}
+
+/// "every mug but the red one"
+std::optional<Words> Naming::all_but(const NounPhrase& said, const Noun& noun) {
+  if (said.determiner != Determiner::Every || !noun.countable || noun.function) return std::nullopt;
+  const auto left = describe(said, {});
+  if (!left) return std::nullopt;
+  NounPhrase all = said;
+  all.except = all.two = false;
+  all.modifiers.clear();
+  auto words = counted(all, noun, {}, {});
+  if (words)
+    words->text += pick({" but", " but", " except", " except for"}) + std::string(" the ") + left->before + "one" +
+                   left->tail(false);
+  return words;
 }
 
 std::optional<Words> Naming::bound(const NounPhrase& said, const Noun& noun, const Description& description) {
@@ -135,7 +221,7 @@ std::optional<Words> Naming::bound(const NounPhrase& said, const Noun& noun, con
   const std::string one = description.before + (noun.countable ? noun.singular : "piece of " + noun.singular);
   if (said.determiner == Determiner::New) return Words{"some " + one + description.tail(false)};
   if (said.determiner == Determiner::Every) return Words{pick({"every", "each"}) + " " + one + description.tail(false)};
-  return counted(said, noun, description);
+  return counted(said, noun, {}, description);
 }
 
 std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Place place) {
@@ -147,7 +233,14 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     if (other.variable == said.variable) position = alike.size(), use = other.use;
     if (other.noun == said.noun) alike.push_back(alike.size());
   }
-  if (!place.exact && named_.size() == 1 && rng_.chance(0.7)) return Words{"it"};
+  // The reader takes "it" where only one thing can be meant; people say it of what was spoken of last.
+  const bool close = std::find(mentioned_.rbegin(), mentioned_.rend(), said.variable) - mentioned_.rbegin() < 2;
+  mentioned_.push_back(said.variable);
+  const bool clear = close && (!place.moved || topic_ == said.variable);
+  if (!place.exact && everyday() && clear && named_.size() > 1 && !place.inside_description && rng_.chance(0.75))
+    return Words{"it"};
+  if (!place.exact && named_.size() == 1 && (everyday() || style_ == Style::Anaphora || rng_.chance(0.7)))
+    return Words{"it"};
   // "That object" is clear only where no other was named: "that thing to drink from".
   const std::string word = !vague ? noun.singular : named_.size() == 1 ? "object" : named_again(use);
   if (word.empty()) return std::nullopt;
@@ -159,6 +252,7 @@ std::optional<Words> Naming::again(const NounPhrase& said, const Noun& noun, Pla
     return Words{"the " + std::string(kOrdinals[position]) + (noun.countable ? " " : " piece of ") + word};
   }
   if (place.exact) return Words{(place.inside_description ? "that " : "the ") + word};
+  if (everyday() && !vague) return Words{"the " + word};
   const std::string article =
       vague || noun.countable ? pick({"that", "that", "the same", "the"}) : pick({"that", "the same"});
   return Words{article + " " + word};
@@ -176,15 +270,21 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   if (!said.variable.empty() && distinct != 0 && distinct != alike) return std::nullopt;
   const std::string tail = description.tail(false);
   const bool another = distinct > 0;
+  const bool again_one = noun.countable && !noun.function && is_one_again(said);
   // Inside a description the object is any of its kind and stays unnamed.
+  if (!said.variable.empty()) mentioned_.push_back(said.variable);
   if (!said.variable.empty())
     named_.push_back({said.variable, said.noun, noun.function || said.noun.kind == Domain::Kind::Object,
                       noun.function ? noun.singular : ""});
-  if (noun.function) return another || place.beside_every ? std::nullopt : std::optional(Words{noun.singular});
+  // "All the plates on something to sit on" could be several.
+  const bool unclear = another || (place.beside_every && !noun.singular.starts_with("the "));
+  if (noun.function) return unclear ? std::nullopt : std::optional(Words{noun.singular});
+  if (again_one) return Words{"the " + before + "one" + tail};
   if (description.of_two) return Words{"the " + before + "of the two " + noun.plural + tail};
+  if (everyday() && !another) return first_everyday(said, noun, place, description);
   if (another) {
     const std::string word = before + (noun.countable ? noun.singular : "piece of " + noun.singular);
-    return Words{(rng_.chance(0.7) ? "another " : "a different ") + word + tail};
+    return Words{(everyday() || rng_.chance(0.7) ? "another " : "a different ") + word + tail};
   }
   if (!noun.countable) {
     if (place.beside_every) return Words{"a single " + before + "piece of " + noun.singular + tail};
@@ -205,7 +305,8 @@ std::optional<Words> Naming::first(const NounPhrase& said, const Noun& noun, Pla
   return Words{with_article(before + noun.singular) + tail};
 }
 
-std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, const Description& description) {
+std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, Place place,
+                                     const Description& description) {
   const std::string& before = description.before;
   bool plural = false;
   const std::string one = before + (noun.countable ? noun.singular : "piece of " + noun.singular);
@@ -216,20 +317,24 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, c
   switch (said.determiner) {
     case Determiner::Any:
       plural = false;
+      if (everyday() && is_alone(said.noun) && said.modifiers.empty()) return Words{"the " + noun.singular};
       if (!noun.countable) return std::nullopt;
+      if (everyday() && place.beside_every && said.modifiers.empty()) return Words{"the " + many, true};
       text = "any " + one;
       break;
     case Determiner::Every:
-      plural = rng_.chance(0.5);
+      plural = rng_.chance(0.5) || place.together;
       if (!noun.countable) {
         plural = false;
         text = "all the " + before + noun.singular;
       } else {
-        text = plural ? pick({"all", "all the", "all of the"}) + " " + many : pick({"every", "each"}) + " " + one;
+        plural = plural || (everyday() && rng_.chance(0.5));
+        const std::string all = everyday() ? "all the" : pick({"all", "all the", "all of the"});
+        text = plural ? all + " " + many : (everyday() ? "every" : pick({"every", "each"})) + " " + one;
       }
-      if (said.two && noun.countable && rng_.chance(0.8)) {
+      if (said.two && noun.countable && (everyday() || rng_.chance(0.8))) {
         plural = true;
-        text = pick({"both", "both", "both of the"}) + " " + many;
+        text = (everyday() ? "both" : pick({"both", "both", "both of the"})) + " " + many;
       }
       break;
     case Determiner::No:
@@ -237,12 +342,12 @@ std::optional<Words> Naming::counted(const NounPhrase& said, const Noun& noun, c
       text = "no " + (plural ? many : before + noun.singular);
       break;
     case Determiner::Exactly:
-      text = pick({"exactly", "exactly", "precisely"}) + " " + number;
+      text = (everyday() ? "exactly" : pick({"exactly", "exactly", "precisely"})) + " " + number;
       break;
     case Determiner::AtLeast:
       if (style_ == Style::VagueQuantity && noun.countable && (said.number == 2 || said.number == 3))
         return Words{(said.number == 2 ? "a couple of " : "a few ") + many + description.tail(true), true};
-      text = pick({"at least ", "no fewer than "}) + number;
+      text = (everyday() ? "at least " : pick({"at least ", "no fewer than "})) + number;
       break;
     case Determiner::AtMost:
       text = pick({"at most ", "no more than "}) + number;

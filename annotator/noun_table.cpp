@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-#include "annotator/asides.h"
+#include "annotator/everyday_names.h"
 #include "annotator/plural.h"
 #include "core/text.h"
 
@@ -25,6 +25,13 @@ std::string spaced(const std::string& name) {
     text += name[i] == '_' ? ' ' : name[i];
   }
   return lower(text);
+}
+
+constexpr double kSaid = 0.8;  // the confidence of names that people say; a dictionary's are only read
+/// Whether a name is of one thing, as "glasses" is not.
+bool is_one(std::string_view name) {
+  for (const std::string_view link : {" of ", " with ", " for ", " in "}) name = name.substr(0, name.find(link));
+  return !name.ends_with('s') || name.ends_with("ss") || name.ends_with("us");
 }
 
 constexpr std::array kUsualRooms{"Bathroom", "Bedroom", "Kitchen", "LivingRoom"};  // for a base that names none
@@ -69,17 +76,31 @@ std::string with_article(const std::string& noun) {
 }
 
 std::string named_again(std::string_view use) {
-  for (const std::string_view article : {"a ", "an ", "the "})
+  for (const std::string_view article : {"a ", "an ", "the ", "any ", "some "})
     if (use.starts_with(article)) return std::string(use.substr(article.size()));
-  constexpr std::string_view kSomething = "something ";
-  return use.starts_with(kSomething) ? "thing " + std::string(use.substr(kSomething.size())) : "";
+  for (const std::string_view thing : {"something ", "anything "})
+    if (use.starts_with(thing)) return "thing " + std::string(use.substr(thing.size()));
+  return "";
 }
 
-NounTable::NounTable(const Knowledge& knowledge) {
+NounTable::NounTable(const Knowledge& knowledge, English english) {
   Names made;
   std::set<std::string> rooms, colours, materials;
+  std::set<std::string, std::less<>> taken;
+  for (const Category& category : knowledge.categories()) taken.insert(category.display);
   for (const Category& category : knowledge.categories()) {
     made.names[category.name] = {category.display, category.plural, category.countable};
+    for (const English one : {english, english == English::Us ? English::Gb : English::Us}) {
+      const std::string_view usual = everyday_name(category.display, one);
+      const bool again = one != english && usual == everyday_name(category.display, english);
+      if (usual.empty() || usual == category.display || again || !taken.emplace(usual).second) continue;
+      const Name name{std::string(usual), category.countable ? plural_of(usual) : std::string(usual),
+                      category.countable};
+      if (one == english) made.names[category.name] = name;
+      const int rank = one == english ? 0 : 1;
+      add(made.nouns, name.singular, of_category(category.name), name.countable, false, !name.countable, rank);
+      if (name.countable) add(made.nouns, name.plural, of_category(category.name), false, true, false, rank);
+    }
     const Domain noun = of_category(category.name);
     add(made.nouns, category.display, noun, category.countable, false, !category.countable, 0);
     if (category.countable) add(made.nouns, category.plural, noun, false, true, false, 0);
@@ -87,26 +108,28 @@ NounTable::NounTable(const Knowledge& knowledge) {
     colours.insert(category.colours.begin(), category.colours.end());
     materials.insert(category.materials.begin(), category.materials.end());
   }
-  for (const std::string_view sentence : backgrounds()) made.contexts.emplace(sentence);
-  std::map<std::string, std::set<std::string>> served;
   for (const Alias& alias : knowledge.aliases()) {
     const Category* category = knowledge.find(alias.category);
     if (category == nullptr) continue;
-    if (alias.kind == AliasKind::Function) served[lower(alias.text)].insert(alias.category);
-    if (alias.kind == AliasKind::Context) made.contexts.insert(alias.text);
-    if (alias.kind != AliasKind::Synonym) continue;
+    if (alias.kind != AliasKind::Synonym) {
+      add_phrase(alias);
+      continue;
+    }
     const Name name{alias.text, category->countable ? plural_of(alias.text) : alias.text, category->countable};
-    made.synonyms[alias.category].push_back(name);
+    if (alias.source.confidence >= kSaid) made.synonyms[alias.category].push_back(name);
     const Domain noun = of_category(alias.category);
     add(made.nouns, name.singular, noun, name.countable, false, !name.countable, 1);
     if (name.countable) add(made.nouns, name.plural, noun, false, true, false, 1);
   }
-  for (const auto& [text, categories] : served) {
-    Domain noun;
-    for (const std::string& category : categories) noun.members.push_back({category, false});
-    functions_[text] = noun;
-    add(phrases_, text, noun, true, false, false, 0);
-    add(repeats_, named_again(text), noun, true, false, false, 0);
+  for (const auto& [text, phrase] : phrases_) {
+    if (phrase.use == AliasKind::Occasion || phrase.use == AliasKind::Request) {
+      std::vector<std::string> words;
+      for (const Token& token : tokens_of(text)) words.push_back(token.text);
+      made.sentences[words.front()].emplace_back(words, text);
+      continue;
+    }
+    add(in_full_, text, phrase.noun, true, false, false, 0);
+    add(again_, named_again(text), phrase.noun, true, false, false, 0);
   }
   if (rooms.empty()) rooms.insert(kUsualRooms.begin(), kUsualRooms.end());
   for (const std::string& room : rooms) {
@@ -114,6 +137,7 @@ NounTable::NounTable(const Knowledge& knowledge) {
     const Name name{spaced(room), plural_of(spaced(room)), true};
     made.names[room] = name;
     add(made.nouns, name.singular, of_category(room), true, false, false, 0);
+    add(made.rooms, name.singular, of_category(room), true, false, false, 0);
     add(made.nouns, name.plural, of_category(room), false, true, false, 0);
     made.room_types.push_back(room);
   }
@@ -130,6 +154,24 @@ NounTable::NounTable(const Knowledge& knowledge) {
   made.colours.assign(colours.begin(), colours.end());
   made.materials.assign(materials.begin(), materials.end());
   fixed_ = std::make_shared<const Names>(std::move(made));
+}
+
+/// Adds the category of an alias to what its phrase means. A phrase is of one use: the first.
+void NounTable::add_phrase(const Alias& alias) {
+  if (alias.kind == AliasKind::Context) return;
+  std::string_view text = alias.text;
+  Predicate state = Predicate::Open;
+  if (alias.kind == AliasKind::Request) {
+    state = predicate_named(text.substr(0, text.find(' '))).value_or(state);
+    text.remove_prefix(std::min(text.find(' ') + 1, text.size()));
+  }
+  const auto [at, is_new] = phrases_.try_emplace(lower(text), Phrase{alias.kind, {}, state, std::string(text)});
+  auto& members = at->second.noun.members;
+  const Domain::Member member{alias.category, false};
+  if (at->second.use != alias.kind || at->second.state != state) return;
+  const auto place = std::lower_bound(members.begin(), members.end(), member,
+                                      [](const auto& a, const auto& b) { return a.category < b.category; });
+  if (place == members.end() || *place != member) members.insert(place, member);
 }
 
 void NounTable::add(Index& index, const std::string& text, const Domain& noun, bool singular, bool plural, bool mass,
@@ -156,26 +198,27 @@ std::vector<NounTable::Name> NounTable::synonyms(const std::string& category) co
     const std::vector<Token> tokens = tokens_of(name.singular);
     const Reading reading = longest(fixed_->nouns, tokens, 0);
     const bool clear = reading.nouns.size() == 1 && reading.nouns.front() == of_category(category);
-    if (clear && reading.length == tokens.size() && !says(tokens, own)) usable.push_back(name);
+    if (clear && reading.length == tokens.size() && !says(tokens, own) && (!name.countable || is_one(name.singular)))
+      usable.push_back(name);
   }
   return usable;
 }
 
-std::vector<std::string> NounTable::functions(const Domain& noun) const {
+std::vector<std::string> NounTable::phrases(const Domain& noun, AliasKind use) const {
   Domain wanted = noun;
   wanted.where.clear();
   std::sort(wanted.members.begin(), wanted.members.end(),
             [](const auto& a, const auto& b) { return a.category < b.category; });
   std::vector<std::string> texts;
-  for (const auto& [text, meant] : functions_)
-    if (meant == wanted) texts.push_back(text);
+  for (const auto& [text, phrase] : phrases_)
+    if (phrase.use == use && phrase.noun == wanted) texts.push_back(phrase.text);
   return texts;
 }
 
 void NounTable::narrow(const std::string& phrase, const Domain& noun) {
-  functions_[phrase] = noun;
-  narrow(phrases_, phrase, noun);
-  narrow(repeats_, named_again(phrase), noun);
+  phrases_[lower(phrase)].noun = noun;
+  narrow(in_full_, phrase, noun);
+  narrow(again_, named_again(phrase), noun);
 }
 
 void NounTable::narrow(Index& index, std::string_view words, const Domain& noun) {
@@ -198,15 +241,6 @@ bool NounTable::is_colour(const std::string& word) const {
 
 bool NounTable::is_material(const std::string& word) const {
   return std::binary_search(fixed_->materials.begin(), fixed_->materials.end(), word);
-}
-
-std::string_view NounTable::behind_context(std::string_view text) const {
-  for (std::size_t end = text.find_first_of(".!?"); end != std::string_view::npos;) {
-    const bool known = fixed_->contexts.contains(text.substr(0, end + 1));
-    if (known) text = trim(text.substr(end + 1));
-    end = text.find_first_of(".!?", known ? 0 : end + 1);
-  }
-  return trim(text);
 }
 
 NounTable::Reading NounTable::longest(const Index& index, const std::vector<Token>& tokens, std::size_t at) {
@@ -243,14 +277,21 @@ NounTable::Reading NounTable::noun_at(const std::vector<Token>& tokens, std::siz
   if ((!slice && (fresh > 0 || (head != "piece" && head != "pieces"))) || word(fresh + 1) != "of") return plain;
   Reading of = longest(fixed_->nouns, tokens, at + fresh + 2);
   of.length += fresh + 2;
-  if (of.nouns.empty() || of.plural || (!slice && !of.mass) || of.length <= plain.length) return plain;
   if (slice)
     for (Domain& noun : of.nouns)
       for (Domain::Member& member : noun.members) member.slice = true;
+  const bool usable = !of.nouns.empty() && !of.plural && (slice || of.mass);
+  if (usable && slice && of.length == plain.length && plain.nouns.size() == 1)
+    plain.nouns.push_back(of.nouns.front());  // one that is still to be cut, where none is cut yet
+  if (!usable || of.length <= plain.length) return plain;
   of.plural = head.ends_with('s');
   of.singular = !of.plural;
   of.mass = false;
   return of;
+}
+
+NounTable::Reading NounTable::room_at(const std::vector<Token>& tokens, std::size_t at) const {
+  return longest(fixed_->rooms, tokens, at);
 }
 
 bool NounTable::is_name(const std::string& text) const {
@@ -259,11 +300,29 @@ bool NounTable::is_name(const std::string& text) const {
 }
 
 NounTable::Reading NounTable::function_at(const std::vector<Token>& tokens, std::size_t at) const {
-  return longest(phrases_, tokens, at);
+  Reading phrase = longest(in_full_, tokens, at);
+  if (phrase.length == 0) return phrase;
+  const std::string& article = tokens[at].text;
+  const bool named = article == "a" || article == "an" || article == "the" || article == "some";
+  return named && noun_at(tokens, at + 1).length + 1 > phrase.length ? Reading() : phrase;
 }
 
 NounTable::Reading NounTable::function_again_at(const std::vector<Token>& tokens, std::size_t at) const {
-  return longest(repeats_, tokens, at);
+  return longest(again_, tokens, at);
+}
+
+std::pair<const NounTable::Phrase*, std::size_t> NounTable::sentence_at(const std::vector<Token>& tokens,
+                                                                        std::size_t at) const {
+  if (at >= tokens.size()) return {nullptr, 0};
+  const auto bucket = fixed_->sentences.find(tokens[at].text);
+  if (bucket == fixed_->sentences.end()) return {nullptr, 0};
+  for (const auto& [words, text] : bucket->second) {
+    if (at + words.size() > tokens.size()) continue;
+    const bool same = std::equal(words.begin(), words.end(), tokens.begin() + static_cast<std::ptrdiff_t>(at),
+                                 [](const std::string& word, const Token& token) { return word == token.text; });
+    if (same) return {&phrases_.find(text)->second, words.size()};
+  }
+  return {nullptr, 0};
 }
 
 }  // namespace unietp

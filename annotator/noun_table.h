@@ -6,9 +6,11 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "akb/knowledge.h"
+#include "annotator/everyday_names.h"
 #include "logic/formula.h"
 
 namespace unietp {
@@ -32,10 +34,10 @@ std::string named_again(std::string_view use);
 std::string with_article(const std::string& noun);
 
 /// What the objects of a knowledge base are called: display names, plurals, synonyms, function phrases, room types.
-/// Making one costs milliseconds and is done once for a knowledge base; a copy shares all but the function phrases.
+/// Making one costs milliseconds and is done once for a knowledge base; a copy shares all but the phrases.
 class NounTable {
  public:
-  explicit NounTable(const Knowledge& knowledge);
+  explicit NounTable(const Knowledge& knowledge, English english = English::Us);
 
   struct Name {
     std::string singular, plural;
@@ -43,20 +45,27 @@ class NounTable {
   };
   /// A category's or room type's display name; nullptr when the knowledge base does not know it.
   const Name* display(const std::string& category) const;
-  /// Other names that mean this category and no other and do not contain its display name, in table order.
+  /// Other names that people say, which mean this category and no other and do not contain its display name, in table
+  /// order. A text may also have those that only a dictionary knows.
   std::vector<Name> synonyms(const std::string& category) const;
-  /// Function phrases that mean exactly these categories ("something to drink from"), in order of text.
-  std::vector<std::string> functions(const Domain& noun) const;
+  /// What stands for things without their names: a noun phrase ("something to drink from", "a piece of cutlery", "the
+  /// place where we keep the milk") or a sentence ("I want to make a salad.", "It's too dark to read.").
+  struct Phrase {
+    AliasKind use = AliasKind::Function;
+    Domain noun;
+    Predicate state = Predicate::Open;  // of a request: what it asks for
+    std::string text;                   // as it is written
+  };
+  /// The phrases of one use that mean exactly these categories, in order of text.
+  std::vector<std::string> phrases(const Domain& noun, AliasKind use) const;
 
-  /// Every function phrase with its categories; `narrow` restricts one to those that a goal allows.
-  const std::map<std::string, Domain, std::less<>>& function_phrases() const { return functions_; }
+  /// Every phrase by its text; `narrow` restricts one to the categories that a goal allows.
+  const std::map<std::string, Phrase, std::less<>>& phrases() const { return phrases_; }
   void narrow(const std::string& phrase, const Domain& noun);
 
-  bool is_room_type(const std::string& category) const;
+  bool is_room_type(const std::string& category) const;  // by the knowledge base, as the two below
   bool is_colour(const std::string& word) const;
   bool is_material(const std::string& word) const;
-  /// The text after its leading context sentences (alias table) and background sentences (asides.h).
-  std::string_view behind_context(std::string_view text) const;
   /// Whether some category is called exactly this.
   bool is_name(const std::string& text) const;
 
@@ -67,11 +76,17 @@ class NounTable {
     bool singular = false, plural = false, mass = false;
   };
   /// The longest noun that starts here: "slice of coffee cake" before "slice". Display names win over synonyms.
-  /// A category that is itself called "slice of bread" keeps that name; what slicing makes is then "freshly cut".
+  /// Where a category is itself called "slice of bread", the name means one of these first, then what slicing makes,
+  /// which "freshly cut slice of bread" always means.
   Reading noun_at(const std::vector<Token>& tokens, std::size_t at) const;
+  /// The singular name of a type of room.
+  Reading room_at(const std::vector<Token>& tokens, std::size_t at) const;
+  /// The phrase that starts here, unless a name goes on behind its article: "a light switch" is no light.
   Reading function_at(const std::vector<Token>& tokens, std::size_t at) const;
   /// The same for a function phrase that is named again, after "that".
   Reading function_again_at(const std::vector<Token>& tokens, std::size_t at) const;
+  /// The occasion or request that starts here, with its number of tokens; nullptr when there is none.
+  std::pair<const Phrase*, std::size_t> sentence_at(const std::vector<Token>& tokens, std::size_t at) const;
 
  private:
   struct Entry {
@@ -81,6 +96,7 @@ class NounTable {
     int rank = 0;  // display names before synonyms
   };
   using Index = std::unordered_map<std::string, std::vector<Entry>>;  // by first word, longest first
+  void add_phrase(const Alias& alias);
   static void add(Index& index, const std::string& text, const Domain& noun, bool singular, bool plural, bool mass,
                   int rank);
   static void narrow(Index& index, std::string_view words, const Domain& noun);
@@ -90,12 +106,12 @@ class NounTable {
     std::map<std::string, Name, std::less<>> names;
     std::map<std::string, std::vector<Name>, std::less<>> synonyms;
     std::vector<std::string> room_types, colours, materials;  // sorted
-    std::set<std::string, std::less<>> contexts;
-    Index nouns;
+    std::map<std::string, std::vector<std::pair<std::vector<std::string>, std::string>>, std::less<>> sentences;
+    Index nouns, rooms;
   };
   std::shared_ptr<const Names> fixed_;
-  std::map<std::string, Domain, std::less<>> functions_;  // by text
-  Index phrases_, repeats_;                               // of function phrases: in full, and when named again
+  std::map<std::string, Phrase, std::less<>> phrases_;  // by text, lower case
+  Index in_full_, again_;                               // of noun phrases: in full, and when named again
 };
 
 }  // namespace unietp

@@ -1,15 +1,19 @@
 #include "annotator/parse.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "annotator/asides.h"
 #include "annotator/clause_reading.h"
 #include "annotator/compose.h"
+#include "annotator/meaning.h"
 #include "annotator/reading.h"
 #include "annotator/reading_proposition.h"
+#include "annotator/word_choices.h"
 #include "core/text.h"
+#include "scene/states.h"
 
 namespace unietp {
 namespace {
@@ -33,8 +37,8 @@ constexpr std::array<std::string_view, 6> kExactOpenings{
 
 class TextReader {
  public:
-  TextReader(const std::vector<Token>& tokens, const NounTable& lexicon)
-      : words_(tokens, lexicon), clauses_(words_, lexicon) {}
+  TextReader(const std::vector<Token>& tokens, const NounTable& lexicon, WordChoices& choices)
+      : tokens_(tokens), lexicon_(lexicon), words_(tokens, lexicon, choices), clauses_(words_, lexicon) {}
 
   Result<Message> read() {
     while (!words_.done() && !words_.failed()) sentence();
@@ -50,18 +54,55 @@ class TextReader {
 
   void say(Kind kind, std::vector<Clause> clauses) { message_.push_back({kind, std::move(clauses), false, {}}); }
 
+  /// A sentence that is known as a whole: an occasion, or a request that names nothing.
+  bool known_sentence() {
+    const auto [phrase, length] = lexicon_.sentence_at(tokens_, words_.position());
+    if (phrase == nullptr) return false;
+    words_.go_back(words_.position() + length);
+    if (phrase->use == AliasKind::Occasion) {
+      words_.set_occasion(phrase->noun);
+      return true;
+    }
+    Clause asked;
+    NounPhrase thing;
+    thing.noun = phrase->noun;
+    thing.by_function = true;
+    asked.subjects.push_back(std::move(thing));
+    asked.complements.push_back({phrase->state, false, "", {}});
+    say(Kind::Final, {std::move(asked)});
+    return true;
+  }
+
+  /// "There is a dirty mug in the bedroom.", "There is more than one mug here.", "The lamp in the bedroom is on."
+  bool fact() {
+    Clause so;
+    const bool there = words_.accept_one({"there is", "there are", "there's"}) >= 0;
+    if (!there && !words_.comes("the")) return false;
+    if (there && words_.accept("more than one")) {
+      so.subjects.push_back(words_.bare_noun(false));
+      so.subjects.back().determiner = Determiner::AtLeast;
+      so.subjects.back().number = 2;
+    } else {
+      words_.set_bare_places(!there);
+      so.subjects.push_back(words_.phrase());
+      words_.set_bare_places(false);
+    }
+    if (!there && words_.accept_one({"is", "are"}) < 0) words_.fail("expected 'is', or a command such as 'Put …'");
+    if (words_.accept_one({"here", "somewhere"}) < 0 && (!there || words_.complement_comes())) words_.complements(so);
+    if (so.any_complement) words_.fail("expected what is so, without 'or', before this");
+    say(Kind::Fact, {std::move(so)});
+    end_sentence();
+    return true;
+  }
+
   void sentence() {
     clauses_.begin_sentence();
+    first_ = message_.size();
+    if (known_sentence() || fact()) return;
     for (bool more = true; more;) {
       more = false;
       for (const std::string_view request : kRequests) more |= words_.accept(request);
-      for (const std::string_view opening : nested_openings()) more |= words_.accept(opening);
     }
-    for (const std::string_view never_mind : never_minds())
-      if (words_.accept(never_mind)) {  // asks for nothing
-        if (words_.phrase().determiner != Determiner::The) words_.fail("expected 'the …' before this");
-        return end_sentence();
-      }
     for (const std::string_view opening : kExactOpenings)
       if (words_.accept(opening)) {
         message_.push_back({Kind::Stated, {}, false, {read_proposition(words_)}});
@@ -89,8 +130,11 @@ class TextReader {
         return end_sentence();
       }
     if (words_.accept("before you")) {
+      words_.set_comma_lists(false);
       Clause later = clauses_.command();
-      words_.expect(", please");  // "…, open a fridge" could go on about what is open
+      words_.set_comma_lists(true);
+      words_.expect(",");
+      words_.accept("please");
       Clause sooner = clauses_.command();
       say(kept() ? Kind::ThenKept : Kind::Then, {std::move(later), std::move(sooner)});
       message_.back().inverted = true;
@@ -111,9 +155,37 @@ class TextReader {
     words_.expect(",");
     words_.accept_one({"please", "then"});
     Clause then = clauses_.command_list();
+    if (words_.accept(". if not ,")) return otherwise(std::move(there), std::move(then));
     then.given.push_back(std::move(there));
     say(Kind::Final, {std::move(then)});
     end_sentence();
+  }
+
+  /// "If the cabinet is open, put a mug in it. If not, put it on a shelf.": the cabinet is one or the other.
+  void otherwise(NounPhrase there, Clause then) {
+    words_.expect("put it");
+    Clause other;
+    other.subjects = then.subjects;
+    words_.complements(other);
+    const auto& states = there.modifiers;
+    const auto opposite = states.size() == 1 && states[0].object.empty() && !states[0].negated
+                              ? opposite_of(states[0].predicate)
+                              : std::nullopt;
+    if (!opposite || then.kind != Clause::Kind::Simple) return words_.fail("expected a state with an opposite before");
+    NounPhrase shut = there;
+    shut.modifiers[0].predicate = *opposite;
+    then.given.push_back(std::move(there));
+    other.given.push_back(std::move(shut));
+    Clause either;
+    either.kind = Clause::Kind::Or;
+    either.parts = {std::move(then), std::move(other)};
+    say(Kind::Final, {std::move(either)});
+    end_sentence();
+  }
+
+  /// What is poured out of what the clause before filled is the same.
+  static void take_symbol(const Clause& before, Clause& after) {
+    if (after.poured && !before.complements.empty()) after.complements[0].symbol = before.complements[0].symbol;
   }
 
   /// "… then …": what follows "first".
@@ -121,6 +193,7 @@ class TextReader {
     Clause before = clauses_.command();
     then();
     Clause after = clauses_.command();
+    take_symbol(before, after);
     const bool both = kept();
     say(both ? Kind::ThenKept : Kind::Then, {std::move(before), std::move(after)});
   }
@@ -151,7 +224,7 @@ class TextReader {
 
   void commands() {
     do {
-      if (assured()) continue;
+      if (assured() || left_alone()) continue;
       if (words_.accept("keep")) {
         keep();
         continue;
@@ -159,13 +232,57 @@ class TextReader {
       Clause clause = clauses_.command();
       if (then_comes()) {
         then();
-        Clause undone = clauses_.command();
-        words_.expect("again");
-        say(Kind::Again, {std::move(clause), std::move(undone)});
+        Clause next = clauses_.command();
+        take_symbol(clause, next);
+        const bool again = words_.accept("again");
+        say(again ? Kind::Again : kept() ? Kind::ThenKept : Kind::Then, {std::move(clause), std::move(next)});
         return;
       }
+      if (words_.accept(", and only then")) return only_then(std::move(clause));
       say(Kind::Final, {std::move(clause)});
+      if (words_.accept("again")) undo();
     } while (!words_.failed() && goes_on());
+  }
+
+  /// "…, and only then all the mugs": in the same place.
+  void only_then(Clause first) {
+    Clause late;
+    late.subjects.push_back(words_.phrase());
+    late.complements = first.complements;
+    const bool one_place = late.complements.size() == 1 && late.complements[0].object.size() == 1;
+    if (!one_place) return words_.fail("expected one place before 'and only then'");
+    NounPhrase place;
+    place.determiner = Determiner::Known;
+    place.noun = late.complements[0].object[0].noun;
+    place.column = words_.column();
+    late.complements[0].object = {std::move(place)};
+    say(Kind::OnlyThen, {std::move(first), std::move(late)});
+  }
+
+  /// "open the fridge, …, and close it again": it is open at some point.
+  void undo() {
+    const auto state = [](const Requirement& said) {
+      const Clause& clause = said.clauses[0];
+      const bool simple = said.kind == Kind::Final && clause.complements.size() == 1 && !clause.complements[0].negated;
+      return simple && clause.complements[0].object.empty() ? std::optional(clause.complements[0].predicate)
+                                                            : std::nullopt;
+    };
+    const auto last = state(message_.back());
+    for (std::size_t i = first_; i + 1 < message_.size() && last; ++i) {
+      if (!state(message_[i]) || opposite_of(*state(message_[i])) != *last) continue;
+      message_[i].kind = Kind::Sometime;
+      return;
+    }
+    words_.fail("expected what is done again to end what was done before");
+  }
+
+  /// "leave all the plates on the table", "do not open any fridge"
+  bool left_alone() {
+    Clause clause;
+    if (!clauses_.left_alone(clause)) return false;
+    words_.accept_one({"the whole time", "at all times"});
+    say(Kind::Always, {std::move(clause)});
+    return true;
   }
 
   bool goes_on() {
@@ -198,7 +315,10 @@ class TextReader {
     clause.subjects = words_.phrases(clause.any_subject);
     words_.complements(clause);
     if (words_.accept("until")) {
-      say(Kind::Until, {std::move(clause), clauses_.statements()});
+      std::vector<Clause> clauses{std::move(clause), clauses_.statements()};
+      const bool then = words_.accept(", then");
+      if (then) clauses.push_back(clauses_.command());
+      say(then ? Kind::UntilThen : Kind::Until, std::move(clauses));
     } else if (words_.accept_one({"the whole time", "at all times"}) >= 0) {
       say(Kind::Always, {std::move(clause)});
     } else {
@@ -206,18 +326,53 @@ class TextReader {
     }
   }
 
+  const std::vector<Token>& tokens_;
+  const NounTable& lexicon_;
   PhraseReader words_;
   ClauseReader clauses_;
   Message message_;
+  std::size_t first_ = 0;  // of the sentence
 };
+
+Result<Reading> one_reading(const std::vector<Token>& tokens, const NounTable& lexicon, WordChoices& choices) {
+  const auto message = TextReader(tokens, lexicon, choices).read();
+  if (!message) return message.error();
+  return compose(*message, choices);
+}
+
+bool same_reading(const Reading& a, const Reading& b) { return a.facts == b.facts && same_meaning(a.goal, b.goal); }
 
 }  // namespace
 
-Result<Formula> parse_with(std::string_view text, const NounTable& lexicon) {
+Result<std::vector<Reading>> readings_of(std::string_view text, const NounTable& lexicon) {
   const std::vector<Token> tokens = tokens_of(text);
-  const auto message = TextReader(tokens, lexicon).read();
-  if (!message) return message.error();
-  return compose(*message);
+  std::vector<Reading> found;
+  std::optional<Error> first;
+  WordChoices choices;
+  for (int combinations = 1; combinations == 1 || choices.next(); ++combinations) {
+    if (combinations > kMostReadings)
+      return Error{Error::Kind::Parse, "instruction", {1, 1}, "the text can be read in too many ways"};
+    auto reading = one_reading(tokens, lexicon, choices);
+    if (!reading) {
+      if (!first) first = reading.error();
+      continue;
+    }
+    const auto known = [&](const Reading& other) { return same_reading(*reading, other); };
+    if (std::none_of(found.begin(), found.end(), known)) found.push_back(std::move(*reading));
+  }
+  if (found.empty()) return *first;
+  return found;
+}
+
+Result<Formula> parse_with(std::string_view text, const NounTable& lexicon) {
+  auto readings = readings_of(text, lexicon);
+  if (!readings) return readings.error();
+  if (readings->size() == 1) return std::move(readings->front().goal);
+  return Error{Error::Kind::Parse,
+               "instruction",
+               {1, 1},
+               "the text can be read in " + std::to_string(readings->size()) + " ways, such as " +
+                   to_text((*readings)[0].goal) + " and " + to_text((*readings)[1].goal)};
 }
 
 }  // namespace unietp

@@ -24,8 +24,8 @@ class PhrasePlanner {
   Scope& scope() { return scope_; }
   const Scope& scope() const { return scope_; }
 
-  const std::optional<Error>& error() const { return error_; }
-  void fail(const Formula& part);
+  const std::optional<Error>& error() const { return error_; }  // the first failure
+  void fail(const Formula& part);                               // keeps the first: no sentence says this part
   /// Clears the error; returns whether there was one.
   bool clear_error();
 

@@ -6,8 +6,9 @@
 
 namespace unietp {
 
-/// Sets of wordings: those of training and those of the benchmark are disjoint, nouns aside.
-enum class Phrasings { All, Training, Benchmark };
+/// Sets of wordings. Everyday: short imperatives, as people ask for things. All: a wide choice of frames and statements
+/// besides, which is divided into Training and Benchmark: these two are disjoint, nouns aside.
+enum class Phrasings { Everyday, All, Training, Benchmark };
 
 /// The set of a text's wording, Training or Benchmark, by a hash of the text without its nouns, articles and numbers.
 /// The sets are disjoint by construction, and each has about half of the wordings of every goal.

@@ -24,7 +24,8 @@ constexpr std::array<std::string_view, 9> kPlainWords{
     "you'll. you're. there's. we'd. we're. they're. what's. don't. doesn't. isn't. aren't. won't. can't. s. t. d. ll. "
     "re",
     // joints of a sentence
-    "and. or. but. so. if. as. than. then. when. whenever. while. once. until. till. before. after. afterwards. later. "
+    "and. or. but. except. so. if. as. than. then. when. whenever. while. once. until. till. before. after. "
+    "afterwards. later. "
     "first. firstly. next. last. lastly. finally. now. again. also. too. even. just. only. still. already. yet. ever. "
     "always. never. not. nor. because. since. for. whether. where. wherever. how. why. though. although. however. "
     "plus. "
@@ -45,7 +46,8 @@ constexpr std::array<std::string_view, 9> kPlainWords{
     "please. kindly. thanks. thank. you. would. mind. like. want. wish. love. hope. appreciate. grateful. glad. nice. "
     "great. good. fine. okay. ok. hey. hi. hello. sorry. help. helpful. favor. favour. wonder. wondering. possible. "
     "able. "
-    "sure. certain. course. job. task. thing. things. object. objects. item. items. piece. pieces. stuff",
+    "sure. certain. care. counts. goal. course. job. task. thing. things. object. objects. item. items. piece. pieces. "
+    "stuff",
     // verbs whose sense the goal's relations and states give
     "put. puts. putting. place. places. placed. placing. set. sets. setting. lay. lays. laid. leave. leaves. left. "
     "leaving. move. moves. moved. moving. bring. brings. brought. bringing. take. takes. took. taken. taking. get. "
@@ -60,7 +62,8 @@ constexpr std::array<std::string_view, 9> kPlainWords{
     "work. works. turn. turns. turned. turning. become. becomes. end. ends. finish. finished. complete. proceed. "
     "begin. "
     "try. wait. happen. happens. belong. belongs. contain. contains. containing. hold. holding. located. situated. "
-    "ahead. freshly. different. accepted. meant. remove. removed. clear. cleared. available. present. require. "
+    "ahead. divide. divided. share. shared. freshly. different. accepted. meant. remove. removed. clear. cleared. "
+    "available. present. require. "
     "required. requires. follow. following. perform. want. wants. wanted",
     // places and kinds that name nothing
     "room. rooms. house. home. apartment. spot. area. side. bottom. content. contents. kind. kinds. type. "

@@ -5,6 +5,7 @@
 
 #include "annotator/clause_plan.h"
 #include "annotator/conditions.h"
+#include "annotator/idioms.h"
 #include "annotator/meaning.h"
 #include "annotator/phrase_plan.h"
 #include "annotator/plan_proposition.h"
@@ -19,7 +20,7 @@ using Op = Formula::Op;
 class Planner {
  public:
   Planner(const std::vector<Formula>& start, PlanOptions options, Rng rng)
-      : choosing_(options.choosing), rng_(rng), phrases_(start) {
+      : choosing_(options.choosing), everyday_(options.everyday), rng_(rng), phrases_(start) {
     if (options.conditions) conditions_ = conditions_of(start);
   }
 
@@ -63,7 +64,8 @@ class Planner {
         clauses.push_back(std::move(said));
       }
     }
-    if (rng_.chance(0.8)) join_subjects(clauses);
+    if (everyday_) join_idioms(clauses);
+    if (everyday_ || rng_.chance(0.8)) join_subjects(clauses);
     plan_.message = std::move(early);
     for (Clause& said : clauses) plan_.message.push_back({Requirement::Kind::Final, {std::move(said)}, false, {}});
     for (Requirement& requirement : late) plan_.message.push_back(std::move(requirement));
@@ -126,6 +128,7 @@ class Planner {
       case Op::Always:
         return say(Kind::Always, {said(0)});
       case Op::Until:
+        if (everyday_ && say_until(f, finals, out)) return true;
         return say(Kind::Until, {said(0), said(1)});
       case Op::Sometime: {
         const auto undone = std::find_if(finals.begin(), finals.end(),
@@ -133,6 +136,7 @@ class Planner {
         const auto meanwhile = [&](const Formula& part) {
           return !(part == *undone) && mentions(part, f.children[0].terms[0].name);
         };
+        if (everyday_ && undone != finals.end()) return reopened(f.children[0], undone - finals.begin(), finals, out);
         if (undone == finals.end() || rng_.chance(0.3) || std::any_of(finals.begin(), finals.end(), meanwhile)) {
           // Taking something out of a fridge comes before closing it.
           if (undone != finals.end()) std::rotate(undone, undone + 1, finals.end());
@@ -146,12 +150,92 @@ class Planner {
         const bool apart = rng_.chance(0.25);
         std::vector<Clause> clauses{said(0), said(1)};
         if (phrases_.clear_error()) return false;
-        if (apart || !take(f.children[1], finals)) return say(Kind::Before, std::move(clauses));
-        return say(take(f.children[0], finals) ? Kind::ThenKept : Kind::Then, std::move(clauses));
+        std::vector<Formula> rest = finals;
+        const bool ends = take(f.children[1], rest), kept = ends && take(f.children[0], rest);
+        if (everyday_ && ends && !kept) from_the_first(f, rest, clauses);
+        if (!ends || (apart && !everyday_)) return say(Kind::Before, std::move(clauses));
+        finals = std::move(rest);
+        return say(kept ? Kind::ThenKept : Kind::Then, std::move(clauses));
       }
       default:
         return false;
     }
+  }
+
+  /// "Fill the pot with water, then pour it into a vase.", "Slice a potato, then cook a slice of it."
+  void from_the_first(const Formula& f, std::vector<Formula>& finals, std::vector<Clause>& clauses) {
+    const Formula &first = f.children[0], &then = f.children[1];
+    if (first.op != Op::Atom || then.op != Op::Atom || first.terms[0] == then.terms[0]) return;
+    if (first.predicate == Predicate::Filled && then.predicate == Predicate::Filled)
+      clauses[1].poured = first.terms[1] == then.terms[1];
+    Formula cut;
+    cut.op = Op::Atom;
+    cut.predicate = Predicate::SliceOf;
+    cut.terms = {then.terms[0], first.terms[0]};
+    if (first.predicate != Predicate::Sliced || !take(cut, finals)) return;
+    clauses[1].subjects[0].done.push_back({Predicate::SliceOf, false, "", {clauses[0].subjects[0]}});
+  }
+
+  /// Takes out of `finals` what means the same as `f`, whatever its variables are called.
+  static bool take_alike(const Formula& f, std::vector<Formula>& finals) {
+    const auto alike = [&](const Formula& part) { return same_expanded(part, f); };
+    const auto found = std::find_if(finals.begin(), finals.end(), alike);
+    if (found == finals.end()) return false;
+    finals.erase(found);
+    return true;
+  }
+
+  /// "Keep the oven closed until a cupcake is on a table, then open it.", "Put every plate on a table, and only then
+  /// all the mugs.": what is kept until then is undone at the end.
+  bool say_until(const Formula& f, std::vector<Formula>& finals, std::vector<Requirement>& out) {
+    const Formula &kept = f.children[0], &last = f.children[1];
+    std::vector<Formula> rest = finals;
+    const auto undone =
+        std::find_if(rest.begin(), rest.end(), [&](const Formula& part) { return opposite(kept, part); });
+    const bool opens = undone != rest.end(), denies = kept.op == Op::Forall && kept.children[0].op == Op::Not;
+    Formula then = opens ? *undone : kept;
+    if (!opens && denies) {
+      const Formula inner = kept.children[0].children[0];
+      then.children = {inner};
+    }
+    if ((!opens && !denies) || !take_alike(last, rest) || !take_alike(then, rest)) return false;
+    std::vector<Clause> clauses;
+    if (opens) clauses.push_back(planned_clause(kept, phrases_));
+    clauses.push_back(planned_clause(last, phrases_));
+    clauses.push_back(planned_clause(then, phrases_));
+    if (phrases_.clear_error()) return false;
+    finals = std::move(rest);
+    out.push_back({opens ? Requirement::Kind::UntilThen : Requirement::Kind::OnlyThen, std::move(clauses), false, {}});
+    return true;
+  }
+
+  /// "Open the fridge, take all the eggs out of it and close it again."
+  bool reopened(const Formula& open, std::ptrdiff_t undone, std::vector<Formula>& finals,
+                std::vector<Requirement>& out) {
+    const Formula closed = finals[static_cast<std::size_t>(undone)];
+    finals.erase(finals.begin() + undone);
+    std::vector<Clause> meanwhile;
+    std::vector<Formula> others;
+    for (const Formula& part : finals) {
+      const bool within = mentions(part, open.terms[0].name);
+      if (within) meanwhile.push_back(planned_clause(part, phrases_));
+      if (!within) others.push_back(part);
+    }
+    std::vector<Formula> still;
+    for (const Formula& part : others) {  // what you no longer hold
+      meanwhile.push_back(planned_clause(part, phrases_));
+      const std::size_t before = meanwhile.size();
+      join_idioms(meanwhile);
+      if (meanwhile.size() < before) continue;
+      meanwhile.pop_back();
+      still.push_back(part);
+    }
+    meanwhile.insert(meanwhile.begin(), planned_clause(open, phrases_));
+    meanwhile.push_back(planned_clause(closed, phrases_));
+    if (phrases_.clear_error()) return false;
+    finals = std::move(still);
+    out.push_back({Requirement::Kind::Again, std::move(meanwhile), false, {}});
+    return true;
   }
 
   /// Two states of which the agent brings one about by hand and so ends the other: open and closed.
@@ -171,7 +255,7 @@ class Planner {
     plan_.message.insert(plan_.message.begin(), {Requirement::Kind::Choose, {said}, false, {}});
   }
 
-  bool choosing_;
+  bool choosing_, everyday_;
   Rng rng_;
   std::vector<Formula> conditions_;
   PhrasePlanner phrases_;

@@ -22,6 +22,7 @@ struct Plan {
 struct PlanOptions {
   bool choosing = false;    // may start with "Choose a kitchen.", which fixes the scope of what follows
   bool conditions = false;  // fill in Plan::conditions
+  bool everyday = false;    // says the order of two things with the things themselves
   bool exactly = false;     // operator by operator, as one proposition: any goal has such words
 };
 

@@ -88,12 +88,16 @@ NounPhrase PhraseReader::phrase() {
     read.determiner = Determiner::Agent;
     return read;
   }
-  if (const auto function = lexicon_.function_at(tokens_, at_); function.length > 0) {
+  // "a light switch" is no light, and "a toy" is what is called so where something is.
+  const std::size_t named =
+      comes("a") || comes("an") || comes("the") ? lexicon_.noun_at(tokens_, at_ + 1).length + 1 : 0;
+  if (const auto function = lexicon_.function_at(tokens_, at_); function.length > named) {
     at_ += function.length;
     read.noun = function.nouns.front();
     read.by_function = true;
     return read;
   }
+  if (needed_for_occasion(read) || slice_of_it(read)) return read;
   if (accept("it")) {
     read.determiner = Determiner::It;
     return read;
@@ -166,10 +170,40 @@ NounPhrase PhraseReader::phrase() {
   return read;
 }
 
-NounPhrase PhraseReader::bare_noun() {
+NounPhrase PhraseReader::place() {
+  const auto noun = comes("the") ? lexicon_.noun_at(tokens_, at_ + 1) : NounTable::Reading{};
+  if (!noun.plural || noun.singular) return phrase();
   NounPhrase read;
   read.column = column();
+  read.determiner = Determiner::Any;
+  ++at_;
   return noun_after(read, true);
+}
+
+bool PhraseReader::slice_of_it(NounPhrase& read) {
+  if (named_.empty() || !accept("a slice of it")) return false;
+  NounPhrase whole;
+  whole.determiner = Determiner::Known;
+  whole.noun = named_.back();
+  whole.column = read.column;
+  read.noun = named_.back();
+  for (Domain::Member& member : read.noun.members) member.slice = true;
+  read.done.push_back({P::SliceOf, false, "", {std::move(whole)}});
+  return true;
+}
+
+NounPhrase PhraseReader::bare_noun(bool plural) {
+  NounPhrase read;
+  read.column = column();
+  return noun_after(read, plural);
+}
+
+NounPhrase PhraseReader::last_noun() {
+  NounPhrase read;
+  read.column = column();
+  if (named_.empty()) fail("expected what is spoken of before this");
+  if (!named_.empty()) read.noun = named_.back();
+  return read;
 }
 
 int PhraseReader::number() {
@@ -190,14 +224,19 @@ NounPhrase PhraseReader::noun_after(NounPhrase read, bool plural) {
       noun = lexicon_.noun_at(tokens_, at_);
     }
   }
-  if (noun.length == 0) {
+  if (!plural && room_before_noun(read)) noun = lexicon_.noun_at(tokens_, at_);
+  const bool again = !plural && noun.length == 0 && one_again(read);
+  if (noun.length == 0 && !again) {
     fail("expected the name of an object of this simulator");
     return read;
   }
-  if (noun.nouns.size() > 1) fail("expected a name of one category, this names several");
+  if (again) return described(std::move(read));
   if (plural ? !(noun.plural || noun.mass) : !(noun.singular || noun.mass))
     fail(plural ? "expected a plural" : "expected a singular");
-  read.noun = noun.nouns.front();
+  const std::size_t which = choices_.choose(noun.nouns.size());
+  read.noun = noun.nouns[which];
+  const auto is_cut = [](const Domain& one) { return !one.members.empty() && one.members[0].slice; };
+  if (which > 0 && is_cut(read.noun) && !is_cut(noun.nouns[0])) read.absent.push_back(noun.nouns[0]);
   at_ += noun.length;
   while (comes("or")) {  // "one mug or cup"
     const auto next = lexicon_.noun_at(tokens_, at_ + 1);
@@ -207,21 +246,80 @@ NounPhrase PhraseReader::noun_after(NounPhrase read, bool plural) {
   }
   std::sort(read.noun.members.begin(), read.noun.members.end(),
             [](const auto& a, const auto& b) { return std::tie(a.category, a.slice) < std::tie(b.category, b.slice); });
+  if (depth_ == 0 && std::find(named_.begin(), named_.end(), read.noun) == named_.end()) named_.push_back(read.noun);
+  read = described(std::move(read));
+  if (read.determiner == Determiner::Every && read.modifiers.empty()) left_out(read);
+  return read;
+}
+
+/// What follows a noun.
+NounPhrase PhraseReader::described(NounPhrase read) {
+  ++depth_;
+  description(read);
+  --depth_;
+  return read;
+}
+
+void PhraseReader::description(NounPhrase& read) {
   direct_description(read);
-  if (failed()) return read;
-  if (accept_one({"that is", "that are", "which is", "which are"}) >= 0) {
+  if (failed()) return;
+  const bool negated = accept_one({"that isn't", "that aren't", "which isn't"}) >= 0;
+  if (negated || accept_one({"that is", "that are", "which is", "which are"}) >= 0) {
     accept_one({"now", "currently"});
     do {
       read.modifiers.push_back(complement());
-      if (failed()) return read;
+      if (failed()) return;
+      if (negated) read.modifiers.back().negated = !read.modifiers.back().negated;
       const std::size_t here = at_;
-      if (!accept("and")) break;
+      if (negated || !accept("and")) break;
       if (complement_comes()) continue;
       at_ = here;
       break;
     } while (true);
   }
-  return read;
+}
+
+/// "what I need for that", behind a sentence such as "I want to make a salad."
+bool PhraseReader::needed_for_occasion(NounPhrase& read) {
+  if (accept_one({"what i need for that", "what we need for that", "the right thing for that"}) < 0) return false;
+  if (!occasion_) fail("what is needed is not clear without a sentence about an occasion, before this");
+  read.noun = occasion_.value_or(Domain());
+  read.by_function = true;
+  return true;
+}
+
+/// "the kitchen cabinet": the cabinet in the kitchen, unless a category is called so.
+bool PhraseReader::room_before_noun(NounPhrase& read) {
+  const auto room = lexicon_.room_at(tokens_, at_);
+  if (room.length == 0) return false;
+  const auto whole = lexicon_.noun_at(tokens_, at_), rest = lexicon_.noun_at(tokens_, at_ + room.length);
+  if (rest.length == 0 || rest.plural) return false;
+  if (whole.length > room.length) return false;
+  NounPhrase place;
+  place.determiner = Determiner::The;
+  place.noun = room.nouns.front();
+  place.column = column();
+  at_ += room.length;
+  read.modifiers.push_back({P::InRoom, false, "", {std::move(place)}});
+  return true;
+}
+
+/// "one" in "the red one": one of what was named before.
+bool PhraseReader::one_again(NounPhrase& read) {
+  if (read.determiner != Determiner::The || named_.empty() || !accept("one")) return false;
+  read.noun = named_[named_.size() - 1 - choices_.choose(named_.size())];
+  return true;
+}
+
+/// "… but the red one": all others are meant.
+void PhraseReader::left_out(NounPhrase& read) {
+  if (accept_one({"except for", "except", "but"}) < 0) return;
+  NounPhrase other = phrase();
+  if (failed()) return;
+  if (other.determiner != Determiner::The || other.noun != read.noun || other.modifiers.empty() || other.except)
+    return fail("expected which of them is left out, such as 'but the red one', before this");
+  read.except = true;
+  read.modifiers = std::move(other.modifiers);
 }
 
 /// What follows a noun at once: "nearest to the sink", "where a plate is kept", "that you put a mug into", and, where

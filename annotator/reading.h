@@ -6,6 +6,7 @@
 
 #include "annotator/clause.h"
 #include "annotator/noun_table.h"
+#include "annotator/word_choices.h"
 #include "core/result.h"
 
 namespace unietp {
@@ -14,15 +15,17 @@ namespace unietp {
 /// independent of the writer's. The first word that does not fit is the error.
 class PhraseReader {
  public:
-  PhraseReader(const std::vector<Token>& tokens, const NounTable& lexicon) : tokens_(tokens), lexicon_(lexicon) {}
+  /// `choices`: of what words mean that mean several things. All live as long as this.
+  PhraseReader(const std::vector<Token>& tokens, const NounTable& lexicon, WordChoices& choices)
+      : tokens_(tokens), lexicon_(lexicon), choices_(choices) {}
 
-  bool failed() const { return error_.has_value(); }
-  const Error& error() const { return *error_; }
-  void fail(const std::string& expected);
+  bool failed() const { return error_.has_value(); }  // whether some word was not as expected
+  const Error& error() const { return *error_; }      // of one that failed
+  void fail(const std::string& expected);             // keeps the first, with its column
 
-  bool done() const { return at_ >= tokens_.size(); }
-  const std::string& peek(std::size_t ahead = 0) const;
-  int column() const { return done() ? end_column() : tokens_[at_].column; }
+  bool done() const { return at_ >= tokens_.size(); }    // at the end of the text
+  const std::string& peek(std::size_t ahead = 0) const;  // the word that comes after `ahead` others; "" at the end
+  int column() const { return done() ? end_column() : tokens_[at_].column; }  // of the next word, from 1
   /// Consumes the words if they come next.
   bool accept(std::string_view words);
   /// Whether the words come next.
@@ -34,18 +37,28 @@ class PhraseReader {
   std::size_t position() const { return at_; }
   void go_back(std::size_t position) { at_ = position; }
 
-  bool phrase_comes() const;
-  NounPhrase phrase();
-  /// A bare plural noun.
-  NounPhrase bare_noun();
+  bool phrase_comes() const;  // whether the next words begin a noun phrase
+  NounPhrase phrase();        // reads one; fails where there is none
+  /// The same of a place: "the desks" are any of them.
+  NounPhrase place();
+  /// "a slice of it", after what it is cut from.
+  bool slice_of_it(NounPhrase& phrase);
+  /// A bare plural noun, or a singular one.
+  NounPhrase bare_noun(bool plural = true);
+  /// Things of the kind that was named last.
+  NounPhrase last_noun();
   /// "three", "12".
   int number();
   /// "a mug, every bowl and that fork"; `any` becomes true for "or".
   std::vector<NounPhrase> phrases(bool& any);
   bool complement_comes() const;
   Complement complement();
+  /// What "what I need for that" means from here on.
+  void set_occasion(const Domain& needed) { occasion_ = needed; }
   /// From here on a place after a noun describes it: "open the drawer in the kitchen".
   void set_bare_places(bool bare) { bare_places_ = bare; }
+  /// Whether a comma alone goes on with what is said of something; "before you put it there, open a fridge" does not.
+  void set_comma_lists(bool lists) { comma_lists_ = lists; }
   /// "clean and on that table", "either in a box or on a table"
   void complements(Clause& into);
   /// Words up to where a clause can continue, joined by "_": "tomato_sauce".
@@ -56,6 +69,12 @@ class PhraseReader {
     return tokens_.empty() ? 1 : tokens_.back().column + static_cast<int>(tokens_.back().text.size());
   }
   NounPhrase noun_after(NounPhrase phrase, bool plural);
+  NounPhrase described(NounPhrase phrase);
+  void description(NounPhrase& phrase);
+  bool needed_for_occasion(NounPhrase& phrase);
+  bool room_before_noun(NounPhrase& phrase);
+  bool one_again(NounPhrase& phrase);
+  void left_out(NounPhrase& phrase);
   void direct_description(NounPhrase& phrase);
   std::optional<Complement> adjective() const;
   std::optional<Predicate> preposition();
@@ -63,8 +82,12 @@ class PhraseReader {
 
   const std::vector<Token>& tokens_;
   const NounTable& lexicon_;
+  WordChoices& choices_;
+  std::optional<Domain> occasion_;
+  std::vector<Domain> named_;  // what "the red one" may be one of
+  int depth_ = 0;              // of descriptions, whose nouns it cannot be
   std::size_t at_ = 0;
-  bool bare_places_ = false;
+  bool bare_places_ = false, comma_lists_ = true;
   std::optional<Error> error_;
 };
 

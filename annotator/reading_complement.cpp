@@ -45,7 +45,7 @@ std::optional<Predicate> PhraseReader::preposition() {
 Complement PhraseReader::relation(Predicate predicate) {
   Complement read;
   read.predicate = predicate;
-  read.object.push_back(phrase());
+  read.object.push_back(place());
   const Domain& noun = read.object[0].noun;
   const bool room =
       noun.kind == Domain::Kind::Room || (!noun.members.empty() && lexicon_.is_room_type(noun.members[0].category));
@@ -82,7 +82,7 @@ void PhraseReader::complements(Clause& into) {
     const std::size_t here = at_;
     const bool comma = accept(",");
     const bool alternative = accept("or");
-    if ((!alternative && !accept("and") && !comma) || !complement_comes()) {
+    if ((!alternative && !accept("and") && !(comma && comma_lists_)) || !complement_comes()) {
       at_ = here;
       break;
     }
@@ -96,8 +96,8 @@ std::string PhraseReader::symbol() {
   std::vector<std::string> words;
   while (!done() && !failed()) {
     bool stop = false;
-    for (const char* end : {",", ".", "?", "!", ";", "and", "or", "before", "until", "then", "on", "in", "over", "off",
-                            "at", "again", "the", "is", "if"})
+    for (const char* end : {",",  ".",  "?",    "!",    ";",   "and", "or",    "before", "until", "then",
+                            "on", "in", "into", "over", "off", "at",  "again", "the",    "is",    "if"})
       stop |= peek() == end;
     if (stop) break;
     words.push_back(peek());

@@ -1,12 +1,12 @@
 #include "annotator/realise.h"
 
-#include <array>
-#include <cctype>
 #include <initializer_list>
 #include <string_view>
 
-#include "annotator/asides.h"
 #include "annotator/clause_writing.h"
+#include "annotator/frames.h"
+#include "annotator/idiom_writing.h"
+#include "annotator/if_or_else.h"
 #include "annotator/naming.h"
 #include "annotator/realise_proposition.h"
 #include "core/text.h"
@@ -17,47 +17,27 @@ namespace {
 using Text = std::optional<std::string>;
 using Kind = Requirement::Kind;
 
-std::string sentence(std::string text, char end) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + end;
-}
-
-/// What a command follows in the first sentence, and in later ones.
-constexpr std::array<std::string_view, 20> kFirstFrames{"please ",           "could you ",
-                                                        "could you please ", "can you ",
-                                                        "can you please ",   "would you ",
-                                                        "would you kindly ", "will you ",
-                                                        "will you please ",  "kindly ",
-                                                        "i need you to ",    "I'd like you to ",
-                                                        "I want you to ",    "I would like you to ",
-                                                        "you need to ",      "you should ",
-                                                        "your task is to ",  "your job is to ",
-                                                        "the task is to ",   "go ahead and "};
-constexpr std::array<std::string_view, 12> kLaterFrames{
-    "please ",          "could you ", "could you please ", "can you ", "would you ", "will you ", "i need you to ",
-    "I'd like you to ", "also, ",     "also, please ",     "kindly ",  "you should "};
-
 class Realiser {
  public:
-  Realiser(const Plan& plan, const NounTable& lexicon, Style style, Rng rng)
+  Realiser(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng)
       : plan_(plan),
         rng_(rng),
-        naming_(plan, lexicon, style, rng_),
+        naming_(plan, lexicon, wording, rng_),
         clauses_(naming_, rng_),
         statement_share_(rng_.chance(0.3) ? 0.8 : 0.1),
-        nested_(style == Style::NestedSyntax) {}
+        everyday_(wording.everyday) {}
 
   Text text() {
     std::vector<std::string> sentences;
     const Message& message = plan_.message;
+    const std::size_t most = everyday_ ? 3 : message.size();  // commands in a sentence
     for (std::size_t i = 0; i < message.size();) {
       Text next;
-      if (message[i].kind == Kind::Final && message[i].clauses[0].given.empty()) {
+      if (asks_plainly(message[i])) {
         std::size_t end = i + 1;
-        while (end < message.size() && message[end].kind == Kind::Final && message[end].clauses[0].given.empty() &&
-               (nested_ || rng_.chance(0.75)))
+        while (end < message.size() && asks_plainly(message[end]) && end - i < most && (everyday_ || rng_.chance(0.75)))
           ++end;
-        next = final_sentence(i, end, sentences.empty());
+        next = everyday_ ? everyday_sentence(i, end, sentences.empty()) : final_sentence(i, end, sentences.empty());
         i = end;
       } else {
         next = special_sentence(message[i]);
@@ -70,17 +50,32 @@ class Realiser {
   }
 
  private:
-  template <class List>
-  std::string pick_from(const List& list) {
-    return std::string(list[rng_.below(list.size())]);
+  /// Whether it is one of the commands that "and" can join: not "if a fridge is open, …".
+  bool asks_plainly(const Requirement& said) const {
+    return said.kind == Kind::Final && said.clauses[0].given.empty() &&
+           !(everyday_ && says_if_or_else(said.clauses[0]));
   }
+
   std::string pick(std::initializer_list<const char*> choices) {
     return *(choices.begin() + rng_.below(choices.size()));
   }
 
+  /// "Wash a pan and put it in the sink."
+  Text everyday_sentence(std::size_t from, std::size_t to, bool is_first) {
+    std::vector<std::string> parts;
+    for (std::size_t i = from; i < to; ++i) {
+      const Text part = clauses_.command(plan_.message[i].clauses[0]);
+      if (!part) return std::nullopt;
+      parts.push_back(*part);
+    }
+    const bool long_parts = parts.size() == 2 && (parts[0].find(" and ") != std::string::npos);
+    const std::string body = long_parts ? parts[0] + ", and " + parts[1] : listed(parts, "and");
+    return asked(body, is_first);
+  }
+
   Text final_sentence(std::size_t from, std::size_t to, bool is_first) {
     std::vector<std::string> parts;
-    const bool stated = !nested_ && rng_.chance(statement_share_);
+    const bool stated = rng_.chance(statement_share_);
     const std::string be = pick({"should be", "must be", "has to be"});
     const bool closing = rng_.chance(0.5);
     for (std::size_t i = from; i < to; ++i) {
@@ -102,29 +97,14 @@ class Realiser {
   }
 
   Text asked(const std::string& command, bool is_first) {
-    const bool forbids = command.starts_with("do not ") || command.find(" do not ") != std::string::npos;
-    if (nested_) return forbids ? std::nullopt : Text(nested(command));
-    if (forbids) return sentence((rng_.chance(0.3) ? "please " : "") + command, '.');  // "could you do not" is wrong
-    if (rng_.chance(0.2)) return sentence(command, '.');
-    const std::string before = is_first ? pick_from(kFirstFrames) : pick_from(kLaterFrames);
-    if (before == "would you " && rng_.chance(0.5)) return sentence(before + command + ", please", '?');
-    const bool question = before.starts_with("could ") || before.starts_with("would ") || before.starts_with("can ") ||
-                          before.starts_with("will ");
-    return sentence(before + command, question ? '?' : '.');
-  }
-
-  /// One long sentence: "I was wondering whether you, who …, could put …".
-  std::string nested(const std::string& command) {
-    const auto openings = nested_openings();
-    std::string text(openings[rng_.below(openings.size())]);
-    text = replace_all(replace_all(text, " ,", ","), " i ", " I ");
-    if (text.starts_with("i ")) text[0] = 'I';
-    return sentence(text + " " + command, '.');
+    return everyday_ ? everyday_request(command, is_first, rng_) : framed_request(command, is_first, rng_);
   }
 
   Text special_sentence(const Requirement& said) {
     const auto& clauses = said.clauses;
     switch (said.kind) {
+      case Kind::Fact:
+        return fact_sentence(clauses[0].subjects[0], naming_, rng_);
       case Kind::Final:
         return conditional(clauses[0]);
       case Kind::Choose: {
@@ -133,18 +113,20 @@ class Realiser {
         return sentence("choose " + named->text, '.');
       }
       case Kind::Sometime: {
-        if (rng_.chance(0.5)) return framed("at some point, ", clauses_.command(clauses[0]), "");
+        if (everyday_ || rng_.chance(0.5)) return framed("at some point, ", clauses_.command(clauses[0]), "");
         return framed("make sure that at some point ", clauses_.statement(clauses[0], "is"), "");
       }
       case Kind::Always: {
-        if (rng_.chance(0.6))
+        if (everyday_)
+          if (const Text left = left_alone(clauses[0], naming_, rng_)) return sentence(*left, '.');
+        if (everyday_ || rng_.chance(0.6))
           if (const Text kept = clauses_.keeping(clauses[0]))
             return framed("", kept, pick({" the whole time", " at all times"}));
         return framed(pick({"make sure that ", "please make sure that "}), clauses_.statement(clauses[0], "is"),
                       pick({" the whole time", " at all times"}));
       }
       case Kind::Until: {
-        Text kept = rng_.chance(0.6) ? clauses_.keeping(clauses[0]) : std::nullopt;
+        Text kept = everyday_ || rng_.chance(0.6) ? clauses_.keeping(clauses[0]) : std::nullopt;
         if (kept) {
           const Text until = clauses_.statement(clauses[1], "is");
           return until ? framed("", Text(*kept + " until " + *until), "") : std::nullopt;
@@ -162,6 +144,7 @@ class Realiser {
         const Text first = clauses_.command(clauses[0]);
         const Text second = first ? clauses_.command(clauses[1]) : std::nullopt;
         if (!second) return std::nullopt;
+        if (everyday_) return in_order(*first, *second, said.inverted);
         const std::string kept =
             said.kind == Kind::Then
                 ? ""
@@ -170,16 +153,49 @@ class Realiser {
         return framed(pick({"first ", "first, ", "please first "}),
                       Text(*first + pick({", then ", " and then ", ", and after that "}) + *second), kept);
       }
+      case Kind::UntilThen: {
+        const Text kept = clauses_.keeping(clauses[0]);
+        const Text until = kept ? clauses_.statement(clauses[1], "is") : std::nullopt;
+        const Text then = until ? clauses_.command(clauses[2]) : std::nullopt;
+        return then ? framed("", Text(*kept + " until " + *until + ", then " + *then), "") : std::nullopt;
+      }
+      case Kind::OnlyThen: {
+        const Text first = clauses_.command(clauses[0]);
+        const auto late = first ? naming_.phrase(clauses[1].subjects[0], {}) : std::nullopt;
+        return late ? framed("", Text(*first + ", and only then " + late->text), "") : std::nullopt;
+      }
       case Kind::Again: {
+        if (clauses.size() > 2) return reopened(clauses);
         const Text first = clauses_.command(clauses[0]);
         const Text second = first ? clauses_.command(clauses[1]) : std::nullopt;
         if (!second) return std::nullopt;
-        return framed(pick({"", "please "}), Text(*first + pick({", then ", " and then "}) + *second), " again");
+        return framed(everyday_ ? "" : pick({"", "please "}), Text(*first + pick({", then ", " and then "}) + *second),
+                      " again");
       }
       case Kind::Stated:
         return stated(said);
     }
     return std::nullopt;
+  }
+
+  /// "Open the fridge, take all the eggs out of it and close it again."
+  Text reopened(const std::vector<Clause>& clauses) {
+    std::vector<std::string> parts;
+    for (const Clause& clause : clauses) {
+      const Text part = clauses_.command(clause);
+      if (!part) return std::nullopt;
+      parts.push_back(*part);
+    }
+    const std::string last = parts.back();
+    parts.pop_back();
+    return sentence(join(parts, ", ") + ", and " + last + " again", '.');
+  }
+
+  /// "First wash a pan, then heat it."
+  Text in_order(const std::string& first, const std::string& second, bool inverted) {
+    if (inverted) return framed("before you ", Text(first + ", " + second), "");
+    if (rng_.chance(0.4)) return framed("first ", Text(first + ", then " + second), "");
+    return framed("", Text(first + (rng_.chance(0.6) ? ", then " : " and then ") + second), "");
   }
 
   /// "Choose a mug. Make sure of this: at all times, if the mug is hot, then …"
@@ -201,6 +217,11 @@ class Realiser {
 
   /// "if a fridge is open, close a cabinet"
   Text conditional(const Clause& clause) {
+    const std::size_t before = naming_.named_count();
+    if (everyday_)
+      if (const Text either = if_or_else(clause, naming_, clauses_)) return either;
+    naming_.forget_after(before);
+    if (clause.given.empty()) return framed("", clauses_.command(clause), "");
     const Text condition = clauses_.given(clause);
     const Text then = condition ? clauses_.command(clause) : std::nullopt;
     if (!then) return std::nullopt;
@@ -232,13 +253,38 @@ class Realiser {
   Naming naming_;
   ClauseWriter clauses_;
   double statement_share_;
-  bool nested_;
+  bool everyday_;
 };
 
 }  // namespace
 
-std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, Style style, Rng rng) {
-  auto text = Realiser(plan, lexicon, style, rng).text();
+NounPhrase several_of(NounPhrase thing) {
+  thing.determiner = Determiner::AtLeast;
+  thing.modifiers.clear();
+  thing.variable.clear();
+  return thing;
+}
+
+std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming, Rng& rng) {
+  if (thing.determiner == Determiner::AtLeast) {
+    const auto one = naming.several(thing.noun);
+    return one ? Text(sentence("there is more than one " + *one + " here", '.')) : std::nullopt;
+  }
+  NounPhrase body = thing;
+  std::vector<Complement> places;
+  for (const Complement& modifier : thing.modifiers)
+    if (!modifier.object.empty()) places.push_back(modifier);
+  std::erase_if(body.modifiers, [](const Complement& modifier) { return !modifier.object.empty(); });
+  if (places.size() > 1) return std::nullopt;
+  const auto named = naming.phrase(body, {.wanted = true});
+  if (!named || named->plural) return std::nullopt;
+  if (places.empty()) return sentence("there is " + named->text + " " + (rng.chance(0.5) ? "here" : "somewhere"), '.');
+  const Text where = naming.complement(places[0], {.inside_description = true, .unique = true});
+  return where ? Text(sentence("there is " + named->text + " " + *where, '.')) : std::nullopt;
+}
+
+std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng) {
+  auto text = Realiser(plan, lexicon, wording, rng).text();
   if (text && text->find(" that that ") != std::string::npos) return std::nullopt;  // right, and hard to read
   return text;
 }

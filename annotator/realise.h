@@ -3,16 +3,21 @@
 #include <optional>
 #include <string>
 
+#include "annotator/naming.h"
 #include "annotator/noun_table.h"
 #include "annotator/plan.h"
 #include "core/rng.h"
-#include "generator/style.h"
 
 namespace unietp {
 
-/// Words a plan: one of the many texts that say it, drawn by rng. `style`: Direct, Alias, Function or Context (the
-/// context sentence is put in front by the caller). `nullopt` when the drawn forms would be ambiguous;
+/// Words a plan: one of the many texts that say it, drawn by rng. A context sentence is put in front by the caller.
+/// `nullopt` when the drawn forms would be ambiguous;
 /// another draw may not be.
-std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, Style style, Rng rng);
+std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng);
+
+/// That there are several of a thing, whatever describes it.
+NounPhrase several_of(NounPhrase thing);
+/// "There is a dirty mug on the desk.", "There is more than one mug here." `nullopt`: as above.
+std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming, Rng& rng);
 
 }  // namespace unietp

@@ -10,6 +10,9 @@ using Op = Formula::Op;
 std::string numbered(int number) { return std::string("n").append(std::to_string(number)); }
 Term reference_variable(const std::string& name) { return {Term::Kind::Variable, name}; }
 
+/// "The fridge" promises that there is one, so that a later "the fridge" is the same; "the mug on a desk" does not.
+bool is_definite(const NounPhrase& phrase) { return phrase.determiner == Determiner::The && phrase.modifiers.empty(); }
+
 }  // namespace
 
 Formula boxed(const Box& box, Formula body) {
@@ -37,16 +40,20 @@ bool References::hidden(const Domain& noun) const {
   return std::find(hidden_.begin(), hidden_.end(), noun) != hidden_.end();
 }
 
-Domain References::restricted(const NounPhrase& phrase, const std::string& name) {
+Domain References::restricted(const NounPhrase& phrase, const std::string& name, Box* text) {
   Domain domain = phrase.noun;
+  absent_.insert(absent_.end(), phrase.absent.begin(), phrase.absent.end());
   std::vector<Formula> where;
-  for (const Complement& modifier : phrase.modifiers) where.push_back(restriction(modifier, reference_variable(name)));
-  if (!where.empty()) domain.where.push_back(conjunction(std::move(where)));
+  for (const Complement& modifier : phrase.modifiers)
+    where.push_back(restriction(modifier, reference_variable(name), text));
+  if (where.empty()) return domain;
+  Formula test = conjunction(std::move(where));
+  domain.where.push_back(phrase.except ? negation(std::move(test)) : std::move(test));
   return domain;
 }
 
-/// "that is on a desk": the desk is any desk, and is not a referent of the text.
-Formula References::restriction(const Complement& modifier, const Term& subject) {
+/// "that is on a desk": the desk is any desk, and is not a referent of the text; "the desk" may be.
+Formula References::restriction(const Complement& modifier, const Term& subject, Box* text) {
   if (modifier.object.empty()) return said_of(modifier, subject, nullptr);
   const NounPhrase& phrase = modifier.object[0];
   Resolved slot;
@@ -58,13 +65,20 @@ Formula References::restriction(const Complement& modifier, const Term& subject)
       slot.term = known(phrase);
       break;
     case Determiner::The:
-      if (!named(phrase.noun).empty()) fail(phrase.column, "which one is meant is not clear; say 'that …' or 'a …'");
+      if (is_definite(phrase) && !named(phrase.noun).empty()) {
+        slot.term = known(phrase);
+        break;
+      }
+      if (text != nullptr && modifier.predicate == Predicate::InRoom) {
+        slot.term = introduced(phrase, *text).term;
+        break;
+      }
       [[fallthrough]];
     case Determiner::New:
     case Determiner::Single:
     case Determiner::Any: {
       const std::string name = fresh();
-      hidden_.push_back(phrase.noun);
+      if (!is_definite(phrase)) hidden_.push_back(phrase.noun);
       slot = {reference_variable(name), true, restricted(phrase, name), &phrase};
       break;
     }
@@ -76,9 +90,12 @@ Formula References::restriction(const Complement& modifier, const Term& subject)
 
 Term References::known(const NounPhrase& phrase) {
   if (phrase.determiner == Determiner::It) {
-    if (referents_.size() == 1) return reference_variable(referents_[0].variable);
-    fail(phrase.column, "'it' is clear only after exactly one object was named");
-    return {};
+    if (referents_.empty()) {
+      fail(phrase.column, "'it' means something that was named before, and nothing was");
+      return {};
+    }
+    const std::size_t back = choices_.choose(referents_.size());
+    return reference_variable(referents_[referents_.size() - 1 - back].variable);
   }
   const std::vector<const Referent*> found = named(phrase.noun);
   if (phrase.determiner == Determiner::Ordinal) {
@@ -130,7 +147,8 @@ Resolved References::resolve(const NounPhrase& phrase, Box& box) {
   }
   const std::string name = fresh();
   hidden_.push_back(phrase.noun);
-  slot = {reference_variable(name), true, restricted(phrase, name), &phrase};
+  const bool all = phrase.determiner == Determiner::Every || phrase.determiner == Determiner::No;
+  slot = {reference_variable(name), true, restricted(phrase, name, all ? &box : nullptr), &phrase};
   return slot;
 }
 
@@ -138,7 +156,14 @@ Resolved References::introduced(const NounPhrase& phrase, Box& box) {
   const std::string name = fresh();
   Resolved slot{reference_variable(name), false, restricted(phrase, name), &phrase};
   box.variables.emplace_back(name, slot.domain);
-  referents_.push_back({name, phrase.noun, phrase.by_function || phrase.noun.kind == Domain::Kind::Object});
+  referents_.push_back(
+      {name, phrase.noun, phrase.by_function || phrase.noun.kind == Domain::Kind::Object, is_definite(phrase)});
+  return slot;
+}
+
+Resolved References::given(const NounPhrase& phrase, Box& box) {
+  Resolved slot = introduced(phrase, box);
+  referents_.back().definite = phrase.determiner == Determiner::The;
   return slot;
 }
 
@@ -182,12 +207,13 @@ Formula said_of(const Complement& complement, const Term& subject, const Resolve
 Resolved References::bound(const NounPhrase& phrase) {
   const std::string name = fresh();
   Resolved slot{reference_variable(name), true, restricted(phrase, name), &phrase};
-  referents_.push_back({name, phrase.noun, phrase.noun.kind == Domain::Kind::Object});
+  referents_.push_back({name, phrase.noun, phrase.noun.kind == Domain::Kind::Object, false});
   return slot;
 }
 
 void References::leave(std::size_t before) {
-  for (std::size_t i = before; i < referents_.size(); ++i) hidden_.push_back(referents_[i].noun);
+  for (std::size_t i = before; i < referents_.size(); ++i)
+    if (!referents_[i].definite) hidden_.push_back(referents_[i].noun);
   referents_.resize(before);
 }
 

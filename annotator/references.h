@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "annotator/clause.h"
+#include "annotator/word_choices.h"
 #include "core/result.h"
 
 namespace unietp {
@@ -35,37 +36,49 @@ Formula said_of(const Complement& complement, const Term& subject, const Resolve
 /// error.
 class References {
  public:
-  const std::optional<Error>& error() const { return error_; }
-  void fail(int column, std::string message);
+  /// `choices`: of what "it" means, where several objects were named. Lives as long as this.
+  explicit References(WordChoices& choices) : choices_(choices) {}
+
+  const std::optional<Error>& error() const { return error_; }  // the first failure
+  void fail(int column, std::string message);                   // keeps the first
 
   /// `New` phrases are put into the box.
   Resolved resolve(const NounPhrase& phrase, Box& box);
   /// A new object of the box, whatever the article.
   Resolved introduced(const NounPhrase& phrase, Box& box);
+  /// The same of "if a fridge is open, …", whose modifiers are what is said of it.
+  Resolved given(const NounPhrase& phrase, Box& box);
   /// The object named before that a phrase means.
   Term known(const NounPhrase& phrase);
   /// Binds a variable by a phrase of any determiner; its name can be referred to until `leave`.
   Resolved bound(const NounPhrase& phrase);
 
-  std::size_t named_count() const { return referents_.size(); }
+  std::size_t named_count() const { return referents_.size(); }  // things named so far
   /// What was named since cannot be referred to from here on.
   void leave(std::size_t before);
 
-  std::string fresh();
-  Domain restricted(const NounPhrase& phrase, const std::string& name);
+  /// Of which the text takes the home to have none.
+  const std::vector<Domain>& absent() const { return absent_; }
+
+  std::string fresh();  // a variable that no phrase has yet
+  /// `text`: where "the kitchen" of "every cabinet in the kitchen" is named; nullptr: within the description.
+  Domain restricted(const NounPhrase& phrase, const std::string& name, Box* text = nullptr);
 
  private:
+  WordChoices& choices_;
   struct Referent {
     std::string variable;
     Domain noun;
-    bool vague = false;  // "that object" may mean it
+    bool vague = false;     // "that object" may mean it
+    bool definite = false;  // named by "the": there is one only, whoever speaks of it
   };
   std::vector<const Referent*> named(const Domain& noun) const;
   bool hidden(const Domain& noun) const;
-  Formula restriction(const Complement& modifier, const Term& subject);
+  Formula restriction(const Complement& modifier, const Term& subject, Box* text);
 
   std::vector<Referent> referents_;
-  std::vector<Domain> hidden_;  // named, but cannot be referred to
+  std::vector<Domain> hidden_;  // named as one of several, but cannot be referred to
+  std::vector<Domain> absent_;
   int count_ = 0;
   std::optional<Error> error_;
 };

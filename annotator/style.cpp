@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "annotator/realise.h"
 #include "annotator/words_for_reading.h"
+#include "generator/phrase_kind.h"
 
 namespace unietp {
 namespace {
@@ -65,6 +67,49 @@ bool make_need(Message& message) {
   return false;
 }
 
+NounPhrase* described_phrase(Clause& clause) {
+  const auto fits = [](const NounPhrase& phrase) { return !phrase.variable.empty() && !phrase.modifiers.empty(); };
+  for (NounPhrase& subject : clause.subjects)
+    if (fits(subject)) return &subject;
+  for (Complement& complement : clause.complements)
+    for (NounPhrase& object : complement.object)
+      if (fits(object)) return &object;
+  for (Clause& part : clause.parts)
+    if (NounPhrase* found = described_phrase(part)) return found;
+  return nullptr;
+}
+
+/// "There is a dirty mug on the desk." or, `several`, "There is more than one mug here.", before the rest.
+bool begin_with_fact(Message& message, bool several) {
+  const NounPhrase* described = nullptr;
+  for (Requirement& requirement : message)
+    for (Clause& clause : requirement.clauses)
+      if (described == nullptr) described = described_phrase(clause);
+  if (described == nullptr) return false;
+  NounPhrase thing = several ? several_of(*described) : *described;
+  Clause so;
+  so.subjects.push_back(std::move(thing));
+  message.insert(message.begin(), {Kind::Fact, {std::move(so)}, false, {}});
+  return true;
+}
+
+/// "Put every mug that is not red on a table. Keep the red mug …" becomes "Put every mug but the red one on a table."
+bool make_exception(Message& message) {
+  const auto kept = std::find_if(message.begin(), message.end(),
+                                 [](const Requirement& requirement) { return requirement.kind == Kind::Always; });
+  if (kept == message.end()) return false;
+  message.erase(kept);
+  for (Requirement& requirement : message)
+    for (Clause& clause : requirement.clauses)
+      for (NounPhrase& subject : clause.subjects) {
+        if (subject.determiner != Determiner::Every || subject.modifiers.size() != 1 || !subject.modifiers[0].negated)
+          continue;
+        subject.modifiers[0].negated = false;
+        return subject.except = true;
+      }
+  return false;
+}
+
 /// Makes the whole text one conditional sentence, with a condition that the start meets.
 bool make_conditional(Plan& plan) {
   if (plan.conditions.empty()) return false;
@@ -88,6 +133,8 @@ struct Mark {
 constexpr std::array kMarks = {
     Mark{Style::Distractor, "the whole time"},
     Mark{Style::Distractor, "at all times"},
+    Mark{Style::Distractor, "leave"},
+    Mark{Style::Distractor, "do not open"},
     Mark{Style::Negation, "no"},
     Mark{Style::Negation, "not"},
     Mark{Style::RelativeClause, "that you put"},
@@ -100,37 +147,17 @@ constexpr std::array kMarks = {
     Mark{Style::VagueQuantity, "a couple of"},
     Mark{Style::VagueQuantity, "a few"},
     Mark{Style::Condition, "if"},
+    Mark{Style::Exception, "but the"},
+    Mark{Style::Exception, "except the"},
+    Mark{Style::Exception, "except for the"},
+    Mark{Style::Ellipsis, "one"},
+    Mark{Style::Anaphora, "it"},
+    Mark{Style::Anaphora, "that"},
+    Mark{Style::Negation, "isn't"},
 };
 
-std::vector<std::string> sentences_of(const std::string& text) {
-  std::vector<std::string> sentences;
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t end = std::min(text.find_first_of(".!?", from), text.size());
-    sentences.push_back(text.substr(from, end - from));
-    from = end + 1;
-  }
-  return sentences;
-}
-
-/// Number of leading sentences that name no object: two make a background, one a context.
-int background_sentences(const std::string& text, const NounTable& lexicon) {
-  int idle = 0;
-  for (const std::string& sentence : sentences_of(text)) {
-    const std::vector<Token> words = tokens_of(sentence);
-    bool names = false;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      const bool determined = i > 0 && (words[i - 1].text == "a" || words[i - 1].text == "an" ||
-                                        words[i - 1].text == "the" || words[i - 1].text == "every");
-      names = names || (determined && lexicon.noun_at(words, i).length > 0);
-    }
-    if (names) break;
-    ++idle;
-  }
-  return idle;
-}
-
-std::string bystander_fault(const std::vector<Token>& words, const Formula& goal,
-                            const std::vector<std::string>& around, const NounTable& lexicon) {
+std::string aside_fault(const std::vector<Token>& words, const Formula& goal, const std::vector<std::string>& around,
+                        const NounTable& lexicon) {
   const auto own = categories_of(goal);
   for (std::size_t i = 0; i < words.size(); ++i)
     for (const Domain& noun : lexicon.noun_at(words, i).nouns)
@@ -138,20 +165,28 @@ std::string bystander_fault(const std::vector<Token>& words, const Formula& goal
         if (std::find(own.begin(), own.end(), member.category) == own.end() &&
             std::find(around.begin(), around.end(), member.category) != around.end())
           return "";
-  return "the bystander style names something that is in the home and no part of the goal";
+  return "an aside names something that is in the home and no part of the goal";
 }
 
-/// One sentence of twenty words or more with two subordinate clauses.
-std::string nesting_fault(const std::string& text) {
-  constexpr std::string_view kSubordinate =
-      "that. which. who. if. as. because. since. where. once. whether. what. when.";
-  for (const std::string& sentence : sentences_of(text)) {
-    const std::vector<Token> words = tokens_of(sentence);
-    const auto clauses =
-        std::count_if(words.begin(), words.end(), [&](const Token& word) { return is_among(word.text, kSubordinate); });
-    if (words.size() >= 20 && clauses >= 2) return "";
+/// What stands for a thing in a text of a style that names it by a phrase.
+std::string phrase_fault(const std::vector<Token>& words, Style style, const NounTable& lexicon) {
+  const AliasKind use = phrases_of(style);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto* sentence = lexicon.sentence_at(words, i).first;
+    if (sentence != nullptr && sentence->use == use) return "";
   }
-  return "the nested-syntax style has a sentence of at least twenty words with two subordinate clauses";
+  for (const auto& [key, phrase] : lexicon.phrases())
+    if (phrase.use == use && says(words, key)) return "";
+  return "the style " + std::string(name_of(style)) + " has a phrase in place of a name, and the text has none";
+}
+
+/// "the kitchen cabinet"
+std::string compound_fault(const std::vector<Token>& words, const NounTable& lexicon) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto room = lexicon.room_at(words, i);
+    if (room.length > 0 && lexicon.noun_at(words, i + room.length).length > 0) return "";
+  }
+  return "the compound style names a thing after its room, such as 'the kitchen cabinet'";
 }
 
 }  // namespace
@@ -161,6 +196,9 @@ bool turn_to_style(Plan& plan, Style style) {
   if (style == Style::RelativeClause) return make_relative_clause(plan.message);
   if (style == Style::ImplicitNeed) return make_need(plan.message);
   if (style == Style::Condition) return make_conditional(plan);
+  if (style == Style::Anaphora || style == Style::Ellipsis)
+    return begin_with_fact(plan.message, style == Style::Ellipsis);
+  if (style == Style::Exception) return make_exception(plan.message);
   return true;
 }
 
@@ -168,11 +206,7 @@ std::string style_fault(const std::string& text, Style style, const Formula& goa
                         const std::vector<std::string>& around, const NounTable& lexicon) {
   if (style == Style::Direct) return "";
   const std::vector<Token> tokens = tokens_of(text);
-  if (style == Style::Function) {
-    for (const auto& [phrase, served] : lexicon.function_phrases())
-      if (says(tokens, phrase)) return "";
-    return "the function style names no object by what it is for";
-  }
+  if (names_by_phrase(style)) return phrase_fault(tokens, style, lexicon);
   if (style == Style::Alias) {
     for (const std::string& category : categories_of(goal)) {
       const auto* name = lexicon.display(category);
@@ -182,13 +216,8 @@ std::string style_fault(const std::string& text, Style style, const Formula& goa
     }
     return "";
   }
-  if (style == Style::Background && background_sentences(text, lexicon) < 2)
-    return "the background style begins with at least two sentences that name no thing";
-  const bool known_context = lexicon.behind_context(text).size() < text.size();
-  if (style == Style::Context && !known_context && background_sentences(text, lexicon) < 1)
-    return "the context style begins with a sentence that gives the occasion and names no thing";
-  if (style == Style::Bystander) return bystander_fault(tokens, goal, around, lexicon);
-  if (style == Style::NestedSyntax) return nesting_fault(text);
+  if (style == Style::Aside) return aside_fault(tokens, goal, around, lexicon);
+  if (style == Style::Compound) return compound_fault(tokens, lexicon);
   const auto of_style = [&](const Mark& mark) { return mark.style == style; };
   const bool marked = std::any_of(kMarks.begin(), kMarks.end(),
                                   [&](const Mark& mark) { return of_style(mark) && says(tokens, mark.words); });

@@ -9,6 +9,7 @@
 #include "annotator/plain_words.h"
 #include "annotator/words_for_reading.h"
 #include "core/text.h"
+#include "scene/states.h"
 
 namespace unietp {
 namespace {
@@ -45,7 +46,10 @@ ClassifiedWords sorted(const Tokens& words, const NounTable& nouns) {
   for (std::size_t i = 0; i < words.size();) {
     const auto function = nouns.function_at(words, i), again = nouns.function_again_at(words, i);
     const auto noun = nouns.noun_at(words, i);
-    const auto& taken = function.length > 0 ? function : again.length > noun.length ? again : noun;
+    // "A light switch" is no light.
+    const bool article = words[i].text == "a" || words[i].text == "an" || words[i].text == "the";
+    const std::size_t named = article ? nouns.noun_at(words, i + 1).length + 1 : noun.length;
+    const auto& taken = function.length > named ? function : again.length > noun.length ? again : noun;
     if (taken.length == 0 || is_helper(words, i)) {
       found.plain.push_back(words[i++]);
       continue;
@@ -97,13 +101,16 @@ class Check {
       : nouns_(nouns),
         specification_(specification),
         goal_(words_of_goal(specification.goal)),
-        words_(tokens_of(text)),
-        text_(sorted(words_, nouns)) {}
+        words_(tokens_of(replace_all(lower(text), "do not open", "keep closed"))) {
+    const auto meant = take_sentences();
+    text_ = sorted(words_, nouns);
+    text_.nouns.insert(text_.nouns.end(), meant.begin(), meant.end());
+  }
 
   std::vector<std::string> faults() {
     categories();
     symbols();
-    states();
+    if (specification_.style != Style::Request) states();  // which its sentence says
     numbers();
     quantifiers();
     times();
@@ -114,6 +121,26 @@ class Check {
   }
 
  private:
+  /// Takes occasions and requests out of the words, and gives what they mean.
+  std::vector<NameInText> take_sentences() {
+    std::vector<NameInText> meant;
+    for (std::size_t i = 0; i < words_.size();) {
+      const auto [phrase, length] = nouns_.sentence_at(words_, i);
+      if (phrase == nullptr) {
+        ++i;
+        continue;
+      }
+      NameInText name;
+      name.length = length;
+      name.nouns = {phrase->noun};
+      name.singular = true;
+      meant.push_back(std::move(name));
+      const auto from = words_.begin() + static_cast<std::ptrdiff_t>(i);
+      words_.erase(from, from + static_cast<std::ptrdiff_t>(length));
+    }
+    return meant;
+  }
+
   void lacks(const std::string& what) { faults_.push_back("the text does not say " + what); }
   void exceeds(const std::string& what) { faults_.push_back("the text asks for more than the goal: " + what); }
 
@@ -128,9 +155,9 @@ class Check {
         exceeds("'" + shown(noun.nouns.front()) + "'");
   }
 
-  /// Whether the style may name it in addition to the goal: an unrelated object, or the subject of a condition.
+  /// Whether the style may name it in addition to the goal: something unrelated, or the subject of a condition.
   bool allowed_by_style(const NounTable::Reading& noun) const {
-    if (specification_.style == Style::Bystander) return true;
+    if (specification_.style == Style::Aside) return true;
     if (specification_.style != Style::Condition) return false;
     std::set<std::string> started;
     for (const Formula& start : specification_.init)
@@ -159,7 +186,7 @@ class Check {
       if (!wood && !size && !says(words_, replace_all(symbol, "_", " "))) lacks("'" + symbol + "'");
     }
     for (const Token& word : text_.plain)
-      if (nouns_.is_colour(word.text) && !goal_.symbols.contains(word.text) && !in_a_symbol(word.text))
+      if (nouns_.is_colour(word.text) && !in_a_symbol(word.text) && !text_.of_names.contains(word.text))
         exceeds("the colour '" + word.text + "'");
   }
 
@@ -171,7 +198,8 @@ class Check {
   void states() {
     for (const P predicate : goal_.predicates) {
       const auto list = words_for(predicate);
-      if (!list.empty() && !any_word(words_, list)) lacks("'" + std::string(info(predicate).name) + "'");
+      if (!list.empty() && !any_word(words_, list) && !is_said_by_if_not(predicate))
+        lacks("'" + std::string(info(predicate).name) + "'");
     }
     if (specification_.style == Style::Condition) return;  // says states of the start, too
     for (const PredicateInfo& other : all_predicates()) {
@@ -182,6 +210,13 @@ class Check {
       });
       if (word != text_.plain.end()) exceeds("'" + word->text + "'");
     }
+  }
+
+  /// "If the box is open, … If not, …": the opposite of a state of the goal that is said.
+  bool is_said_by_if_not(P predicate) const {
+    const auto opposite = opposite_of(predicate);
+    return opposite && says(words_, "if not") && goal_.predicates.contains(*opposite) &&
+           any_word(words_, words_for(*opposite));
   }
 
   /// Whether the word is used for another predicate of the goal: "pour out" for empty, "pour in" for filled.
@@ -216,18 +251,20 @@ class Check {
   bool same_twice() const { return to_text(specification_.goal).find("(= ") != std::string::npos; }
 
   void quantifiers() {
-    if (goal_.every && !any_word(words_, "every each all. both. any. everything. none. no. always. whatever"))
+    if (goal_.every && !any_word(words_, "every each all. both. any. everything. none. no. always. whatever others."))
       lacks("that all are meant ('every', 'all')");
-    if (goal_.none && !any_word(words_,
-                                "no. not. none. nothing. never. without. remove take. clear off. out. away. "
-                                "empty. nowhere neither any. avoid don't. isn't. aren't. nor."))
+    if (goal_.none &&
+        !any_word(words_,
+                  "no. not. none. nothing. never. without. remove take. clear off. out. away. "
+                  "empty. nowhere neither any. avoid don't. isn't. aren't. nor. others. only. except. but."))
       lacks("that none is ('no', 'not', 'remove')");
     if (goal_.exactly && !any_word(words_, "exactly precisely just. only. as. equal same. more."))
       lacks("that the number is exact ('exactly')");
     if (goal_.at_least && !any_word(words_, "least. fewer. minimum. more. couple. pair. few. as. or. two. three."))
       lacks("'at least'");
     if (goal_.at_most && !any_word(words_, "most. more. maximum. up. than. beyond. exceed")) lacks("'at most'");
-    if (!goal_.every && !goal_.none && any_word(text_.plain, "every. each. everything.") && !at_all_times())
+    if (!goal_.every && !goal_.none && any_word(text_.plain, "every. each. everything.") && !at_all_times() &&
+        !says(words_, "one on each"))
       exceeds("'every'");
     if (!goal_.exactly && any_word(text_.plain, "exactly. precisely.")) exceeds("'exactly'");
   }
@@ -261,14 +298,14 @@ class Check {
 
   /// A denial where the goal has nothing to deny: "do not wash", "never".
   void denials() {
-    static const std::set<Style> kDenying{Style::Negation,  Style::Distractor,   Style::Background,
-                                          Style::Bystander, Style::NestedSyntax, Style::Context,
-                                          Style::Condition, Style::ImplicitNeed};
+    static const std::set<Style> kDenying{Style::Negation, Style::Distractor, Style::Aside,       Style::Context,
+                                          Style::Request,  Style::Condition,  Style::ImplicitNeed};
     if (kDenying.contains(specification_.style) || denies(specification_.goal) || goal_.order || goal_.throughout)
       return;
     for (std::size_t i = 0; i < words_.size(); ++i) {
       const std::string next = i + 1 < words_.size() ? words_[i + 1].text : "";
       const bool never_mind = words_[i].text == "never" && next == "mind";
+      if (i > 0 && words_[i - 1].text == "if" && words_[i].text == "not") continue;
       const bool compares = words_[i].text == "no" && is_among(next, "fewer. less. more. later. longer.");
       if (is_denial(words_[i].text) && !never_mind && !compares && !says_itself(words_[i].text))
         exceeds("'" + words_[i].text + "'");
@@ -287,8 +324,7 @@ class Check {
   /// Words that neither the goal nor the style explains: "throw", "behind", "tomorrow". Styles that tell a story have
   /// words of their own.
   void other_words() {
-    static const std::set<Style> kWithStories{Style::Background, Style::Bystander, Style::Context, Style::NestedSyntax,
-                                              Style::ImplicitNeed};
+    static const std::set<Style> kWithStories{Style::Aside, Style::Context, Style::Request, Style::ImplicitNeed};
     if (kWithStories.contains(specification_.style)) return;
     std::set<std::string> told;
     for (const Token& word : text_.plain) {

@@ -26,7 +26,7 @@ constexpr WritingRow kWritingRows[] = {
     {P::RoomTemperature, "at room temperature", "", {}},
     {P::Cooked, "cooked", "", {"cook {s}"}},
     {P::Raw, "raw", "", {}},
-    {P::Burnt, "burnt", "", {"burn {s}"}},
+    {P::Burnt, "burnt", "", {"char {s}"}},
     {P::Unburnt, "unburnt", "", {}},
     {P::Frozen, "frozen", "", {"freeze {s}"}},
     {P::Thawed, "thawed", "", {"thaw {s}", "defrost {s}"}},
@@ -66,6 +66,36 @@ constexpr WritingRow kWritingRows[] = {
     {P::InRoom, "", "in", {"bring {s} into {o}", "take {s} to {o}"}},
 };
 
+struct EverydayRow {
+  Predicate predicate;
+  std::array<std::string_view, 3> verbs = {};
+};
+
+/// Where people say it in fewer or other words than the table above has.
+constexpr EverydayRow kEverydayRows[] = {
+    {P::Open, {"open {s}"}},
+    {P::Closed, {"close {s}"}},
+    {P::PowerOn, {"turn on {s}", "switch on {s}", "turn {s} on"}},
+    {P::PowerOff, {"turn off {s}", "switch off {s}", "turn {s} off"}},
+    {P::Clean, {"wash {s}", "clean {s}"}},
+    {P::Hot, {"heat {s}", "heat up {s}", "warm up {s}"}},
+    {P::Cool, {"chill {s}", "cool {s}", "cool down {s}"}},
+    {P::Thawed, {"defrost {s}", "thaw {s}"}},
+    {P::Sliced, {"slice {s}", "cut {s} into slices"}},
+    {P::Empty, {"empty {s}"}},
+    {P::Folded, {"fold {s}"}},
+    {P::PluggedIn, {"plug in {s}", "plug {s} in"}},
+    {P::Held, {"pick up {s}", "grab {s}"}},
+    {P::SatOn, {"sit down on {s}", "sit on {s}"}},
+    {P::LainOn, {"lie down on {s}"}},
+    {P::On, {"put {s} on {o}", "place {s} on {o}", "set {s} on {o}"}},
+    {P::Inside, {"put {s} in {o}", "place {s} in {o}"}},
+    {P::NextTo, {"put {s} next to {o}", "place {s} next to {o}"}},
+    {P::Under, {"put {s} under {o}"}},
+    {P::OnFloor, {"put {s} on the floor of {o}"}},
+    {P::InRoom, {"take {s} to {o}", "bring {s} to {o}", "move {s} to {o}"}},
+};
+
 const WritingRow& row_of(Predicate predicate) {
   static const auto kTable = [] {
     std::array<WritingRow, kPredicateCount> table{};
@@ -88,6 +118,20 @@ std::vector<std::string> verbs(const Complement& said) {
     if (!said.negated && !verb.empty()) found.emplace_back(verb);
   }
   return found;
+}
+
+std::vector<std::string> everyday_verbs(const Complement& said) {
+  if (said.predicate == P::Covered && said.negated) return {"wipe the {m} off {s}"};
+  if (said.predicate == P::Filled && !said.negated && said.symbol != "any")
+    return {"fill {s} with {m}", "pour {m} into {s}"};
+  for (const EverydayRow& row : kEverydayRows) {
+    if (row.predicate != said.predicate || said.negated) continue;
+    std::vector<std::string> found;
+    for (const std::string_view verb : row.verbs)
+      if (!verb.empty()) found.emplace_back(verb);
+    return found;
+  }
+  return verbs(said);
 }
 
 }  // namespace unietp

@@ -17,5 +17,7 @@ std::string before_object(Predicate predicate);
 /// Ways to ask for a state or relation: {s} the subject, {o} the object, {m} the symbol; the plainest first. Empty
 /// where only "make sure that ..." says it.
 std::vector<std::string> verbs(const Complement& said);
+/// The same as people mostly ask for it, the most usual first.
+std::vector<std::string> everyday_verbs(const Complement& said);
 
 }  // namespace unietp

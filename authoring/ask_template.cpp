@@ -74,6 +74,10 @@ class TemplateDialog {
         out_ << "  such as: open one <A>\n";
         draft_.title = line();
         break;
+      case SectionType::Purpose:
+        out_ << "  such as: cleaning (because (dirty A))\n";
+        draft_.purpose = line();
+        break;
       case SectionType::Split:
         out_ << "  one of: atomic compositional logical\n";
         draft_.split = line();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "authoring/purpose_fit.h"
 #include "core/sexpr.h"
 #include "generator/specification.h"
 #include "templates/constraint_kinds.h"
@@ -70,6 +71,9 @@ LintedFile lint_template(const std::string& path, std::string text, const std::v
   for (const auto& doubtful : doubtful_phrasings(source)) {
     warn(phrasings->children[doubtful.index + 1].pos, doubtful.message);
   }
+  const auto* purpose = section_of(*file, "purpose");
+  for (auto& doubt : doubtful_purpose(source))
+    warn(purpose == nullptr ? file->children[1].pos : purpose->pos, std::move(doubt));
   const auto* claims = section_of(*file, "simulators");
   for (std::size_t i = 0; i < source.simulators.size(); ++i) {
     auto why = reason_for_no_task(source, backends[static_cast<std::size_t>(source.simulators[i])].knowledge);

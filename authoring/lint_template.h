@@ -17,6 +17,7 @@ struct LintedFile {
 
 /// Reads a template's text and checks what it asks for. Errors: those of parse_template and unknown_categories.
 /// Warnings, for a file without errors: a phrasing that lacks a count or an "all" of the goal (phrasing_counts.h); a
+/// purpose that is missing or does not fit (purpose_fit.h); a
 /// claimed simulator that has no categories for the placeholders, with the constraint that rules out the last ones; one
 /// on which the goals of all sampled bindings are impossible, with the reason. Deterministic.
 LintedFile lint_template(const std::string& path, std::string text, const std::vector<Backend>& backends);

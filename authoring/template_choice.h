@@ -17,7 +17,7 @@ struct TemplateChoice {
   Binding binding;                    // what was given for its placeholders
   std::vector<Simulator> simulators;  // to try it on
 
-  const Template& source() const { return resources.templates[position]; }
+  const Template& source() const { return resources.templates[position]; }  // the chosen template
 };
 
 /// The template of that name, or the one in a file, which may lie outside of any folder of templates. Errors: those of

@@ -5,6 +5,7 @@
 #include "core/sexpr.h"
 #include "core/text.h"
 #include "templates/constraint_kinds.h"
+#include "templates/purpose_reading.h"
 #include "templates/sections.h"
 #include "templates/template_text.h"
 
@@ -28,11 +29,21 @@ std::vector<std::string> each(std::vector<std::string> items, std::string (*chan
 
 std::string quoted_text(const std::string& text) { return quoted_string(text); }
 
+/// "cleaning (because (dirty A))" as its word and the rest.
+std::vector<std::string> words_of(const std::string& purpose) {
+  if (purpose.empty()) return {};
+  const auto space = purpose.find(' ');
+  if (space == std::string::npos) return {purpose};
+  return {purpose.substr(0, space), purpose.substr(space + 1)};
+}
+
 /// The items of a section as written in the file.
 std::vector<std::string> items_of(const TemplateDraft& draft, SectionType section) {
   switch (section) {
     case SectionType::Name:
       return {quoted_string(draft.title.empty() ? replace_all(draft.name, "-", " ") : draft.title)};
+    case SectionType::Purpose:
+      return words_of(draft.purpose);
     case SectionType::Split:
       return {draft.split};
     case SectionType::Refinement:
@@ -74,6 +85,7 @@ TemplateDraft draft_like(const Template& source, std::string name) {
   TemplateDraft draft;
   draft.name = std::move(name);
   draft.title = source.title;
+  draft.purpose = to_text(source.purpose);
   draft.split = name_of(source.split);
   draft.refinement = source.refinement;
   for (const auto simulator : source.simulators) draft.simulators.emplace_back(name_of(simulator));

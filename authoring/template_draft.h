@@ -12,8 +12,9 @@ namespace unietp {
 
 /// The contents of the sections of a new template, each as it is written there.
 struct TemplateDraft {
-  std::string name;   // "open-one"
-  std::string title;  // "open one <A>"; "" for the name in words
+  std::string name;     // "open-one"
+  std::string title;    // "open one <A>"; "" for the name in words
+  std::string purpose;  // "cleaning (because (dirty A))"; "": the section is left out
   std::string split = "atomic";
   std::string refinement;                // "by-state"; "": the section is left out
   std::vector<std::string> simulators;   // none: the section is left out

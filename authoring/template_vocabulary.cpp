@@ -9,6 +9,7 @@
 #include "scene/simulator.h"
 #include "templates/constraint_kinds.h"
 #include "templates/phrasing.h"
+#include "templates/purposes.h"
 #include "templates/refinement_kinds.h"
 #include "templates/sections.h"
 #include "templates/word_meanings.h"
@@ -51,6 +52,13 @@ VocabularyGroup refinements() {
     group.words.push_back({std::string(kind.name), std::string(kind.name),
                            std::string(kind.says) + " (" + std::string(name_of(kind.split)) + ")"});
   }
+  return group;
+}
+
+VocabularyGroup purposes() {
+  VocabularyGroup group{"purposes", "Purposes", "In (purpose ...).", {}, {}};
+  for (const auto& kind : purpose_kinds())
+    group.words.push_back({std::string(kind.name), std::string(kind.name), std::string(kind.says)});
   return group;
 }
 
@@ -202,8 +210,8 @@ std::vector<VocabularyGroup> template_vocabulary() {
                     "The first three can be used in (split ...); the others are the splits of refined tasks.",
                     meant_words(split_meanings()),
                     {}});
-  for (auto& group : {refinements(), simulators(), affordances(), constraints(), starts(), operators(), predicates(),
-                      slots(), actions()}) {
+  for (auto& group : {purposes(), refinements(), simulators(), affordances(), constraints(), starts(), operators(),
+                      predicates(), slots(), actions()}) {
     groups.push_back(group);
   }
   return groups;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "generator/weighted_binding.h"
+#include "run/sense_of_binding.h"
 
 namespace unietp {
 namespace {
@@ -29,12 +30,12 @@ TemplateTrial try_template(const RunConfiguration& configuration, const Resource
   slot.split = split_of_tasks(source);
   slot.templates = {position};
 
-  const CategoryWeight equal = [](const Parameter&, const std::string&) { return 1.0; };
+  const BindingWishes wishes{configuration.binding, [](const Parameter&, const std::string&) { return 1.0; },
+                             at_least(configuration.sense, source, resources, simulator)};
   const auto plan_of = [&](int attempt) {
-    CandidatePlan plan{0, attempt, position, attempt % layouts.size(simulator), std::nullopt};
+    CandidatePlan plan{0, attempt, position, attempt % layouts.size(simulator), std::nullopt, configuration.sense};
     if (const auto& layout = layouts.layout(simulator, plan.home)) {
-      plan.binding = sample_binding(source, resources.backend(simulator).knowledge, layout->offer.categories,
-                                    configuration.binding, equal,
+      plan.binding = sample_binding(source, resources.backend(simulator).knowledge, layout->offer.categories, wishes,
                                     Rng(own.seed).fork("binding", static_cast<std::uint64_t>(attempt)));
     }
     return plan;

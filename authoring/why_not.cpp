@@ -18,8 +18,8 @@ bool passes(const Template& source, const Knowledge& knowledge, const Binding& b
 }
 
 std::optional<Binding> completed(const Template& source, const Knowledge& knowledge, const Binding& given) {
-  const CategoryWeight equal = [](const Parameter&, const std::string&) { return 1.0; };
-  return sample_binding(source, knowledge, {}, given, equal, Rng(0));
+  return sample_binding(source, knowledge, {}, {given, [](const Parameter&, const std::string&) { return 1.0; }, {}},
+                        Rng(0));
 }
 
 /// "relation has no row (inside, Fridge, Mug)" for a placement constraint that does not hold, and the like.

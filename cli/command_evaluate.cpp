@@ -152,8 +152,13 @@ Exit run_job(const EvaluateChoice& choice, const EvaluationJob& job, const Comma
   if (job.plan.without_demonstration > 0)
     (void)std::fprintf(stderr, "left out: %d tasks in a mode that they have no demonstration of\n",
                        job.plan.without_demonstration);
+  const auto judging = judging_data(job.tasks, program);
+  if (!judging) return refuse(judging.error());
+  auto watched = WatchedEpisodes::begin(choice.out, *judging);
+  if (!watched) return refuse(watched.error());
   ProgressLine line(program.terminal);
   EvaluationOptions options;
+  options.watcher = watched->watchers();
   options.at_once = job.request.at_once;
   options.first_wait_s = choice.first_wait_s;
   options.stop = program.interrupted;
@@ -170,7 +175,7 @@ Exit run_job(const EvaluateChoice& choice, const EvaluationJob& job, const Comma
   const auto manifest = write_evaluation(choice.out, job.setup, job.plan, *log);
   if (!manifest) return refuse(manifest.error());
   print_summary(*manifest, *report, choice.out);
-  if (const Exit exit = write_and_print_results(choice.out, job.tasks, program.processors, program); exit != Exit::Ok)
+  if (const Exit exit = write_and_print_results(choice.out, *judging, *watched, program.processors); exit != Exit::Ok)
     return exit;
   return manifest->totals.complete() ? Exit::Ok : Exit::Wrong;
 }

@@ -7,7 +7,9 @@
 
 #include "akb/importers.h"
 #include "cli/command_parser.h"
+#include "cli/sense_folder.h"
 #include "core/text.h"
+#include "sense/usual_places.h"
 
 namespace unietp {
 namespace {
@@ -21,7 +23,15 @@ Exit build(const std::filesystem::path& out, const CommandLine& program) {
 }
 
 Exit import(const std::filesystem::path& upstream, const CommandLine& program) {
-  const auto done = import_all(upstream, program.folders.tables());
+  std::vector<Error> errors;
+  const auto sense = read_common_sense(sense_folder(program), errors);
+  if (!errors.empty()) return refuse(errors);
+  const auto absurd = [&](Simulator simulator) -> AbsurdPlace {
+    return [&sense, simulator](const Category& object, Predicate relation, const Category& receptacle) {
+      return is_absurd(sense, simulator, object, relation, receptacle);
+    };
+  };
+  const auto done = import_all(upstream, program.folders.tables(), absurd);
   if (!done) return refuse(done.error());
   return print_sizes(program);
 }

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <map>
 #include <memory>
 
 #include <nlohmann/json.hpp>
@@ -6,8 +7,10 @@
 #include "cli/command_knowledge.h"
 #include "cli/command_parser.h"
 #include "cli/common_options.h"
+#include "cli/sense_folder.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
+#include "sense/usual_places.h"
 
 namespace unietp {
 namespace {
@@ -34,12 +37,14 @@ Json all_json(const Knowledge& knowledge) {
   return all;
 }
 
-void show_rows(const Knowledge& knowledge, const Category& category) {
+void show_rows(const Knowledge& knowledge, const Category& category, const CommonSense& sense) {
   for (const auto& placement : knowledge.placements()) {
     if (placement.object == category.name || placement.receptacle == category.name)
       print_line("  " + placement.object + " " + std::string(info(placement.relation).name) + " " +
                  placement.receptacle + ", likely " + number_text(placement.likelihood) + ", at most " +
-                 std::to_string(placement.capacity) + " " + source_text(placement.source));
+                 std::to_string(placement.capacity) + ", " +
+                 std::string(name_of(grade_placement(placement, knowledge, sense).grade)) + " " +
+                 source_text(placement.source));
   }
   for (const auto& effect : knowledge.effects()) {
     if (effect.tool != category.name && effect.target != category.name) continue;
@@ -56,7 +61,7 @@ void show_rows(const Knowledge& knowledge, const Category& category) {
     print_line("  model " + asset->name + ", " + size_text(asset->size) + " m " + source_text(asset->source));
 }
 
-void show_category(const Knowledge& knowledge, const Category& category) {
+void show_category(const Knowledge& knowledge, const Category& category, const CommonSense& sense) {
   print_line(category.name + ": " + category.display + ", plural " + category.plural +
              (category.synset.empty() ? "" : ", " + category.synset) + " " + source_text(category.source));
   print_line(std::string("  ") + (category.movable ? "movable" : "furniture") + ", built as " +
@@ -68,12 +73,24 @@ void show_category(const Knowledge& knowledge, const Category& category) {
   print_line("  rooms " + join(category.rooms, ", "));
   for (const auto* fact : knowledge.affordance_facts_of(category.name))
     print_line("  is " + fact->affordance + " " + source_text(fact->source));
-  show_rows(knowledge, category);
+  if (const auto* kind = sense.kind_of(knowledge.simulator(), category.name))
+    print_line("  of the kind " + kind->kind + " [" + kind->source + "]");
+  show_rows(knowledge, category, sense);
 }
 
-Json category_json(const Knowledge& knowledge, const Category& category) {
+Json category_json(const Knowledge& knowledge, const Category& category, const CommonSense& sense) {
+  std::map<std::string, Grade> grades;  // by the name of a place
+  for (const auto& placement : knowledge.placements()) {
+    if (placement.object == category.name)
+      grades.emplace(std::string(info(placement.relation).name) + ":" + placement.receptacle,
+                     grade_placement(placement, knowledge, sense).grade);
+  }
   Json facts = Json::array();
-  for (const auto& fact : facts_of(knowledge, category)) facts.push_back(json_of(fact));
+  for (const auto& fact : facts_of(knowledge, category)) {
+    facts.push_back(json_of(fact));
+    if (const auto grade = grades.find(fact.name); grade != grades.end())
+      facts.back()["sense"] = name_of(grade->second);
+  }
   return {{"simulator", name_of(knowledge.simulator())}, {"category", category.name}, {"facts", std::move(facts)}};
 }
 
@@ -82,6 +99,7 @@ Exit show(const KnowledgeShowOptions& options, const CommandLine& program) {
   if (!simulators) return refuse(simulators.error());
   std::vector<Error> errors;
   const auto all = load_some(program, *simulators, errors);
+  const auto sense = read_common_sense(sense_folder(program), errors);
   if (!errors.empty()) return refuse(errors);
   Json json = Json::array();
   for (const auto& knowledge : all) {
@@ -96,9 +114,9 @@ Exit show(const KnowledgeShowOptions& options, const CommandLine& program) {
     const auto category = category_named(knowledge, options.category);
     if (!category) return refuse(category.error());
     if (options.json) {
-      json.push_back(category_json(knowledge, **category));
+      json.push_back(category_json(knowledge, **category, sense));
     } else {
-      show_category(knowledge, **category);
+      show_category(knowledge, **category, sense);
     }
   }
   if (options.json) print_line((json.size() == 1 ? json.front() : json).dump(2));

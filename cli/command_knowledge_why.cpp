@@ -10,6 +10,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "dataset/configuration.h"
+#include "sense/usual_places.h"
 
 namespace unietp {
 namespace {
@@ -33,6 +34,7 @@ struct Explanation {
   std::optional<Fact> fact;  // when it holds
   std::optional<Licence> licence;
   std::optional<std::string> rule;  // the meaning of a derived one
+  std::optional<Sense> sense;       // of a placement: whether things are usually there
   std::vector<OverrideInForce> overrides;
   std::vector<CuratedRow> curated;
   std::string override_file, override_row, curated_folder;  // where a person would change it
@@ -69,6 +71,15 @@ std::vector<Error> unknown_object(const Knowledge& knowledge, const FactName& fa
   return object ? std::vector<Error>{} : std::vector<Error>{object.error()};
 }
 
+/// How usual a place is, whether a table has it or not.
+std::optional<Sense> sense_of(const DataFolders& folders, const Knowledge& knowledge, const Category& category,
+                              const FactName& fact, std::vector<Error>& errors) {
+  const auto relation = placement_relation_named(fact.word);
+  if (fact.kind != FactName::Kind::Placement || !relation || !fact.detail.empty()) return std::nullopt;
+  const auto sense = read_common_sense(folders.root / "data/sense", errors);
+  return grade_placement({category.name, *relation, fact.object, 0, 1, {}}, knowledge, sense);
+}
+
 Explanation explain(const DataFolders& folders, const Knowledge& knowledge, const Category& category,
                     const FactName& fact, std::vector<Error>& errors) {
   Explanation e;
@@ -83,6 +94,7 @@ Explanation explain(const DataFolders& folders, const Knowledge& knowledge, cons
     if (e.fact->source.source.starts_with("derived:"))
       e.rule = meaning_of(read_rules(folders.tables() / "rules.csv", errors), e.fact->source.source);
   }
+  e.sense = sense_of(folders, knowledge, category, fact, errors);
   e.overrides = overrides_of(folders, knowledge.simulator(), category.name, fact);
   e.curated = curated_rows(folders.tables() / "curated", knowledge.simulator(), category, fact);
   e.override_file = (folders.overrides.empty() ? folders.tables() / "override.csv" : folders.overrides.back()).string();
@@ -103,6 +115,10 @@ void print(const Explanation& e, const DataFolders& folders) {
     if (e.rule) print_line("  rule       " + *e.rule);
   } else {
     print_line(subject + ": does not hold; no table says it");
+  }
+  if (e.sense) {
+    print_line("  sense      " + std::string(name_of(e.sense->grade)));
+    for (const auto& reason : e.sense->reasons) print_line("               " + reason);
   }
   for (const auto& row : e.overrides)
     print_line("  override   " + row.file + ":" + std::to_string(row.line) + " says " +
@@ -128,6 +144,7 @@ Json json_of(const Explanation& e) {
     json["licence"] = e.licence->licence;
   }
   if (e.rule) json["rule"] = *e.rule;
+  if (e.sense) json["sense"] = {{"grade", name_of(e.sense->grade)}, {"reasons", e.sense->reasons}};
   json["overrides"] = Json::array();
   for (const auto& row : e.overrides)
     json["overrides"].push_back({{"file", row.file}, {"line", row.line}, {"value", row.value}, {"reason", row.reason}});

@@ -1,4 +1,4 @@
-#include "cli/command_sense.h"
+#include "cli/sense_folder.h"
 
 #include <cstdio>
 #include <memory>
@@ -114,8 +114,6 @@ Exit run(const SenseOptions& options, const CommandLine& program) {
 }
 
 }  // namespace
-
-std::filesystem::path sense_folder(const CommandLine& program) { return program.folders.root / "data/sense"; }
 
 void add_sense_command(CommandParser& app, CommandLine& program) {
   auto options = std::make_shared<SenseOptions>();  // shared: the callback outlives this function

@@ -3,7 +3,7 @@
 
 #include "cli/command_knowledge.h"
 #include "cli/command_parser.h"
-#include "cli/command_sense.h"
+#include "cli/sense_folder.h"
 #include "sense/fit.h"
 
 namespace unietp {
@@ -22,7 +22,7 @@ Exit fit(const SenseFitOptions& options, const CommandLine& program) {
   const auto done = fit_sense_into(
       out, tables, {options.metadata, options.activities, program.folders.root / "data/bddl"}, knowledge);
   if (!done) return refuse(done.error());
-  std::printf("wrote categories.csv and counts.csv to %s\n", out.string().c_str());
+  std::printf("wrote categories.csv, counts.csv and companions.csv to %s\n", out.string().c_str());
   return Exit::Ok;
 }
 
@@ -32,7 +32,8 @@ void add_sense_fit_command(CommandParser& knowledge, CommandLine& program) {
   auto options = std::make_shared<SenseFitOptions>();  // shared: the callback outlives this function
   auto* command = knowledge.add_subcommand("fit-sense", "Fit the tables to what people wrote");
   command->explain(
-      "Writes categories.csv and counts.csv. The committed tables are what this writes, byte for byte; docs/sense.md "
+      "Writes categories.csv, counts.csv and companions.csv. The committed tables are what this writes, byte for byte; "
+      "docs/sense.md "
       "lists the files.",
       {{"unietp knowledge fit-sense metadata --activities bddl/activity_definitions", ""}});
   command->add_option("FOLDER", options->metadata, "Folder with virtualhome/, housekeep/ and ai2thor/")

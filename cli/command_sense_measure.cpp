@@ -3,7 +3,7 @@
 
 #include "cli/command_knowledge.h"
 #include "cli/command_parser.h"
-#include "cli/command_sense.h"
+#include "cli/sense_folder.h"
 #include "core/text.h"
 #include "sense/fit.h"
 #include "sense/measure.h"
@@ -58,6 +58,8 @@ Exit measure(const SenseMeasureOptions& options, const CommandLine& program) {
     print_line(figures.source);
     print_counts("held out", figures.real);
     print_counts("one role swapped, physically", figures.moved);
+    print_counts("held out, beside its activity", figures.real_beside);
+    print_counts("swapped, beside its activity", figures.moved_beside);
     print_counts("one role swapped, as listed", figures.listed);
     print_counts("voted implausible", figures.against);
   }

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "report/figure_table.h"
+#include "report/word_figures.h"
 
 namespace unietp {
 namespace {
@@ -12,10 +13,27 @@ namespace {
 struct StatsOptions {
   std::vector<std::filesystem::path> folders;
   int threads = 1, rows = 25;
-  bool json = false;
+  bool json = false, words = false;
 };
 
+/// The figures of how the instructions ask for things, beside those of people.
+Exit word_stats(const StatsOptions& options, const CommandLine& program) {
+  const auto human = read_human_goals(program.folders.english());
+  if (!human) return refuse(human.error());
+  std::vector<std::pair<std::string, WordFigures>> sets;
+  for (const auto& folder : options.folders) {
+    const auto set = read_finished_set(folder);
+    if (!set) return refuse(set.error());
+    const auto texts = counted_texts(*set);
+    if (!texts) return refuse(texts.error());
+    sets.emplace_back(set->name, word_figures(*texts));
+  }
+  std::fputs(word_table(sets, *human).c_str(), stdout);
+  return Exit::Ok;
+}
+
 Exit stats(const StatsOptions& options, const CommandLine& program) {
+  if (options.words) return word_stats(options, program);
   const auto known = load_backends(program.folders);
   if (!known.errors.empty()) return refuse(known.errors);
   std::vector<const Knowledge*> knowledge;
@@ -45,10 +63,12 @@ void add_stats_command(CommandParser& app, CommandLine& program) {
       {{"unietp stats out/mine", ""},
        {"unietp stats out/benchmark out/training", "side by side"},
        {"unietp stats out/mine --rows 200", "longer tables"},
+       {"unietp stats out/mine --words", "how its instructions ask, beside how people do"},
        {"unietp stats out/mine --json > statistics.json", ""}});
   command->add_option("FOLDER", options->folders, "Finished data sets")->required()->folder();
   command->add_option("--rows", options->rows, "Rows of the longest table")->within(1, 1000000)->shows_default();
   add_threads_option(*command, options->threads, program);
+  command->add_flag("--words", options->words, "Print how instructions ask for things, beside goals that people wrote");
   command->add_flag("--json", options->json, "Print JSON with all rows");
   command->callback([options, &program] { program.exit = stats(*options, program); });
 }

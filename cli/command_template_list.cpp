@@ -91,6 +91,7 @@ Exit list(const TemplateListOptions& options, const CommandLine& program) {
     auto json = nlohmann::ordered_json::array();
     for (const auto& source : templates) {
       json.push_back({{"name", source.name},
+                      {"purpose", source.purpose.name},
                       {"split", name_of(source.split)},
                       {"refinement", source.refinement},
                       {"simulators", claimed_by(source)},

@@ -40,6 +40,7 @@ Result<TemplateDraft> with_like(const TemplateNewOptions& options, const Command
   if (!choice.errors.empty()) return choice.errors.front();
   const auto other = draft_like(choice.source(), draft.name);
   prefer(draft.title, other.title);
+  prefer(draft.purpose, other.purpose);
   prefer(draft.split, other.split);
   prefer(draft.refinement, other.refinement);
   prefer(draft.simulators, other.simulators);
@@ -54,6 +55,7 @@ Result<TemplateDraft> with_like(const TemplateNewOptions& options, const Command
 std::set<std::string> sections_in(const TemplateDraft& draft) {
   std::set<std::string> given;
   if (!draft.title.empty()) given.insert("name");
+  if (!draft.purpose.empty()) given.insert("purpose");
   if (!draft.split.empty()) given.insert("split");
   if (!draft.refinement.empty()) given.insert("refinement");
   if (!draft.simulators.empty()) given.insert("simulators");
@@ -105,7 +107,7 @@ void add_template_new_command(CommandParser& group, CommandLine& program) {
       "options leave out. A file with errors is not written, and no file is overwritten.",
       {{"unietp template new my-task", "asks for everything"},
        {"unietp template new my-task --like place-one-on", "starts from a template of the library"},
-       {"unietp template new unlock-one --parameter 'A - furniture openable' \\\n"
+       {"unietp template new unlock-one --parameter 'A - furniture openable' --purpose preparing \\\n"
         "      --init '(exists (?a - A) (closed ?a))' --init '(forall (?a - A) (closed ?a))' \\\n"
         "      --goal '(exists (?a - A) (at-end (open ?a)))' --instruction 'Open {A:indefinite}.'",
         ""}});
@@ -113,6 +115,7 @@ void add_template_new_command(CommandParser& group, CommandLine& program) {
   command->add_option("--out", options->out, "Folder to write the file to (default: the current one)")->folder();
   command->add_option("--like", options->like, "Template name or file that provides what is not given");
   command->add_option("--title", draft.title, "Title, such as 'open one <A>' (default: the name)");
+  command->add_option("--purpose", draft.purpose, "What it is for, such as 'cleaning (because (dirty A))'");
   command->add_option("--class", draft.split, "atomic, compositional or logical (default: atomic)")
       ->suggests({"atomic", "compositional", "logical"});
   command->add_option("--refinement", draft.refinement, "by-state, alias, ... (default: none)");

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "authoring/purpose_fit.h"
 #include "authoring/template_choice.h"
 #include "authoring/template_in_words.h"
 #include "cli/command_parser.h"
@@ -12,6 +13,7 @@
 #include "generator/binding_summary.h"
 #include "templates/constraint_kinds.h"
 #include "templates/phrasing.h"
+#include "templates/purposes.h"
 
 namespace unietp {
 namespace {
@@ -61,11 +63,22 @@ std::vector<std::string> phrasings_of(const ShownTemplate& shown) {
   return {};
 }
 
+void print_purpose(const Purpose& purpose) {
+  const auto* kind = purpose_kind(purpose.name);
+  if (kind == nullptr) return;
+  std::printf("purpose\n  %s: %s\n", purpose.name.c_str(), std::string(kind->says).c_str());
+  std::vector<std::string> needs;
+  for (const auto& need : purpose.needs) needs.push_back(need_in_words(need));
+  if (!needs.empty()) std::printf("  because %s\n", join(needs, " and ").c_str());
+  std::printf("\n");
+}
+
 void print(const ShownTemplate& shown) {
   const auto& source = shown.source;
   std::printf("%s: %s\n  %s%s\n\n", source.name.c_str(), source.title.c_str(),
               std::string(name_of(source.split)).c_str(),
               source.refinement.empty() ? "" : (", " + source.refinement).c_str());
+  print_purpose(source.purpose);
   std::printf("goal\n");
   if (shown.goal) std::printf("  %s\n", shown.goal->c_str());
   std::printf("  %s\n\nplaceholders\n", to_text(source.goal).c_str());
@@ -100,6 +113,8 @@ Json json_of(const ShownTemplate& shown) {
   Json json = {{"format", "unietp-template/1"},
                {"name", source.name},
                {"title", source.title},
+               {"purpose", source.purpose.name},
+               {"because", Json::array()},
                {"split", name_of(source.split)},
                {"refinement", source.refinement},
                {"goal", to_text(source.goal)},
@@ -110,6 +125,7 @@ Json json_of(const ShownTemplate& shown) {
                {"simulators", Json::array()},
                {"phrasings", source.instructions},
                {"filled", phrasings_of(shown)}};
+  for (const auto& need : source.purpose.needs) json["because"].push_back(need_in_words(need));
   for (const auto& parameter : source.parameters) {
     json["placeholders"].push_back(
         {{"name", parameter.name}, {"affordances", parameter.affordances}, {"says", parameter_in_words(parameter)}});

@@ -10,8 +10,10 @@
 #include "cli/common_options.h"
 #include "cli/each_home.h"
 #include "cli/library_options.h"
+#include "cli/sense_folder.h"
 #include "core/text.h"
 #include "run/given_binding.h"
+#include "sense/grade_goal.h"
 
 namespace unietp {
 namespace {
@@ -32,16 +34,38 @@ std::vector<std::string> steps_of(const Task& task) {
   return steps;
 }
 
-Json trial_json(const TemplateTrial& trial, Simulator simulator) {
+/// How much sense a task of a trial makes.
+struct TrialGrader {
+  const Resources& resources;
+  CommonSense sense;
+  WordKinds words;
+
+  TaskSense operator()(const Task& task) const {
+    const auto& specification = task.episode.specification;
+    return grade_goal(specification.goal, resources.backend(specification.simulator).knowledge, sense, words);
+  }
+};
+
+Json parts_json(const TaskSense& graded) {
+  auto parts = Json::array();
+  for (const auto& part : graded.parts)
+    parts.push_back({{"part", part.part}, {"grade", name_of(part.sense.grade)}, {"reasons", part.sense.reasons}});
+  return parts;
+}
+
+Json trial_json(const TemplateTrial& trial, Simulator simulator, const TrialGrader& grade) {
   auto tasks = Json::array();
   for (const auto& task : trial.tasks) {
     auto binding = Json::object();
     for (const auto& [placeholder, category] : task.episode.specification.binding) binding[placeholder] = category;
+    const auto graded = grade(task);
     tasks.push_back({{"binding", std::move(binding)},
                      {"home", task.episode.layout},
                      {"instruction", task.instruction.text},
                      {"goal", to_text(task.episode.specification.goal)},
-                     {"steps", steps_of(task)}});
+                     {"steps", steps_of(task)},
+                     {"grade", name_of(graded.grade)},
+                     {"parts", parts_json(graded)}});
   }
   return {{"simulator", name_of(simulator)},
           {"candidates", trial.candidates},
@@ -49,12 +73,21 @@ Json trial_json(const TemplateTrial& trial, Simulator simulator) {
           {"rejections", rejections_json(trial)}};
 }
 
-void print_trial(const TemplateTrial& trial, const std::string& name, Simulator simulator) {
+void print_grade(const TaskSense& graded) {
+  std::printf("  %s%s\n", std::string(name_of(graded.grade)).c_str(), graded.parts.empty() ? "" : ":");
+  for (const auto& part : graded.parts) {
+    std::printf("    %s: %s (%s)\n", part.part.c_str(), std::string(name_of(part.sense.grade)).c_str(),
+                join(part.sense.reasons, "; ").c_str());
+  }
+}
+
+void print_trial(const TemplateTrial& trial, const std::string& name, Simulator simulator, const TrialGrader& grade) {
   std::printf("%s on %s: %zu of %d candidates became tasks\n", name.c_str(), std::string(name_of(simulator)).c_str(),
               trial.tasks.size(), trial.candidates);
   for (const auto& task : trial.tasks) {
     std::printf("\n  \"%s\"\n  with %s in %s\n", task.instruction.text.c_str(),
                 to_text(task.episode.specification.binding).c_str(), task.episode.layout.c_str());
+    print_grade(grade(task));
     int number = 0;
     for (const auto& step : steps_of(task)) std::printf("  %3d  %s\n", ++number, step.c_str());
   }
@@ -68,6 +101,12 @@ Exit try_one(const TemplateTryOptions& options, const CommandLine& program) {
   if (!choice.errors.empty()) return refuse(choice.errors);
   const Template& source = choice.source();
   const auto& simulators = choice.simulators;
+
+  std::vector<Error> errors;
+  auto sense = read_common_sense(sense_folder(program), errors);
+  auto words = read_word_kinds(sense_folder(program), sense.kinds(), errors);
+  if (!errors.empty()) return refuse(errors);
+  const TrialGrader grade{choice.resources, std::move(sense), std::move(words)};
 
   RunConfiguration configuration;
   configuration.seed = options.seed;
@@ -89,8 +128,8 @@ Exit try_one(const TemplateTryOptions& options, const CommandLine& program) {
   auto json = Json::array();
   for (std::size_t i = 0; i < trials.size(); ++i) {
     any = any || !trials[i].tasks.empty();
-    if (options.json) json.push_back(trial_json(trials[i], simulators[i]));
-    if (!options.json) print_trial(trials[i], source.name, simulators[i]);
+    if (options.json) json.push_back(trial_json(trials[i], simulators[i], grade));
+    if (!options.json) print_trial(trials[i], source.name, simulators[i], grade);
   }
   if (options.json)
     std::printf("%s\n",
@@ -108,7 +147,8 @@ void add_template_try_command(CommandParser& group, CommandLine& program) {
       group.add_subcommand("try", "Make tasks of one template in a few homes, or explain why there are none");
   command->explain(
       "A task is shown when its start was built and is at rest, the expert's plan was executed and reaches "
-      "the goal, and no step of the plan can be left out. Exit code 1: no task on any simulator.",
+      "the goal, and no step of the plan can be left out. Each is graded: would anybody want that in a home "
+      "(docs/sense.md)? Exit code 1: no task on any simulator.",
       {{"unietp template try place-one-on", "on every simulator that it claims"},
        {"unietp template try my.template --simulator ai2thor", "a file that is in no library yet"},
        {"unietp template try place-one-on --count 5 --seed 2", "more tasks in other homes"},

@@ -12,6 +12,7 @@
 #include "cli/library_options.h"
 #include "core/text.h"
 #include "run/given_binding.h"
+#include "run/sense_of_binding.h"
 
 namespace unietp {
 namespace {
@@ -46,12 +47,24 @@ Json json_of(const TemplateTrial& trial) {
   return {{"candidates", trial.candidates}, {"proven", trial.tasks.size()}, {"rejections", rejections_json(trial)}};
 }
 
-/// One task is asked for, with the binding that the gates passed.
+/// How much sense the task makes, with the part that decides: "  sense             tolerable: bowl in fridge".
+std::string sense_text(const Template& source, const Resources& resources, Simulator simulator,
+                       const Binding& binding) {
+  const auto made = instantiate(source, resources.backend(simulator).knowledge, binding);
+  if (!made) return "";
+  const TaskSense sense = sense_of_task(*made, resources);
+  std::string text = "  sense             " + std::string(name_of(sense.grade));
+  if (!sense.parts.empty()) text += ":  " + sense.parts.front().part;
+  return text + "\n";
+}
+
+/// One task is asked for, with the binding that the gates passed, whatever sense it makes.
 TemplateTrial in_homes(const TemplateWhyNotOptions& options, const TemplateChoice& choice, Simulator simulator,
                        const Binding& binding, const CommandLine& program) {
   RunConfiguration configuration;
   configuration.seed = options.seed;
   configuration.binding = binding;
+  configuration.sense = Grade::Senseless;
   LayoutPool layouts(configuration, choice.resources, options.homes);
   return try_template(configuration, choice.resources, layouts, choice.position, simulator,
                       {options.tries, 1, program.interrupted});
@@ -77,6 +90,7 @@ Exit why_not(const TemplateWhyNotOptions& options, const CommandLine& program) {
       json.push_back(std::move(one));
     } else {
       std::printf("%s", verdict_text(source, simulator, verdict).c_str());
+      if (!verdict.refusal) std::printf("%s", sense_text(source, choice.resources, simulator, verdict.binding).c_str());
       if (trial) std::printf("%s", trial_text(*trial).c_str());
     }
   }
@@ -93,7 +107,8 @@ void add_template_why_not_command(CommandParser& group, CommandLine& program) {
   auto* command = group.add_subcommand("why-not", "Explain why a template refuses some categories");
   command->explain(
       "Checks the binding in the order of generation, before any home is built, and says which check fails "
-      "and what would have to change. With --try, the binding then goes through a few homes. Exit code 1: "
+      "and what would have to change; of a binding that passes, also how much sense it makes. With --try, the binding "
+      "then goes through a few homes. Exit code 1: "
       "refused on some simulator.",
       {{"unietp template why-not place-one-inside --bind A=Fridge B=Mug", ""},
        {"unietp template why-not place-one-inside --bind A=Mug", "other placeholders are filled in"},

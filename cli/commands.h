@@ -30,6 +30,7 @@ void add_benchmark_command(CommandParser& app, CommandLine& program);
 void add_training_command(CommandParser& app, CommandLine& program);
 void add_merge_command(CommandParser& app, CommandLine& program);
 void add_validate_command(CommandParser& app, CommandLine& program);
+void add_audit_command(CommandParser& app, CommandLine& program);
 void add_schemas_command(CommandParser& app, CommandLine& program);
 void add_stats_command(CommandParser& app, CommandLine& program);
 void add_report_command(CommandParser& app, CommandLine& program);

@@ -13,21 +13,15 @@
 
 namespace unietp {
 
-namespace {
-
-Result<ScoringData> scoring_data(const TaskSource& tasks, int threads, const CommandLine& program) {
+Result<JudgingData> judging_data(const TaskSource& tasks, const CommandLine& program) {
   const auto names = held_out_templates(program.folders);
   if (!names) return names.error();
-  return ScoringData{tasks, {names->begin(), names->end()}, threads};
+  return JudgingData{tasks, {names->begin(), names->end()}};
 }
 
-}  // namespace
-
-Exit write_and_print_results(const std::filesystem::path& folder, const TaskSource& tasks, int threads,
-                             const CommandLine& program) {
-  const auto data = scoring_data(tasks, threads, program);
-  if (!data) return refuse(data.error());
-  const auto run = write_results(folder, *data);
+Exit write_and_print_results(const std::filesystem::path& folder, const JudgingData& judging,
+                             const WatchedEpisodes& watched, int threads) {
+  const auto run = write_results(folder, {judging, threads, &watched});
   if (!run) return refuse(run.error());
   for (const ResultTable& table : result_tables(std::span(&*run, 1))) {
     if (table.id == "main" || table.id == "m3" || table.id == "failures")
@@ -63,9 +57,9 @@ Exit validate_evaluation(const std::filesystem::path& folder, const std::filesys
   if (!version) return refuse(version.error());
   const auto reading = served_tasks({dataset, false, "", ""}, program);
   if (!reading.errors.empty()) return refuse(reading.errors);
-  const auto data = scoring_data(*reading.tasks.stored, threads, program);
-  if (!data) return refuse(data.error());
-  std::vector<Error> found = check_results(folder, *data);
+  const auto judging = judging_data(*reading.tasks.stored, program);
+  if (!judging) return refuse(judging.error());
+  std::vector<Error> found = check_results(folder, {*judging, threads});
   if (*version != manifest->setup.dataset.version)
     found.push_back(
         {Error::Kind::Schema,

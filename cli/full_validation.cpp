@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "dataset/configuration_json.h"
+#include "rewording/check_sense.h"
 #include "rewording/check_template.h"
 #include "rewording/check_text.h"
 #include "rewording/expected_files.h"
@@ -19,7 +20,9 @@ Result<ValidationOptions> full_validation(const Resources& resources, const std:
     return check_text(stated, resources.backend(stated.simulator));
   };
   options.check_template = [&resources](const TaskRecord& task, const Formula& goal, const ManifestRecord& manifest) {
-    return check_template(task, goal, manifest, resources);
+    auto problems = check_template(task, goal, manifest, resources);
+    for (auto& problem : check_sense(task, goal, resources)) problems.push_back(std::move(problem));
+    return problems;
   };
   options.make_home = [&resources](const ManifestRecord& manifest, const std::string& name) {
     const auto configuration = configuration_from_json(kManifest, manifest.run.text);

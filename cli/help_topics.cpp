@@ -140,7 +140,7 @@ std::string main_screen() {
          "\n"
          "Commands:\n"
          "  make      generate, benchmark, training, merge\n"
-         "  check     validate, review\n"
+         "  check     validate, audit, review\n"
          "  look      stats, report, render, actions, schemas\n"
          "  convert   export, annotate\n"
          "  extend    template, knowledge, scene, goal, sense\n"

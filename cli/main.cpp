@@ -64,6 +64,7 @@ void add_commands(unietp::CommandParser& app, unietp::CommandLine& program) {
   unietp::add_training_command(app, program);
   unietp::add_merge_command(app, program);
   unietp::add_validate_command(app, program);
+  unietp::add_audit_command(app, program);
   unietp::add_review_command(app, program);
   unietp::add_stats_command(app, program);
   unietp::add_report_command(app, program);

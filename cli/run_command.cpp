@@ -117,6 +117,10 @@ void add_run_options(CommandParser& app, RunCommand& command, const CommandLine&
   app.add_option("--ledger", command.run.ledger,
                  "Keep the record of all candidates, with stage, reason and cost, in this SQLite file");
   app.add_option("--shard", command.shard, "Make only part K of N; `unietp merge` joins the parts")->type_name("K/N");
+  app.add_option("--sense", command.sense,
+                 "How much sense tasks must make: usual (default), tolerable or any (docs/sense.md)")
+      ->type_name("GRADE")
+      ->suggests({"usual", "tolerable", "any"});
   add_writer_options(app, command.writer);
   app.add_flag("--json", command.json, "Print the report as JSON");
 }
@@ -127,6 +131,11 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
   if (command.configuration.seed > limits::kSeed)
     return refuse(
         {Error::Kind::Usage, "--seed", {}, "expected a whole number from 0 to " + std::to_string(limits::kSeed)});
+  if (!command.sense.empty()) {
+    const auto sense = parse_sense("--sense", command.sense);
+    if (!sense) return refuse(sense.error());
+    command.configuration.sense = *sense;
+  }
   if (!command.shard.empty()) {
     const auto shard = shard_of(command.shard);
     if (!shard) return refuse(shard.error());
@@ -134,7 +143,7 @@ Exit make_data_set(RunCommand& command, const Resources& resources, const Comman
   }
   const auto phrasings = check_writer(command.writer);
   if (!phrasings) return refuse(phrasings.error());
-  if (*phrasings != Phrasings::All) command.configuration.phrasings = *phrasings;
+  if (*phrasings != Phrasings::Everyday) command.configuration.phrasings = *phrasings;
   const bool by_grammar = command.writer.writer == "grammar";
   if (!by_grammar && !command.run.shard.is_whole())
     return refuse({Error::Kind::Usage,

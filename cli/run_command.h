@@ -12,6 +12,7 @@ namespace unietp {
 struct RunCommand {
   RunConfiguration configuration;
   RunOptions run;
+  std::string sense;  // at least; empty: that of the configuration
   std::string shard;  // "2/8"; empty: all of it
   WriterChoice writer;
   bool json = false;

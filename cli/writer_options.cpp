@@ -133,9 +133,10 @@ void add_writer_options(CommandParser& command, WriterChoice& choice) {
       ->shows_default();
   command
       .add_option("--phrasings", choice.phrasings,
-                  "Phrases that the grammar uses: all, training or benchmark; the last two have none in common")
+                  "Sentences that the grammar writes: everyday, or all, a wider choice; training and benchmark are two "
+                  "halves of it that have no sentence pattern in common")
       ->type_name("NAME")
-      ->suggests({"all", "training", "benchmark"})
+      ->suggests({"everyday", "all", "training", "benchmark"})
       ->shows_default();
   command.add_option("--batch", choice.batch, "Folder of request and answer files, for --writer batch")->folder();
   command.add_option("--rewrites", choice.rewrites, "Further attempts after a model's text was refused")
@@ -155,10 +156,11 @@ Result<Phrasings> check_writer(const WriterChoice& choice) {
     return option_error("--writer " + choice.writer, "needs --llm-model, as the server names it");
   if (*writer == Writer::Batch && choice.batch.empty())
     return option_error("--writer batch", "needs --batch, the folder for request and answer files");
+  if (choice.phrasings == "everyday") return Phrasings::Everyday;
   if (choice.phrasings == "all") return Phrasings::All;
   if (choice.phrasings == "training") return Phrasings::Training;
   if (choice.phrasings == "benchmark") return Phrasings::Benchmark;
-  return unknown_name_error("--phrasings", choice.phrasings, {"all", "training", "benchmark"});
+  return unknown_name_error("--phrasings", choice.phrasings, {"everyday", "all", "training", "benchmark"});
 }
 
 Exit reword_dataset(const RewordRequest& request, const Resources& resources, const WriterChoice& choice,

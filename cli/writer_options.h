@@ -12,7 +12,7 @@ namespace unietp {
 
 /// Who writes the instructions, as given on the command line.
 struct WriterChoice {
-  std::string writer = "grammar", phrasings = "all";
+  std::string writer = "grammar", phrasings = "everyday";
   std::filesystem::path batch;  // folder of request and answer files
   int rewrites = 2;
   bool stand_in = false;

@@ -33,7 +33,7 @@ struct FilePlace {
   std::filesystem::path shown;  // for error messages
 };
 
-enum class MissingFolders { Refused, Made };
+enum class MissingFolders { Refused, Made };  // of a place: an error, or made when it is asked for
 
 /// The place of the file `inner` ("homes/kitchen.json") below the folder `root`, from where nothing leads out of the
 /// folder: each part of `inner` between slashes must be a plain name (core/plain_name.h), and no folder on the way is a

@@ -25,7 +25,7 @@ class FileWriter {
   FileWriter& operator=(FileWriter&&) = delete;
   ~FileWriter();  // of a file that was to be replaced and is not finished, nothing stays
 
-  Result<Done> add(std::string_view bytes);
+  Result<Done> add(std::string_view bytes);  // appends. Errors: Io
   /// Writes what is still in memory, and closes.
   Result<Done> finish();
 

@@ -25,11 +25,11 @@ class Rng {
   /// Depends on this stream's seed and the name only, not on how many numbers were drawn before.
   Rng fork(std::string_view stage, std::uint64_t item) const;
 
-  template <class T>
+  template <class T>  // a random order, each equally likely (Fisher-Yates)
   void shuffle(std::vector<T>& items) {
     for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[below(i)]);
   }
-  template <class List>
+  template <class List>  // an item of a list that is not empty, each equally likely
   const typename List::value_type& pick(const List& items) {
     return items[below(items.size())];
   }

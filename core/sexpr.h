@@ -17,7 +17,7 @@ struct Sexpr {
   SourcePos pos;                // of the first byte
   SourcePos end;                // of the last byte (a list's closing bracket)
 
-  bool is_list() const { return kind == Kind::List; }
+  bool is_list() const { return kind == Kind::List; }  // what it is
   bool is_atom() const { return kind == Kind::Atom; }
   bool is_atom(std::string_view word) const { return is_atom() && text == word; }
   /// A list whose first child is the atom `word`.

@@ -42,7 +42,7 @@ class SharedList {
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   const T& operator[](std::size_t i) const { return element(branches_.data(), i); }
-  const T& front() const { return (*this)[0]; }
+  const T& front() const { return (*this)[0]; }  // of a list that is not empty
   const T& back() const { return (*this)[size_ - 1]; }
   Place begin() const { return {branches_.data(), 0}; }
   Place end() const { return {branches_.data(), static_cast<std::ptrdiff_t>(size_)}; }

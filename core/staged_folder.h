@@ -25,7 +25,7 @@ class StagedFolder {
   StagedFolder& operator=(StagedFolder&&) = delete;
   ~StagedFolder();  // removes the folder aside unless it is finished
 
-  const std::filesystem::path& folder() const { return aside_; }
+  const std::filesystem::path& folder() const { return aside_; }  // where to write until it is finished
   /// Puts the folder in place. Errors: Io.
   Result<Done> finish();
 

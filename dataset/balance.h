@@ -50,6 +50,7 @@ struct Spread {
 /// How often each value was used.
 class Frequencies {
  public:
+  /// Counts values; a share counts as that part of one.
   void add(const Trait& trait, double share = 1) { counts_[index(trait.dimension)][trait.value] += share; }
   void add(const std::vector<Trait>& traits) {
     for (const auto& trait : traits) add(trait);

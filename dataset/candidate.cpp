@@ -44,6 +44,7 @@ TaskEntry task_entry(const Task& task, const std::string& changes) {
   entry.edits = task.episode.edits;
   entry.changes = changes;
   entry.instruction = task.instruction;
+  entry.sense = task.sense;
   entry.run_seed = task.seed;
   entry.slot = task.slot;
   entry.attempt = task.attempt;
@@ -85,6 +86,7 @@ TaskRow row_of(const TaskEntry& task) {
           task.instruction.text,
           std::string(name_of(task.instruction.style)),
           task.instruction.writer,
+          std::string(name_of(task.sense.grade)),
           task.bindings,
           {}};
 }

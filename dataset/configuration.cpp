@@ -43,9 +43,11 @@ std::string_view name_of(HomeSource source) {
 }
 
 std::string_view name_of(Phrasings phrasings) {
-  static constexpr std::array<std::string_view, kPhrasings.size()> kNames{"all", "training", "benchmark"};
+  static constexpr std::array<std::string_view, kPhrasings.size()> kNames{"everyday", "all", "training", "benchmark"};
   return kNames[static_cast<std::size_t>(phrasings)];
 }
+
+std::string_view name_of_least(Grade grade) { return grade == Grade::Senseless ? "any" : name_of(grade); }
 
 const std::vector<Split>& all_splits() {
   static const std::vector<Split> kSplits{Split::Atomic, Split::Compositional, Split::Logical, Split::InstanceGrounding,
@@ -59,6 +61,15 @@ Result<std::vector<Simulator>> parse_simulators(std::string_view option, std::st
 
 Result<std::vector<Split>> parse_splits(std::string_view option, std::string_view text) {
   return parse_names(option, text, all_splits());
+}
+
+Result<Grade> parse_sense(std::string_view option, std::string_view text) {
+  std::vector<std::string> accepted;
+  for (const Grade grade : {Grade::Usual, Grade::Tolerable, Grade::Senseless}) {
+    if (name_of_least(grade) == text) return grade;
+    accepted.emplace_back(name_of_least(grade));
+  }
+  return unknown_name_error(option, text, accepted);
 }
 
 Result<std::vector<Mode>> parse_modes(std::string_view option, std::string_view text) {

@@ -14,6 +14,7 @@
 #include "generator/specification.h"
 #include "scene/action.h"
 #include "scene/simulator.h"
+#include "sense/evidence.h"
 #include "templates/template.h"
 
 namespace unietp {
@@ -24,8 +25,12 @@ enum class HomeSource { Drawn, Benchmark, Training };
 inline constexpr std::array kHomeSources{HomeSource::Drawn, HomeSource::Benchmark, HomeSource::Training};
 std::string_view name_of(HomeSource source);  // "benchmark"
 
-inline constexpr std::array kPhrasings{Phrasings::All, Phrasings::Training, Phrasings::Benchmark};
+/// In the order of the enumeration.
+inline constexpr std::array kPhrasings{Phrasings::Everyday, Phrasings::All, Phrasings::Training, Phrasings::Benchmark};
 std::string_view name_of(Phrasings phrasings);  // "training"
+
+/// The least sense that tasks are to make, in the words of `--sense`: "usual", "tolerable", "any" for Senseless.
+std::string_view name_of_least(Grade grade);
 
 /// Number of tasks per split and per simulator. Both empty (equal shares), or both with the same sum, the run's count.
 struct Quotas {
@@ -55,7 +60,8 @@ struct RunConfiguration {
   int rooms = 6;                    // of a drawn home
   int objects = 60;                 // movable ones asked for in a drawn home
   std::vector<std::string> scenes;  // given homes, "<id> <sha256>"; empty: homes are drawn
-  Phrasings phrasings = Phrasings::All;
+  Phrasings phrasings = Phrasings::Everyday;
+  Grade sense = Grade::Usual;  // at least; where a template has nothing so good, its tasks are the best that it has
   bool operator==(const RunConfiguration&) const = default;
 };
 
@@ -66,6 +72,9 @@ const std::vector<Split>& all_splits();
 /// Errors: Usage naming `option`, the unknown name, the nearest known one and all that are accepted.
 Result<std::vector<Simulator>> parse_simulators(std::string_view option, std::string_view text);
 Result<std::vector<Split>> parse_splits(std::string_view option, std::string_view text);
+
+/// Errors: Usage naming `option` and what is accepted.
+Result<Grade> parse_sense(std::string_view option, std::string_view text);
 
 /// As above; M1 comes with the others, since their plans begin with it.
 Result<std::vector<Mode>> parse_modes(std::string_view option, std::string_view text);

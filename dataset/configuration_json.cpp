@@ -63,6 +63,11 @@ class ConfigurationReader {
     if (configuration.modes.front() != Mode::M1) configuration.modes.insert(configuration.modes.begin(), Mode::M1);
     if (const auto at = fields.optional("phrasings"))
       configuration.phrasings = one_of(*at, std::vector<Phrasings>(kPhrasings.begin(), kPhrasings.end()));
+    if (const auto at = fields.optional("sense")) {
+      const auto grade = parse_sense("", reader_.text(*at));
+      if (!grade) reader_.fail(*at, grade.error().message);
+      if (grade) configuration.sense = *grade;
+    }
     number(fields, "attempts", 1, limits::kAttempts, configuration.attempts);
     number(fields, "block", 1, 1e6, configuration.block);
     if (const auto at = fields.optional("homes"))
@@ -206,6 +211,7 @@ Json to_json(const RunConfiguration& configuration) {
   }
   json["modes"] = names_json(configuration.modes);
   json["phrasings"] = name_of(configuration.phrasings);
+  json["sense"] = name_of_least(configuration.sense);
   json["attempts"] = configuration.attempts;
   json["block"] = configuration.block;
   json["homes"] = name_of(configuration.homes);

@@ -40,6 +40,8 @@ Result<Done> DatasetWriter::add_task(const WrittenTask& task, const std::vector<
   ++counts_.by_split[row.split];
   ++counts_.by_simulator[row.simulator];
   ++counts_.by_template[row.template_name];
+  ++counts_.by_sense[row.sense];
+  if (row.sense != name_of(Grade::Usual)) ++counts_.not_usual[row.template_name];
   traits_.add(traits);
   return database_.add_task(row, traits);
 }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "annotator/phenomena.h"
 #include "dataset/formula_json.h"
 #include "scene/json_text.h"
 #include "scene/scene_json.h"
@@ -42,6 +43,13 @@ Json instruction_json(const Instruction& instruction) {
             {"checks", instruction.checks}};
   if (!instruction.why.empty()) json["why"] = instruction.why;
   return json;
+}
+
+Json sense_json(const TaskSense& sense) {
+  Json parts = Json::array();
+  for (const auto& part : sense.parts)
+    parts.push_back({{"part", part.part}, {"grade", name_of(part.sense.grade)}, {"why", part.sense.why}});
+  return {{"grade", name_of(sense.grade)}, {"parts", std::move(parts)}};
 }
 
 std::string start_text(const TaskEntry& task) {
@@ -106,9 +114,11 @@ std::string line_of(const TaskEntry& task) {
   object.field("layout", task.layout);
   object.field("bindings", bindings);
   object.field("refinement", task.refinement);
+  object.field("phenomena", names_of(task.instruction.phenomena));
   object.field("goal", {{"text", task.goal_text}, {"tree", formula_to_json(task.goal)}});
   object.raw("start", start_text(task));
   object.field("instruction", instruction_json(task.instruction));
+  object.field("sense", sense_json(task.sense));
   object.field("expert", expert);
   object.field("seed", {{"run", task.run_seed}, {"slot", task.slot}, {"attempt", task.attempt}});
   return object.finish();

@@ -16,6 +16,7 @@
 #include "scene/command.h"
 #include "scene/trace.h"
 #include "scene/visible_object.h"
+#include "sense/grade_goal.h"
 
 namespace unietp {
 
@@ -32,6 +33,7 @@ struct TaskEntry {
   std::vector<std::string> start_constraints, edits;
   std::string changes;  // JSON of the Delta that makes the start of the home (scene/scene_json.h)
   Instruction instruction;
+  TaskSense sense;
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;

@@ -43,7 +43,7 @@ Json list_json(const char* name, const std::map<std::string, int>& counts) {
 Json writing_json(const WritingEntry& writing) {
   Json json{{"writer", writing.writer}};
   if (writing.seed) json["seed"] = *writing.seed;
-  if (writing.phrasings != "all") json["phrasings"] = writing.phrasings;
+  json["phrasings"] = writing.phrasings;
   json["counts"] = Json::array();
   for (const auto& [writer, tasks] : writing.counts) json["counts"].push_back({{"writer", writer}, {"tasks", tasks}});
   return json;
@@ -123,6 +123,8 @@ std::string to_text(const Manifest& manifest) {
               {"by_split", counts_json(counts.by_split)},
               {"by_simulator", counts_json(counts.by_simulator)},
               {"by_template", list_json("template", counts.by_template)},
+              {"by_sense", counts_json(counts.by_sense)},
+              {"not_usual", list_json("template", counts.not_usual)},
               {"balance", std::move(balance)},
               {"rejections", std::move(rejections)}}},
             {"files", std::move(files)},

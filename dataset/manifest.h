@@ -33,7 +33,7 @@ struct SourceLicence {
 struct WritingEntry {
   std::string writer;
   std::optional<std::uint64_t> seed;                // of the wording, where it is not the run's
-  std::string phrasings = "all";                    // "all", "training" or "benchmark"
+  std::string phrasings;                            // "everyday", "all", "training" or "benchmark"
   std::vector<std::pair<std::string, int>> counts;  // writer of an instruction, tasks
 };
 

@@ -9,6 +9,7 @@
 #include "expert/demonstration.h"
 #include "generator/rejection.h"
 #include "grounding/episode.h"
+#include "sense/grade_goal.h"
 
 namespace unietp {
 
@@ -19,6 +20,7 @@ struct Task {
   Demonstration demonstration;                // mode M1
   std::vector<Demonstration> in_other_modes;  // in the order of the configuration
   Instruction instruction;
+  TaskSense sense;
   std::vector<Trait> traits;  // its values in the balanced dimensions
   std::uint64_t seed = 0;     // of the run
   int slot = 0, attempt = 0;

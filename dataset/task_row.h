@@ -21,7 +21,7 @@ struct ActionRow {
 
 /// The fields of a task in dataset.sqlite and in the manifest's counts, without its traits.
 struct TaskRow {
-  std::string id, split, simulator, template_name, scene, layout, goal, instruction, style, writer;
+  std::string id, split, simulator, template_name, scene, layout, goal, instruction, style, writer, sense;
   std::vector<std::pair<std::string, std::string>> bindings;  // placeholder, category
   std::vector<ActionRow> actions;                             // of its demonstrations, one mode after the other
   bool operator==(const TaskRow&) const = default;

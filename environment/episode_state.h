@@ -26,6 +26,7 @@ struct EpisodeState {
   /// A copy that shares nothing that changes.
   std::unique_ptr<EpisodeState> apart() const;
 
+  /// How boxes of answers are to be read.
   AnswerFrame frame() const { return {settings.box_form, profile->image_width, profile->image_height}; }
   EpisodeEnd end() const;
   /// Reads the goal after a step that changed something.

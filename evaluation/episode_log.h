@@ -15,7 +15,7 @@
 
 namespace unietp {
 
-inline constexpr const char* kEpisodeLog = "log.jsonl";
+inline constexpr const char* kEpisodeLog = "log.jsonl";  // in the folder of an evaluation
 
 /// What is known of an ended episode without reading its lines.
 struct EndedEpisode {

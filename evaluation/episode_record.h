@@ -57,6 +57,7 @@ enum class EpisodeErrorKind : std::uint8_t {
 std::string_view name_of(EpisodeErrorKind kind);  // "rate_limit", "server", …
 std::optional<EpisodeErrorKind> error_kind_named(std::string_view name);
 
+/// Why an episode has no result of the policy's.
 struct EpisodeError {
   EpisodeErrorKind kind = EpisodeErrorKind::Server;
   std::string message;  // one line, without keys

@@ -43,7 +43,7 @@ class EpisodeWriter {
   }
 
   /// Says it to the environment and takes down what came of it.
-  void step(PolicyReply reply, Environment& environment) {
+  StepResult step(PolicyReply reply, Environment& environment) {
     EpisodeStep step;
     step.prompt = std::move(reply.prompt);
     step.reply = kept_text(reply.text, reply_bytes_);
@@ -58,7 +58,7 @@ class EpisodeWriter {
     const auto answer =
         parse_answer(step.reply, {environment.settings().box_form, seen.image_width, seen.image_height});
     if (!answer) step.unreadable = answer.error().message;
-    const StepResult result = answer ? environment.step(*answer) : environment.step(step.reply);
+    StepResult result = answer ? environment.step(*answer) : environment.step(step.reply);
     step.progress = environment.progress();
     played_.timing.environment_s += since(begin);
     for (const ExecutedAction& executed : result.executed) step.actions.push_back(action_of(executed));
@@ -69,7 +69,9 @@ class EpisodeWriter {
     if (!reply.model.empty() && (place == models.end() || *place != reply.model))
       models.insert(place, std::move(reply.model));
     played_.record.steps.push_back(std::move(step));
+    return result;
   }
+  const std::string& unreadable() const { return played_.record.steps.back().unreadable; }
 
   PlayedEpisode finish(const Environment& environment) && {
     const PrivilegedState state = environment.privileged();
@@ -102,16 +104,20 @@ class EpisodeWriter {
 }  // namespace
 
 std::variant<PlayedEpisode, NoReply> play_episode(const PlannedEpisode& planned, Environment& environment,
-                                                  Policy& policy) {
+                                                  Policy& policy, EpisodeWatcher* watcher) {
   EpisodeWriter writer(planned, environment);
+  if (watcher != nullptr) watcher->begin(environment);
   auto none = policy.begin(planned, environment);
   while (!none && !environment.over()) {
     auto answer = policy.next(environment);
-    if (auto* reply = std::get_if<PolicyReply>(&answer)) {
-      writer.step(std::move(*reply), environment);
-    } else {
+    auto* reply = std::get_if<PolicyReply>(&answer);
+    if (reply == nullptr) {
       none = std::get<NoReply>(std::move(answer));
+      break;
     }
+    if (watcher != nullptr) watcher->before_reply(environment);
+    const StepResult result = writer.step(std::move(*reply), environment);
+    if (watcher != nullptr) watcher->after_reply(writer.unreadable(), result, environment);
   }
   if (!none) return std::move(writer).finish(environment);
   if (none->stopped || none->again || none->hopeless) return std::move(*none);

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "environment/environment.h"
+#include "evaluation/episode_watcher.h"
 #include "evaluation/policy.h"
 
 namespace unietp {
@@ -22,9 +23,10 @@ struct PlayedEpisode {
 /// Plays one episode in an environment at its start, until it ends or there is no reply. What the agent said goes to
 /// the environment as UTF-8 of at most `reply_bytes`, and is recorded so; what could not be read is a failed step like
 /// any other. Gives NoReply where the episode is to be left as if it had not begun: when the run is stopped or given
-/// up, and when it may be begun again. Deterministic as far as the policy is.
+/// up, and when it may be begun again. `watcher`, which may be null, looks on; its `end` is left to the caller.
+/// Deterministic as far as the policy is.
 std::variant<PlayedEpisode, NoReply> play_episode(const PlannedEpisode& planned, Environment& environment,
-                                                  Policy& policy);
+                                                  Policy& policy, EpisodeWatcher* watcher = nullptr);
 
 /// The record of an episode that never got a first reply. `environment` is at its start.
 PlayedEpisode unplayed(const PlannedEpisode& planned, const Environment& environment, const NoReply& none);

@@ -33,9 +33,9 @@ class EvaluationRun {
     progress.cost = log.cost();
   }
 
-  void work(Policy& policy) {
+  void work(Policy& policy, EpisodeWatcher* watcher) {
     while (const auto planned = next()) {
-      const auto done = play(*planned, policy);
+      const auto done = play(*planned, policy, watcher);
       if (!done) end(done.error());
     }
   }
@@ -67,7 +67,7 @@ class EvaluationRun {
     return nullptr;
   }
 
-  Result<Done> play(const PlannedEpisode& planned, Policy& policy) {
+  Result<Done> play(const PlannedEpisode& planned, Policy& policy, EpisodeWatcher* watcher) {
     const auto task = tasks_.task(planned.position);
     if (!task) return task.error();
     NoReply last;
@@ -77,9 +77,12 @@ class EvaluationRun {
       auto environment = Environment::make(*task, settings_.at(planned.key.mode));
       if (!environment) return environment.error();
       const double made_s = std::chrono::duration<double>(Clock::now() - begin).count();
-      auto played = play_episode(planned, *environment, policy);
+      auto played = play_episode(planned, *environment, policy, watcher);
       if (auto* episode = std::get_if<PlayedEpisode>(&played)) {
         episode->timing.environment_s += made_s;
+        if (watcher != nullptr) {
+          if (auto done = watcher->end(episode->record, *environment); !done) return done;
+        }
         return take(*episode);
       }
       last = std::get<NoReply>(std::move(played));
@@ -184,7 +187,8 @@ Result<EvaluationReport> evaluate(const EpisodePlan& plan, const TaskSource& tas
   EvaluationRun run(plan, tasks, settings, log, options);
   run_on_threads(std::max(1, options.at_once), [&] {
     const auto own = policy();
-    run.work(*own);
+    const auto watcher = options.watcher ? options.watcher() : nullptr;
+    run.work(*own, watcher.get());
   });
   return std::move(run).report();
 }

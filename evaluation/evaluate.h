@@ -9,6 +9,7 @@
 #include "core/result.h"
 #include "environment/task_source.h"
 #include "evaluation/episode_log.h"
+#include "evaluation/episode_watcher.h"
 #include "evaluation/evaluation_manifest.h"
 #include "evaluation/policy.h"
 
@@ -31,12 +32,14 @@ struct EvaluationProgress {
   double cost = 0, seconds = 0;                                // of all; of this run
 };
 
+/// How an evaluation is run.
 struct EvaluationOptions {
   int at_once = 1;          // episodes played at a time, each on a thread of its own
   int policy_attempts = 3;  // of an episode whose policy's program failed
   double first_wait_s = 1;  // before the second of them; doubled each time
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const EvaluationProgress&)> progress;  // called by one thread at a time
+  WatcherMaker watcher;
 };
 
 /// How a run ended.

@@ -89,6 +89,7 @@ struct EvaluationTotals {
   bool operator==(const EvaluationTotals&) const = default;
 };
 
+/// manifest.json in the folder of an evaluation.
 struct EvaluationManifest {
   EvaluationSetup setup;
   EvaluationTotals totals;

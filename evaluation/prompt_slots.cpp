@@ -133,7 +133,9 @@ std::string release_view_slot(const PromptContext& context) {
 }
 std::string release_history_slot(const PromptContext& context) {
   const std::string lines = numbered_history(context, [](const ActionReport& one) {
-    return one.action + " Action success: " + (*one.success ? "true" : "false") +
+    const std::size_t name_end = std::min(one.action.find('('), one.action.size());
+    return release_action_name(std::string_view(one.action).substr(0, name_end)) + one.action.substr(name_end) +
+           ". Action success: " + (*one.success ? "true" : "false") +
            (one.feedback.empty() ? "" : ". Feedback: " + one.feedback);
   });
   return lines.empty() ? "none" : lines;

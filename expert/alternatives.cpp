@@ -21,7 +21,7 @@ bool same_choice(const Alternative& a, const Alternative& b) {
   for (std::size_t i = 0; i < a.moments.size(); ++i) {
     if (a.moments[i].literals != b.moments[i].literals || a.moments[i].after != b.moments[i].after) return false;
   }
-  return a.keeps.size() == b.keeps.size();
+  return a.maintained.size() == b.maintained.size();
 }
 
 void append_later_parts(Alternative& to, const Alternative& from) {
@@ -30,15 +30,16 @@ void append_later_parts(Alternative& to, const Alternative& from) {
     for (std::size_t& before : moment.after) before += offset;
     to.moments.push_back(std::move(moment));
   }
-  for (Keep keep : from.keeps) {
-    if (keep.until != Keep::kAlways) keep.until += offset;
-    to.keeps.push_back(std::move(keep));
+  for (MaintenanceGoal keep : from.maintained) {
+    if (keep.until != MaintenanceGoal::kAlways) keep.until += offset;
+    to.maintained.push_back(std::move(keep));
   }
 }
 
 /// The one way is to leave things as they are.
 bool only_stands(const Choices::List& list) {
-  return list.size() == 1 && list.front().end.empty() && list.front().moments.empty() && list.front().keeps.empty();
+  return list.size() == 1 && list.front().end.empty() && list.front().moments.empty() &&
+         list.front().maintained.empty();
 }
 
 bool contradict(const Alternative& a, const Alternative& b, const Situation& situation) {

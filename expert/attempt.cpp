@@ -107,8 +107,8 @@ bool Attempt::keeps_hold() const {
     const auto& literals = alternative_->moments[moment].literals;
     return std::all_of(literals.begin(), literals.end(), [this](const Literal& literal) { return holds(literal); });
   };
-  for (const Keep& keep : alternative_->keeps) {
-    if (keep.until != Keep::kAlways) {
+  for (const MaintenanceGoal& keep : alternative_->maintained) {
+    if (keep.until != MaintenanceGoal::kAlways) {
       if (come_[keep.until] || (!keep.inclusive && comes_now(keep.until))) continue;
     }
     Assignment assignment = keep.assignment;

@@ -193,7 +193,7 @@ bool Methods::shut_in_the_way(ActionType action, const std::string& id) {
 
 /// Puts what is held where further steps can be done afterwards, and does them.
 bool Methods::put_so_that(const std::string& id, const std::vector<Action>& then) {
-  WaysToRid ways = ways_to_rid(id, "", "");
+  PutDownOptions ways = put_down_options(id, "", "");
   while (const auto next = ways.next()) {
     const Action& way = *next;
     std::vector<Action> steps{{ActionType::GoTo, way.args}, way};
@@ -206,7 +206,7 @@ bool Methods::put_so_that(const std::string& id, const std::vector<Action>& then
 
 /// Puts what is held where it is not what an action is blocked by; something else may be.
 bool Methods::put_out_of_the_way(const std::string& id, const Action& action) {
-  WaysToRid ways = ways_to_rid(id, "", "");
+  PutDownOptions ways = put_down_options(id, "", "");
   while (const auto next = ways.next()) {
     const Action& way = *next;
     const std::vector<Action> steps{{ActionType::GoTo, way.args}, way};

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "expert/course.h"
+#include "expert/rollout.h"
 
 namespace unietp {
 namespace {
@@ -17,11 +17,11 @@ bool only_moves_the_body(ActionType type) {
 }
 
 /// Leaves out runs of this length wherever the goal holds without them; true when some went.
-bool shorten(const Course& start, std::vector<Action>& actions, std::size_t length) {
+bool shorten(const Rollout& start, std::vector<Action>& actions, std::size_t length) {
   bool shorter = false;
-  Course so_far = start;
+  Rollout so_far = start;
   for (std::size_t i = 0; i + length < actions.size();) {  // the last is `stop`
-    Course without = so_far;
+    Rollout without = so_far;
     without.go_on(std::span(actions).subspan(i + length));
     if (without.reaches_goal()) {
       actions = without.done();
@@ -34,12 +34,12 @@ bool shorten(const Course& start, std::vector<Action>& actions, std::size_t leng
   return shorter;
 }
 
-bool leave_in_hand(const Course& start, std::vector<Action>& actions) {
+bool leave_in_hand(const Rollout& start, std::vector<Action>& actions) {
   for (const LeftInHand& mutant : left_in_hand(actions)) {
-    Course course = start;
-    course.go_on(mutant.actions);
-    if (!course.reaches_goal()) continue;
-    actions = course.done();
+    Rollout rollout = start;
+    rollout.go_on(mutant.actions);
+    if (!rollout.reaches_goal()) continue;
+    actions = rollout.done();
     return true;
   }
   return false;
@@ -50,16 +50,16 @@ bool leave_in_hand(const Course& start, std::vector<Action>& actions) {
 Demonstration record(Rehearsal& rehearsal, Mode mode, const std::vector<Action>& actions) {
   Demonstration demonstration;
   demonstration.mode = mode;
-  Course course(rehearsal, mode);
+  Rollout rollout(rehearsal, mode);
   for (const Action& action : actions) {
-    auto command = clearly_said(course.episode(), action);
+    auto command = clearly_said(rollout.episode(), action);
     if (!command) continue;
     DemonstrationStep step;
-    step.visible = course.episode().visible();
+    step.visible = rollout.episode().visible();
     step.action = action;
     step.command = std::move(*command);
-    step.outcome = course.go_on(action);
-    if (step.outcome.success) step.changes = course.episode().world().changes();
+    step.outcome = rollout.go_on(action);
+    if (step.outcome.success) step.changes = rollout.episode().world().changes();
     demonstration.steps.push_back(std::move(step));
   }
   return demonstration;
@@ -67,8 +67,8 @@ Demonstration record(Rehearsal& rehearsal, Mode mode, const std::vector<Action>&
 
 std::optional<std::vector<Action>> without_needless(Rehearsal& rehearsal, Mode mode, std::vector<Action> actions,
                                                     std::size_t longest_run) {
-  const Course start(rehearsal, mode);
-  Course all = start;
+  const Rollout start(rehearsal, mode);
+  Rollout all = start;
   all.go_on(actions);
   if (!all.reaches_goal()) return std::nullopt;
   actions = all.done();
@@ -86,7 +86,7 @@ std::optional<std::vector<Action>> without_needless(Rehearsal& rehearsal, Mode m
 
 std::vector<LeftInHand> left_in_hand(const std::vector<Action>& actions) {
   std::vector<LeftInHand> mutants;
-  for (std::size_t down = 0; down < actions.size(); ++down) {
+  for (std::size_t down = 0; down + 1 < actions.size(); ++down) {  // what ends with putting down is no whole plan
     if (!puts_down(actions[down].type)) continue;
     std::size_t begin = down;
     while (begin > 0 && actions[begin].type != ActionType::PickUp) --begin;

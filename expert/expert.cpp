@@ -15,9 +15,10 @@
 namespace unietp {
 namespace {
 
-constexpr std::array kHabits{Habits{}, Habits{.switch_before_placing = true}, Habits{.far_first = true},
-                             Habits{.far_first = true, .switch_before_placing = true}, Habits{.large_first = true}};
-constexpr double kPerHabit = 2;         // surcharge for each departure from the usual habits, in actions
+constexpr std::array kOrderPreferences{
+    OrderPreferences{}, OrderPreferences{.switch_before_placing = true}, OrderPreferences{.far_first = true},
+    OrderPreferences{.far_first = true, .switch_before_placing = true}, OrderPreferences{.large_first = true}};
+constexpr double kPerPreference = 2;    // surcharge for each departure from the usual preferences, in actions
 constexpr double kFailedLiteral = 100;  // surcharges that a failure teaches, in actions
 constexpr double kFailedThing = 30;
 constexpr int kTriesPerLiteral = 3;  // a truth that later steps keep undoing is given up after so many
@@ -27,38 +28,38 @@ constexpr int kMostOutOfSteps = 3;  // attempts; what asks for so much is not me
 
 struct Choice {
   Alternative alternative;
-  Habits habits;
+  OrderPreferences preferences;
 };
 
 /// The cheapest choice that was not tried yet.
 std::optional<Choice> next_choice(const std::vector<Alternative>& alternatives, const Situation& situation,
                                   std::set<std::string>& tried) {
   const Alternative* best = nullptr;
-  std::size_t best_habit = 0;
+  std::size_t best_preferences = 0;
   double best_cost = 0;
   std::string best_name;
   for (const Alternative& alternative : alternatives) {
     const std::string text = changes_text(alternative, situation);
-    for (std::size_t h = 0; h < kHabits.size(); ++h) {
-      const double cost = alternative.cost + kPerHabit * static_cast<double>(h);
+    for (std::size_t h = 0; h < kOrderPreferences.size(); ++h) {
+      const double cost = alternative.cost + kPerPreference * static_cast<double>(h);
       std::string name = std::to_string(h) + " " + text;
       if ((best != nullptr && cost >= best_cost) || tried.contains(name)) continue;
       best = &alternative;
-      best_habit = h;
+      best_preferences = h;
       best_cost = cost;
       best_name = std::move(name);
     }
   }
   if (best == nullptr) return std::nullopt;
   tried.insert(best_name);
-  return Choice{*best, kHabits[best_habit]};
+  return Choice{*best, kOrderPreferences[best_preferences]};
 }
 
 /// Brings all the literals about so that they hold together; gives the one that failed.
 std::optional<Literal> bring_about(Attempt& attempt, Methods& methods, const std::vector<Literal>& literals,
-                                   const Habits& habits) {
+                                   const OrderPreferences& preferences) {
   std::map<Literal, int> tries;
-  while (const auto literal = next_literal(attempt, literals, habits)) {
+  while (const auto literal = next_literal(attempt, literals, preferences)) {
     if (++tries[*literal] > kTriesPerLiteral) return literal;
     if (!methods.achieve(*literal)) return literal;
   }
@@ -66,13 +67,14 @@ std::optional<Literal> bring_about(Attempt& attempt, Methods& methods, const std
 }
 
 /// Moments in order, then the end. Gives the literal that failed.
-std::optional<Literal> carry_out(Attempt& attempt, Methods& methods, const Habits& habits) {
+std::optional<Literal> carry_out(Attempt& attempt, Methods& methods, const OrderPreferences& preferences) {
   const Alternative& alternative = attempt.alternative();
-  for (const std::size_t moment : order_of_moments(alternative, habits)) {
+  for (const std::size_t moment : order_of_moments(alternative, preferences)) {
     if (attempt.has_come(moment)) continue;
-    if (const auto failed = bring_about(attempt, methods, alternative.moments[moment].literals, habits)) return failed;
+    if (const auto failed = bring_about(attempt, methods, alternative.moments[moment].literals, preferences))
+      return failed;
   }
-  return bring_about(attempt, methods, wanted_at_end(alternative), habits);
+  return bring_about(attempt, methods, wanted_at_end(alternative), preferences);
 }
 
 void shun(Experience& experience, const Situation& situation, const std::string& id) {
@@ -131,7 +133,7 @@ std::variant<std::vector<Action>, Rejection> try_plans(Rehearsal& rehearsal, con
       continue;
     }
     Methods methods(attempt, categories_of(goal), beginning.shunned, clears);
-    const auto failed = carry_out(attempt, methods, choice->habits);
+    const auto failed = carry_out(attempt, methods, choice->preferences);
     actions_done += static_cast<int>(std::ssize(attempt.actions()) - std::ssize(beginning.done)) + attempt.failures();
     if (failed) {
       lacked_room = lacked_room || Methods::lacked_room(attempt);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "expert/course.h"
 #include "expert/poses.h"
+#include "expert/rollout.h"
 #include "simulation/view.h"
 
 namespace unietp {

@@ -329,7 +329,7 @@ class Reader {
   List keep_always(const Formula& formula, bool want) {
     if (holds_at_start(formula) != want) return choices_.none();
     Alternative alternative;
-    alternative.keeps.push_back({want ? formula : negation(formula), assignment_, Keep::kAlways, true});
+    alternative.maintained.push_back({want ? formula : negation(formula), assignment_, MaintenanceGoal::kAlways, true});
     return {alternative};
   }
 
@@ -337,7 +337,7 @@ class Reader {
     if (holds_at_start(goal)) return choices_.nothing_to_do();
     if (!holds_at_start(kept)) return choices_.none();
     List list = moment(goal, true);
-    for (Alternative& alternative : list) alternative.keeps.push_back({kept, assignment_, 0, false});
+    for (Alternative& alternative : list) alternative.maintained.push_back({kept, assignment_, 0, false});
     return list;
   }
 
@@ -345,7 +345,7 @@ class Reader {
     if (holds_at_start(second)) return choices_.none();
     if (holds_at_start(first)) return moment(second, true);
     List list = choices_.in_turn(read(first, true), read(second, true));
-    for (Alternative& alternative : list) alternative.keeps.push_back({negation(second), assignment_, 0, true});
+    for (Alternative& alternative : list) alternative.maintained.push_back({negation(second), assignment_, 0, true});
     return list;
   }
 
@@ -357,7 +357,7 @@ class Reader {
     if (holds_at_start(goal)) return list;
     List broken = moment(neither, true);
     for (Alternative& alternative : broken) {
-      if (!alternative.moments.empty()) alternative.keeps.push_back({negation(goal), assignment_, 0, true});
+      if (!alternative.moments.empty()) alternative.maintained.push_back({negation(goal), assignment_, 0, true});
     }
     return choices_.either(std::move(list), std::move(broken));
   }
@@ -369,7 +369,7 @@ class Reader {
     if (holds_at_start(second)) return choices_.nothing_to_do();
     if (holds_at_start(first)) return list;
     List later = moment(second, true);
-    for (Alternative& alternative : later) alternative.keeps.push_back({negation(first), assignment_, 0, false});
+    for (Alternative& alternative : later) alternative.maintained.push_back({negation(first), assignment_, 0, false});
     return choices_.either(std::move(list), std::move(later));
   }
 

@@ -7,7 +7,7 @@
 #include "core/least_first.h"
 #include "expert/attempt.h"
 #include "expert/footing.h"
-#include "expert/ways_to_rid.h"
+#include "expert/put_down_options.h"
 #include "logic/formula.h"
 
 namespace unietp {
@@ -58,7 +58,7 @@ class Methods {
   Aim room_at(const std::string& id, ActionType action, const std::string& target) const;
   bool unblock(ActionType action, const std::string& id);
   bool shut_in_the_way(ActionType action, const std::string& id);
-  WaysToRid ways_to_rid(const std::string& id, const std::string& room, const std::string& except) const;
+  PutDownOptions put_down_options(const std::string& id, const std::string& room, const std::string& except) const;
   bool is_named(const std::string& id) const;
   bool take_away(const Literal& literal);
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <utility>
 
-#include "expert/course.h"
 #include "expert/execution.h"
 #include "expert/exploration.h"
+#include "expert/rollout.h"
 
 namespace unietp {
 namespace {
@@ -21,7 +21,7 @@ struct Trouble {
 /// Carries out a plan that names things by ids, looking for each thing first.
 class Explorer {
  public:
-  Explorer(Rehearsal& rehearsal, Mode mode) : course_(rehearsal, mode) {}
+  Explorer(Rehearsal& rehearsal, Mode mode) : rollout_(rehearsal, mode) {}
   /// From now on it looks around from where it stands, also where it would see a thing sooner from elsewhere.
   void stay() { stays_ = true; }
 
@@ -50,37 +50,37 @@ class Explorer {
       return false;
     }
     trouble_ = {"done so, it does not reach the goal"};
-    return course_.reaches_goal();
+    return rollout_.reaches_goal();
   }
 
-  const std::vector<Action>& done() const { return course_.done(); }
+  const std::vector<Action>& done() const { return rollout_.done(); }
   const Trouble& trouble() const { return trouble_; }
   const std::string& lost() const { return lost_; }  // what was not come to, or could not be used; or ""
-  bool over() const { return course_.episode().over(); }
+  bool over() const { return rollout_.episode().over(); }
 
  private:
   static constexpr int kMostDetours = 2;
 
-  const World& world() const { return course_.episode().world(); }
-  bool can_say(const Action& action) const { return clearly_said(course_.episode(), action).has_value(); }
+  const World& world() const { return rollout_.episode().world(); }
+  bool can_say(const Action& action) const { return clearly_said(rollout_.episode(), action).has_value(); }
   bool unseen(const std::string& id) {
     trouble_ = {id + " cannot be found", Failure::NotSeenYet};
     return false;
   }
   bool act(const Action& action) {
-    const Outcome outcome = course_.go_on(action);
+    const Outcome outcome = rollout_.go_on(action);
     if (!outcome.success) trouble_ = {to_text(action) + ": " + outcome.feedback, outcome.failure};
     return outcome.success;
   }
   bool look(const std::string& id, Standing standing = Standing::Anywhere) {
-    const auto way = way_to_see(course_.episode(), id, standing);
+    const auto way = way_to_see(rollout_.episode(), id, standing);
     return way && std::all_of(way->begin(), way->end(), [this](const Action& step) { return act(step); });
   }
   /// Looks from here, from the room, and from furniture; furniture that is not in view itself is looked for first.
   bool see(const std::string& id, int detours = 0) {
     if (look(id)) return true;
     if (detours == kMostDetours) return false;
-    const Course before = course_;
+    const Rollout before = rollout_;
     for (const std::string& lookout : lookouts_for(world(), id)) {
       const Action approach{ActionType::GoTo, {lookout}};
       if (can_say(approach) || !see(lookout, detours + 1) || !act(approach)) continue;
@@ -90,19 +90,19 @@ class Explorer {
   }
   /// Where long steps and wide turns lead to few places, each thing nearby that is gone to leads to others. Once for
   /// each thing that is not found so.
-  bool see_from_nearby(const std::string& id, const Course& before) {
+  bool see_from_nearby(const std::string& id, const Rollout& before) {
     if (given_up_.contains(id)) return false;
     for (const std::string& other : things_near(world(), id)) {
-      course_ = before;
+      rollout_ = before;
       const Action approach{ActionType::GoTo, {other}};
       if ((can_say(approach) || look(other)) && act(approach) && look(id)) return true;
     }
-    course_ = before;
+    rollout_ = before;
     given_up_.insert(id);
     return false;
   }
 
-  Course course_;
+  Rollout rollout_;
   bool stays_ = false;
   std::set<std::string> given_up_;
   Trouble trouble_;

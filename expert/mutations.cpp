@@ -3,9 +3,9 @@
 #include <span>
 
 #include "core/keep_least.h"
-#include "expert/course.h"
 #include "expert/execution.h"
 #include "expert/expert.h"
+#include "expert/rollout.h"
 #include "expert/situation.h"
 #include "logic/evaluate.h"
 
@@ -55,16 +55,16 @@ class Mutator {
       : start_(rehearsal, mode), world_(rehearsal.world()), goal_(rehearsal.goal()) {}
 
   bool survives(const std::vector<Action>& actions) const {
-    Course course = start_;
-    course.go_on(actions);
-    return course.reaches_goal();
+    Rollout rollout = start_;
+    rollout.go_on(actions);
+    return rollout.reaches_goal();
   }
 
   void drop_each(const std::vector<Action>& actions, std::vector<std::string>& surviving) const {
-    Course here = start_;
+    Rollout here = start_;
     for (std::size_t i = 0; i < actions.size(); ++i) {
       if (actions[i].type != ActionType::Stop) {
-        Course without = here;
+        Rollout without = here;
         without.go_on(std::span(actions).subspan(i + 1));
         if (without.reaches_goal()) {
           surviving.push_back("without step " + std::to_string(i + 1) + ": " + to_text(actions[i]));
@@ -144,7 +144,7 @@ class Mutator {
     if (used && survives(mutant)) surviving.push_back("with " + to + " instead of " + from);
   }
 
-  Course start_;
+  Rollout start_;
   const World& world_;  // at the start
   const Formula& goal_;
 };

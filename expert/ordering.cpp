@@ -25,14 +25,14 @@ enum Stage {
 
 class Ranker {
  public:
-  Ranker(const Attempt& attempt, std::vector<Literal> open, const Habits& habits)
-      : attempt_(attempt), open_(std::move(open)), habits_(habits) {}
+  Ranker(const Attempt& attempt, std::vector<Literal> open, const OrderPreferences& preferences)
+      : attempt_(attempt), open_(std::move(open)), preferences_(preferences) {}
 
   auto key(const Literal& literal) const {
     const Node* node = attempt_.node(literal.subject);
     double metres = node == nullptr || attempt_.is_held(node->id) ? 0 : attempt_.world().walking_distance(node->id);
-    if (habits_.far_first) metres = -metres;
-    const double room = habits_.large_first && node != nullptr ? -node->size.x() * node->size.y() : 0;
+    if (preferences_.far_first) metres = -metres;
+    const double room = preferences_.large_first && node != nullptr ? -node->size.x() * node->size.y() : 0;
     return std::tuple(stage(literal), depth(literal), room, metres, literal.subject, place_in_group(literal), literal);
   }
 
@@ -95,7 +95,7 @@ class Ranker {
       const bool then_out_of_reach = any_of_subject(literal.subject, [](const Literal& other) {
         return other.predicate == Predicate::Inside || other.predicate == Predicate::Held;
       });
-      return waits && !then_out_of_reach && !habits_.switch_before_placing ? 20 : 0;
+      return waits && !then_out_of_reach && !preferences_.switch_before_placing ? 20 : 0;
     }
     switch (literal.predicate) {
       case Predicate::Empty:
@@ -117,7 +117,7 @@ class Ranker {
 
   const Attempt& attempt_;
   std::vector<Literal> open_;
-  Habits habits_;
+  OrderPreferences preferences_;
 };
 
 /// The thing to cut for a literal about a slice that does not exist yet.
@@ -135,7 +135,7 @@ std::optional<Literal> cut_for(const Attempt& attempt, const Literal& literal) {
 }  // namespace
 
 std::optional<Literal> next_literal(const Attempt& attempt, const std::vector<Literal>& literals,
-                                    const Habits& habits) {
+                                    const OrderPreferences& preferences) {
   std::vector<Literal> open;
   for (const Literal& literal : literals) {
     if (attempt.holds(literal)) continue;
@@ -143,7 +143,7 @@ std::optional<Literal> next_literal(const Attempt& attempt, const std::vector<Li
   }
   if (open.empty()) return std::nullopt;
   if (open.size() == 1) return open.front();
-  const Ranker ranker(attempt, open, habits);
+  const Ranker ranker(attempt, open, preferences);
   const Literal* first = &open.front();
   auto least = ranker.key(*first);
   for (const Literal& literal : std::span(open).subspan(1)) {
@@ -153,13 +153,13 @@ std::optional<Literal> next_literal(const Attempt& attempt, const std::vector<Li
   return *first;
 }
 
-std::vector<std::size_t> order_of_moments(const Alternative& alternative, const Habits& habits) {
+std::vector<std::size_t> order_of_moments(const Alternative& alternative, const OrderPreferences& preferences) {
   std::vector<std::size_t> order;
   const std::size_t n = alternative.moments.size();
   std::vector<bool> done(n, false);
   for (std::size_t round = 0; round < n; ++round) {
     for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t m = habits.far_first ? n - 1 - i : i;
+      const std::size_t m = preferences.far_first ? n - 1 - i : i;
       const auto& after = alternative.moments[m].after;
       if (done[m] || !std::all_of(after.begin(), after.end(), [&](std::size_t earlier) { return done[earlier]; })) {
         continue;

@@ -79,7 +79,7 @@ bool Methods::place_beside(const std::string& id, const std::string& neighbour) 
 bool Methods::put_together(const std::string& id, const std::string& neighbour) {
   if (!hold(neighbour)) return false;
   const Aim aim{[&](const World& world) { return world.linked(id, Predicate::NextTo, neighbour); }, {}};
-  WaysToRid ways = ways_to_rid(neighbour, "", "");
+  PutDownOptions ways = put_down_options(neighbour, "", "");
   while (const auto next = ways.next()) {
     const Action& way = *next;
     const std::vector<Action> steps{
@@ -114,7 +114,7 @@ bool Methods::place_in_room(const std::string& id, const std::string& room) {
 
 /// On the furniture that it is usual on, then on or in any other; on the floor only where there is nothing else.
 bool Methods::put_down_in(const std::string& id, const std::string& room) {
-  WaysToRid ways = ways_to_rid(id, room, "");
+  PutDownOptions ways = put_down_options(id, room, "");
   std::vector<Action> tried;
   while (const auto way = ways.next()) {
     if (works_at(*way)) return do_at(way->type, way->args.front());
@@ -156,13 +156,14 @@ bool Methods::free_hand(const std::string& wanted) {
   return true;
 }
 
-WaysToRid Methods::ways_to_rid(const std::string& id, const std::string& room, const std::string& except) const {
+PutDownOptions Methods::put_down_options(const std::string& id, const std::string& room,
+                                         const std::string& except) const {
   return {attempt_.world(), *attempt_.situation().knowledge, {id, room, except, relevant_}};
 }
 
 bool Methods::put_aside(const std::string& id, const std::string& except) {
   if (!attempt_.is_held(id)) return true;
-  WaysToRid ways = ways_to_rid(id, "", except);
+  PutDownOptions ways = put_down_options(id, "", except);
   std::vector<Action> tried;
   while (const auto way = ways.next()) {
     if (works_at(*way) && do_at(way->type, way->args.front())) return true;

@@ -30,7 +30,7 @@ struct Moment {
 
 /// A state formula that must hold at every position up to a moment (with the moment's own position when `inclusive`),
 /// or always.
-struct Keep {
+struct MaintenanceGoal {
   static constexpr std::size_t kAlways = static_cast<std::size_t>(-1);
   Formula formula;
   Assignment assignment;
@@ -55,7 +55,7 @@ struct Alternative {
   /// thousands of truths, which the ways to meet the rest of a goal have in common.
   std::shared_ptr<const Truths> standing;
   std::vector<Moment> moments;
-  std::vector<Keep> keeps;
+  std::vector<MaintenanceGoal> maintained;
   double cost = 0;  // estimated actions, plus a little for the way
 };
 /// Its moments and what it wants of the end: tells the alternatives of one goal apart.

@@ -32,7 +32,7 @@ struct ExportRequest {
   /// Of the format's own options: values as given or by default. A flag that was given has the value {"true"}.
   std::map<std::string, std::vector<std::string>> options;
 
-  bool has(const std::string& option) const { return options.contains(option); }
+  bool has(const std::string& option) const { return options.contains(option); }  // whether it was given
   /// The only value of an option; "" when it has none.
   std::string value(const std::string& option) const;
 };

@@ -7,6 +7,8 @@
 namespace unietp {
 namespace {
 
+constexpr int kMostAsked = 4000;  // of wishes; nearly all bindings are found after a few dozen
+
 bool is_meant_for(const Template& source, Simulator simulator) {
   return std::find(source.simulators.begin(), source.simulators.end(), simulator) != source.simulators.end();
 }
@@ -33,12 +35,11 @@ class BindingSearch {
 
   void enumerate(std::size_t limit, std::vector<Binding>& found) { extend(limit, nullptr, found); }
   void sample(Rng& rng, std::vector<Binding>& found) { extend(1, &rng, found); }
-  void fix(const Binding& fixed) { fixed_ = &fixed; }
-  void weigh(const CategoryWeight& weight) { weight_ = &weight; }
+  void heed(const BindingWishes& wishes) { wishes_ = &wishes; }
 
  private:
   const std::string* given_to(const Parameter& parameter) const {
-    return fixed_ == nullptr ? nullptr : bound_to(*fixed_, parameter.name);
+    return wishes_ == nullptr ? nullptr : bound_to(wishes_->fixed, parameter.name);
   }
 
   /// What the home offers a parameter; nullptr: anything.
@@ -61,19 +62,43 @@ class BindingSearch {
     if (const auto* given = given_to(parameter))
       std::erase_if(choices, [&](const std::string& name) { return name != *given; });
     std::vector<double> weights;
-    if (weight_ != nullptr) {
-      for (const auto& choice : choices) weights.push_back((*weight_)(parameter, choice));
+    if (wishes_ != nullptr && wishes_->weight) {
+      for (const auto& choice : choices) weights.push_back(wishes_->weight(parameter, choice));
     } else if (rng != nullptr) {
       rng->shuffle(choices);
     }
     for (std::size_t next = 0; next < choices.size(); ++next) {
       if (!weights.empty()) bring_forward(next, choices, weights, *rng);
       const auto choice = choices[next];
+      if (spent()) return;
+      if (!accepted(parameter, choice)) continue;
       binding_.emplace_back(parameter.name, choice);
-      extend(limit, rng, found);
+      if (leaves_some_for_the_others()) extend(limit, rng, found);
       binding_.pop_back();
       if (found.size() >= limit) return;
     }
+  }
+
+  bool accepted(const Parameter& parameter, const std::string& choice) {
+    if (wishes_ == nullptr || !wishes_->accepts) return true;
+    ++asked_;
+    return wishes_->accepts(binding_, parameter, choice);
+  }
+  bool spent() const { return asked_ > kMostAsked; }
+
+  /// Whether each later placeholder but the next, which is tried at once, still has an acceptable category. Without
+  /// this, a thing that makes no sense at any place would be found out only after all others were tried with it.
+  bool leaves_some_for_the_others() {
+    if (wishes_ == nullptr || !wishes_->accepts) return true;
+    for (std::size_t later = binding_.size() + 1; later < source_.parameters.size(); ++later) {
+      const auto& parameter = source_.parameters[later];
+      if (given_to(parameter) != nullptr) continue;
+      const auto choices = candidates_for(parameter, source_.constraints, binding_, knowledge_, offered_to(parameter));
+      const bool some = std::any_of(choices.begin(), choices.end(),
+                                    [&](const std::string& choice) { return accepted(parameter, choice); });
+      if (!some) return false;
+    }
+    return true;
   }
 
   /// Draws which of the choices from `next` on comes first.
@@ -86,12 +111,12 @@ class BindingSearch {
 
   const Template& source_;
   const Knowledge& knowledge_;
-  const Binding* fixed_ = nullptr;
-  const CategoryWeight* weight_ = nullptr;
+  const BindingWishes* wishes_ = nullptr;
   const std::vector<std::string>* offered_ = nullptr;  // sorted
   std::vector<std::string> sorted_;                    // when it was not
   bool offers_rooms_ = false;
   Binding binding_;
+  int asked_ = 0;  // categories that the wishes accepted or refused
 };
 
 }  // namespace
@@ -115,14 +140,12 @@ std::optional<Binding> sample_binding(const Template& source, const Knowledge& k
 }
 
 std::optional<Binding> sample_binding(const Template& source, const Knowledge& knowledge,
-                                      const std::vector<std::string>& offered, const Binding& fixed,
-                                      const CategoryWeight& weight, Rng rng) {
+                                      const std::vector<std::string>& offered, const BindingWishes& wishes, Rng rng) {
   if (!is_meant_for(source, knowledge.simulator())) return std::nullopt;
   std::vector<Binding> found;
   BindingSearch search(source, knowledge);
   search.restrict_to(offered);
-  search.fix(fixed);
-  search.weigh(weight);
+  search.heed(wishes);
   search.sample(rng, found);
   if (found.empty()) return std::nullopt;
   return found.front();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <unordered_set>
 
@@ -229,6 +230,43 @@ bool value_holds(const DomainConstraint& constraint, const Binding& binding, con
   return false;
 }
 
+/// Things of every kind are things, and nearly all are movable: kinds as wide as these join nothing.
+bool is_narrow(const std::string& kind) {
+  return kind != "thing" && kind != "movable" && kind != "place" && kind != "fixture" && kind != "outside";
+}
+
+bool kind_holds(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
+  const auto asked = std::span(constraint.arguments).subspan(1);
+  for (const auto& name : meant_by(constraint.arguments[0], binding, knowledge)) {
+    const auto* category = knowledge.find(name);
+    if (category == nullptr) return false;
+    const bool one = std::any_of(category->kinds.begin(), category->kinds.end(), [&](const std::string& kind) {
+      return std::find(asked.begin(), asked.end(), kind) != asked.end();
+    });
+    if (!one) return false;
+  }
+  return true;
+}
+
+/// Whether those that are bound share a kind.
+bool same_kind(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
+  std::optional<std::vector<std::string>> common;
+  for (const auto& argument : constraint.arguments) {
+    for (const auto& name : meant_by(argument, binding, knowledge)) {
+      const auto* category = knowledge.find(name);
+      if (category == nullptr) return false;
+      if (!common) {
+        common = category->kinds;
+        continue;
+      }
+      std::erase_if(*common, [&](const std::string& kind) {
+        return std::find(category->kinds.begin(), category->kinds.end(), kind) == category->kinds.end();
+      });
+    }
+  }
+  return !common || std::any_of(common->begin(), common->end(), is_narrow);
+}
+
 bool is_complete(const DomainConstraint& constraint, const Binding& binding) {
   const auto uses = placeholders_of(constraint);
   return std::all_of(uses.begin(), uses.end(),
@@ -290,6 +328,8 @@ const std::string* bound_to(const Binding& binding, const std::string& placehold
 bool satisfies(const DomainConstraint& constraint, const Binding& binding, const Knowledge& knowledge) {
   const ConstraintKind& kind = info(constraint.type);
   if (kind.meaning == Meaning::Distinct) return all_distinct(constraint, binding);
+  if (kind.meaning == Meaning::OfKind) return kind_holds(constraint, binding, knowledge);
+  if (kind.meaning == Meaning::SameKind) return same_kind(constraint, binding, knowledge);
   const auto* first = bound_to(binding, placeholder_use(constraint.arguments[0]).name);
   const auto* category = first == nullptr ? nullptr : knowledge.find(*first);
   if (kind.meaning == Meaning::Sizes) return category != nullptr && comes_in_sizes(*category, knowledge);
@@ -329,8 +369,8 @@ std::vector<std::string> candidates_for(const Parameter& parameter, const std::v
   auto trial = binding;
   trial.emplace_back(parameter.name, "");
   for (const auto& constraint : constraints) {
-    const bool distinct = constraint.type == ConstraintType::Distinct;
-    if (speaks_of(constraint, parameter.name) && (distinct || is_complete(constraint, trial)))
+    const bool partial = constraint.type == ConstraintType::Distinct || constraint.type == ConstraintType::SameKind;
+    if (speaks_of(constraint, parameter.name) && (partial || is_complete(constraint, trial)))
       own.push_back(&constraint);
   }
   const bool room = is_room(parameter), value = is_value(parameter);

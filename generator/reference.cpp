@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "akb/attributes.h"
-#include "logic/evaluate.h"
 #include "scene/states.h"
 #include "templates/init_shape.h"
 
@@ -85,24 +84,6 @@ bool concerns(const Formula& start, const std::string& category) {
                      [&](const Domain::Member& member) { return !member.slice && member.category == category; });
 }
 
-bool can_refer(const Specification& specification, const Knowledge& knowledge, const SceneOffer& offer) {
-  if (offer.now.states.empty()) return true;
-  return std::all_of(specification.init.begin(), specification.init.end(), [&](const Formula& start) {
-    if (start.op != Formula::Op::Count || start.domain.members.empty()) return true;
-    const auto* category = knowledge.find(start.domain.members.front().category);
-    if (category != nullptr && category->movable) return true;
-    const auto literals = start_literals(start);
-    const bool fixed = std::all_of(literals.begin(), literals.end(), [&](const StartLiteral& literal) {
-      const auto* other = literal.other.members.empty() ? nullptr : knowledge.find(literal.other.members[0].category);
-      return literal.relation && (literal.predicate != Predicate::NextTo || other == nullptr || !other->movable);
-    });
-    // Of what stands where it stands there have to be enough at least, whatever else is asked of it.
-    auto wanted = start;
-    if (!fixed) wanted.children = {Formula{}}, wanted.comparison = Comparison::AtLeast;
-    return holds_in(wanted, offer.now, 0);
-  });
-}
-
 Picked picked_by(const Formula& test, const GoalVariable& variable, const SceneOffer& offer) {
   auto domain = of_category(variable.category);
   const int all = number_in(offer, domain, variable.variable);
@@ -131,7 +112,9 @@ std::vector<Reference> references(Referring kind, const GoalVariable& variable, 
     const bool of_body = kind == Referring::ByState || kind == Referring::ByAttribute;
     std::erase_if(found, [&](const Reference& reference) {
       const auto picked = picked_by(reference.test, variable, offer);
-      return of_body ? picked.in + picked.out < 2 : picked.in == 0 || picked.out == 0;
+      if (of_body) return picked.in + picked.out < 2;
+      // "The kitchen cabinet" is said where the kitchen has one.
+      return picked.out == 0 || (variable.quantifier == Formula::Op::Exists ? picked.in != 1 : picked.in == 0);
     });
   } else if (fixed) {
     if (kind != Referring::ByState && kind != Referring::ByAttribute) found.clear();

@@ -37,6 +37,8 @@ constexpr std::array<ReasonInfo, kRejectionReasonCount> kReasons{{
      "choose categories with states or places that distinguish one object from the others"},
     {Reason::NoWording, Stage::Generator, "no-wording",
      "the categories have no synonym, function or context; `unietp knowledge show` lists a category's"},
+    {Reason::Senseless, Stage::Generator, "senseless",
+     "choose categories that people use so (`unietp sense` explains a grade), or allow it with --sense any"},
     {Reason::NoLayout, Stage::Grounding, "no-layout", ""},
     {Reason::UnknownCategory, Stage::Grounding, "unknown-category", ""},
     {Reason::LacksRoom, Stage::Grounding, "lacks-room",

@@ -39,6 +39,7 @@ enum class RejectionReason : std::uint8_t {
   NoBinding,              // no home has categories for all placeholders
   NoReferringConstraint,  // nothing distinguishes an object from others of its category
   NoWording,              // no category has a word for the style that was asked for
+  Senseless,              // nobody in a home would ask for it
   // grounding
   NoLayout,          // the home could not be made
   UnknownCategory,   // the knowledge lacks a category that the start must have

@@ -49,11 +49,9 @@ Result<Specification> instantiate(const Template& source, const Knowledge& knowl
 /// things that stay where they are.
 std::optional<Specification> refine_referring(const Specification& plain, const Knowledge& knowledge,
                                               const SceneOffer& offer, std::string_view kind, Rng rng);
-/// Whether a home has what a specification refers to, as far as no edit of a start brings it about: numbers of
-/// furniture and rooms, and where furniture stands. True when nothing is known of the home.
-bool can_refer(const Specification& specification, const Knowledge& knowledge, const SceneOffer& offer);
-/// Linguistic: the same goal, another style of wording that the AKB has material for.
+/// Linguistic: a style of wording that knowledge base and home have material for, with the goal that it needs: the
+/// same, one that accepts more, or one of an object that the home has several of.
 std::optional<Specification> refine_linguistic(const Specification& plain, const Knowledge& knowledge,
-                                               std::string_view kind, Rng rng);
+                                               const SceneOffer& offer, std::string_view kind, Rng rng);
 
 }  // namespace unietp

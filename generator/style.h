@@ -7,12 +7,21 @@
 
 namespace unietp {
 
-/// How an instruction is worded: plainly, or in one of the linguistic refinements (templates/refinement_kinds.h).
+/// How an instruction is worded: plainly, or with one of the phenomena of language that the Linguistic split is about
+/// (templates/refinement_kinds.h).
 enum class Style : std::uint8_t {
   Direct,
   Alias,
   Function,
+  Hypernym,
+  Description,
   Context,
+  Request,
+  Aside,
+  Exception,
+  Ellipsis,
+  Anaphora,
+  Compound,
   Distractor,
   Negation,
   RelativeClause,
@@ -20,12 +29,12 @@ enum class Style : std::uint8_t {
   Coreference,
   ImplicitNeed,
   VagueQuantity,
-  Background,
-  Bystander,
-  NestedSyntax,
   Condition,
 };
 inline constexpr std::size_t kStyleCount = static_cast<std::size_t>(Style::Condition) + 1;
+
+/// Whether an object is named by a phrase that other categories share, so that the goal accepts all of these.
+bool names_by_phrase(Style style);
 
 std::string_view name_of(Style style);  // "relative-clause"
 /// nullopt for an unknown name.

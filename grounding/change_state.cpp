@@ -71,12 +71,10 @@ bool SceneEditor::set_state(const std::string& id, Predicate predicate, const st
         workspace_.replace(*index_of(id), original);
         return false;
       }
-      edits_.push_back("made " + id + " " + said);
       return true;
     }
   }
   workspace_.replace(*index, std::move(node));
-  edits_.push_back("made " + id + " " + said);
   stale_ = true;
   return true;
 }

@@ -184,7 +184,7 @@ std::optional<GroundingFailure> check_start(const Specification& specification, 
     return problem;
   if (const auto room = reach.unreached())
     return GroundingFailure{RejectionReason::NotReachable, *room + " cannot be walked to any more", *room};
-  return check_calm(start, grown.places, touched, grown.physics);  // the dearest, and seldom what is wrong
+  return check_calm(start, grown.places, touched, grown.physics);  // costs most, and seldom finds something
 }
 
 }  // namespace unietp

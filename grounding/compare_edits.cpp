@@ -92,13 +92,11 @@ bool SceneEditor::resize(const std::string& id, const std::string& size, bool tr
   if (rivals.empty() || !give_box(id, own.size, own.asset)) {
     return fail(RejectionReason::StateNotPossible, name + " cannot be" + says + " there");
   }
-  edits_.push_back("made " + id + says);
   for (const std::string& rival : rivals) {
     if (!truth || clear(own.size.prod(), volume_of(rival))) continue;
     if (!clear(own.size.prod(), other_way.size.prod()) || !give_box(rival, other_way.size, other_way.asset)) {
       return fail(RejectionReason::StateNotPossible, name + " cannot be" + says + " beside " + rival);
     }
-    edits_.push_back("made " + rival + " not " + size);
   }
   return true;
 }
@@ -134,7 +132,6 @@ bool SceneEditor::bring_near(const std::string& id, const std::string& other) {
           find_place(workspace_, node, *index_of(id), host.relation, host.node, {.draws = draws_ / 2}, next_rng());
       if (!place.pose) break;
       if (rival && !clearly_nearer((place.pose->position - aim).norm(), *rival)) continue;
-      edits_.push_back("put " + id + " near " + other + ", on " + workspace_.scene().nodes[host.node].id);
       return move_to(id, *place.pose);
     }
   }
@@ -158,14 +155,12 @@ bool SceneEditor::place_near(const std::string& id, const std::string& other) {
     const auto place = find_place(workspace_, object, *index_of(id), edge.relation, *host,
                                   {.draws = 4 * draws_, .within = around(kBeside_m)}, next_rng());
     if (!place.pose) continue;
-    edits_.push_back("put " + id + " next to " + other);
     return move_to(id, *place.pose);
   }
   if (bounds_of(beside.pose, beside.size).low.z() < kTouch_m) {
     const Bounds area = around(kBeside_m + object.size.head<2>().maxCoeff());
     const auto place = find_place_on_floor(workspace_, object, *index_of(id), area, {.draws = 2 * draws_}, next_rng());
     if (place.pose) {
-      edits_.push_back("put " + id + " on the floor next to " + other);
       return move_to(id, *place.pose);
     }
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "grounding/new_places.h"
+#include "generator/fixed_start.h"
 #include "grounding/numbers.h"
 
 namespace unietp {
@@ -245,12 +245,8 @@ bool Enforcer::add_member(const Formula& formula, const Names& names, bool truth
     return make(formula.children.front(), inner, truth, depth + 1);
   };
   const Category* known = editor_.workspace().knowledge().find(category);
-  if (known == nullptr) {
-    const bool room =
-        std::all_of(category.begin(), category.end(), [](char c) { return c == '_' || (c >= 'a' && c <= 'z'); });
-    return editor_.fail(room ? RejectionReason::LacksRoom : RejectionReason::UnknownCategory,
-                        "the home has no " + category);
-  }
+  if (known == nullptr)
+    return editor_.fail(lack_of(category, editor_.workspace().knowledge()), "the home has no " + category);
   if (++added_ > kMostAdded) {
     return editor_.fail(RejectionReason::StartNotMet,
                         "more than " + std::to_string(kMostAdded) + " objects would be added");
@@ -263,14 +259,30 @@ bool Enforcer::add_member(const Formula& formula, const Names& names, bool truth
     editor_.remove(*id);
     return editor_.fail(why.reason, why.detail);
   }
-  for (const NewPlace& place : places_for_new(formula, names, *known, editor_.workspace(), rng_)) {
-    const auto id = editor_.add_furniture(category, place.room, place.beside);
+  // A home gets what it lacks altogether, where such a thing usually stands, but no second fridge.
+  if (!editor_.workspace().places().of(category).empty())
+    return editor_.fail(RejectionReason::LacksFurniture, "the home has no other " + category);
+  for (const std::size_t room : rooms_for(*known)) {
+    const auto id = editor_.add_furniture(category, room);
     if (!id) continue;
     // The walk through the whole home is looked at last: mostly it is something else that is wrong.
     if (accept(*id) && editor_.leaves_rooms_open()) return true;
     editor_.remove(*id);
   }
   return editor_.fail(RejectionReason::LacksFurniture, "the home lacks a " + category + " and has no place for one");
+}
+
+std::vector<std::size_t> Enforcer::rooms_for(const Category& category) {
+  constexpr std::size_t kMost = 4;
+  const auto& rooms = editor_.workspace().scene().rooms;
+  std::vector<std::size_t> usual;
+  for (std::size_t room = 0; room < rooms.size(); ++room) {
+    const auto& types = category.rooms;
+    if (std::find(types.begin(), types.end(), rooms[room].type) != types.end()) usual.push_back(room);
+  }
+  rng_.shuffle(usual);
+  if (usual.size() > kMost) usual.resize(kMost);
+  return usual;
 }
 
 std::string Enforcer::id_of(const Term& term, const Names& names) const {

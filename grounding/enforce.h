@@ -41,6 +41,8 @@ class Enforcer {
   bool make_number(const Formula& formula, const Names& names, int at_least, int at_most, int depth);
   bool make_atom(const Formula& formula, const Names& names, bool truth);
   bool add_member(const Formula& formula, const Names& names, bool truth, int depth);
+  /// A few rooms of a type in which such furniture usually stands, in random order.
+  std::vector<std::size_t> rooms_for(const Category& category);
   bool has_member_to_change(const Formula& formula, const Names& names, bool truth, int depth);
 
   bool holds(const Formula& formula, const Names& names);

@@ -22,7 +22,8 @@ constexpr double kSmallestArea_m2 = 9;
 
 const std::vector<std::string> kFittedFurnitureColumns{"room", "category", "where",  "share",
                                                        "mean", "at_least", "at_most"};
-const std::vector<std::string> kFittedRoomColumns{"room", "weight", "at_least", "at_most", "area_low", "area_high"};
+const std::vector<std::string> kFittedRoomColumns{"room",     "weight",    "at_least", "at_most",
+                                                  "area_low", "area_high", "passage"};
 
 struct Curated {
   std::string room, category, where;
@@ -142,7 +143,7 @@ Result<std::string> fit_rooms(const FitInput& own, const std::filesystem::path& 
   if (!text) return text.error();
   std::vector<Error> errors;
   RowReader reader("curated/" + name, *text, kFittedRoomColumns, errors);
-  std::string out = "room,weight,at_least,at_most,area_low,area_high,source\n";
+  std::string out = "room,weight,at_least,at_most,area_low,area_high,passage,source\n";
   for (const CsvRow& row : reader.rows()) {
     reader.at(row);
     const std::string room = reader.one_of("room", room_types(), "room type");
@@ -173,7 +174,7 @@ Result<std::string> fit_rooms(const FitInput& own, const std::filesystem::path& 
     }
     if (!errors.empty()) return errors.front();
     out += csv_line({room, rounded_text(weight), std::to_string(at_least), std::to_string(at_most),
-                     rounded_text(low, 10), rounded_text(high, 10), source});
+                     rounded_text(low, 10), rounded_text(high, 10), reader.text("passage"), source});
   }
   if (!errors.empty()) return errors.front();
   return out;

@@ -12,6 +12,7 @@ constexpr double kShortestSide_m = 2.4, kCorridorSide_m = 1.7;
 constexpr double kLongestAspect = 2.2, kCorridorAspect = 9;
 constexpr double kOpeningMargin_m = 0.35;  // from a corner to the opening
 constexpr double kMoreOpenings = 0.3;      // chance of one that the tree does not need
+constexpr int kPassedThrough = 2;          // the highest passage of rooms that get one
 
 struct Rect {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();
@@ -95,7 +96,7 @@ std::optional<std::vector<Rect>> corridor_plan(const std::vector<RoomWish>& wish
   std::optional<std::size_t> spine;
   double area = 0;
   for (std::size_t i = 0; i < wishes.size(); ++i) {
-    if (!spine && wishes[i].type == "corridor") {
+    if (!spine && wishes[i].passage == 0) {
       spine = i;
       continue;
     }
@@ -123,7 +124,7 @@ std::optional<std::vector<Rect>> corridor_plan(const std::vector<RoomWish>& wish
 
 bool well_formed(const std::vector<Rect>& places, const std::vector<RoomWish>& wishes) {
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool corridor = wishes[i].type == "corridor";
+    const bool corridor = wishes[i].passage == 0;
     const double shorter = places[i].size().minCoeff(), longer = places[i].size().maxCoeff();
     if (shorter < (corridor ? kCorridorSide_m : kShortestSide_m)) return false;
     if (longer > (corridor ? kCorridorAspect : kLongestAspect) * shorter) return false;
@@ -155,14 +156,6 @@ std::vector<SharedWall> shared_walls(const std::vector<Rect>& rooms) {
   return walls;
 }
 
-/// How willingly people walk through such a room: the lower the better.
-int detour(std::string_view type) {
-  if (type == "corridor") return 0;
-  if (type == "living_room") return 1;
-  if (type == "kitchen" || type == "dining_room") return 2;
-  return type == "bathroom" ? 5 : 3;
-}
-
 Vec2 point_on(const SharedWall& wall, double along) {
   Vec2 point;
   point[wall.axis] = along;
@@ -174,7 +167,7 @@ Vec2 point_on(const SharedWall& wall, double along) {
 std::vector<SharedWall> choose_openings(std::vector<SharedWall> walls, const std::vector<RoomWish>& wishes, Rng& rng) {
   rng.shuffle(walls);
   const auto cost = [&](const SharedWall& wall) {
-    const int a = detour(wishes[wall.a].type), b = detour(wishes[wall.b].type);
+    const int a = wishes[wall.a].passage, b = wishes[wall.b].passage;
     return 10 * std::min(a, b) + std::max(a, b);
   };
   std::stable_sort(walls.begin(), walls.end(),
@@ -187,7 +180,8 @@ std::vector<SharedWall> choose_openings(std::vector<SharedWall> walls, const std
       const std::size_t gone = group[wall.b];
       std::replace(group.begin(), group.end(), gone, group[wall.a]);
       chosen.push_back(wall);
-    } else if (std::max(detour(wishes[wall.a].type), detour(wishes[wall.b].type)) <= 2 && rng.chance(kMoreOpenings)) {
+    } else if (std::max(wishes[wall.a].passage, wishes[wall.b].passage) <= kPassedThrough &&
+               rng.chance(kMoreOpenings)) {
       chosen.push_back(wall);
     }
   }
@@ -195,11 +189,12 @@ std::vector<SharedWall> choose_openings(std::vector<SharedWall> walls, const std
   return joined ? chosen : std::vector<SharedWall>{};
 }
 
-bool leads_through_a_bathroom(const std::vector<SharedWall>& openings, const std::vector<RoomWish>& wishes) {
+/// Whether a room that nobody walks through has two openings.
+bool leads_through_a_dead_end(const std::vector<SharedWall>& openings, const std::vector<RoomWish>& wishes) {
   for (std::size_t room = 0; room < wishes.size(); ++room) {
     const auto doors = std::count_if(openings.begin(), openings.end(),
                                      [&](const SharedWall& wall) { return wall.a == room || wall.b == room; });
-    if (wishes[room].type == "bathroom" && doors > 1) return true;
+    if (wishes[room].passage == kNoPassage && doors > 1) return true;
   }
   return false;
 }
@@ -213,7 +208,7 @@ std::optional<FloorPlan> draw_floor_plan(const std::vector<RoomWish>& wishes, Rn
   if (!rects || !well_formed(*rects, wishes)) return std::nullopt;
   const auto chosen = choose_openings(shared_walls(*rects), wishes, rng);
   if (chosen.empty() && wishes.size() > 1) return std::nullopt;
-  if (leads_through_a_bathroom(chosen, wishes)) return std::nullopt;
+  if (leads_through_a_dead_end(chosen, wishes)) return std::nullopt;
   Vec2 corner = rects->front().low;
   for (const Rect& rect : *rects) corner = corner.cwiseMin(rect.low);
 

@@ -290,7 +290,7 @@ bool keeps_out(const std::vector<KeepOut>& keep_outs, const Bounds& room, const 
   });
 }
 
-/// The dear part: what it needs free is free, it touches nothing and its doors open.
+/// The costly checks: what it needs free is free, it touches nothing and its doors open.
 bool fits(const Workspace& workspace, const Bounds& room, const Node& node, const Shape& shape,
           std::optional<std::size_t> host, const std::vector<Bounds>& own_spaces) {
   const SharedList<Bounds>& standing = workspace.bounds();

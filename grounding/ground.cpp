@@ -4,6 +4,7 @@
 
 #include "generator/goal_parts.h"
 #include "grounding/check_start.h"
+#include "grounding/edits_in_words.h"
 #include "grounding/enforce.h"
 #include "grounding/numbers.h"
 #include "grounding/reachability.h"
@@ -92,6 +93,7 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
   if (const auto why = refused_by_numbers(constraints, home, knowledge))
     return rejected(specification, home.scene, *why);
   Workspace workspace(home, knowledge);
+  workspace.live_as(options.household);
   SceneEditor editor(workspace, goal_places(specification.goal), profile, options.draws_per_object,
                      rng.fork("edits", 0));
   Compared compared;
@@ -123,7 +125,7 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
   if (problem) return rejected(specification, home.scene, *problem);
   episode.specification = specification;
   episode.layout = home.scene.id;
-  episode.edits = editor.edits();
+  episode.edits = edits_in_words(home, episode.start, episode.changes, knowledge);
   KnownStart known = known_start(home, episode.start, std::move(grown));
   return Grounded{std::move(episode), std::move(known)};
 }

@@ -7,6 +7,7 @@
 #include "generator/rejection.h"
 #include "grounding/episode.h"
 #include "grounding/home.h"
+#include "grounding/household.h"
 #include "simulation/known_start.h"
 #include "simulation/profile.h"
 
@@ -14,9 +15,10 @@ namespace unietp {
 
 /// Budgets of the search for a start.
 struct GroundingOptions {
-  int draws_per_object = 60;  // poses tried for one placement
-  int rounds = 4;             // passes over the start constraints before giving up
-  bool pictured = false;      // what the goal needs has to show clearly in a picture from somewhere
+  int draws_per_object = 60;             // poses tried for one placement
+  int rounds = 4;                        // passes over the start constraints before giving up
+  const Household* household = nullptr;  // how things are in such homes; nullptr: as the knowledge base says
+  bool pictured = false;                 // what the goal needs has to show clearly in a picture from somewhere
 };
 
 /// An episode, with what is known of its start already.

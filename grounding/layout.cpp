@@ -47,7 +47,7 @@ std::vector<RoomWish> draw_rooms(const LayoutRecipe& recipe, std::size_t count, 
   std::vector<RoomWish> wishes;
   for (const std::size_t i : chosen) {
     const RoomRule& rule = recipe.rooms[i];
-    wishes.push_back({rule.type, rng.uniform(rule.area_low_m2, rule.area_high_m2)});
+    wishes.push_back({rule.type, rng.uniform(rule.area_low_m2, rule.area_high_m2), rule.passage});
   }
   return wishes;
 }
@@ -114,7 +114,7 @@ Furnished furnish(Workspace& workspace, const LayoutRecipe& recipe, const Knowle
         const int count = obligatory ? rule.at_least : draw_more(rule, spare, draw);
         for (int k = 0; k < count; ++k) {
           Node node = make_node(workspace, *knowledge.find(rule.category), kSizeSpread, draw);
-          draw_states(node, knowledge, draw);
+          draw_states(node, workspace, {}, draw);
           if (obligatory) result.obligatory.insert(node.id);
           const bool placed = place_furniture(workspace, keep_outs, room, std::move(node), *parse_where(rule.where),
                                               options, draw.fork("pose", static_cast<std::uint64_t>(k)));
@@ -153,6 +153,7 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
     if (!empty) continue;
     const double spare = spare_share(recipe, *empty, options);
     Workspace workspace(std::move(*empty), knowledge);
+    workspace.live_as(recipe.household.get());
     const Furnished furnished = furnish(workspace, recipe, knowledge, spare, draw);
     if (!furnished.missing.empty()) {
       obstacle = "no place for " + furnished.missing;
@@ -175,10 +176,12 @@ Result<Scene> generate_layout(const LayoutRecipe& recipe, const Knowledge& knowl
       obstacle = piece + " is out of reach";
       continue;
     }
-    if (scene.nodes.size() < workspace.scene().nodes.size())
+    if (scene.nodes.size() < workspace.scene().nodes.size()) {
       workspace = Workspace(std::move(scene), knowledge);
-    else
+      workspace.live_as(recipe.household.get());
+    } else {
       workspace.agent() = scene.agent;
+    }
     ScatterOptions scatter;
     const auto pieces = static_cast<int>(workspace.scene().nodes.size());
     scatter.wanted = options.objects > 0 ? std::max(0, options.objects - pieces) : options.movable_objects;

@@ -26,7 +26,8 @@ bool shines(const Category& category) {
 Node make_node(const Workspace& workspace, const Category& category, double spread, Rng& rng) {
   const Knowledge& knowledge = workspace.knowledge();
   Node node;
-  node.id = fresh_id(workspace.scene(), workspace.places(), category.name);
+  node.id = fresh_id(workspace.scene(), workspace.places(), category.name,
+                     workspace.home() == nullptr ? nullptr : &workspace.home()->places);
   node.category = category.name;
   node.movable = category.movable;
   node.archetype = category.archetype;
@@ -64,7 +65,47 @@ std::string draw_filling(std::string_view category, const Knowledge& knowledge, 
   return substances.empty() ? std::string() : rng.pick(substances);
 }
 
-void draw_states(Node& node, const Knowledge& knowledge, Rng& rng) {
+namespace {
+
+bool can_be(const Node& node, const Knowledge& knowledge, const State& state) {
+  if (state.predicate == Predicate::Covered) return knowledge.has(node.category, "coverable");
+  if (state.predicate == Predicate::Filled) {
+    const auto fillings = knowledge.effects_on(node.category, Treatment::Fills);
+    if (std::none_of(fillings.begin(), fillings.end(), [&](const Effect* one) { return one->gives == state.symbol; }))
+      return false;
+  }
+  const auto& groups = state_groups();
+  return std::any_of(groups.begin(), groups.end(), [&](const StateGroup& group) {
+    const auto& all = group.predicates;
+    return std::find(all.begin(), all.end(), state.predicate) != all.end() && node.states.has(all.front());
+  });
+}
+
+/// Whether it opens without that anything has to be kept free of its doors.
+bool opens_in_place(const Node& node) {
+  if (node.movable) return node.archetype == Archetype::Folding;
+  Node open = node;
+  open.opening = 1;
+  return !sweep_of(open);
+}
+
+void draw_likely_states(Node& node, const Knowledge& knowledge, const Household& household, const Seat& seat,
+                        Rng& rng) {
+  for (const LikelyState& likely : household.states_of(node.category, seat.relation, seat.receptacle)) {
+    if (!rng.chance(likely.share) || !can_be(node, knowledge, likely.state)) continue;
+    if (likely.state.predicate == Predicate::Open) {
+      if (!opens_in_place(node)) continue;
+      node.opening = 1;
+    }
+    node.states.set(likely.state);
+  }
+}
+
+}  // namespace
+
+void draw_states(Node& node, const Workspace& workspace, const Seat& seat, Rng& rng) {
+  const Knowledge& knowledge = workspace.knowledge();
+  if (workspace.household() != nullptr) return draw_likely_states(node, knowledge, *workspace.household(), seat, rng);
   const Category* category = knowledge.find(node.category);
   if (node.states.has(Predicate::Clean) && rng.chance(kDirtyShare)) node.states.set({Predicate::Dirty, {}});
   if (node.states.has(Predicate::PowerOff) && category && shines(*category) && rng.chance(kLightOnShare)) {

@@ -18,9 +18,15 @@ Node make_node(const Workspace& workspace, const Category& category, double spre
 /// The models of a category whose boxes may be given to a thing of a scene (`usable` of akb/fit.h), by name.
 std::vector<const Asset*> usable_assets(const Knowledge& knowledge, const Category& category);
 
-/// Some of what a lived-in home shows: a seventh dirty, some lamps and screens on, some vessels full, some laptops and
-/// books open. Furniture with doors stays shut.
-void draw_states(Node& node, const Knowledge& knowledge, Rng& rng);
+/// What a thing is on or in; none for furniture.
+struct Seat {
+  Predicate relation = Predicate::On;
+  std::string_view receptacle = {};  // category
+};
+/// States of a lived-in home, with the shares that the workspace's household says of such a thing there: plates in the
+/// sink are dirty, those in the cabinet are not. Without a household a seventh is dirty, some lamps and screens are on,
+/// some vessels full, some laptops and books open. Furniture with doors stays shut.
+void draw_states(Node& node, const Workspace& workspace, const Seat& seat, Rng& rng);
 
 /// A substance that the knowledge says the category can be filled with; "" when none. Drawn among them.
 std::string draw_filling(std::string_view category, const Knowledge& knowledge, Rng& rng);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "generator/fixed_start.h"
 #include "logic/evaluate.h"
 #include "scene/comparisons.h"
 
@@ -12,42 +13,29 @@ namespace {
 
 using Op = Formula::Op;
 
-constexpr int kMostTakenOut = 20;  // of one kind; homes of usual size seldom have as many
+constexpr int kMostTakenOut = 3;  // of one kind: what is left is to look like a home
 constexpr int kAny = std::numeric_limits<int>::max();
 
-/// Only relations are asked, so that of furniture no edit but taking it out changes the answer.
-bool asks_where_it_stands(const Formula& body) {
-  if (body.op == Op::Atom)
-    return body.predicate == Predicate::NextTo || body.predicate == Predicate::InRoom ||
-           body.predicate == Predicate::On;
-  return (body.op == Op::And || body.op == Op::Exists) &&
-         std::all_of(body.children.begin(), body.children.end(), asks_where_it_stands);
+bool compares(const Formula& formula) {
+  Compared compared;
+  compared.add(formula);
+  return !compared.none();
 }
 
 std::optional<GroundingFailure> refused_by_number(const Formula& count, const Home& home, const Knowledge& knowledge) {
   const Formula& body = count.children.front();
-  if (count.domain.members.size() != 1 || count.domain.members.front().slice || !asks_where_it_stands(body))
+  if (count.op != Op::Count || count.domain.members.size() != 1 || count.domain.members.front().slice ||
+      body.op != Op::And || !body.children.empty())
     return std::nullopt;
-  const std::string& name = count.domain.members.front().category;
-  const Category* category = knowledge.find(name);
-  const bool any = body.op == Op::And && body.children.empty();
-  if (category != nullptr && category->movable && !any) return std::nullopt;  // it can be put elsewhere
-  Compared compared;
-  compared.add(count);
-  if (!compared.none()) return std::nullopt;
-  Domain domain = count.domain;
-  if (!any) domain.where = {domain.where.empty() ? body : conjunction({domain.where.front(), body})};
-  const int number = static_cast<int>(members_of(domain, count.variable, home.now).size());
-  const auto [low, high] = count_range(count.comparison, count.number, true);
-  const std::string said = "the home has " + std::to_string(number) + " of " + to_text(domain);
-  const bool rooms = category == nullptr && std::any_of(home.scene.rooms.begin(), home.scene.rooms.end(),
-                                                        [&](const Room& room) { return room.type == name; });
-  if (rooms && any && (number < low || number > high))
-    return GroundingFailure{RejectionReason::LacksRoom, said + ", not " + std::to_string(count.number), {}};
-  if (!rooms && high != kAny && number - high > kMostTakenOut)
-    return GroundingFailure{
-        RejectionReason::CannotEnforce, said + ", " + std::to_string(number - high) + " too many to take out", {}};
-  return std::nullopt;
+  const Category* category = knowledge.find(count.domain.members.front().category);
+  if (category == nullptr || !category->movable) return std::nullopt;
+  const int number = static_cast<int>(members_of(count.domain, count.variable, home.now).size());
+  const int high = count_range(count.comparison, count.number, true).second;
+  if (high == kAny || number - high <= kMostTakenOut) return std::nullopt;
+  return GroundingFailure{RejectionReason::CannotEnforce,
+                          "the home has " + std::to_string(number) + " of " + category->name + ", " +
+                              std::to_string(number - high) + " too many to take out",
+                          {}};
 }
 
 }  // namespace
@@ -70,8 +58,14 @@ std::pair<int, int> count_range(Comparison comparison, int n, bool truth) {
 
 std::optional<GroundingFailure> refused_by_numbers(const std::vector<Formula>& constraints, const Home& home,
                                                    const Knowledge& knowledge) {
-  for (const Formula& constraint : constraints) {
-    if (constraint.op != Op::Count) continue;
+  std::vector<Formula> plain = constraints;
+  std::erase_if(plain, compares);  // the home's state says nothing of what they compare
+  if (const Formula* missing = misfit(plain, knowledge, home.now)) {
+    return GroundingFailure{lack_of(missing->domain.members.front().category, knowledge),
+                            "as the home is, it cannot have " + to_text(*missing),
+                            {}};
+  }
+  for (const Formula& constraint : plain) {
     if (auto why = refused_by_number(constraint, home, knowledge)) return why;
   }
   return std::nullopt;

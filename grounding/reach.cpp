@@ -90,7 +90,7 @@ class Footholds {
 };
 
 /// What is asked about a thing and where it is to go.
-struct Errand {
+struct PlacementQuestion {
   std::size_t thing = 0, target = 0;
   bool inside = false;
 };
@@ -104,8 +104,8 @@ struct Spots {
 /// The spots, at most so many, that are free of what is fixed and within the arm's reach. On what can be carried itself
 /// only the size is asked for.
 Spots spots_for(const Scene& scene, const PhysicsWorld& world, const Standing& standing, const Profile& profile,
-                const Errand& errand, std::size_t most) {
-  const auto& [thing, target, inside] = errand;
+                const PlacementQuestion& question, std::size_t most) {
+  const auto& [thing, target, inside] = question;
   const Node& node = scene.nodes[thing];
   const Node& receptacle = scene.nodes[target];
   const auto& collider = world.collider(BodyId::node(thing));
@@ -247,7 +247,7 @@ std::vector<std::size_t> Reach::doors_before(std::size_t target, bool inside) co
 }
 
 bool Reach::spot_for(std::size_t thing, std::size_t target, bool inside) {
-  const Errand errand{thing, target, inside};
+  const PlacementQuestion question{thing, target, inside};
   const Vec3& size = scene_.nodes[thing].size;
   const Digest& form = world_.collider(BodyId::node(thing)).digest;
   const Full asked{target, inside, form.a, form.b, size.x(), size.y(), size.z()};
@@ -258,11 +258,11 @@ bool Reach::spot_for(std::size_t thing, std::size_t target, bool inside) {
   };
   const std::vector<std::size_t> doors = doors_before(target, inside);
   const auto here = [&]() -> const std::vector<Vec2>& { return standing_by(target); };
-  if (doors.empty()) return found(spots_for(scene_, world_, here, profile_, errand, 1));
+  if (doors.empty()) return found(spots_for(scene_, world_, here, profile_, question, 1));
   if (!std::all_of(doors.begin(), doors.end(), [this](std::size_t door) { return swings(door); })) return false;
   Opened& opened = with_open(doors);
   const auto there = [&]() -> const std::vector<Vec2>& { return standing_by(opened, target); };
-  return found(spots_for(opened.scene, opened.world, there, profile_, errand, 1));
+  return found(spots_for(opened.scene, opened.world, there, profile_, question, 1));
 }
 
 bool Reach::room_for_all(const std::vector<std::size_t>& things, std::size_t target, bool inside) {

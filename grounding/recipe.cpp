@@ -7,12 +7,14 @@
 #include "akb/table_words.h"
 #include "akb/tables.h"
 #include "core/files.h"
+#include "grounding/floor_plan.h"
 #include "grounding/where.h"
 
 namespace unietp {
 namespace {
 
-const std::vector<std::string> kRoomColumns{"room", "weight", "at_least", "at_most", "area_low", "area_high", "source"};
+const std::vector<std::string> kRoomColumns{"room",     "weight",    "at_least", "at_most",
+                                            "area_low", "area_high", "passage",  "source"};
 const std::vector<std::string> kFurnitureColumns{"room", "category", "mean", "at_least", "at_most", "where", "source"};
 const std::vector<std::string> kObjectColumns{"room", "category", "mean", "source"};
 const std::vector<std::string> kReceptacleColumns{"category", "mean", "source"};
@@ -37,6 +39,8 @@ class RecipeReader {
       rule.at_most = row.integer("at_most", std::max(rule.at_least, 1));
       rule.area_low_m2 = row.number("area_low", 0, kMostArea_m2, false);
       rule.area_high_m2 = row.number("area_high", std::max(rule.area_low_m2, 0.0), kMostArea_m2, true);
+      rule.passage = row.integer("passage", 0);
+      if (rule.passage > kNoPassage) row.fail("passage", "expected a whole number from 0 to 5");
       if (rule.at_most > kMostOfAKind) row.fail("at_most", "expected a whole number up to 20");
       if (!types_.insert(rule.type).second) row.fail("room", "'" + rule.type + "' occurs twice");
       recipe_.rooms.push_back(std::move(rule));
@@ -149,7 +153,8 @@ Result<LayoutRecipe> read_recipe(const RecipeTexts& texts, const Knowledge& know
   return reader.finish();
 }
 
-Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge) {
+Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge,
+                                 std::shared_ptr<const Household> household) {
   const std::string name(name_of(knowledge.simulator()));
   RecipeTexts texts;
   const std::pair<const char*, std::string*> files[] = {{"_rooms.csv", &texts.rooms},
@@ -161,7 +166,14 @@ Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Know
     if (!text) return text.error();
     *content = std::move(*text);
   }
-  return read_recipe(texts, knowledge);
+  if (household == nullptr) {
+    auto read = read_household(folder.parent_path() / "sense", knowledge);
+    if (!read) return read.error();
+    household = std::make_shared<const Household>(std::move(*read));
+  }
+  auto recipe = read_recipe(texts, knowledge);
+  if (recipe) recipe->household = std::move(household);
+  return recipe;
 }
 
 }  // namespace unietp

@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "akb/knowledge.h"
 #include "core/result.h"
+#include "grounding/household.h"
 
 namespace unietp {
 
@@ -16,6 +18,7 @@ struct RoomRule {
   double weight = 0;  // mean number in a home; only the proportions count
   int at_least = 0, at_most = 4;
   double area_low_m2 = 9, area_high_m2 = 20;
+  int passage = 3;  // as in RoomWish
 };
 
 /// A piece of furniture in rooms of a type; data/layouts/<simulator>.csv.
@@ -39,9 +42,10 @@ struct LayoutRecipe {
   std::vector<RoomRule> rooms;
   std::vector<FurnitureRule> furniture;  // in the order in which a room is furnished; hosts before what needs them
   std::vector<ObjectRule> objects;
-  double movable_share = 0.4;          // of a home's objects that are small things
-  double unseen_share = 0;             // of small things that are of a category without a rule
-  std::map<std::string, double> held;  // receptacle category → mean number of things on or in one
+  double movable_share = 0.4;                  // of a home's objects that are small things
+  double unseen_share = 0;                     // of small things that are of a category without a rule
+  std::map<std::string, double> held;          // receptacle category → mean number of things on or in one
+  std::shared_ptr<const Household> household;  // nullptr: things are placed as the knowledge base says, mostly default
 };
 
 /// The four tables of one simulator as text.
@@ -50,7 +54,8 @@ struct RecipeTexts {
 };
 /// Errors: Parse or Schema with file, line and column; the first.
 Result<LayoutRecipe> read_recipe(const RecipeTexts& texts, const Knowledge& knowledge);
-/// Errors: Io too.
-Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge);
+/// With the household of the tables in `sense` beside the folder, unless one is given. Errors: Io too.
+Result<LayoutRecipe> load_recipe(const std::filesystem::path& folder, const Knowledge& knowledge,
+                                 std::shared_ptr<const Household> household = nullptr);
 
 }  // namespace unietp

@@ -21,12 +21,11 @@ constexpr int kHostsTried = 8;
 constexpr double kWallMargin_m = 0.15;
 
 /// Kinds of place for a piece that no recipe speaks of, the most usual first.
-std::vector<Where> usual_places(const Node& node, const std::string& beside) {
+std::vector<Where> usual_places(const Node& node) {
   const bool hangs = node.archetype == Archetype::Panel ||
                      (node.archetype == Archetype::Fixture && node.size.z() < 1.0) ||
                      (node.archetype == Archetype::Shelf && node.size.z() < 0.5);
   std::vector<Where> places;
-  if (!beside.empty()) places.push_back({.kind = Where::Kind::Beside, .host = beside, .height_m = {}});
   for (const auto kind : {Where::Kind::Wall, Where::Kind::Corner, Where::Kind::Centre})
     places.push_back({.kind = kind, .host = {}, .height_m = {}});
   if (hangs) places = {{.kind = Where::Kind::WallHung, .host = {}, .height_m = {}}};
@@ -52,7 +51,7 @@ std::optional<std::size_t> SceneEditor::index_of(const std::string& id) const { 
 
 Rng SceneEditor::next_rng() { return rng_.fork("edit", edit_number_++); }
 
-bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Node&)>& accept, std::string& where) {
+bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Node&)>& accept) {
   const Scene& scene = workspace_.scene();
   const auto known = avoid_.find(node.category);
   static const std::set<std::string> kNone;
@@ -94,7 +93,6 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
         obstacle = node.category + " " + place.obstacle;
         continue;
       }
-      where = std::string(host.relation == Predicate::On ? "on " : "inside ") + scene.nodes[host.node].id;
       node.pose = *place.pose;
       touched_.insert(node.id);
       if (index < scene.nodes.size()) {
@@ -118,16 +116,11 @@ std::optional<std::string> SceneEditor::add_object(const std::string& category) 
   Rng rng = next_rng();
   Node node = make_node(workspace_, *known, kMovableSpread, rng);
   const std::string id = node.id;
-  std::string where;
-  if (!settle_somewhere(
-          std::move(node), [](const Node&) { return true; }, where))
-    return std::nullopt;
-  edits_.push_back("added " + category + " " + id + " " + where);
+  if (!settle_somewhere(std::move(node), [](const Node&) { return true; })) return std::nullopt;
   return id;
 }
 
-std::optional<std::string> SceneEditor::add_furniture(const std::string& category, std::size_t room,
-                                                      const std::string& beside) {
+std::optional<std::string> SceneEditor::add_furniture(const std::string& category, std::size_t room) {
   const Category* known = workspace_.knowledge().find(category);
   if (known == nullptr) {
     fail(RejectionReason::UnknownCategory, "the knowledge base has no category " + category);
@@ -145,7 +138,6 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
                                   {.draws = draws_, .aligned = true}, next_rng());
     if (!place.pose) continue;
     node.pose = *place.pose;
-    edits_.push_back("added " + category + " " + id + " on " + workspace_.scene().nodes[host.node].id);
     touched_.insert(id);
     workspace_.add(std::move(node));
     stale_ = true;
@@ -154,13 +146,12 @@ std::optional<std::string> SceneEditor::add_furniture(const std::string& categor
   FurnishOptions options;
   options.draws = 2 * draws_;
   auto keep_outs = keep_outs_of(workspace_, options, room);
-  const auto places = usual_places(node, beside);
+  const auto places = usual_places(node);
   const bool placed = std::any_of(places.begin(), places.end(), [&](const Where& where) {
     return place_furniture(workspace_, keep_outs, room, node, where, options, next_rng());
   });
   stale_ = true;
   if (placed) {
-    edits_.push_back("added " + category + " " + id + " in " + room_id);
     return id;
   }
   fail(RejectionReason::LacksFurniture, "the home lacks " + category + " and " + room_id + " has no place for it");
@@ -193,12 +184,14 @@ bool SceneEditor::clear_off(const std::string& id) {
 
 bool SceneEditor::remove(const std::string& id) {
   if (reserved_.contains(id)) return fail(RejectionReason::CannotEnforce, id + " is needed and cannot be removed");
+  const auto own = workspace_.home()->places.find(id);
+  if (own && !workspace_.home()->scene.nodes[*own].movable)
+    return fail(RejectionReason::CannotEnforce, id + " is part of the home and cannot be removed");
   if (!clear_off(id)) return false;
   const auto index = index_of(id);
   if (!index) return fail(RejectionReason::CannotEnforce, id + " is not in the scene");
   workspace_.remove(*index);
   touched_.erase(id);
-  edits_.push_back("removed " + id);
   stale_ = true;
   return true;
 }
@@ -209,10 +202,7 @@ bool SceneEditor::relocate(const std::string& id, const std::function<bool(const
     return fail(RejectionReason::CannotEnforce, id + " cannot be moved");
   }
   if (!clear_off(id)) return false;
-  std::string where;
-  if (!settle_somewhere(workspace_.scene().nodes[*index_of(id)], accept, where)) return false;
-  edits_.push_back("moved " + id + " " + where);
-  return true;
+  return settle_somewhere(workspace_.scene().nodes[*index_of(id)], accept);
 }
 
 bool SceneEditor::move_to(const std::string& id, const Pose& pose) {
@@ -243,7 +233,6 @@ bool SceneEditor::put(const std::string& id, Predicate relation, const std::stri
         find_place(workspace_, node, *index_of(id), relation, *index_of(receptacle), {.draws = draws_}, next_rng());
     if (place.pose) {
       move_to(id, *place.pose);
-      edits_.push_back("put " + id + " " + std::string(info(relation).name) + " " + receptacle);
       return true;
     }
     obstacle = place.obstacle;
@@ -269,7 +258,6 @@ bool SceneEditor::place_under(const std::string& id, const std::string& other) {
                                          {.draws = 2 * draws_}, next_rng());
   if (!place.pose)
     return fail(RejectionReason::NoFreePlace, object.category + " under " + other + " " + place.obstacle);
-  edits_.push_back("put " + id + " under " + other);
   return move_to(id, *place.pose);
 }
 
@@ -288,7 +276,6 @@ bool SceneEditor::put_on_floor(const std::string& id, const std::string& room) {
   if (!place.pose) {
     return fail(RejectionReason::NoFreePlace, object.category + " on the floor of " + room + " " + place.obstacle);
   }
-  edits_.push_back("put " + id + " on the floor of " + room);
   return move_to(id, *place.pose);
 }
 
@@ -302,7 +289,6 @@ bool SceneEditor::move_agent(const std::string& room, bool into) {
     const auto cell = grid.nearest_free(((bounds.low + bounds.high) / 2).head<2>());
     if (!cell || !contains(candidate.polygon, grid.centre(*cell))) continue;
     workspace_.agent().position = grid.centre(*cell);
-    edits_.push_back("the agent starts in " + candidate.id);
     stale_ = true;
     return true;
   }

@@ -16,21 +16,19 @@
 namespace unietp {
 
 /// Single edits of a scene that keep it physical: each moves, adds, removes or changes one object and settles only
-/// that. Every edit says in words what it did (`edits`) and, when it fails, why (`failure`). Objects are named by id,
-/// since positions shift when one is taken out. Deterministic: draws come from a stream forked per edit.
+/// that. An edit that fails says why (`failure`). Objects are named by id, since positions shift when one is taken out.
+/// Deterministic: draws come from a stream forked per edit.
 class SceneEditor {
  public:
   SceneEditor(Workspace& workspace, GoalPlaces avoid, const Profile& profile, int draws, Rng rng);
 
   /// A new object of the category where the knowledge puts it, away from the goal's places. Its id, or nullopt.
   std::optional<std::string> add_object(const std::string& category);
-  /// A new piece of furniture in the given room, if possible next to one of the category `beside`. Whether it shuts off
-  /// another room is not looked at.
-  std::optional<std::string> add_furniture(const std::string& category, std::size_t room,
-                                           const std::string& beside = {});
+  /// A new piece of furniture in the given room. Whether it shuts off another room is not looked at.
+  std::optional<std::string> add_furniture(const std::string& category, std::size_t room);
   /// Whether every room can still be walked to.
   bool leaves_rooms_open();
-  /// Takes an object out; what rests on or in it is moved first.
+  /// Takes an object out; what rests on or in it is moved first. Not furniture of the home.
   bool remove(const std::string& id);
 
   bool put(const std::string& id, Predicate relation, const std::string& receptacle);  // on, inside, next_to, under
@@ -50,7 +48,6 @@ class SceneEditor {
   /// Objects that other edits must not use up or throw away.
   std::set<std::string>& reserved() { return reserved_; }
   const std::set<std::string>& touched() const { return touched_; }
-  const std::vector<std::string>& edits() const { return edits_; }
   const GroundingFailure& failure() const { return failure_; }
   Workspace& workspace() { return workspace_; }
   /// Reads the edges anew when something changed since the last time.
@@ -69,7 +66,7 @@ class SceneEditor {
   bool resize(const std::string& id, const std::string& size, bool truth);
   bool place_near(const std::string& id, const std::string& other);
   bool place_under(const std::string& id, const std::string& other);
-  bool settle_somewhere(Node node, const std::function<bool(const Node&)>& accept, std::string& where);
+  bool settle_somewhere(Node node, const std::function<bool(const Node&)>& accept);
 
   Workspace& workspace_;
   GoalPlaces avoid_;
@@ -80,7 +77,6 @@ class SceneEditor {
   bool stale_ = false;
   std::set<std::string> reserved_, touched_;
   std::set<std::string> clearing_;  // what is being taken off things now
-  std::vector<std::string> edits_;
   GroundingFailure failure_;
 };
 

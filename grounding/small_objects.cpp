@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -16,6 +17,7 @@ constexpr double kObjectSizeSpread = 0.04;
 constexpr double kUsualRoomFactor = 4;
 constexpr double kHeldByOthers = 0.5;  // things that a receptacle holds of which no home shows how many
 constexpr int kReceptaclesPerTry = 3;
+constexpr double kSecond = 0.5;     // chance of a second thing where there is one already, to that of another category
 constexpr double kMostOften = 1.5;  // times the number of a thing in real homes, when more things are asked for
 
 /// Of a category's things, one bool a room.
@@ -27,8 +29,9 @@ std::vector<bool> usual_rooms(const Workspace& workspace, const Category& catego
 
 /// A thing that some room shall have.
 struct Wish {
-  std::size_t room;
+  std::optional<std::size_t> room;  // nullopt: any
   const Category* category;
+  bool of_rule = false;  // real homes have it there
 };
 
 /// What each category can be put on or in, room by room, kept up while things are added.
@@ -59,7 +62,7 @@ class Scatterer {
     const auto unseen = unseen_categories();
     const double rest = options_.wanted * recipe_.unseen_share;
     const int others = static_cast<int>(rest) + (rng.chance(rest - std::floor(rest)) ? 1 : 0);
-    for (int i = 0; i < others && !unseen.empty(); ++i) wishes.push_back({rng.below(rooms_.size()), rng.pick(unseen)});
+    for (int i = 0; i < others && !unseen.empty(); ++i) wishes.push_back({std::nullopt, rng.pick(unseen), false});
     rng.shuffle(wishes);
     return wishes;
   }
@@ -68,26 +71,33 @@ class Scatterer {
   /// of it there are; nullopt when there is none.
   std::optional<Wish> draw_wish(Rng& rng) const {
     std::vector<double> rooms(rooms_.size(), 0);
-    for_each_rule([&](const Wish& wish, double mean) { rooms[wish.room] += mean; });
+    for_each_rule([&](const Wish& wish, double mean) { rooms[*wish.room] += mean; });
     if (std::none_of(rooms.begin(), rooms.end(), [](double mean) { return mean > 0; })) return std::nullopt;
     const std::size_t room = rng.weighted(rooms);
     const std::string& type = workspace_.scene().rooms[room].type;
     std::vector<const Category*> usual;
     std::vector<double> chances;
+    std::map<std::string_view, int> alike;  // categories of a kind
     for (const Category& category : workspace_.knowledge().categories()) {
       if (!category.movable || sliced_.contains(category.name)) continue;
       if (std::find(category.rooms.begin(), category.rooms.end(), type) == category.rooms.end()) continue;
-      const auto there = rooms_[room].find(category.name);
+      if (workspace_.household() != nullptr && workspace_.household()->places_of(category.name).empty()) continue;
       usual.push_back(&category);
-      chances.push_back(std::pow(0.5, there == rooms_[room].end() ? 0.0 : static_cast<double>(there->second.size())));
+      ++alike[kind_of(category)];
+    }
+    for (const Category* category : usual) {
+      const auto there = rooms_[room].find(category->name);
+      const std::size_t number = there == rooms_[room].end() ? 0 : there->second.size();
+      // People have several of many things; of hundreds of kinds of food no home has most.
+      const double again = number == 0 ? 1 : number == 1 ? kSecond : std::pow(0.5, static_cast<double>(number));
+      chances.push_back(again);
     }
     if (usual.empty()) return std::nullopt;
-    return Wish{room, usual[rng.weighted(chances)]};
+    return Wish{room, usual[rng.weighted(chances)], false};
   }
 
   bool place(const Wish& wish, Rng rng) {
-    Node node = make_node(workspace_, *wish.category, kObjectSizeSpread, rng);
-    draw_states(node, workspace_.knowledge(), rng);
+    const Node plain = make_node(workspace_, *wish.category, kObjectSizeSpread, rng);
     std::vector<Host> hosts = hosts_in(wish);
     for (int choice = 0; choice < kReceptaclesPerTry && !hosts.empty(); ++choice) {
       std::vector<double> chances;
@@ -98,6 +108,8 @@ class Scatterer {
       PlacementOptions options;
       options.draws = std::max(1, options_.draws_per_object / kReceptaclesPerTry);
       options.settle = options_.settle;
+      Node node = plain;
+      draw_states(node, workspace_, {host.relation, workspace_.scene().nodes[host.node].category}, rng);
       const FoundPlace place = find_place(workspace_, node, workspace_.scene().nodes.size(), host.relation, host.node,
                                           options, rng.fork("place", static_cast<std::uint64_t>(choice)));
       if (!place.pose) continue;
@@ -116,7 +128,7 @@ class Scatterer {
       for (const ObjectRule& rule : recipe_.objects) {
         if (rule.room != workspace_.scene().rooms[room].type) continue;
         const Category* category = workspace_.knowledge().find(rule.category);
-        if (category != nullptr) each(Wish{room, category}, rule.mean);
+        if (category != nullptr) each(Wish{room, category, true}, rule.mean);
       }
     }
   }
@@ -128,9 +140,15 @@ class Scatterer {
     for (const ObjectRule& rule : recipe_.objects) spoken.insert(rule.category);
     std::vector<const Category*> unseen;
     for (const Category& category : knowledge.categories()) {
-      if (category.movable && !spoken.contains(category.name)) unseen.push_back(&category);
+      const auto* household = workspace_.household();
+      const bool kept = household == nullptr || !household->places_of(category.name).empty();
+      if (category.movable && kept && !spoken.contains(category.name)) unseen.push_back(&category);
     }
     return unseen;
+  }
+
+  static std::string_view kind_of(const Category& category) {
+    return category.kinds.empty() ? std::string_view() : std::string_view(category.kinds.front());
   }
 
   void enter(std::size_t index) {
@@ -143,21 +161,43 @@ class Scatterer {
 
   std::vector<Host> hosts_in(const Wish& wish) const {
     std::vector<Host> hosts;
-    for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
-      for (const Placement* placement : workspace_.knowledge().placements_of(wish.category->name, relation)) {
-        const auto there = rooms_[wish.room].find(placement->receptacle);
-        if (placement->likelihood <= 0 || there == rooms_[wish.room].end()) continue;
-        const auto usual = recipe_.held.find(placement->receptacle);
-        const double mean = usual == recipe_.held.end() ? kHeldByOthers : usual->second;
-        for (const std::size_t node : there->second) {
-          const auto carried = carried_.find(node);
-          const double crowd = carried == carried_.end() ? 0 : carried->second / (mean + 1);
-          hosts.push_back(
-              {node, relation, placement->likelihood / static_cast<double>(there->second.size()) / (1 + crowd)});
-        }
+    for (std::size_t room = 0; room < rooms_.size(); ++room) {
+      if (wish.room && *wish.room != room) continue;
+      if (workspace_.household() != nullptr) {
+        add_usual_hosts(room, wish, hosts);
+        continue;
+      }
+      for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
+        for (const Placement* placement : workspace_.knowledge().placements_of(wish.category->name, relation))
+          add_hosts(room, placement->receptacle, relation, placement->likelihood, hosts);
       }
     }
     return hosts;
+  }
+
+  /// Nothing where the room has none of the usual places of what has such places, unless real homes have it there.
+  void add_usual_hosts(std::size_t room, const Wish& wish, std::vector<Host>& hosts) const {
+    const auto& places = workspace_.household()->places_of(wish.category->name);
+    const auto is_usual = [](const Household::Place& place) { return place.usual; };
+    const auto is_here = [&](const Household::Place& place) { return rooms_[room].contains(place.receptacle); };
+    const bool some = !wish.of_rule && std::any_of(places.begin(), places.end(), is_usual);
+    if (some &&
+        std::none_of(places.begin(), places.end(), [&](const auto& one) { return is_usual(one) && is_here(one); }))
+      return;
+    for (const auto& place : places) add_hosts(room, place.receptacle, place.relation, place.weight, hosts);
+  }
+
+  void add_hosts(std::size_t room, const std::string& receptacle, Predicate relation, double likelihood,
+                 std::vector<Host>& hosts) const {
+    const auto there = rooms_[room].find(receptacle);
+    if (likelihood <= 0 || there == rooms_[room].end()) return;
+    const auto usual = recipe_.held.find(receptacle);
+    const double mean = usual == recipe_.held.end() ? kHeldByOthers : usual->second;
+    for (const std::size_t node : there->second) {
+      const auto carried = carried_.find(node);
+      const double crowd = carried == carried_.end() ? 0 : carried->second / (mean + 1);
+      hosts.push_back({node, relation, likelihood / static_cast<double>(there->second.size()) / (1 + crowd)});
+    }
   }
 
   Workspace& workspace_;
@@ -179,10 +219,18 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
     double on = 0, inside = 0;  // how likely
   };
   std::map<std::string_view, Receptacle> receptacles;
-  for (const Placement* placement : knowledge.placements_of(object.category, Predicate::On))
-    receptacles[placement->receptacle].on = placement->likelihood;
-  for (const Placement* placement : knowledge.placements_of(object.category, Predicate::Inside))
-    receptacles[placement->receptacle].inside = placement->likelihood;
+  const auto* household = workspace.household();
+  const auto add = [&](std::string_view receptacle, Predicate relation, double weight) {
+    (relation == Predicate::On ? receptacles[receptacle].on : receptacles[receptacle].inside) = weight;
+  };
+  if (household != nullptr && !household->places_of(object.category).empty()) {
+    for (const auto& place : household->places_of(object.category)) add(place.receptacle, place.relation, place.weight);
+  } else {
+    for (const Predicate relation : {Predicate::On, Predicate::Inside}) {
+      for (const Placement* placement : knowledge.placements_of(object.category, relation))
+        add(placement->receptacle, relation, placement->likelihood);
+    }
+  }
   const auto& nodes = workspace.scene().nodes;
   const std::vector<bool> usual_here = usual_rooms(workspace, *category);
   for (const auto& [name, receptacle] : receptacles) {

@@ -8,6 +8,7 @@
 #include "akb/knowledge.h"
 #include "grounding/collision.h"
 #include "grounding/home.h"
+#include "grounding/household.h"
 #include "grounding/present.h"
 #include "scene/scene.h"
 #include "simulation/physics.h"
@@ -28,6 +29,9 @@ class Workspace {
   PhysicsWorld& physics() { return physics_; }
   const PhysicsWorld& physics() const { return physics_; }
   const PlacementChecker& checker() const { return checker_; }
+  /// How things are in such a home; nullptr when nothing is known of that. It must outlive this value.
+  const Household* household() const { return household_; }
+  void live_as(const Household* household) { household_ = household; }
   const Home* home() const { return home_; }  // nullptr for a scene of its own
 
   /// Appends a node where its pose says; gives its index.
@@ -90,6 +94,7 @@ class Workspace {
 
   Scene scene_;
   const Knowledge* knowledge_;
+  const Household* household_ = nullptr;
   const Home* home_ = nullptr;
   PhysicsWorld physics_;
   PlacementChecker checker_;
@@ -112,9 +117,9 @@ class StandIn {
   StandIn(const StandIn&) = delete;
   StandIn& operator=(const StandIn&) = delete;
 
-  void move(const Pose& pose);
-  const Shape& shape() const { return shape_; }
-  BodyId body() const { return BodyId::node(index_); }
+  void move(const Pose& pose);                          // to another place
+  const Shape& shape() const { return shape_; }         // of the object, in its own frame
+  BodyId body() const { return BodyId::node(index_); }  // in the physics world
 
  private:
   Workspace& workspace_;

@@ -10,6 +10,7 @@ namespace unietp {
 /// A point or rotation of Habitat in W, and back.
 inline Vec3 from_habitat(const Vec3& v) { return {v.x(), -v.z(), v.y()}; }
 inline Vec3 to_habitat(const Vec3& v) { return {v.x(), v.z(), -v.y()}; }
+/// The same of rotations.
 inline Quat rotation_from_habitat(const Quat& q) { return Quat(q.w(), q.x(), -q.z(), q.y()) * Quat(0, 0, 0, 1); }
 inline Quat rotation_to_habitat(const Quat& q) {
   const Quat turned = q * Quat(0, 0, 0, -1);

@@ -8,6 +8,7 @@ namespace unietp {
 
 // ProcTHOR knows four kinds of rooms; ours are named after them, and theirs after ours.
 
+/// As its files write them.
 inline constexpr std::array<std::string_view, 4> kProcthorRooms{"Bathroom", "Bedroom", "Kitchen", "LivingRoom"};
 
 /// "LivingRoom" → "living_room"; a kind that it does not know likewise.

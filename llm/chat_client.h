@@ -22,8 +22,9 @@ class Holdback {
  public:
   using Clock = std::chrono::steady_clock;
   using Time = Clock::time_point;
+  /// Sets that time unless a later one is set.
   void until(Time time);
-  Time until() const;
+  Time until() const;  // long ago when no server asked for it
 
  private:
   mutable std::mutex mutex_;

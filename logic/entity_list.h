@@ -32,7 +32,7 @@ class EntityList {
   Iterator begin() const;
   Iterator end() const;
 
-  void push_back(Entity entity) { own_.push_back(std::move(entity)); }
+  void push_back(Entity entity) { own_.push_back(std::move(entity)); }  // an entity of its own
   /// Appends what `longer`, a list that starts with the same entities, has in addition.
   void follow(const EntityList& longer);
   /// Moves all entities into a block that copies made from now on share.

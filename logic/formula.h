@@ -34,7 +34,7 @@ struct Domain {
   bool operator==(const Domain&) const;
 };
 
-enum class Comparison { Equal, AtLeast, AtMost, Greater, Less };
+enum class Comparison { Equal, AtLeast, AtMost, Greater, Less };  // how two counts of a goal compare
 
 /// A goal or constraint as a tree. One struct for all forms: which fields are used is said at each operator; the
 /// builders below keep that. Text form: S-expressions, `parse_formula` and `to_text` are inverse.

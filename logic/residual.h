@@ -23,8 +23,8 @@ class Value {
   /// A variable whose entity does not exist yet.
   static Value waiting(Slot slot) { return from_word(kWaits | slot); }
 
-  bool waits() const { return (word_ & kWaits) != 0; }
-  Slot slot() const { return word_ & ~kWaits; }  // of one that waits
+  bool waits() const { return (word_ & kWaits) != 0; }  // whether it depends on what comes
+  Slot slot() const { return word_ & ~kWaits; }         // of one that waits
   /// Of one that does not wait; EntityIndex::none() for nothing.
   EntityIndex entity() const { return word_ == kNothing ? EntityIndex::none() : EntityIndex(word_); }
 

@@ -33,9 +33,9 @@ RunConfiguration run_of_one(const ProceduralOptions& options, Simulator simulato
   run.splits = {split};
   run.templates = options.templates;
   run.modes = options.modes;
+  run.sense = options.sense;
   run.attempts = options.attempts;
   run.homes = HomeSource::Training;
-  run.phrasings = Phrasings::Training;
   return run;
 }
 

@@ -10,6 +10,7 @@
 #include "resources/resources.h"
 #include "scene/action.h"
 #include "scene/simulator.h"
+#include "sense/evidence.h"
 #include "templates/template.h"
 
 namespace unietp {
@@ -20,6 +21,7 @@ struct ProceduralOptions {
   std::vector<Split> splits;                                                  // likewise; empty: all five
   std::vector<std::string> templates;                                         // names; empty: all of the library
   std::vector<Mode> modes{Mode::M1};  // that every task is proven solvable in; M1 always is
+  Grade sense = Grade::Usual;         // that tasks make at least, as far as templates can
   int homes = 16;                     // of the training pool, for each simulator, > 0; kept in memory once made
   std::uint64_t homes_seed = 1;       // which homes these are
   int attempts = 200;                 // candidates tried for one task
@@ -37,7 +39,7 @@ class Procedural {
   /// The task of a seed. Errors: Unsatisfiable when none of the attempts gave one; names the last reason.
   Result<SharedTask> task(std::uint64_t seed) const;
 
-  const ProceduralOptions& options() const;
+  const ProceduralOptions& options() const;  // as given
 
  private:
   struct Impl;

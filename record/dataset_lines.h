@@ -53,7 +53,7 @@ struct TaskLines {
   PartLine wordings;
   std::vector<StrayLine> strays;  // before these lines
 
-  const PartLine& shown_in(Mode mode) const { return shown[static_cast<std::size_t>(mode)]; }
+  const PartLine& shown_in(Mode mode) const { return shown[static_cast<std::size_t>(mode)]; }  // the demonstration
 };
 
 /// Reads the files of a data set side by side, task by task. Memory use does not depend on the number of tasks.

@@ -58,6 +58,7 @@ void read_run(JsonReader& reader, const JsonAt& at, RecordedRun& run) {
   if (const auto f = fields.optional("without")) run.without = reader.texts(*f);
   if (const auto f = fields.required("modes")) run.modes = read_modes(reader, *f);
   if (const auto f = fields.required("phrasings")) run.phrasings = reader.text(*f);
+  if (const auto f = fields.required("sense")) run.sense = reader.text(*f);
   if (const auto f = fields.required("homes")) run.homes = reader.text(*f);
   if (const auto f = fields.optional("quotas")) {
     JsonFields quotas(reader, *f);
@@ -111,6 +112,8 @@ void read_counts(JsonReader& reader, const JsonAt& at, ManifestRecord& manifest)
   if (const auto f = fields.required("by_split")) manifest.by_split = read_shares(reader, *f);
   if (const auto f = fields.required("by_simulator")) manifest.by_simulator = read_shares(reader, *f);
   if (const auto f = fields.required("by_template")) read_by_template(reader, *f, manifest.by_template);
+  if (const auto f = fields.required("by_sense")) manifest.by_sense = read_shares(reader, *f);
+  if (const auto f = fields.required("not_usual")) read_by_template(reader, *f, manifest.not_usual);
   if (const auto f = fields.optional("balance")) manifest.balance = read_balance(reader, *f);
   if (const auto f = fields.required("rejections")) {
     JsonFields stages(reader, *f);
@@ -147,7 +150,7 @@ RecordedWriting read_writing(JsonReader& reader, const JsonAt& at) {
   JsonFields fields(reader, at);
   if (const auto f = fields.required("writer")) writing.writer = reader.text(*f);
   if (const auto f = fields.optional("seed")) writing.seed = read_seed(reader, *f);
-  if (const auto f = fields.optional("phrasings")) writing.phrasings = reader.text(*f);
+  if (const auto f = fields.required("phrasings")) writing.phrasings = reader.text(*f);
   if (const auto f = fields.required("counts")) {
     for (std::size_t i = 0; i < reader.items(*f) && !reader.error(); ++i) {
       const JsonAt item = reader.item(*f, i);

@@ -25,7 +25,8 @@ struct RecordedRun {
   std::vector<std::string> templates, without;        // empty templates: all
   std::map<std::string, int> by_split, by_simulator;  // quotas; both empty: equal shares
   std::vector<Mode> modes;
-  std::string phrasings;             // "all", "training", "benchmark"
+  std::string phrasings;             // "everyday", "all", "training", "benchmark"
+  std::string sense;                 // "usual", "tolerable", "any"
   std::string homes;                 // "benchmark", "training", "drawn"
   int attempts = 0;                  // candidates tried for one task
   int block = 0;                     // tasks planned together
@@ -41,7 +42,7 @@ struct RecordedRun {
 struct RecordedWriting {
   std::string writer;
   std::optional<std::uint64_t> seed;
-  std::string phrasings = "all";
+  std::string phrasings;
   std::vector<std::pair<std::string, int>> counts;  // writer of the instruction, tasks
 };
 
@@ -70,7 +71,8 @@ struct ManifestRecord {
   RecordedRun run;
   std::string phrasings;  // of the present instructions
   int tasks = 0, candidates = 0;
-  std::map<std::string, int> by_split, by_simulator, by_template;
+  std::map<std::string, int> by_split, by_simulator, by_template, by_sense;
+  std::map<std::string, int> not_usual;                          // by template
   std::map<std::string, std::map<std::string, int>> rejections;  // by stage and reason
   std::vector<RecordedSpread> balance;
   std::map<std::string, RecordedFile> files;  // by path

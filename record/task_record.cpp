@@ -39,6 +39,23 @@ void read_instruction(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   fields.finish();
 }
 
+void read_sense(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
+  JsonFields fields(reader, at);
+  if (const auto f = fields.required("grade")) task.grade = reader.text(*f);
+  if (const auto f = fields.required("parts")) {
+    for (std::size_t i = 0; i < reader.items(*f) && !reader.error(); ++i) {
+      const JsonAt item = reader.item(*f, i);
+      JsonFields own(reader, item);
+      auto& part = task.sense.emplace_back();
+      if (const auto text = own.required("part")) part.part = reader.line(*text);
+      if (const auto text = own.required("grade")) part.grade = reader.text(*text);
+      if (const auto text = own.required("why")) part.why = reader.text(*text);
+      own.finish();
+    }
+  }
+  fields.finish();
+}
+
 void read_expert(JsonReader& reader, const JsonAt& at, TaskRecord& task) {
   JsonFields modes(reader, at);
   for (const Mode mode : kModes) {
@@ -83,9 +100,11 @@ Result<TaskRecord> read_task(std::string_view where, int line, std::string_view 
     if (const auto f = fields.required("layout")) task.layout = reader.plain_name(*f);
     if (const auto f = fields.required("bindings")) read_bindings(reader, *f, task);
     if (const auto f = fields.required("refinement")) task.refinement = text_or_empty(reader, *f);
+    if (const auto f = fields.required("phenomena")) task.phenomena = reader.texts(*f);
     if (const auto f = fields.required("goal")) read_goal(reader, *f, task);
     if (const auto f = fields.required("start")) read_start(reader, *f, task);
     if (const auto f = fields.required("instruction")) read_instruction(reader, *f, task);
+    if (const auto f = fields.required("sense")) read_sense(reader, *f, task);
     if (const auto f = fields.required("expert")) read_expert(reader, *f, task);
     if (const auto f = fields.required("seed")) read_seed(reader, *f, task);
   });

@@ -20,6 +20,7 @@ struct TaskRecord {
   std::string id, template_name, split, simulator, scene, layout;
   std::vector<std::pair<std::string, std::string>> bindings;  // placeholder, category; in the order of the line
   std::string refinement;                                     // name of the referring constraint, or ""
+  std::vector<std::string> phenomena;                         // of language that the text shows
   std::string goal_text;
   Formula goal_tree;
   std::vector<std::string> start_constraints, edits;
@@ -27,6 +28,12 @@ struct TaskRecord {
   std::string instruction, writer, style;
   std::vector<std::string> checks;  // names of the checks that the text passed
   std::string fallback;             // why the grammar wrote the text instead of a model; "" otherwise
+  std::string grade;                // of its sense
+  struct SensePart {
+    std::string part, grade, why;
+    bool operator==(const SensePart&) const = default;
+  };
+  std::vector<SensePart> sense;  // worst first
   struct Count {
     Mode mode = Mode::M1;
     int steps = 0, failures = 0;

@@ -284,6 +284,9 @@ std::vector<FigureTable> tables_of(Sets sets) {
       table("styles", "Styles of instructions", "", "style", sets, "tasks"), sets,
       [](const auto& set) { return set.styles; }, true));
   all.push_back(tally_table(
+      table("phenomena", "Phenomena of language", "A text may show several.", "phenomenon", sets, "tasks"), sets,
+      [](const auto& set) { return set.phenomena; }, true));
+  all.push_back(tally_table(
       table("operators", "Operators", "Number of tasks whose goal contains it.", "operator", sets, "tasks"), sets,
       [](const auto& set) { return set.operators; }, true));
   all.push_back(tally_table(

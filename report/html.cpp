@@ -53,7 +53,8 @@ std::string to_html(HtmlPage page) {
   for (const auto part : page.styles) style.append(part);
   const std::string policy = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-" +
                              base64(bytes_of(sha256(script))) + "'; base-uri 'none'; form-action 'none'" +
-                             (page.asks_its_server ? "; connect-src 'self'" : "");
+                             (page.asks_its_server ? "; connect-src 'self'" : "") +
+                             (page.frames ? "; frame-src 'self' file:" : "");
   std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   html += "<meta http-equiv=\"Content-Security-Policy\" content=\"" + policy + "\">\n";
   html += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";

@@ -13,7 +13,7 @@ std::string escaped_html(std::string_view text);
 std::string json_in_html(std::string json);
 
 /// A self-contained page. Its content security policy allows its own scripts only, and no requests but, if it says so,
-/// to the server that it came from, whatever the texts of a data set contain.
+/// to the server that it came from or for pages beside it, whatever the texts of a data set contain.
 struct HtmlPage {
   std::string title;
   std::vector<std::string_view> styles;
@@ -21,6 +21,7 @@ struct HtmlPage {
   std::vector<std::pair<std::string, std::string>> data;  // id, text of script elements that are not run
   std::vector<std::string_view> scripts;                  // in order, run as one
   bool asks_its_server = false;
+  bool frames = false;  // shows pages from beside it, also on a disk
 };
 /// The whole page. Each of its data is freed once it is in the text.
 std::string to_html(HtmlPage page);

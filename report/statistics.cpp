@@ -42,6 +42,7 @@ class Counter {
     ++statistics_.by_simulator_and_split[{task.simulator, task.split}];
     ++statistics_.templates[task.template_name];
     ++statistics_.styles[task.style];
+    for (const auto& name : task.phenomena) ++statistics_.phenomena[name];
     ++statistics_.writers[task.writer];
     ++funnel_[task.template_name].accepted;
     handled_[task.simulator].insert(task.categories.begin(), task.categories.end());

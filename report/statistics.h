@@ -14,7 +14,7 @@ namespace unietp {
 /// How often each integer occurred.
 struct Histogram {
   std::map<int, int> counts;
-  void add(int value) { ++counts[value]; }
+  void add(int value) { ++counts[value]; }  // counts one more
   /// How many integers were added.
   int total() const;
   double mean() const;  // 0 when empty, as those below
@@ -28,8 +28,8 @@ struct Histogram {
 struct FunnelRow {
   std::string template_name;
   int accepted = 0;
-  Tally causes;  // "expert: action-failed" → candidates
-  int candidates() const;
+  Tally causes;            // "expert: action-failed" → candidates
+  int candidates() const;  // tasks and rejected candidates
 };
 
 /// How evenly the tasks are distributed over the values of a dimension.
@@ -54,7 +54,7 @@ struct DatasetStatistics {
   std::string name;
   int tasks = 0;
   std::map<std::pair<std::string, std::string>, int> by_simulator_and_split;
-  Tally templates, styles, writers;
+  Tally templates, styles, phenomena, writers;
   Histogram instruction_words;  // words of an instruction
   Tally words;                  // occurrences, lower case; function words (a, the, of, …) are left out
   int distinct_words = 0;       // with function words
@@ -68,7 +68,7 @@ struct DatasetStatistics {
   Histogram rooms, objects;        // per home, in the start of its first task; movable and fixed objects
   std::vector<Evenness> evenness;  // in order of dimension's name
 
-  int candidates() const;
+  int candidates() const;  // of all templates
 };
 
 /// Reads the tasks one at a time: apart from the figures, only the name of each home and of its first task stays in

@@ -51,6 +51,7 @@ Json to_json(const DatasetStatistics& set) {
           {"templates", to_json(set.templates)},
           {"instructions",
            {{"styles", to_json(set.styles)},
+            {"phenomena", to_json(set.phenomena)},
             {"writers", to_json(set.writers)},
             {"lengths", to_json(set.instruction_words)},
             {"distinct_words", set.distinct_words},

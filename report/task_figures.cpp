@@ -53,6 +53,7 @@ TaskFigures figures_of(const FinishedTask& task) {
                       record.template_name,
                       record.layout,
                       record.style,
+                      record.phenomena,
                       record.writer,
                       words_of(record.instruction),
                       {},

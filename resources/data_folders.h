@@ -13,11 +13,13 @@ struct DataFolders {
   std::vector<std::filesystem::path> templates = {};  // the user's own, files or folders, beside the built-in ones
   bool extended_library = false;                      // use the extended templates too
 
-  std::filesystem::path tables() const { return root / "data" / "akb"; }
-  std::filesystem::path profiles() const { return root / "data" / "simulators"; }
-  std::filesystem::path runs() const { return root / "data" / "runs"; }
-  std::filesystem::path layouts() const { return root / "data" / "layouts"; }
+  std::filesystem::path tables() const { return root / "data" / "akb"; }               // of the knowledge bases
+  std::filesystem::path profiles() const { return root / "data" / "simulators"; }      // of agents
+  std::filesystem::path sense() const { return root / "data" / "sense"; }              // what is usual in homes
+  std::filesystem::path runs() const { return root / "data" / "runs"; }                // configurations of runs
+  std::filesystem::path layouts() const { return root / "data" / "layouts"; }          // recipes of homes
   std::filesystem::path scene_files() const { return root / "data" / "scene_files"; }  // interchange/format_facts.h
+  std::filesystem::path english() const { return root / "data" / "english"; }          // report/word_figures.h
   std::filesystem::path licences() const { return root / "data" / "licences.csv"; }
   std::filesystem::path library() const { return root / "templates" / "library"; }
   std::filesystem::path extended() const { return root / "templates" / "extended"; }  // need not exist

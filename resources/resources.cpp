@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <set>
 
 #include "core/digest.h"
 #include "core/files.h"
@@ -73,7 +74,7 @@ InputsReading read_inputs(const DataFolders& folders) {
   const auto digest = sha256(*tables + digest_of(templates.files, folders.root));
   // The number of the format is part of the name, so that a newer program never reads an older one's file. The name
   // also vouches for the templates, since a file is renamed into place only when it is complete.
-  return {{*tables, std::move(templates), "knowledge-5-" + digest.substr(0, 32) + ".sqlite"}, {}};
+  return {{*tables, std::move(templates), "knowledge-6-" + digest.substr(0, 32) + ".sqlite"}, {}};
 }
 
 CompiledKnowledge compile_inputs(const fs::path& folder, const DataFolders& folders, const KnowledgeInputs& inputs) {
@@ -89,6 +90,16 @@ CompiledKnowledge compile_inputs(const fs::path& folder, const DataFolders& fold
   fs::rename(partial, database, code);
   if (code) return {{}, {io_error(database, "cannot rename the compiled knowledge: " + code.message())}};
   return {database, {}};
+}
+
+void load_sense(const DataFolders& folders, ResourcesReading& reading) {
+  Resources& resources = reading.resources;
+  auto common = read_common_sense(folders.sense(), reading.errors);
+  auto words = read_word_kinds(folders.sense(), common.kinds(), reading.errors);
+  if (!reading.errors.empty()) return;
+  resources.sense = std::make_shared<const SenseTables>(SenseTables{std::move(common), std::move(words)});
+  for (const auto& backend : resources.backends)
+    resources.piece_grades.emplace_back(backend.knowledge, resources.sense);
 }
 
 }  // namespace
@@ -155,6 +166,7 @@ ResourcesReading load_resources(const DataFolders& folders) {
       resources.recipes.push_back(std::move(*recipe));
     }
   }
+  load_sense(folders, reading);
   if (auto benchmark = benchmark_layouts(folders.layouts()); !benchmark) {
     reading.errors.push_back(benchmark.error());
   } else {
@@ -171,7 +183,8 @@ ResourcesReading load_resources(const DataFolders& folders) {
 
 Result<std::string> knowledge_digest(const DataFolders& folders) {
   std::string listing;
-  std::vector<fs::path> covered{folders.tables(), folders.profiles(), folders.layouts(), folders.library()};
+  std::vector<fs::path> covered{folders.tables(), folders.sense(), folders.profiles(), folders.layouts(),
+                                folders.library()};
   if (std::error_code code; fs::exists(folders.extended(), code)) covered.push_back(folders.extended());
   for (const auto& folder : covered) {
     const auto files = files_below(folder);
@@ -190,6 +203,33 @@ Result<std::string> knowledge_digest(const DataFolders& folders) {
   return sha256(listing);
 }
 
+namespace {
+
+/// Errors: the kinds of `source` that no category of any backend has.
+std::vector<Error> unknown_kinds(const Template& source, const std::vector<Backend>& backends) {
+  std::set<std::string> known;
+  for (const auto& backend : backends) {
+    for (const auto& category : backend.knowledge.categories())
+      known.insert(category.kinds.begin(), category.kinds.end());
+  }
+  std::vector<Error> errors;
+  for (const auto& constraint : source.constraints) {
+    if (constraint.type != ConstraintType::Kind) continue;
+    for (std::size_t i = 1; i < constraint.arguments.size(); ++i) {
+      const auto& kind = constraint.arguments[i];
+      if (known.contains(kind)) continue;
+      const auto near = nearest_name(kind, {known.begin(), known.end()});
+      errors.push_back({Error::Kind::Schema, source.file, place_of(source.file, kind),
+                        "no category is of the kind '" + kind + "'" +
+                            (near.empty() ? "" : ", did you mean '" + near + "'") +
+                            "; accepted are the kinds of data/sense/kinds.csv"});
+    }
+  }
+  return errors;
+}
+
+}  // namespace
+
 std::vector<Error> unknown_categories(const Template& source, const std::vector<Backend>& backends) {
   std::vector<std::string> named = categories_of(source.goal);
   for (const auto& formula : source.init) {
@@ -199,7 +239,7 @@ std::vector<Error> unknown_categories(const Template& source, const std::vector<
   std::sort(named.begin(), named.end());
   named.erase(std::unique(named.begin(), named.end()), named.end());
 
-  std::vector<Error> errors;
+  std::vector<Error> errors = unknown_kinds(source, backends);
   for (const auto& name : named) {
     if (is_placeholder(source, name)) continue;
     bool known = false;

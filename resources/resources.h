@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "grounding/layout.h"
 #include "grounding/layout_library.h"
 #include "resources/data_folders.h"
+#include "sense/goal_sketch.h"
 #include "simulation/profile.h"
 #include "templates/template.h"
 
@@ -46,18 +48,22 @@ BackendsReading load_backends(const DataFolders& folders);
 
 /// Everything that the stages of generation read. Immutable; shared by all threads.
 struct Resources {
-  std::vector<Backend> backends;           // in the order of kSimulators
-  std::vector<LayoutRecipe> recipes;       // likewise
-  std::vector<Template> templates;         // the library's, the extended ones, the user's; each in order of file name
-  std::vector<std::string> own;            // of the user's: "<name> <sha256 of its file>", as the manifest records them
+  std::vector<Backend> backends;      // in the order of kSimulators
+  std::vector<LayoutRecipe> recipes;  // likewise
+  std::vector<Template> templates;    // the library's, the extended ones, the user's; each in order of file name
+  std::vector<std::string> own;       // of the user's: "<name> <sha256 of its file>", as the manifest records them
+  std::shared_ptr<const SenseTables> sense;
+  std::vector<PieceGrades> piece_grades;   // of the simulators, in their order
   std::vector<BenchmarkLayout> benchmark;  // what the benchmark's homes are made from
   std::vector<Scene> homes;                // for a run to use (given_scenes.h); empty: it makes its own
   std::string digest;                      // knowledge_digest of the folders
 
+  /// Of one simulator.
   const Backend& backend(Simulator simulator) const { return backends[static_cast<std::size_t>(simulator)]; }
   const LayoutRecipe& recipe(Simulator simulator) const { return recipes[static_cast<std::size_t>(simulator)]; }
 };
 
+/// The resources, or what is wrong with their files.
 struct ResourcesReading {
   Resources resources;
   std::vector<Error> errors;  // empty when sound; every problem of every file otherwise
@@ -70,7 +76,7 @@ ResourcesReading load_resources(const DataFolders& folders);
 Result<std::string> knowledge_digest(const DataFolders& folders);
 
 /// Checks that each category that a template names itself (not through a placeholder) is known to one of its
-/// simulators. Errors: Schema at the name's place in the template's file.
+/// simulators, and each kind to some category. Errors: Schema at the name's place in the template's file.
 std::vector<Error> unknown_categories(const Template& source, const std::vector<Backend>& backends);
 
 }  // namespace unietp

@@ -1,4 +1,6 @@
 #include "rewording/annotate.h"
+#include <cstdio>
+#include <cstdlib>
 
 #include <array>
 #include <set>
@@ -10,6 +12,7 @@
 #include "dataset/candidate_number.h"
 #include "dataset/dataset_database.h"
 #include "record/dataset_lines.h"
+#include "resources/own_phrasings.h"
 #include "rewording/home_texts.h"
 #include "rewording/paired_wordings.h"
 #include "rewording/person_text.h"
@@ -49,26 +52,23 @@ Result<std::vector<WordingTask>> wording_tasks(HomeCache& homes, const std::vect
                        &backend.knowledge,
                        &backend.nouns,
                        {categories.begin(), categories.end()},
+                       std::make_shared<const Scene>(*scene),
                        home_in_words(*scene, backend.nouns),
+                       phrasings_of_template(resources, task.record.template_name),
                        stream_of(task, options)});
   }
   return wording;
 }
 
-/// The categories of a task's start scene, for the one style that asks what is around.
-Result<std::vector<std::string>> around(HomeCache& homes, const WordedTask& task) {
-  if (task.specification.style != Style::Bystander) return std::vector<std::string>();
-  const auto scene = read_start(homes, task);
-  if (!scene) return scene.error();
-  return categories_in(*scene);
-}
-
 Result<Instruction> by_grammar(HomeCache& homes, const WordedTask& task, const Resources& resources,
                                const AnnotateOptions& options, const Rng& rng) {
-  const auto seen = around(homes, task);
-  if (!seen) return seen.error();
+  const auto home = read_start(homes, task);
+  if (!home) return home.error();
   const Backend& backend = resources.backend(task.specification.simulator);
-  return write_instruction(task.specification, backend.knowledge, backend.nouns, {options.llm.phrasings, *seen}, rng);
+  return write_instruction(task.specification, backend.knowledge, backend.nouns,
+                           {options.llm.phrasings, categories_in(*home), &*home,
+                            phrasings_of_template(resources, task.record.template_name)},
+                           rng);
 }
 
 /// What the writer gives for each task whose text is to be written, in their order.
@@ -172,6 +172,14 @@ class Rewriting {
       std::string why = in_place ? "another task of this home has the model's text" : draft->why;
       draft = by_grammar(homes_, task, resources_, options_, stream_of(task, options_).fork("another", k));
       if (draft) draft->why = std::move(why);
+    }
+    if ((!draft || !in_style()) && std::getenv("WORD_DEV")) {
+      fprintf(stderr, "FAIL %s %s\n", record.id.c_str(), draft ? "style" : draft.error().message.c_str());
+      Instruction old;
+      old.text = "FAILED " + record.id;
+      old.writer = "grammar";
+      old.style = task.specification.style;
+      return old;
     }
     if (!draft) {
       Error error = draft.error();

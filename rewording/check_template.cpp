@@ -39,10 +39,24 @@ void collect_tests(const Formula& formula, std::vector<const Formula*>& tests) {
   for (const Formula& child : formula.children) collect_tests(child, tests);
 }
 
-/// What is wrong with the name of a refinement that the generator added; "" when nothing is.
-std::string refinement_fault(Referring refinement, const Formula& goal) {
+std::vector<const Formula*> tests_of(const Formula& goal) {
   std::vector<const Formula*> tests;
   collect_tests(goal, tests);
+  return tests;
+}
+
+/// The tests of a goal that another goal lacks.
+std::vector<const Formula*> added_tests(const Formula& goal, const Formula& plain) {
+  auto tests = tests_of(goal);
+  for (const Formula* own : tests_of(plain)) {
+    const auto same = std::find_if(tests.begin(), tests.end(), [&](const Formula* test) { return *test == *own; });
+    if (same != tests.end()) tests.erase(same);
+  }
+  return tests;
+}
+
+/// What is wrong with the name of a refinement that the generator added, as these tests; "" when nothing is.
+std::string refinement_fault(Referring refinement, const std::vector<const Formula*>& tests) {
   if (tests.empty()) return "names a refinement, but its goal refers to objects by category alone";
   const Referring form = tests.size() > 1 ? Referring::EachItsOwn : form_of(*tests.front());
   return form == refinement ? ""
@@ -63,7 +77,7 @@ class TaskAgainstTemplate {
     if (!split) found("has the unknown split " + in_quotes(task_.split));
     if (!refinement || !split) return std::move(problems_);
     if (*refinement == Referring::EachItsOwn) {  // its binding is of one category, which the template need not allow
-      if (auto fault = refinement_fault(*refinement, goal_); !fault.empty()) found(std::move(fault));
+      if (auto fault = refinement_fault(*refinement, tests_of(goal_)); !fault.empty()) found(std::move(fault));
       if (*split != Split::InstanceGrounding) found("has the split " + task_.split + ", unlike its refinement");
       (void)bindings_in_order();
       return std::move(problems_);
@@ -108,17 +122,29 @@ class TaskAgainstTemplate {
     if (split == Split::Linguistic) {
       const auto style = style_named(task_.style);
       if (!style || *style == Style::Direct) found("is refined by its style, but has the style " + task_.style);
-      if (style != Style::Function && to_text(goal_) != to_text(plain.goal))
-        found("its template gives another goal: " + to_text(plain.goal));
-      if (style) compare_names(*style, plain.refinement);
+      if (style) compare_reworded(plain, *style, refinement);
     } else if (split == Split::InstanceGrounding && plain.refinement == Referring::None) {
-      if (auto fault = refinement_fault(refinement, goal_); !fault.empty()) found(std::move(fault));
+      if (auto fault = refinement_fault(refinement, added_tests(goal_, plain.goal)); !fault.empty())
+        found(std::move(fault));
       if (to_text(without_references(goal_)) != to_text(without_references(plain.goal)))
         found("its template gives another goal: " + to_text(plain.goal));
       compare_names(plain.style, refinement);
     } else {
       found("has the split " + task_.split + ", which its template does not give");
     }
+  }
+
+  /// A goal that accepts more than its template's, or is about one object of several, is read back from its text.
+  void compare_reworded(const Specification& plain, Style style, Referring refinement) {
+    compare_names(style, refinement);
+    if (style == Style::Exception || names_by_phrase(style)) return;
+    if (to_text(without_references(goal_)) != to_text(without_references(plain.goal)))
+      found("its template gives another goal: " + to_text(plain.goal));
+    if (refinement == plain.refinement && to_text(goal_) != to_text(plain.goal))
+      found("its template gives another goal: " + to_text(plain.goal));
+    if (refinement == plain.refinement) return;
+    if (auto fault = refinement_fault(refinement, added_tests(goal_, plain.goal)); !fault.empty())
+      found(std::move(fault));
   }
 
   const TaskRecord& task_;

@@ -4,19 +4,18 @@
 
 #include "annotator/function_phrases.h"
 #include "annotator/instruction.h"
+#include "annotator/phenomena.h"
 #include "annotator/phrasing_sets.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
+#include "core/text.h"
 #include "dataset/configuration.h"
 
 namespace unietp {
 namespace {
 
-/// The text without the sentence that a bystander's style puts behind it.
-std::string_view without_aside(std::string_view text, Style style) {
-  if (style != Style::Bystander || text.empty()) return text;
-  const auto end = text.find_last_of(".!?", text.size() - 2);
-  return end == std::string_view::npos ? text : text.substr(0, end + 1);
+std::string listed(const std::vector<std::string>& phenomena) {
+  return phenomena.empty() ? "no phenomenon of language" : join(phenomena, ", ");
 }
 
 }  // namespace
@@ -41,17 +40,26 @@ std::vector<Problem> check_text(const StatedGoal& stated, const Backend& backend
   found(ProblemKind::TextForm, form);
   if (stated.writer == "person:unchecked") return problems;  // somebody vouches for it, against the reader
   const bool by_grammar = stated.writer == "grammar";
-  const std::string demand(nouns.behind_context(stated.text));
   auto meaning = by_grammar || stated.writer == "person"
-                     ? check_instruction(stated.text, specification, backend.knowledge, backend.nouns)
-                     : saying_faults(demand, specification, nouns);
+                     ? check_instruction(stated.text, specification, backend.knowledge, backend.nouns, stated.home)
+                     : saying_faults(stated.text, specification, nouns);
   std::erase_if(meaning,
                 [&](const std::string& fault) { return std::find(form.begin(), form.end(), fault) != form.end(); });
   found(ProblemKind::TextMeaning, meaning);
   if (const auto fault = style_fault(stated.text, *style, stated.goal, stated.around, nouns); !fault.empty())
     found(ProblemKind::TextStyle, {fault});
-  if (by_grammar && stated.phrasings != "all") {
-    const auto own = name_of(phrasings_of(without_aside(demand, *style), nouns));
+  if (stated.phenomena != nullptr) {
+    const auto shown = names_of(phenomena_of(stated.text, *style, stated.goal, nouns));
+    if (shown != *stated.phenomena)
+      found(ProblemKind::TextStyle,
+            {"it says that it shows " + listed(*stated.phenomena) + "; it shows " + listed(shown)});
+  }
+  if (std::none_of(kPhrasings.begin(), kPhrasings.end(),
+                   [&](const Phrasings set) { return name_of(set) == stated.phrasings; }))
+    found(ProblemKind::TextPhrasing,
+          {"the manifest names a set of phrasings, " + stated.phrasings + ", that is not known"});
+  if (by_grammar && (stated.phrasings == "training" || stated.phrasings == "benchmark")) {
+    const auto own = name_of(phrasings_of(stated.text, nouns));
     if (own != stated.phrasings)
       found(ProblemKind::TextPhrasing, {"its sentence pattern belongs to " + std::string(own) + ", not to " +
                                         stated.phrasings + " as the manifest says"});

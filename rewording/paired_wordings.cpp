@@ -14,8 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kComplex{Style::NestedSyntax, Style::Condition, Style::RelativeClause, Style::InvertedOrder,
-                              Style::Background};
+constexpr std::array kComplex{Style::RelativeClause, Style::InvertedOrder, Style::Condition, Style::Aside};
 
 class PairWriter {
  public:
@@ -24,7 +23,7 @@ class PairWriter {
       : task_(task),
         start_(std::move(start)),
         backend_(backend),
-        writing_{options.phrasings, categories_in(start_)},
+        writing_{options.phrasings, categories_in(start_), &start_},
         rng_(wording_stream(options.seed.value_or(task.record.run), task.record.slot, task.record.attempt)
                  .fork("pair", 0)) {
     std::vector<Delta> changes;

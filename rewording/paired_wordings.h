@@ -12,7 +12,7 @@ namespace unietp {
 
 /// How paired wordings are written.
 struct PairOptions {
-  Phrasings phrasings = Phrasings::All;
+  Phrasings phrasings = Phrasings::Everyday;
   std::optional<std::uint64_t> seed;  // of the wording; without it each run's own
 };
 

@@ -1,6 +1,7 @@
 #include "rewording/person_text.h"
 
 #include "annotator/function_phrases.h"
+#include "annotator/phenomena.h"
 #include "annotator/style.h"
 #include "annotator/word_check.h"
 
@@ -19,7 +20,9 @@ PersonText check_person_text(const std::string& text, const WordedTask& task, co
   const Specification& specification = task.specification;
   const auto narrowed = narrowed_for(specification, backend.knowledge, backend.nouns);
   const NounTable& nouns = narrowed ? *narrowed : backend.nouns;
-  PersonText checked{{text, kPerson, specification.style, {}, ""}, {}};
+  PersonText checked{
+      {text, kPerson, specification.style, {}, "", phenomena_of(text, specification.style, specification.goal, nouns)},
+      {}};
   const auto check = [&](const char* name, std::vector<std::string> faults) {
     if (faults.empty()) checked.instruction.checks.emplace_back(name);
     for (auto& fault : faults) checked.faults.push_back(std::move(fault));

@@ -54,7 +54,11 @@ Result<Done> for_each_worded_task(const std::filesystem::path& folder, const Dat
 
 Instruction instruction_of(const WordedTask& task) {
   const TaskRecord& record = task.record;
-  return {record.instruction, record.writer, task.specification.style, record.checks, record.fallback};
+  std::vector<Style> phenomena;
+  for (const std::string& name : record.phenomena)
+    if (const auto style = style_named(name)) phenomena.push_back(*style);
+  return {record.instruction, record.writer,   task.specification.style,
+          record.checks,      record.fallback, std::move(phenomena)};
 }
 
 Result<Scene> read_start(HomeCache& homes, const WordedTask& task) {

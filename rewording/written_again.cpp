@@ -31,6 +31,9 @@ TaskEntry written_again(const TaskRecord& task, const Instruction& instruction) 
   entry.edits = task.edits;
   entry.changes = delta_to_json(task.changes);
   entry.instruction = instruction;
+  entry.sense.grade = grade_named(task.grade).value_or(Grade::Senseless);
+  for (const auto& part : task.sense)
+    entry.sense.parts.push_back({part.part, {grade_named(part.grade).value_or(Grade::Senseless), 0, {}, part.why}});
   for (const auto& count : task.expert) entry.expert.push_back({count.mode, count.steps, count.failures});
   entry.run_seed = task.run;
   entry.slot = task.slot;
@@ -98,6 +101,8 @@ Result<Manifest> written_again(std::string_view where, const ManifestRecord& man
   again.counts.by_split = manifest.by_split;
   again.counts.by_simulator = manifest.by_simulator;
   again.counts.by_template = manifest.by_template;
+  again.counts.by_sense = manifest.by_sense;
+  again.counts.not_usual = manifest.not_usual;
   again.counts.rejections = manifest.rejections;
   for (const auto& spread : manifest.balance) {
     const auto dimension = dimension_named(spread.dimension);

@@ -6,6 +6,9 @@
 
 #include "generator/domain_constraints.h"
 #include "generator/weighted_binding.h"
+#include "run/category_weights.h"
+#include "run/sense_of_binding.h"
+#include "run/styles_of_slots.h"
 
 namespace unietp {
 namespace {
@@ -24,7 +27,12 @@ bool offers_all(const Layout& layout, const Binding& fixed) {
 
 CandidatePlanner::CandidatePlanner(const RunConfiguration& configuration, const Resources& resources,
                                    LayoutPool& layouts, const std::vector<TaskSlot>& slots)
-    : configuration_(configuration), resources_(resources), layouts_(layouts), slots_(slots), turns_(slots.size()) {}
+    : configuration_(configuration),
+      resources_(resources),
+      layouts_(layouts),
+      slots_(slots),
+      styles_(styles_of_templates(resources.templates)),
+      turns_(slots.size()) {}
 
 std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open, int attempt,
                                                    const Frequencies& taken) {
@@ -47,7 +55,13 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
       counts.add({Dimension::Template, resources_.templates[turn.source].name});
     }
     --turn.left;
-    CandidatePlan plan{number, attempt, turn.source, 0, std::nullopt};
+    CandidatePlan plan{number,
+                       attempt,
+                       turn.source,
+                       0,
+                       std::nullopt,
+                       least_of(slot, turn.source, attempt),
+                       style_of(slot, turn.drawn - 1)};
     choose_home(plan, slot, counts, rng);
     count(plan, slot, counts);
     plans.push_back(std::move(plan));
@@ -56,8 +70,22 @@ std::vector<CandidatePlan> CandidatePlanner::round(const std::vector<int>& open,
   return plans;
 }
 
+Grade CandidatePlanner::least_of(const TaskSlot& slot, std::size_t source, int attempt) const {
+  const auto at = std::find(slot.templates.begin(), slot.templates.end(), source) - slot.templates.begin();
+  const Grade least = slot.least[static_cast<std::size_t>(at)];
+  const bool late = attempt >= static_cast<int>(kPatience * configuration_.attempts);
+  return late ? std::min(least, Grade::Tolerable) : least;
+}
+
+/// The phenomenon of a slot when its template number `drawn` is tried.
+std::optional<Style> CandidatePlanner::style_of(const TaskSlot& slot, int drawn) {
+  const auto at = static_cast<std::size_t>(drawn / kTemplatesPerStyle);
+  return at < slot.styles.size() ? std::optional(slot.styles[at]) : std::nullopt;
+}
+
 std::size_t CandidatePlanner::next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts,
                                             Rng rng) const {
+  const auto style = style_of(slot, turn.drawn++);
   if (turn.tried.empty()) {
     turn.tried.push_back(slot.templates[slot.first_template]);
     return turn.tried.back();
@@ -65,6 +93,7 @@ std::size_t CandidatePlanner::next_template(const TaskSlot& slot, Turn& turn, co
   std::vector<std::size_t> fresh;
   const auto find_fresh = [&] {
     for (const auto source : slot.templates) {
+      if (style && !is_among(*style, styles_[source])) continue;
       if (std::find(turn.tried.begin(), turn.tried.end(), source) == turn.tried.end()) fresh.push_back(source);
     }
   };
@@ -106,28 +135,18 @@ void CandidatePlanner::choose_home(CandidatePlan& plan, const TaskSlot& slot, Fr
 std::optional<Binding> CandidatePlanner::draw_binding(const CandidatePlan& plan, const TaskSlot& slot,
                                                       const Frequencies& counts, Rng rng) {
   const auto& layout = *layouts_.layout(slot.simulator, plan.home);
-  const auto& rooms = room_types_in(slot.simulator, plan.home, layout);
+  const auto& rooms = rooms_of(slot.simulator, plan.home, layout);
   const auto& source = resources_.templates[plan.source];
-  std::vector<Dimension> dimensions;
-  for (const auto& parameter : source.parameters) dimensions.push_back(dimension_of(parameter, source));
-  const CategoryWeight weight = [&](const Parameter& parameter, const std::string& category) {
-    const auto dimension = dimensions[static_cast<std::size_t>(&parameter - source.parameters.data())];
-    const auto own = counts.weight(dimension, key(slot.simulator, category));
-    const auto stands = rooms.find(category);
-    if (stands == rooms.end()) return own;
-    double room = 0;
-    for (const auto& [type, share] : stands->second) room += share * counts.weight(Dimension::Room, type);
-    return own * room;
-  };
-  return sample_binding(source, resources_.backend(slot.simulator).knowledge, layout.offer.categories,
-                        configuration_.binding, weight, rng);
+  const CategoryWeight weight = weight_in(layout, source, slot.split, counts, &rooms);
+  const BindingWishes wishes{configuration_.binding, weight, at_least(plan.least, source, resources_, slot.simulator)};
+  return sample_binding(source, resources_.backend(slot.simulator).knowledge, layout.offer.categories, wishes, rng);
 }
 
 void CandidatePlanner::count(const CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts) {
   if (!plan.binding) return;
   const auto& layout = *layouts_.layout(slot.simulator, plan.home);
   const auto& source = resources_.templates[plan.source];
-  const auto& rooms = room_types_in(slot.simulator, plan.home, layout);
+  const auto& rooms = rooms_of(slot.simulator, plan.home, layout);
   counts.add({Dimension::Scene, layout.home.scene.id});
   for (std::size_t i = 0; i < plan.binding->size(); ++i) {
     if (is_value(source.parameters[i])) continue;
@@ -139,22 +158,9 @@ void CandidatePlanner::count(const CandidatePlan& plan, const TaskSlot& slot, Fr
   }
 }
 
-const CandidatePlanner::RoomTypes& CandidatePlanner::room_types_in(Simulator simulator, int home,
-                                                                   const Layout& layout) {
+const RoomTypes& CandidatePlanner::rooms_of(Simulator simulator, int home, const Layout& layout) {
   const auto [at, fresh] = rooms_.try_emplace({simulator, home});
-  if (!fresh) return at->second;
-  const auto& scene = layout.home.scene;
-  std::map<std::string_view, int> in_rooms;  // nodes of a category
-  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
-    const auto room = layout.home.rooms[node];
-    if (room < 0) continue;
-    const auto& category = scene.nodes[node].category;
-    ++in_rooms[category];
-    at->second[category][key(simulator, scene.rooms[static_cast<std::size_t>(room)].type)] += 1;
-  }
-  for (auto& [category, types] : at->second) {
-    for (auto& [type, share] : types) share /= in_rooms[category];
-  }
+  if (fresh) at->second = room_types_in(layout);
   return at->second;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dataset/balance.h"
+#include "run/category_weights.h"
 #include "run/layout_pool.h"
 #include "run/slots.h"
 
@@ -14,15 +15,18 @@ namespace unietp {
 /// Template, home and binding of a candidate, chosen before the expensive stages run.
 struct CandidatePlan {
   int slot = 0, attempt = 0;
-  std::size_t source = 0;          // position in Resources::templates
-  int home = 0;                    // in the layout pool
-  std::optional<Binding> binding;  // nullopt: none of the homes that were tried offers one
+  std::size_t source = 0;           // position in Resources::templates
+  int home = 0;                     // in the layout pool
+  std::optional<Binding> binding;   // nullopt: none of the homes that were tried offers one
+  Grade least = Grade::Usual;       // sense that the task has to make
+  std::optional<Style> style = {};  // of a slot of the Linguistic split: the phenomenon; nullopt: any
   bool operator==(const CandidatePlan&) const = default;
 };
 
 /// Chooses templates, homes and categories so that the data set is balanced over templates, categories, receptacles,
 /// rooms and homes: each is drawn by inverse frequency among the tasks taken so far and the candidates planned before
-/// it in the same round. A slot keeps its first template for a few attempts, then takes one that it has not tried.
+/// it in the same round. A slot keeps its first template for a few attempts, then takes one that it has not tried; a
+/// slot of the Linguistic split keeps its phenomenon for a few templates, then takes its next.
 ///
 /// Plans depend on the configuration and on the earlier rounds only: equal rounds give equal plans for any threads.
 class CandidatePlanner {
@@ -38,6 +42,9 @@ class CandidatePlanner {
   const Frequencies& counts() const { return counts_; }
 
   static constexpr int kAttemptsPerTemplate = 3;
+  static constexpr int kTemplatesPerStyle = 4;
+  /// The share of a slot's attempts after which tolerable tasks will do where usual ones were asked for.
+  static constexpr double kPatience = 0.75;
 
  private:
   /// The template that a slot currently uses, and those that it has used.
@@ -45,21 +52,22 @@ class CandidatePlanner {
     std::size_t source = 0;
     int left = 0;                    // further attempts with it
     std::vector<std::size_t> tried;  // templates, the current one included
+    int drawn = 0;                   // templates so far
   };
-  /// Category -> the kinds of room that have it, as Frequencies names them -> what share of it.
-  using RoomTypes = std::map<std::string, std::map<std::string, double>>;
-
+  static std::optional<Style> style_of(const TaskSlot& slot, int drawn);
   std::size_t next_template(const TaskSlot& slot, Turn& turn, const Frequencies& counts, Rng rng) const;
+  Grade least_of(const TaskSlot& slot, std::size_t source, int attempt) const;
   void choose_home(CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts, const Rng& rng);
   std::optional<Binding> draw_binding(const CandidatePlan& plan, const TaskSlot& slot, const Frequencies& counts,
                                       Rng rng);
   void count(const CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts);
-  const RoomTypes& room_types_in(Simulator simulator, int home, const Layout& layout);
+  const RoomTypes& rooms_of(Simulator simulator, int home, const Layout& layout);
 
   const RunConfiguration& configuration_;
   const Resources& resources_;
   LayoutPool& layouts_;
   const std::vector<TaskSlot>& slots_;
+  std::vector<std::vector<Style>> styles_;  // of each template
   std::vector<Turn> turns_;
   Frequencies counts_;
   std::map<std::pair<Simulator, int>, int> tried_;  // candidates planned in a home in earlier rounds

@@ -16,10 +16,10 @@ constexpr const char* kPragmas =
     "PRAGMA page_size=8192; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA wal_autocheckpoint=4096;";
 
 /// The columns of a candidate between `accepted` and `cost`, all texts, in the order of `texts_of`.
-constexpr std::array<std::string_view, 20> kTexts{
-    "template",    "simulator", "split",  "id",       "scene",   "layout", "goal",
-    "instruction", "style",     "writer", "bindings", "actions", "task",   "demonstration",
-    "start_key",   "text_key",  "traits", "stage",    "reason",  "detail"};
+constexpr std::array<std::string_view, 21> kTexts{
+    "template",      "simulator", "split",    "id",     "scene",    "layout",  "goal",
+    "instruction",   "style",     "writer",   "sense",  "bindings", "actions", "task",
+    "demonstration", "start_key", "text_key", "traits", "stage",    "reason",  "detail"};
 
 /// What a candidate's row says in another form than its record does.
 struct OwnTexts {
@@ -33,10 +33,27 @@ template <class Record, class Own>
 auto texts_of(Record& record, Own& own) -> std::array<decltype(&record.template_name), kTexts.size()> {
   auto& row = record.task.row;
   auto& rejection = record.rejection;
-  return {&record.template_name, &own.simulator, &own.split,        &row.id,           &row.scene,
-          &row.layout,           &row.goal,      &row.instruction,  &row.style,        &row.writer,
-          &own.bindings,         &own.actions,   &record.task.line, &own.shown,        &record.start_key,
-          &record.text_key,      &record.traits, &rejection.stage,  &rejection.reason, &rejection.detail};
+  return {&record.template_name,
+          &own.simulator,
+          &own.split,
+          &row.id,
+          &row.scene,
+          &row.layout,
+          &row.goal,
+          &row.instruction,
+          &row.style,
+          &row.writer,
+          &row.sense,
+          &own.bindings,
+          &own.actions,
+          &record.task.line,
+          &own.shown,
+          &record.start_key,
+          &record.text_key,
+          &record.traits,
+          &rejection.stage,
+          &rejection.reason,
+          &rejection.detail};
 }
 
 /// `before` and `after` around each column of texts, in order.

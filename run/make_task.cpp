@@ -1,16 +1,20 @@
 #include "run/make_task.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "annotator/home_facts.h"
 #include "core/text.h"
 #include "dataset/candidate_number.h"
 #include "expert/mode_expert.h"
+#include "generator/fixed_start.h"
 #include "generator/propose.h"
 #include "generator/weighted_binding.h"
 #include "grounding/ground.h"
+#include "run/category_weights.h"
 #include "run/given_binding.h"
+#include "run/sense_of_binding.h"
 
 namespace unietp {
 namespace {
@@ -21,11 +25,41 @@ std::string task_id(const TaskSlot& slot) {
   return std::string(name_of(slot.simulator)) + "-" + digits;
 }
 
-/// The specification in the slot's split, or why there is none. `as_it_is`: the home must already contain the furniture
-/// that the template refers to; otherwise grounding may still find a place for what is missing.
+using SenseOf = std::function<TaskSense(const Specification&)>;
+
+/// Of what kind a task is to be.
+struct SplitAsked {
+  Split split = Split::Atomic;
+  std::string_view style;  // of the Linguistic split; "": any that fits
+};
+
+/// "A=Mug, B=Bed: mug on bed (rule:…)"
+std::string said_of(const Binding& binding, const TaskSense& sense) {
+  std::string text = to_text(binding);
+  if (!sense.parts.empty()) text += ": " + sense.parts.front().part + " (" + sense.parts.front().sense.why + ")";
+  return text;
+}
+
+bool another_binding_helps(RejectionReason reason) {
+  return reason == RejectionReason::NoReferringConstraint || reason == RejectionReason::NoWording ||
+         reason == RejectionReason::Senseless || reason == RejectionReason::LacksFurniture ||
+         reason == RejectionReason::LacksRoom;
+}
+
+/// What the home would need that no edit of a start gives it.
+std::optional<Rejection> lacking(const Specification& specification, const Layout& layout, const Knowledge& knowledge) {
+  const Formula* missing = misfit(specification.init, knowledge, layout.offer.now);
+  if (missing == nullptr) return std::nullopt;
+  return Rejection{lack_of(missing->domain.members.front().category, knowledge),
+                   to_text(specification.binding) + " in " + layout.home.scene.id + ": " + to_text(*missing)};
+}
+
+/// The specification in the slot's split, or why there is none.
 std::variant<Specification, Rejection> specify_once(const Template& source, const Layout& layout,
                                                     const Knowledge& knowledge, const std::optional<Binding>& binding,
-                                                    Split split, bool as_it_is, const Rng& rng) {
+                                                    const SplitAsked& asked, Grade least, const SenseOf& sense_of,
+                                                    const Rng& rng) {
+  const Split split = asked.split;
   if (!binding)
     return Rejection{RejectionReason::NoBinding, "no categories that " + layout.home.scene.id +
                                                      " can offer meet the constraints of " + source.name};
@@ -35,16 +69,20 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
   auto filled = fill_in(source, knowledge, *binding);
   if (const auto* refusal = std::get_if<GateRefusal>(&filled)) return refused(*refusal);
   const auto* plain = std::get_if<Specification>(&filled);
-  if (as_it_is && plain->split == Split::InstanceGrounding && !can_refer(*plain, knowledge, layout.offer))
-    return Rejection{RejectionReason::NoReferringConstraint, to_text(*binding)};
+  if (auto why = lacking(*plain, layout, knowledge)) return *why;
   // Refinement is checked before the gates, which cost more.
   auto specified = std::optional(*plain);  // also one that its template has refined
   if (plain->split != split && split == Split::InstanceGrounding) {
     specified = refine_referring(*plain, knowledge, layout.offer, source.refinement, rng.fork("referring", 0));
     if (!specified) return Rejection{RejectionReason::NoReferringConstraint, to_text(*binding)};
   } else if (plain->split != split && split == Split::Linguistic) {
-    specified = refine_linguistic(*plain, knowledge, source.refinement, rng.fork("linguistic", 0));
+    specified = refine_linguistic(*plain, knowledge, layout.offer, asked.style, rng.fork("linguistic", 0));
     if (!specified) return Rejection{RejectionReason::NoWording, to_text(*binding)};
+  }
+  if (auto why = lacking(*specified, layout, knowledge)) return *why;
+  if (least > Grade::Senseless) {
+    const TaskSense sense = sense_of(*specified);
+    if (sense.grade < least) return Rejection{RejectionReason::Senseless, said_of(*binding, sense)};
   }
   if (const auto refusal = refused_by(*plain, knowledge)) return refused(*refusal);
   return std::move(*specified);
@@ -53,23 +91,18 @@ std::variant<Specification, Rejection> specify_once(const Template& source, cons
 /// Most categories cannot be referred to in every home, nor worded in every style: a few further bindings, with the
 /// `fixed` categories, are tried before a candidate is rejected.
 std::variant<Specification, Rejection> specify(const Template& source, const Layout& layout, const Knowledge& knowledge,
-                                               const std::optional<Binding>& planned, const Binding& fixed, Split split,
-                                               const CategoryWeight& weight, const Rng& rng) {
+                                               const std::optional<Binding>& planned, const BindingWishes& wishes,
+                                               const SplitAsked& asked, Grade least, const SenseOf& sense_of,
+                                               const Rng& rng) {
   constexpr std::uint64_t kBindings = 8;  // of the candidates that 32 bindings save, 8 save 98 %
-  auto specified = specify_once(source, layout, knowledge, planned, split, true, rng);
+  auto specified = specify_once(source, layout, knowledge, planned, asked, least, sense_of, rng);
   for (std::uint64_t i = 1; i < kBindings; ++i) {
     const auto* why = std::get_if<Rejection>(&specified);
-    if (why == nullptr ||
-        (why->reason != RejectionReason::NoReferringConstraint && why->reason != RejectionReason::NoWording))
-      break;
+    if (why == nullptr || !another_binding_helps(why->reason)) break;
     const auto again = rng.fork("again", i);
-    const auto binding =
-        sample_binding(source, knowledge, layout.offer.categories, fixed, weight, again.fork("binding", 0));
-    specified = specify_once(source, layout, knowledge, binding, split, true, again);
+    const auto binding = sample_binding(source, knowledge, layout.offer.categories, wishes, again.fork("binding", 0));
+    specified = specify_once(source, layout, knowledge, binding, asked, least, sense_of, again);
   }
-  const auto* why = std::get_if<Rejection>(&specified);
-  if (why != nullptr && why->reason == RejectionReason::NoReferringConstraint && split_of_tasks(source) == split)
-    specified = specify_once(source, layout, knowledge, planned, split, false, rng);
   return specified;
 }
 
@@ -101,14 +134,11 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   if (!layout) return rejected({RejectionReason::NoLayout, layout.error().message});
 
   timer.enter(Stage::Generator);
-  const auto simulator = std::string(name_of(slot.simulator)) + "/";
-  std::vector<Dimension> dimensions;
-  for (const auto& parameter : source.parameters) dimensions.push_back(dimension_of(parameter, source));
-  const CategoryWeight weight = [&](const Parameter& parameter, const std::string& category) {
-    return counts.weight(dimensions[static_cast<std::size_t>(&parameter - source.parameters.data())],
-                         simulator + category);
-  };
-  auto specified = specify(source, *layout, backend.knowledge, plan.binding, configuration.binding, slot.split, weight,
+  const CategoryWeight weight = weight_in(*layout, source, slot.split, counts, nullptr);
+  const SenseOf sense_of = [&](const Specification& one) { return sense_of_task(one, resources); };
+  const BindingWishes wishes{configuration.binding, weight, at_least(plan.least, source, resources, slot.simulator)};
+  const SplitAsked asked{slot.split, plan.style ? name_of(*plan.style) : std::string_view(source.refinement)};
+  auto specified = specify(source, *layout, backend.knowledge, plan.binding, wishes, asked, plan.least, sense_of,
                            root.fork("generator", item));
   if (auto* why = std::get_if<Rejection>(&specified)) return rejected(std::move(*why));
   const auto& specification = std::get<Specification>(specified);
@@ -118,20 +148,23 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
 
   timer.enter(Stage::Grounding);
   GroundingOptions grounding;
+  grounding.household = resources.recipe(slot.simulator).household.get();
   const auto& modes = configuration.modes;
   grounding.pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();
   auto grounded =
       ground(specification, layout->home, backend.knowledge, backend.profile, grounding, root.fork("grounding", item));
   if (auto* why = std::get_if<Rejection>(&grounded)) return rejected(std::move(*why));
   auto& [episode, known] = std::get<Grounded>(grounded);
-  Task task{task_id(slot), std::move(episode), {}, {}, {}, {}, configuration.seed, slot.index, plan.attempt};
+  Task task{task_id(slot), std::move(episode), {}, {}, {}, {}, {}, configuration.seed, slot.index, plan.attempt};
+  task.sense = sense_of(task.episode.specification);
   task.episode.start.id = task.id;  // the id under which it is written
 
   timer.enter(Stage::Annotator);
   const Scene& start = task.episode.start;
   const auto categories = known.places ? categories_in(start, *known.places) : categories_in(start);
-  auto instruction = instruct(specification, backend, {configuration.phrasings, categories},
-                              wording_stream(configuration.seed, slot.index, plan.attempt));
+  auto instruction =
+      instruct(specification, backend, {configuration.phrasings, categories, &start, source.instructions},
+               wording_stream(configuration.seed, slot.index, plan.attempt));
   if (auto* why = std::get_if<Rejection>(&instruction)) return rejected(std::move(*why));
   task.instruction = std::move(std::get<Instruction>(instruction));
 

@@ -10,6 +10,7 @@
 #include "core/rng.h"
 #include "dataset/candidate_number.h"
 #include "grounding/ground.h"
+#include "resources/own_phrasings.h"
 
 namespace unietp {
 namespace {
@@ -40,6 +41,7 @@ Result<Remade> TaskRemaker::make(const RunConfiguration& configuration, const Ta
   if (!specification) return specification.error();
   const Backend& backend = resources_.backend(specification->simulator);
   GroundingOptions grounding;
+  grounding.household = resources_.recipe(specification->simulator).household.get();
   const auto& modes = configuration.modes;
   grounding.pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();
   auto grounded = ground(*specification, *prepared(home), backend.knowledge, backend.profile, grounding,
@@ -48,9 +50,11 @@ Result<Remade> TaskRemaker::make(const RunConfiguration& configuration, const Ta
     return Error{Error::Kind::Unsatisfiable, task.id, {}, why->detail};
   auto& episode = std::get<Grounded>(grounded).episode;
   auto instruction = write_instruction(*specification, backend.knowledge, backend.nouns,
-                                       {configuration.phrasings, categories_in(episode.start)},
+                                       {configuration.phrasings, categories_in(episode.start), &episode.start,
+                                        phrasings_of_template(resources_, task.template_name)},
                                        wording_stream(task.run, task.slot, task.attempt));
   if (!instruction) return instruction.error();
+  if (!is_known_template(resources_, task.template_name)) instruction->text.clear();
   return Remade{std::move(episode), std::move(instruction->text)};
 }
 

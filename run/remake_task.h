@@ -19,7 +19,7 @@ namespace unietp {
 /// A task's start and first instruction, as the run made them.
 struct Remade {
   Episode episode;
-  std::string instruction;
+  std::string instruction;  // "": its template, whose phrasings it may have, is not known here
 };
 
 /// Makes starts and instructions of tasks again from what their records ask for, as the run made them. Thread-safe.

@@ -1,10 +1,13 @@
 #include "run/slots.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/rng.h"
 #include "core/unknown_name.h"
+#include "run/sense_of_binding.h"
 #include "run/share_out.h"
+#include "run/styles_of_slots.h"
 
 namespace unietp {
 namespace {
@@ -73,7 +76,7 @@ std::vector<TaskSlot> equal_shares(const RunConfiguration& configuration,
     const int number = i / static_cast<int>(groups.size());
     const auto& own = groups[share];
     const Group& group = own[static_cast<std::size_t>(number) % own.size()];
-    slots.push_back({i, configuration.simulators[share], group.split, group.templates});
+    slots.push_back({i, configuration.simulators[share], group.split, group.templates, {}, 0, {}});
   }
   return slots;
 }
@@ -107,15 +110,56 @@ Result<std::vector<TaskSlot>> by_quotas(const RunConfiguration& configuration, c
   for (const auto& row : table) counts.insert(counts.end(), row.begin(), row.end());
   std::vector<TaskSlot> slots;
   for (const std::size_t cell : spread_out(counts)) {
-    slots.push_back({static_cast<int>(slots.size()), simulators[cell / splits.size()].first, groups[cell].split,
-                     groups[cell].templates});
+    slots.push_back({static_cast<int>(slots.size()),
+                     simulators[cell / splits.size()].first,
+                     groups[cell].split,
+                     groups[cell].templates,
+                     {},
+                     0,
+                     {}});
   }
   return slots;
 }
 
+/// What the tasks of each slot's templates have to reach: the sense asked for, or what is tolerable where a template
+/// has nothing better on the simulator. Where others of the same split reach it, those that do not are left out, unless
+/// they reach it nowhere and something is tolerable: then they are kept, so that no template is lost. Senseless tasks
+/// come only from asking for any.
+void grade_templates(std::vector<TaskSlot>& slots, const RunConfiguration& configuration, const Resources& resources) {
+  std::map<std::pair<std::size_t, Simulator>, Grade> best;
+  std::map<std::size_t, Grade> anywhere;
+  for (const auto& slot : slots) {
+    for (const auto source : slot.templates) {
+      const auto [at, fresh] = best.try_emplace({source, slot.simulator}, Grade::Senseless);
+      if (!fresh) continue;
+      if (configuration.sense == Grade::Senseless) continue;
+      at->second =
+          best_grade(configuration.sense, resources.templates[source], resources, slot.simulator, configuration.binding)
+              .value_or(Grade::Senseless);
+      const auto [most, first] = anywhere.try_emplace(source, at->second);
+      most->second = std::max(most->second, at->second);
+    }
+  }
+  for (auto& slot : slots) {
+    const auto reached = [&](std::size_t source) { return best[{source, slot.simulator}]; };
+    const bool some = std::any_of(slot.templates.begin(), slot.templates.end(),
+                                  [&](std::size_t source) { return reached(source) == configuration.sense; });
+    if (some) {
+      std::erase_if(slot.templates, [&](std::size_t source) {
+        return reached(source) < configuration.sense &&
+               (anywhere[source] == configuration.sense || reached(source) == Grade::Senseless);
+      });
+    }
+    const Grade worst = std::min(configuration.sense, Grade::Tolerable);
+    for (const auto source : slot.templates) slot.least.push_back(std::max(worst, reached(source)));
+  }
+}
+
 /// Each slot in turn takes the template assigned least often so far; among equals the one that fits the fewest slots,
-/// since the others fit more of the slots that follow, and then a random one.
-void assign_first_templates(std::vector<TaskSlot>& slots, std::size_t templates, Rng rng) {
+/// since the others fit more of the slots that follow, and then a random one. Where the slot has a phenomenon, its
+/// template is one that has it.
+void assign_first_templates(std::vector<TaskSlot>& slots, const std::vector<std::vector<Style>>& styles, Rng rng) {
+  const std::size_t templates = styles.size();
   std::vector<int> assigned(templates, 0), slots_fitted(templates, 0);
   for (const auto& slot : slots) {
     for (const auto source : slot.templates) ++slots_fitted[source];
@@ -126,6 +170,7 @@ void assign_first_templates(std::vector<TaskSlot>& slots, std::size_t templates,
       return std::pair(assigned[slot.templates[at]], slots_fitted[slot.templates[at]]);
     };
     for (std::size_t at = 0; at < slot.templates.size(); ++at) {
+      if (!slot.styles.empty() && !is_among(slot.styles.front(), styles[slot.templates[at]])) continue;
       if (!least.empty() && rank(at) > rank(least.front())) continue;
       if (!least.empty() && rank(at) < rank(least.front())) least.clear();
       least.push_back(at);
@@ -180,7 +225,11 @@ Result<std::vector<TaskSlot>> plan_slots(const RunConfiguration& configuration, 
   if (auto known = check_names(configuration, resources); !known) return known.error();
   if (auto there = check_homes(configuration, resources); !there) return there.error();
   auto slots = slots_by_simulator_and_split(configuration, resources);
-  if (slots) assign_first_templates(*slots, resources.templates.size(), Rng(configuration.seed).fork("deal", 0));
+  if (slots) grade_templates(*slots, configuration, resources);
+  if (!slots) return slots;
+  const auto styles = styles_of_templates(resources.templates);
+  deal_styles(*slots, styles, Rng(configuration.seed).fork("styles", 0));
+  assign_first_templates(*slots, styles, Rng(configuration.seed).fork("deal", 0));
   return slots;
 }
 

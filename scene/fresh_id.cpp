@@ -37,13 +37,14 @@ std::string snake_case(std::string_view category) {
 
 }  // namespace
 
-std::string fresh_id(const Scene& scene, const NodeIndex& places, std::string_view category) {
+std::string fresh_id(const Scene& scene, const NodeIndex& places, std::string_view category, const NodeIndex* before) {
   const std::string stem = snake_case(without_sense(category)) + "_";
   for (std::size_t number = 1;; ++number) {
     std::string id = stem + std::to_string(number);
     const bool is_opening = std::any_of(scene.openings.begin(), scene.openings.end(),
                                         [&](const Opening& opening) { return opening.id == id; });
-    if (!places.find(id) && find_room(scene, id) == nullptr && !is_opening) return id;
+    const bool was_there = before != nullptr && before->find(id);
+    if (!places.find(id) && !was_there && find_room(scene, id) == nullptr && !is_opening) return id;
   }
 }
 

@@ -7,9 +7,9 @@
 
 namespace unietp {
 
-using Vec2 = Eigen::Vector2d;
-using Vec3 = Eigen::Vector3d;
-using Quat = Eigen::Quaterniond;
+using Vec2 = Eigen::Vector2d;     // meters, in a plan unless said otherwise
+using Vec3 = Eigen::Vector3d;     // meters, z up
+using Quat = Eigen::Quaterniond;  // a rotation of unit length, (w, x, y, z)
 
 /// Position in metres and unit rotation, object frame in world frame W (right-handed, z up) unless a name says else.
 struct Pose {

@@ -1,12 +1,16 @@
 #include "scores/episode_score.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "scores/failure_class.h"
 
 namespace unietp {
 
-EpisodeScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
-                           std::optional<int> shortest, bool held_out) {
-  EpisodeScore score;
+UnsettledScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
+                             bool held_out) {
+  UnsettledScore unsettled{{}, successful_actions(replayed)};
+  EpisodeScore& score = unsettled.score;
   score.key = record.key;
   score.simulator = name_of(task.simulator);
   score.split = task.text.split;
@@ -37,11 +41,22 @@ EpisodeScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& r
       score.overlap += *action.overlap;
     }
   }
-  score.premature_stop = stopped_early(record, replayed, shortest);
   score.missed_stop = missed_stop(record, replayed);
+  for (const FailureClass& one : failure_classes(record, replayed, task)) score.classes.push_back(to_text(one));
+  return unsettled;
+}
+
+EpisodeScore settled(UnsettledScore unsettled, std::optional<int> shortest) {
+  EpisodeScore score = std::move(unsettled.score);
   score.shortest = shortest;
-  for (const FailureClass& one : failure_classes(record, replayed, task, shortest))
-    score.classes.push_back(to_text(one));
+  score.premature_stop =
+      score.end == EpisodeOutcome::Stop && !score.success && too_early(unsettled.successful_actions, shortest);
+  if (!score.premature_stop) return score;
+  const auto place = std::find_if(score.classes.begin(), score.classes.end(), [](const std::string& text) {
+    const auto one = failure_class_of(text);
+    return one && one->group >= FailureGroup::Stop;
+  });
+  score.classes.insert(place, to_text(premature_stop()));
   return score;
 }
 

@@ -36,12 +36,21 @@ struct EpisodeScore {
   std::vector<std::string> classes;  // all that fit, the first is its class: "output: truncated"; empty: a success
   bool operator==(const EpisodeScore&) const = default;
 
-  bool errored() const { return end == EpisodeOutcome::Errored; }
+  bool errored() const { return end == EpisodeOutcome::Errored; }  // has no result of the policy's
 };
 
-/// `shortest` and `held_out` as above.
-EpisodeScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
-                           std::optional<int> shortest, bool held_out);
+/// An episode's score but for what the other episodes of its run have a say in: the shortest known plan, and with it
+/// whether the agent stopped too early.
+struct UnsettledScore {
+  EpisodeScore score;          // its premature_stop, shortest and the class of a premature stop are still missing
+  int successful_actions = 0;  // `stop` among them
+  bool operator==(const UnsettledScore&) const = default;
+};
+/// `held_out` as above.
+UnsettledScore score_episode(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
+                             bool held_out);
+/// The whole score. `shortest` as above.
+EpisodeScore settled(UnsettledScore unsettled, std::optional<int> shortest);
 
 /// A line without its line feed. Equal scores give equal bytes.
 std::string score_line(const EpisodeScore& score);

@@ -43,7 +43,7 @@ std::string part_text(const ScoredPart& part) {
 Json step_view(const EpisodeStep& step, const ReplayedStep& replayed, bool boxes) {
   Json seen = Json::array(), acts = Json::array();
   if (boxes) {
-    for (const SeenObject& object : replayed.pictured)
+    for (const VisibleObject& object : replayed.pictured)
       seen.push_back({object.id, object.box[0], object.box[1], object.box[2], object.box[3]});
   }
   for (const ReplayedAction& action : replayed.actions) {
@@ -79,8 +79,8 @@ std::string view_picture(const Environment& environment, int width) {
   return png ? std::move(*png) : "";
 }
 
-Json episode_view(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EpisodeScore& score,
-                  const EnvironmentTask& task, const DemonstrationRecord* expert, const EpisodePictures& pictures) {
+Json episode_view(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
+                  const DemonstrationRecord* expert, const EpisodePictures& pictures) {
   Json goal = Json::array(), parts = Json::array(), steps = Json::array(), way = Json::array(), images = Json::array();
   for (const ProseLine& line : goal_prose(task.goal)) goal.push_back({line.depth, line.text});
   for (const ScoredPart& part : replayed.parts) parts.push_back({name_of(part.kind), part_text(part)});
@@ -91,21 +91,7 @@ Json episode_view(const EpisodeRecord& record, const ReplayedEpisode& replayed, 
   }
   for (const std::string& png : pictures) images.push_back(base64(png));
   const Profile& camera = *task.data.profile;
-  Json json{{"task", record.key.task},
-            {"mode", name_of(record.key.mode)},
-            {"repeat", record.key.repeat},
-            {"simulator", score.simulator},
-            {"split", score.split},
-            {"template", score.template_name},
-            {"held_out", score.held_out},
-            {"home", score.layout},
-            {"end", name_of(record.end)},
-            {"success", score.success},
-            {"progress", rounded(score.progress)},
-            {"count", score.steps},
-            {"failures", score.failures},
-            {"classes", score.classes},
-            {"instruction", task.text.instruction},
+  Json json{{"instruction", task.text.instruction},
             {"goal", std::move(goal)},
             {"parts", std::move(parts)},
             {"met", bits(replayed.parts_at_start)},
@@ -115,7 +101,6 @@ Json episode_view(const EpisodeRecord& record, const ReplayedEpisode& replayed, 
             {"width", camera.image_width},
             {"height", camera.image_height},
             {"images", std::move(images)}};
-  if (score.shortest) json["shortest"] = *score.shortest;
   if (record.error) json["error"] = record.error->message;
   return json;
 }

@@ -13,6 +13,7 @@
 #include "scores/comparison.h"
 #include "scores/failure_class.h"
 #include "scores/figures.h"
+#include "scores/report_pages.h"
 #include "scores/result_tables.h"
 #include "scores/scores_asset.h"
 #include "scores/table_cells.h"
@@ -137,6 +138,19 @@ std::string nav(const std::vector<std::pair<std::string, std::string>>& places) 
   return html + "</ul></nav>";
 }
 
+/// An episode in the list of a report.
+Json listed(const EpisodeScore& score) {
+  Json json{{"task", score.key.task},     {"mode", name_of(score.key.mode)},
+            {"repeat", score.key.repeat}, {"simulator", score.simulator},
+            {"split", score.split},       {"template", score.template_name},
+            {"held_out", score.held_out}, {"home", score.layout},
+            {"end", name_of(score.end)},  {"success", score.success},
+            {"count", score.steps},       {"failures", score.failures},
+            {"classes", score.classes}};
+  if (score.shortest) json["shortest"] = *score.shortest;
+  return json;
+}
+
 HtmlPage page_with(std::string title, std::string body, const Json& data) {
   HtmlPage page;
   page.title = std::move(title);
@@ -149,7 +163,7 @@ HtmlPage page_with(std::string title, std::string body, const Json& data) {
 
 }  // namespace
 
-std::string evaluation_page(const ScoredRun& run, const std::vector<std::string>& episodes) {
+std::string evaluation_page(const ScoredRun& run) {
   const std::span runs(&run, 1);
   std::vector<std::pair<std::string, std::string>> figures;
   Json data{{"charts", Json::array()}, {"examples", Json::array()}};
@@ -174,10 +188,12 @@ std::string evaluation_page(const ScoredRun& run, const std::vector<std::string>
   for (const ResultTable& table : result_tables(runs)) body += html_of(table);
   body += "</section><section id=\"charts\"><h2>Charts</h2><div class=\"figures\">" + charts + "</div></section>" +
           std::string(scores_asset("episodes.html")) + "</main>";
-  Json list = Json::array();
-  for (const std::string& one : episodes) list.push_back(Json::parse(one));
-  data["episodes"] = std::move(list);
-  return to_html(page_with(labels_of(runs).front() + ": evaluation", std::move(body), data));
+  data["episodes"] = Json::array();
+  for (const EpisodeScore& one : run.scores) data["episodes"].push_back(listed(one));
+  data["in_page"] = kEpisodesInPage;
+  HtmlPage page = page_with(labels_of(runs).front() + ": evaluation", std::move(body), data);
+  page.frames = true;
+  return to_html(std::move(page));
 }
 
 std::string leaderboard_page(std::span<const ScoredRun> runs) {

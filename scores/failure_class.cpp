@@ -23,9 +23,8 @@ struct Acted {
 /// The rules, one function a group; each gives the kind that fits, if one does.
 class Rules {
  public:
-  Rules(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task,
-        std::optional<int> shortest)
-      : record_(record), replayed_(replayed), task_(task), shortest_(shortest), objects_(goal_objects(task)) {
+  Rules(const EpisodeRecord& record, const ReplayedEpisode& replayed, const EnvironmentTask& task)
+      : record_(record), replayed_(replayed), objects_(goal_objects(task)) {
     for (std::size_t i = 0; i < replayed.steps.size(); ++i) {
       for (const ReplayedAction& action : replayed.steps[i].actions) actions_.push_back({&record.steps[i], &action});
     }
@@ -70,12 +69,9 @@ class Rules {
   }
 
   std::vector<std::string> stop() const {
-    std::vector<std::string> kinds;
-    if (stopped_early(record_, replayed_, shortest_)) kinds.emplace_back("premature");
     const bool was_reached =
         std::any_of(actions_.begin(), actions_.end(), [](const Acted& done) { return done.action->reached; });
-    if (was_reached) kinds.emplace_back("missed");
-    return kinds;
+    return was_reached ? std::vector<std::string>{"missed"} : std::vector<std::string>();
   }
 
   /// The same one to four actions, three times or more, at the end.
@@ -195,8 +191,6 @@ class Rules {
 
   const EpisodeRecord& record_;
   const ReplayedEpisode& replayed_;
-  const EnvironmentTask& task_;
-  std::optional<int> shortest_;
   std::vector<GoalObjects> objects_;
   std::vector<Acted> actions_;
   std::ptrdiff_t failed_ = 0;
@@ -235,17 +229,22 @@ std::optional<OutputFault> output_fault(const EpisodeStep& step, const EpisodeAc
 }
 
 std::vector<FailureClass> failure_classes(const EpisodeRecord& record, const ReplayedEpisode& replayed,
-                                          const EnvironmentTask& task, std::optional<int> shortest) {
-  return Rules(record, replayed, task, shortest).all();
+                                          const EnvironmentTask& task) {
+  return Rules(record, replayed, task).all();
 }
 
-bool stopped_early(const EpisodeRecord& record, const ReplayedEpisode& replayed, std::optional<int> shortest) {
-  if (record.end != EpisodeOutcome::Stop || replayed.success) return false;
-  int good = 0;  // successful actions, `stop` among them
+FailureClass premature_stop() { return {FailureGroup::Stop, "premature"}; }
+
+int successful_actions(const ReplayedEpisode& replayed) {
+  int good = 0;
   for (const ReplayedStep& step : replayed.steps) {
     for (const ReplayedAction& action : step.actions) good += action.record.success ? 1 : 0;
   }
-  return shortest ? 2 * good < *shortest : good <= 1;
+  return good;
+}
+
+bool too_early(int successful_actions, std::optional<int> shortest) {
+  return shortest ? 2 * successful_actions < *shortest : successful_actions <= 1;
 }
 
 bool missed_stop(const EpisodeRecord& record, const ReplayedEpisode& replayed) {

@@ -15,6 +15,7 @@ namespace unietp {
 enum class FailureGroup : std::uint8_t { Errored, Output, Stop, Limit, Exploration, Grounding, Precondition, Goal };
 std::string_view name_of(FailureGroup group);  // "errored"
 
+/// Why an episode did not succeed.
 struct FailureClass {
   FailureGroup group = FailureGroup::Goal;
   std::string kind;  // "truncated"; of a precondition the name of the failure: "too_far"
@@ -30,14 +31,20 @@ enum class OutputFault : std::uint8_t { NoJson, UnknownAction, BadArgument, Trun
 std::string_view name_of(OutputFault fault);  // "no_json"
 std::optional<OutputFault> output_fault(const EpisodeStep& step, const EpisodeAction& action);
 
-/// All classes that fit an episode, in the order of the rules; empty for a success, at least one otherwise. Depends on
-/// the episode and its task only. `shortest`: steps of the shortest known plan, `stop` included, if one is known.
+/// All classes that fit an episode but for premature_stop, in the order of the rules; empty for a success, at least one
+/// otherwise. Depends on the episode and its task only.
 std::vector<FailureClass> failure_classes(const EpisodeRecord& record, const ReplayedEpisode& replayed,
-                                          const EnvironmentTask& task, std::optional<int> shortest);
+                                          const EnvironmentTask& task);
 
-/// Whether the agent said `stop` after fewer successful actions than half of the shortest known plan has, without the
-/// goal; whether the goal was reached and the agent never said `stop`.
-bool stopped_early(const EpisodeRecord& record, const ReplayedEpisode& replayed, std::optional<int> shortest);
+/// The class of an episode whose agent said `stop` too early, which other episodes have a say in.
+FailureClass premature_stop();
+
+/// Successful actions, `stop` among them.
+int successful_actions(const ReplayedEpisode& replayed);
+/// Whether that is too few for a `stop` without the goal: fewer than half of the steps of the shortest known plan,
+/// which has a `stop`, too; none but `stop` where no plan is known.
+bool too_early(int successful_actions, std::optional<int> shortest);
+/// Whether the goal was reached and the agent never said `stop`.
 bool missed_stop(const EpisodeRecord& record, const ReplayedEpisode& replayed);
 
 }  // namespace unietp

@@ -34,8 +34,8 @@ struct Figures {
   std::int64_t prompt_tokens = 0, completion_tokens = 0;
   double cost = 0;
 
-  int finished() const { return episodes - errored; }
-  double success_rate() const { return finished() == 0 ? 0 : successes / static_cast<double>(finished()); }
+  int finished() const { return episodes - errored; }  // episodes with a result
+  double success_rate() const { return finished() == 0 ? 0 : successes / static_cast<double>(finished()); }  // 0 to 1
 };
 
 /// `repeated`: tasks were done several times, so that the interval is the bootstrap's over homes; otherwise Wilson's.

@@ -34,10 +34,14 @@ void collect(const Formula& formula, const Trace& start, std::vector<GoalObjects
 
 }  // namespace
 
-std::vector<GoalObjects> goal_objects(const EnvironmentTask& task) {
+std::vector<GoalObjects> goal_objects(const Formula& goal, const Trace& start) {
   std::vector<GoalObjects> found;
-  collect(task.goal, Trace{task.reader.entities(), {task.facts}}, found);
+  collect(goal, start, found);
   return found;
+}
+
+std::vector<GoalObjects> goal_objects(const EnvironmentTask& task) {
+  return goal_objects(task.goal, Trace{task.reader.entities(), {task.facts}});
 }
 
 }  // namespace unietp

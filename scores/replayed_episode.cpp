@@ -20,7 +20,7 @@ class PartMonitors {
       : task_(*task), reader_(task->reader), facts_(task->facts), parts_(scored_parts(task->goal)) {
     for (const ScoredPart& part : parts_) {
       monitors_.emplace_back(part.formula);
-      relaxed_.emplace_back(part.relaxed);
+      if (can_be_lost(part.kind)) relaxed_.emplace_back(part.relaxed);
     }
     observe();
   }
@@ -38,8 +38,11 @@ class PartMonitors {
   }
   std::vector<bool> lost() const {
     std::vector<bool> answers;
-    for (std::size_t i = 0; i < parts_.size(); ++i)
-      answers.push_back(is_lost(parts_[i], monitors_[i].satisfied(), relaxed_[i].satisfied()));
+    auto relaxed = relaxed_.begin();
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const bool relaxed_met = can_be_lost(parts_[i].kind) && (relaxed++)->satisfied();
+      answers.push_back(is_lost(parts_[i], monitors_[i].satisfied(), relaxed_met));
+    }
     return answers;
   }
   const std::vector<ScoredPart>& parts() const { return parts_; }
@@ -53,23 +56,21 @@ class PartMonitors {
   FactReader reader_;
   Facts facts_;
   std::vector<ScoredPart> parts_;
-  std::vector<Monitor> monitors_, relaxed_;
+  std::vector<Monitor> monitors_, relaxed_;  // relaxed: of the parts that can be lost
 };
 
-/// With categories; of what the agent may name where it is told boxes, otherwise of all in the picture.
-std::vector<SeenObject> pictured(const Environment& environment) {
-  if (environment.observe().boxes) return *environment.observe().boxes;
-  std::vector<SeenObject> seen;
-  for (const VisibleObject& object : environment.pictured()) {
-    const auto& nodes = environment.scene().nodes;
-    const auto node = std::find_if(nodes.begin(), nodes.end(), [&](const Node& one) { return one.id == object.id; });
-    seen.push_back({object.id, node == nodes.end() ? "" : node->category, object.box});
-  }
+/// Of what the agent may name where it is told boxes, otherwise of all in the picture.
+std::vector<VisibleObject> pictured(const Environment& environment) {
+  const auto& boxes = environment.observe().boxes;
+  if (!boxes) return environment.pictured();
+  std::vector<VisibleObject> seen;
+  seen.reserve(boxes->size());
+  for (const SeenObject& object : *boxes) seen.push_back({object.id, object.box});
   return seen;
 }
 
 /// What the argument of a command named in the view before it.
-void name_object(ReplayedAction& action, const std::vector<SeenObject>& seen, const Scene& scene) {
+void name_object(ReplayedAction& action, const std::vector<VisibleObject>& seen, const Scene& scene) {
   if (action.record.command.args.empty()) return;
   const Argument& argument = action.record.command.args.front();
   if (!argument.box) {
@@ -79,7 +80,7 @@ void name_object(ReplayedAction& action, const std::vector<SeenObject>& seen, co
     return;
   }
   action.overlap = 0;
-  for (const SeenObject& object : seen) {
+  for (const VisibleObject& object : seen) {
     const double overlap = overlap_of(*argument.box, object.box);
     if (overlap <= *action.overlap) continue;
     action.overlap = overlap;
@@ -87,54 +88,95 @@ void name_object(ReplayedAction& action, const std::vector<SeenObject>& seen, co
   }
 }
 
-class Replay {
- public:
-  Replay(Environment& environment, const SharedTask& task) : environment_(environment), monitors_(task) {}
+}  // namespace
 
-  ReplayedStep step(const EpisodeStep& recorded) {
-    ReplayedStep done;
-    done.pictured = pictured(environment_);
-    const Observation& now = environment_.observe();
-    const auto answer =
-        parse_answer(recorded.reply, {environment_.settings().box_form, now.image_width, now.image_height});
-    if (!answer) {
-      done.unreadable = answer.error().message;
-      take(done, environment_.step(recorded.reply), done.pictured);
-    } else {
-      std::vector<SeenObject> seen = done.pictured;
-      for (const SaidAction& said : answer->actions) {
-        const auto result = environment_.step(Answer{{said}, ""});
-        if (result.executed.empty()) break;
-        take(done, result, seen);
-        const bool failed = !result.executed.back().outcome.success;
-        if (environment_.over() || (failed && environment_.settings().on_fail == OnFail::Stop)) break;
-        seen = pictured(environment_);
-      }
-    }
-    done.told = environment_.text();
-    return done;
-  }
-  const PartMonitors& monitors() const { return monitors_; }
+struct EpisodeFollower::State {
+  explicit State(const SharedTask& task) : monitors(task) {}
 
- private:
-  void take(ReplayedStep& done, const StepResult& result, const std::vector<SeenObject>& seen) {
-    for (const ExecutedAction& executed : result.executed) {
-      ReplayedAction action;
-      action.record = {executed.command, executed.outcome.success, std::string(name_of(executed.outcome.failure)),
-                       executed.outcome.feedback, executed.counted};
-      name_object(action, seen, environment_.scene());
-      monitors_.read(executed.changes, environment_.scene());
-      const PrivilegedState state = environment_.privileged();
-      action.progress = state.progress;
-      action.reached = state.success;
-      action.parts = monitors_.met();
-      done.actions.push_back(std::move(action));
-    }
+  void show(const Environment& now) {
+    for (const VisibleObject& object : now.pictured()) episode.shown.insert(object.id);
   }
 
-  Environment& environment_;
-  PartMonitors monitors_;
+  PartMonitors monitors;
+  ReplayedEpisode episode;
+  std::vector<VisibleObject> seen;  // before the next action
 };
+
+EpisodeFollower::EpisodeFollower(EpisodeFollower&&) noexcept = default;
+EpisodeFollower& EpisodeFollower::operator=(EpisodeFollower&&) noexcept = default;
+EpisodeFollower::~EpisodeFollower() = default;
+
+EpisodeFollower::EpisodeFollower(const Environment& start) : state_(std::make_unique<State>(start.task())) {
+  ReplayedEpisode& episode = state_->episode;
+  episode.parts = state_->monitors.parts();
+  episode.parts_at_start = state_->monitors.met();
+  episode.start_progress = start.progress();
+  episode.first_told = start.text();
+}
+
+void EpisodeFollower::begin_reply(const Environment& now) {
+  state_->show(now);
+  look(now);
+  state_->episode.steps.push_back({state_->seen, "", {}, ""});
+}
+
+void EpisodeFollower::look(const Environment& now) { state_->seen = pictured(now); }
+
+void EpisodeFollower::acted(const StepResult& result, const Environment& now) {
+  for (const ExecutedAction& executed : result.executed) {
+    ReplayedAction action;
+    action.record = {executed.command, executed.outcome.success, std::string(name_of(executed.outcome.failure)),
+                     executed.outcome.feedback, executed.counted};
+    name_object(action, state_->seen, now.scene());
+    state_->monitors.read(executed.changes, now.scene());
+    action.progress = now.progress();
+    action.reached = action.progress >= 1;
+    action.parts = state_->monitors.met();
+    state_->episode.steps.back().actions.push_back(std::move(action));
+  }
+}
+
+void EpisodeFollower::end_reply(const std::string& unreadable, const Environment& now) {
+  ReplayedStep& step = state_->episode.steps.back();
+  step.unreadable = unreadable;
+  step.told = now.text();
+}
+
+ReplayedEpisode EpisodeFollower::finish(const Environment& last) && {
+  state_->show(last);
+  ReplayedEpisode episode = std::move(state_->episode);
+  const PrivilegedState state = last.privileged();
+  if (const auto end = outcome_named(state.ended_by)) episode.end = *end;
+  episode.success = last.over() && state.success;
+  episode.progress = state.progress;
+  episode.counted = state.steps;
+  episode.failures = state.failures;
+  episode.parts_lost = state_->monitors.lost();
+  return episode;
+}
+
+namespace {
+
+/// One reply, each of its actions for itself.
+void execute(const std::string& reply, Environment& environment, EpisodeFollower& follower) {
+  follower.begin_reply(environment);
+  const Observation& now = environment.observe();
+  const auto answer = parse_answer(reply, {environment.settings().box_form, now.image_width, now.image_height});
+  if (!answer) {
+    follower.acted(environment.step(reply), environment);
+    follower.end_reply(answer.error().message, environment);
+    return;
+  }
+  for (const SaidAction& said : answer->actions) {
+    const auto result = environment.step(Answer{{said}, ""});
+    if (result.executed.empty()) break;
+    follower.acted(result, environment);
+    const bool failed = !result.executed.back().outcome.success;
+    if (environment.over() || (failed && environment.settings().on_fail == OnFail::Stop)) break;
+    follower.look(environment);
+  }
+  follower.end_reply("", environment);
+}
 
 }  // namespace
 
@@ -142,30 +184,14 @@ Result<ReplayedEpisode> replay_episode(const EpisodeRecord& record, const Shared
                                        const WatchEpisode& watch) {
   auto environment = Environment::make(task, settings);
   if (!environment) return environment.error();
-  Replay replay(*environment, task);
-  ReplayedEpisode episode;
-  episode.parts = replay.monitors().parts();
-  episode.parts_at_start = replay.monitors().met();
-  episode.start_progress = environment->privileged().progress;
-  episode.first_told = environment->text();
-  const auto show = [&] {
-    for (const VisibleObject& object : environment->pictured()) episode.shown.insert(object.id);
-  };
-  for (std::size_t i = 0; i < record.steps.size() && !environment->over(); ++i) {
-    show();
-    if (watch) watch(i, *environment);
-    episode.steps.push_back(replay.step(record.steps[i]));
+  EpisodeFollower follower(*environment);
+  std::size_t done = 0;
+  for (; done < record.steps.size() && !environment->over(); ++done) {
+    if (watch) watch(done, *environment);
+    execute(record.steps[done].reply, *environment, follower);
   }
-  show();
-  if (watch) watch(episode.steps.size(), *environment);
-  const PrivilegedState last = environment->privileged();
-  if (const auto end = outcome_named(last.ended_by)) episode.end = *end;
-  episode.success = environment->over() && last.success;
-  episode.progress = last.progress;
-  episode.counted = last.steps;
-  episode.failures = last.failures;
-  episode.parts_lost = replay.monitors().lost();
-  return episode;
+  if (watch) watch(done, *environment);
+  return std::move(follower).finish(*environment);
 }
 
 }  // namespace unietp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "environment/environment.h"
 #include "evaluation/episode_record.h"
+#include "scene/visible_object.h"
 #include "scores/scored_parts.h"
 
 namespace unietp {
@@ -24,8 +26,8 @@ struct ReplayedAction {
 
 /// A reply of an episode, with what was in the picture before it.
 struct ReplayedStep {
-  std::vector<SeenObject> pictured;  // sorted by id
-  std::string unreadable;            // what was expected of a reply that could not be read
+  std::vector<VisibleObject> pictured;  // sorted by id
+  std::string unreadable;               // what was expected of a reply that could not be read
   std::vector<ReplayedAction> actions;
   std::string told;  // the observation afterwards, in words
 };
@@ -42,6 +44,29 @@ struct ReplayedEpisode {
   std::vector<ReplayedStep> steps;           // fewer than the record's where the episode was over before
   std::set<std::string, std::less<>> shown;  // ids of all that was ever in the picture, the last one included
   std::string first_told;                    // the observation at the start, in words
+};
+
+/// Gathers all this while the replies are executed, by a run or again: for each reply `begin_reply`, for each of its
+/// actions `look` and `acted`, then `end_reply`.
+class EpisodeFollower {
+ public:
+  explicit EpisodeFollower(const Environment& start);
+  EpisodeFollower(EpisodeFollower&&) noexcept;
+  EpisodeFollower& operator=(EpisodeFollower&&) noexcept;
+  ~EpisodeFollower();
+
+  /// Before the first action of a reply.
+  void begin_reply(const Environment& now);
+  /// Before an action but the first of a reply.
+  void look(const Environment& now);
+  /// After one, or after what could not be read. `result` has at most one action.
+  void acted(const StepResult& result, const Environment& now);
+  void end_reply(const std::string& unreadable, const Environment& now);
+  ReplayedEpisode finish(const Environment& last) &&;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 /// Called before each reply, and once after the last, with the environment as it is then; for pictures.

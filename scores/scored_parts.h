@@ -25,6 +25,10 @@ struct ScoredPart {
   Formula relaxed;  // of an order: both things happen; of a constraint: without what is to be reached; else the formula
 };
 
+/// Whether parts of a kind can be lost: an order or a constraint.
+inline bool can_be_lost(ScoredPartKind kind) {
+  return kind == ScoredPartKind::Order || kind == ScoredPartKind::Constraint;
+}
 /// Whether a part that is not met was lost: both things happened in the wrong order, or the constraint was broken.
 /// `relaxed_met`: its relaxed formula is met.
 bool is_lost(const ScoredPart& part, bool met, bool relaxed_met);

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
-
-#include <nlohmann/json.hpp>
 
 #include "core/files.h"
 #include "core/in_quotes.h"
 #include "core/ordered_work.h"
 #include "record/line_file.h"
 #include "scores/bootstrap.h"
-#include "scores/episode_view.h"
 
 namespace unietp {
 namespace {
@@ -44,8 +43,55 @@ Result<Done> for_each_line(const std::filesystem::path& folder, const char* name
   return Done{};
 }
 
-/// By task and mode: the fewest steps of a success of this run.
-using FewestSteps = std::map<std::pair<std::string, Mode>, int>;
+/// What has to be known of all episodes of a run before the first is scored.
+struct RunOutline {
+  std::map<std::pair<std::string, Mode>, int> fewest;  // by task and mode: the fewest steps of a success
+  std::set<EpisodeKey> pictured;                       // episodes whose view has pictures
+};
+
+/// Up to `count` episodes, one after the other of each group.
+template <class Groups>
+std::set<EpisodeKey> spread_over(const Groups& groups, std::size_t count) {
+  std::set<EpisodeKey> chosen;
+  for (std::size_t round = 0; chosen.size() < count; ++round) {
+    bool any = false;
+    for (const auto& [name, group] : groups) {
+      if (round >= group.size() || chosen.size() >= count) continue;
+      chosen.insert(group[round]);
+      any = true;
+    }
+    if (!any) break;
+  }
+  return chosen;
+}
+
+Result<RunOutline> outline_of(const std::filesystem::path& folder, int pictured) {
+  RunOutline outline;
+  const auto most = static_cast<std::size_t>(std::max(0, pictured));
+  std::map<std::tuple<Mode, std::string, bool>, std::vector<EpisodeKey>> groups;
+  const auto read = for_each_episode(folder, [&](int, EpisodeRecord&& episode) -> Result<Done> {
+    if (episode.success) {
+      const auto [entry, added] = outline.fewest.try_emplace({episode.key.task, episode.key.mode}, episode.counted);
+      if (!added) entry->second = std::min(entry->second, episode.counted);
+    }
+    auto& group = groups[{episode.key.mode, episode.split, episode.success}];
+    if (group.size() < most) group.push_back(std::move(episode.key));
+    return Done{};
+  });
+  if (!read) return read.error();
+  outline.pictured = spread_over(groups, most);
+  return outline;
+}
+
+std::optional<int> shortest_plan(const EpisodeKey& key, const EnvironmentTask& task, const RunOutline& outline) {
+  std::optional<int> shortest;
+  for (const TaskRecord::Count& shown : task.text.expert) {
+    if (shown.mode == key.mode) shortest = shown.steps;
+  }
+  if (const auto own = outline.fewest.find({key.task, key.mode}); own != outline.fewest.end())
+    shortest = std::min(shortest.value_or(own->second), own->second);
+  return shortest;
+}
 
 struct Scored {
   EpisodeScore score;
@@ -53,53 +99,54 @@ struct Scored {
   std::vector<ScoringDifference> differences;
 };
 
-std::optional<int> shortest_plan(const EpisodeKey& key, const EnvironmentTask& task, const FewestSteps& fewest) {
-  std::optional<int> shortest;
-  for (const TaskRecord::Count& shown : task.text.expert) {
-    if (shown.mode == key.mode) shortest = shown.steps;
-  }
-  if (const auto own = fewest.find({key.task, key.mode}); own != fewest.end())
-    shortest = std::min(shortest.value_or(own->second), own->second);
-  return shortest;
-}
+/// Scores the episodes of a run, from several threads.
+struct Scorer {
+  const EvaluationManifest& manifest;
+  const ScoringData& data;
+  const RunOutline& outline;
+  int picture_width;
 
-/// The stored demonstration in a mode, if there is one.
-std::optional<DemonstrationRecord> expert_way(const TaskSource& tasks, const EpisodeKey& key) {
-  const auto position = tasks.find(key.task);
-  if (!position) return std::nullopt;
-  auto shown = tasks.demonstration(*position, key.mode);
-  return shown ? std::optional(std::move(*shown)) : std::nullopt;
-}
-
-Result<Scored> score_of(int line, const EpisodeRecord& record, const EvaluationManifest& manifest,
-                        const ScoringData& data, const FewestSteps& fewest, const ScoringWatch& watch) {
-  const auto settings = manifest.setup.settings.find(record.key.mode);
-  if (settings == manifest.setup.settings.end())
-    return Error{Error::Kind::Schema,
-                 std::string(kEpisodesFile) + "#/mode",
-                 {line, 0},
-                 "the manifest has no settings of this mode"};
-  const auto task = data.tasks.task(record.key.task);
-  if (!task) return task.error();
-  EpisodePictures pictures;
-  WatchEpisode look;
-  if (const int width = watch.pictures ? watch.pictures(record.key) : 0; width > 0)
-    look = [&pictures, width](std::size_t, const Environment& now) { pictures.push_back(view_picture(now, width)); };
-  const auto replayed = replay_episode(record, *task, settings->second, look);
-  if (!replayed) return replayed.error();
-  Scored scored;
-  const auto& text = (*task)->text;
-  scored.score = score_episode(record, *replayed, **task, shortest_plan(record.key, **task, fewest),
-                               data.held_out.contains(text.template_name));
-  for (EpisodeDifference& one : differences(record, *replayed, **task))
-    scored.differences.push_back({line, record.key, std::move(one)});
-  if (watch.view) {
-    const auto expert = expert_way(data.tasks, record.key);
-    scored.view = episode_view(record, *replayed, scored.score, **task, expert ? &*expert : nullptr, pictures)
-                      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  Result<Scored> score(int line, const EpisodeRecord& record) const {
+    const auto task = data.judging.tasks.task(record.key.task);
+    if (!task) return task.error();
+    const bool pictured = picture_width > 0 && outline.pictured.contains(record.key);
+    Scored scored;
+    std::optional<JudgedEpisode> judged;
+    if (data.watched != nullptr && !pictured) {
+      auto kept = data.watched->find(record.key);
+      if (!kept) return kept.error();
+      judged = std::move(*kept);
+    }
+    if (!judged) {
+      auto again = judge_again(line, record, *task, pictured, scored.differences);
+      if (!again) return again.error();
+      judged = std::move(*again);
+    }
+    scored.score = settled(std::move(judged->score), shortest_plan(record.key, **task, outline));
+    scored.view = std::move(judged->view);
+    return scored;
   }
-  return scored;
-}
+
+ private:
+  Result<JudgedEpisode> judge_again(int line, const EpisodeRecord& record, const SharedTask& task, bool pictured,
+                                    std::vector<ScoringDifference>& found) const {
+    const auto settings = manifest.setup.settings.find(record.key.mode);
+    if (settings == manifest.setup.settings.end())
+      return Error{Error::Kind::Schema,
+                   std::string(kEpisodesFile) + "#/mode",
+                   {line, 0},
+                   "the manifest has no settings of this mode"};
+    EpisodePictures pictures;
+    WatchEpisode look;
+    if (pictured)
+      look = [&](std::size_t, const Environment& now) { pictures.push_back(view_picture(now, picture_width)); };
+    const auto replayed = replay_episode(record, task, settings->second, look);
+    if (!replayed) return replayed.error();
+    for (EpisodeDifference& one : differences(record, *replayed, *task))
+      found.push_back({line, record.key, std::move(one)});
+    return judge_episode(record, *replayed, *task, data.judging, pictures);
+  }
+};
 
 Result<std::map<Mode, LatencyFigures>> latency_of(const std::filesystem::path& folder) {
   std::map<Mode, LatencyFigures> figures;
@@ -153,31 +200,24 @@ Result<Done> for_each_episode(const std::filesystem::path& folder,
 Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data, const ScoringWatch& watch) {
   auto run = run_without_scores(folder);
   if (!run) return run.error();
-  FewestSteps fewest;
-  const auto known = for_each_episode(folder, [&](int, EpisodeRecord&& episode) -> Result<Done> {
-    if (!episode.success) return Done{};
-    const auto [entry, added] = fewest.try_emplace({episode.key.task, episode.key.mode}, episode.counted);
-    if (!added) entry->second = std::min(entry->second, episode.counted);
-    return Done{};
-  });
-  if (!known) return known.error();
+  const auto outline = outline_of(folder, watch.pictured);
+  if (!outline) return outline.error();
+  const Scorer scorer{run->manifest, data, *outline, watch.picture_width};
   auto file = LineFile::open(folder, kEpisodesFile, FileNames::WithFolder);
   if (!file) return file.error();
   const auto done = work_in_order<FileLine, Result<Scored>>(
       data.threads, [&] { return file->next(); },
       [&](const FileLine& line) -> Result<Scored> {
         const auto record = read_episode(file->name(), line.number, line.text);
-        return record ? score_of(line.number, *record, run->manifest, data, fewest, watch)
-                      : Result<Scored>(record.error());
+        return record ? scorer.score(line.number, *record) : Result<Scored>(record.error());
       },
       [&](Result<Scored>&& scored) -> Result<Done> {
         if (!scored) return scored.error();
         for (const ScoringDifference& one : scored->differences) {
           if (watch.differ) watch.differ(one);
         }
-        if (watch.view) watch.view(std::move(scored->view));
         run->scores.push_back(std::move(scored->score));
-        return Done{};
+        return watch.view ? watch.view(std::move(scored->view)) : Result<Done>(Done{});
       });
   if (!done) return done.error();
   return run;

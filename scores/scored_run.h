@@ -3,14 +3,12 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "core/result.h"
-#include "environment/task_source.h"
 #include "evaluation/evaluation_manifest.h"
-#include "scores/episode_score.h"
+#include "scores/watched_episodes.h"
 
 namespace unietp {
 
@@ -37,9 +35,9 @@ struct ScoredRun {
 
 /// What scoring needs beside the folder of an evaluation.
 struct ScoringData {
-  const TaskSource& tasks;                      // of the data set that it was made on
-  std::set<std::string, std::less<>> held_out;  // templates that training can leave out
+  const JudgingData& judging;
   int threads = 1;
+  const WatchedEpisodes* watched = nullptr;  // these episodes are not executed again
 };
 
 /// An episode that does not agree with what its replies lead to.
@@ -49,16 +47,17 @@ struct ScoringDifference {
   EpisodeDifference difference;
 };
 
-/// What to make of the episodes beside their scores. Each may be empty.
+/// What to make of the episodes beside their scores.
 struct ScoringWatch {
   std::function<void(const ScoringDifference&)> differ;  // hears of each disagreement
-  std::function<void(std::string&& view)> view;          // takes each episode_view as JSON
-  std::function<int(const EpisodeKey&)> pictures;        // their width in a view, pixels; 0: none. From several threads
+  std::function<Result<Done>(std::string&& view)> view;  // takes each episode_view as JSON
+  int pictured = 0;       // episodes whose view has pictures, spread over modes, splits and results
+  int picture_width = 0;  // pixels
 };
 
-/// Does all episodes of a folder again and scores them. `watch` is called in the order of the file; the scores are
-/// those of the replies. Deterministic for any number of threads. Errors: Io, Parse and Schema of the files; Usage for
-/// a task that the data set lacks.
+/// Executes the episodes of a folder again and scores them. `watch` is called in the order of the file; the scores are
+/// those of the replies. Deterministic for any number of threads, and for any that were watched. Errors: Io, Parse and
+/// Schema of the files; Usage for a task that the data set lacks; those of `watch`.
 Result<ScoredRun> score_run(const std::filesystem::path& folder, const ScoringData& data, const ScoringWatch& watch);
 
 /// Reads the scores that a run's folder has. Errors: Io, Parse, Schema; Usage for a folder without them.

@@ -4,40 +4,18 @@
 #include <map>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
 #include "core/file_digest.h"
 #include "core/files.h"
-#include "scores/episode_view.h"
+#include "core/in_quotes.h"
+#include "core/text.h"
 #include "scores/evaluation_page.h"
+#include "scores/report_pages.h"
 #include "scores/result_files.h"
 
 namespace unietp {
 namespace {
 
 constexpr int kPictureWidth = 320;  // pixels
-
-/// Which episodes get pictures: one after the other of each mode, split and result.
-Result<std::set<EpisodeKey>> pictured_episodes(const std::filesystem::path& folder, int count) {
-  std::map<std::tuple<Mode, std::string, bool>, std::vector<EpisodeKey>> groups;
-  const auto read = for_each_episode(folder, [&](int, EpisodeRecord&& episode) -> Result<Done> {
-    auto& group = groups[{episode.key.mode, episode.split, episode.success}];
-    if (static_cast<int>(group.size()) < count) group.push_back(std::move(episode.key));
-    return Done{};
-  });
-  if (!read) return read.error();
-  std::set<EpisodeKey> chosen;
-  for (std::size_t round = 0; static_cast<int>(chosen.size()) < count; ++round) {
-    bool any = false;
-    for (const auto& [name, group] : groups) {
-      if (round >= group.size() || static_cast<int>(chosen.size()) >= count) continue;
-      chosen.insert(group[round]);
-      any = true;
-    }
-    if (!any) break;
-  }
-  return chosen;
-}
 
 Error disagreement(const std::filesystem::path& folder, const ScoringDifference& one) {
   return {Error::Kind::Schema,
@@ -49,27 +27,28 @@ Error disagreement(const std::filesystem::path& folder, const ScoringDifference&
 
 struct MadeResults {
   ScoredRun run;
-  std::map<std::string, std::string> files;
+  std::map<std::string, std::string> files;  // but for the pages of the report
   std::vector<Error> disagreements;
 };
 
+/// `page` takes the pages of the report while they are made.
 Result<MadeResults> make_results(const std::filesystem::path& folder, const ScoringData& data,
-                                 const ResultsOptions& options) {
-  const auto pictured = pictured_episodes(folder, options.pictured);
-  if (!pictured) return pictured.error();
+                                 const ResultsOptions& options, const ReportPages::Take& page) {
   MadeResults made;
-  std::vector<std::string> views;
+  ReportPages pages(page);
   ScoringWatch watch;
-  watch.pictures = [&](const EpisodeKey& key) { return pictured->contains(key) ? kPictureWidth : 0; };
-  watch.view = [&](std::string&& view) { views.push_back(std::move(view)); };
+  watch.pictured = options.pictured;
+  watch.picture_width = kPictureWidth;
+  watch.view = [&](std::string&& view) { return pages.add(view); };
   watch.differ = [&](const ScoringDifference& one) { made.disagreements.push_back(disagreement(folder, one)); };
   auto run = score_run(folder, data, watch);
   if (!run) return run.error();
+  if (auto done = pages.finish(); !done) return done.error();
   made.run = std::move(*run);
   const auto manifest = digest_of_file(folder, kEvaluationManifest);
   if (!manifest) return manifest.error();
   made.files = result_files(made.run, manifest->sha256);
-  made.files[kReportFile] = evaluation_page(made.run, views);
+  made.files[kReportFile] = evaluation_page(made.run);
   return made;
 }
 
@@ -79,35 +58,68 @@ SourcePos first_difference(const std::string& a, const std::string& b) {
   return locate(a, static_cast<std::size_t>(end.first - a.begin()));
 }
 
-void check_totals(const ScoredRun& run, const std::string& where, std::vector<Error>& found) {
+/// Whether the totals of the manifest are those of the episodes. `models`: that the episodes name.
+void check_totals(const ScoredRun& run, const std::set<std::string>& models, const std::string& where,
+                  std::vector<Error>& found) {
   const EvaluationTotals& stated = run.manifest.totals;
   EvaluationTotals real;
   for (const EpisodeScore& one : run.scores) {
     (one.errored() ? real.errored : real.finished) += 1;
     real.prompt_tokens += one.prompt_tokens;
     real.completion_tokens += one.completion_tokens;
+    real.cost += one.cost;
   }
-  const auto compare = [&](const char* name, std::int64_t said, std::int64_t is) {
+  const auto compare = [&](const char* name, const auto& said, const auto& is, const auto& text) {
     if (said != is)
       found.push_back({Error::Kind::Schema,
                        where + "#/totals/" + name,
                        {},
-                       "is " + std::to_string(said) + ", but the episodes have " + std::to_string(is)});
+                       "is " + text(said) + ", but the episodes have " + text(is)});
   };
-  compare("finished", stated.finished, real.finished);
-  compare("errored", stated.errored, real.errored);
-  compare("prompt_tokens", stated.prompt_tokens, real.prompt_tokens);
-  compare("completion_tokens", stated.completion_tokens, real.completion_tokens);
+  const auto whole = [](std::int64_t number) { return std::to_string(number); };
+  compare("finished", stated.finished, real.finished, whole);
+  compare("errored", stated.errored, real.errored, whole);
+  compare("prompt_tokens", stated.prompt_tokens, real.prompt_tokens, whole);
+  compare("completion_tokens", stated.completion_tokens, real.completion_tokens, whole);
+  compare("cost", stated.cost, real.cost, [](double number) { return number_text(number); });
+  compare("models", stated.models, std::vector<std::string>(models.begin(), models.end()),
+          [](const std::vector<std::string>& names) { return names.empty() ? "none" : in_quotes(join(names, ", ")); });
   if (stated.episodes < static_cast<int>(run.scores.size()))
     found.push_back(
         {Error::Kind::Schema, where + "#/totals/episodes", {}, "there are more episodes than were asked for"});
+}
+
+Result<std::set<std::string>> models_of(const std::filesystem::path& folder) {
+  std::set<std::string> models;
+  const auto read = for_each_episode(folder, [&](int, EpisodeRecord&& episode) -> Result<Done> {
+    models.insert(episode.models.begin(), episode.models.end());
+    return Done{};
+  });
+  if (!read) return read.error();
+  return models;
+}
+
+/// Pages that no episode of the run is in.
+void check_pages(const std::filesystem::path& folder, const std::set<std::string>& made, std::vector<Error>& found) {
+  std::error_code failed;
+  for (std::filesystem::directory_iterator entry(folder / kReportFolder, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    const std::string name = std::string(kReportFolder) + "/" + entry->path().filename().string();
+    if (!made.contains(name))
+      found.push_back({Error::Kind::Schema, (folder / name).string(), {}, "belongs to no episode of the run"});
+  }
 }
 
 }  // namespace
 
 Result<ScoredRun> write_results(const std::filesystem::path& folder, const ScoringData& data,
                                 const ResultsOptions& options) {
-  auto made = make_results(folder, data, options);
+  std::error_code failed;
+  std::filesystem::remove_all(folder / kReportFolder, failed);
+  if (failed) return Error{Error::Kind::Io, (folder / kReportFolder).string(), {}, failed.message()};
+  auto made = make_results(folder, data, options, [&](const std::string& name, const std::string& page) {
+    return write_file(folder, name, page);
+  });
   if (!made) return made.error();
   if (!made->disagreements.empty()) return made->disagreements.front();
   for (const auto& [name, text] : made->files) {
@@ -118,9 +130,23 @@ Result<ScoredRun> write_results(const std::filesystem::path& folder, const Scori
 
 std::vector<Error> check_results(const std::filesystem::path& folder, const ScoringData& data,
                                  const ResultsOptions& options) {
-  std::vector<Error> found;
-  const auto made = make_results(folder, data, options);
+  std::vector<Error> found, unlike;
+  std::set<std::string> pages;
+  const auto compare = [&](const std::string& name, const std::string& text) -> Result<Done> {
+    pages.insert(name);
+    const auto there = read_file(folder, name);
+    if (!there) {
+      unlike.push_back(there.error());
+    } else if (*there != text) {
+      unlike.push_back({Error::Kind::Schema, (folder / name).string(), first_difference(*there, text),
+                        "is not what follows from the episodes"});
+    }
+    return Done{};
+  };
+  const auto made = make_results(folder, data, options, compare);
   if (!made) return {made.error()};
+  check_pages(folder, pages, unlike);
+  for (const auto& [name, text] : made->files) (void)compare(name, text);
   const std::string manifest = (folder / kEvaluationManifest).string();
   for (const char* name : {kEpisodesFile, kTimingFile}) {
     const auto digest = digest_of_file(folder, name);
@@ -132,17 +158,11 @@ std::vector<Error> check_results(const std::filesystem::path& folder, const Scor
           {Error::Kind::Schema, (folder / name).string(), {}, "is not the file whose SHA-256 the manifest has"});
     }
   }
-  check_totals(made->run, manifest, found);
+  const auto models = models_of(folder);
+  if (!models) return {models.error()};
+  check_totals(made->run, *models, manifest, found);
   found.insert(found.end(), made->disagreements.begin(), made->disagreements.end());
-  for (const auto& [name, text] : made->files) {
-    const auto there = read_file(folder, name);
-    if (!there) {
-      found.push_back(there.error());
-    } else if (*there != text) {
-      found.push_back({Error::Kind::Schema, (folder / name).string(), first_difference(*there, text),
-                       "is not what follows from the episodes"});
-    }
-  }
+  found.insert(found.end(), unlike.begin(), unlike.end());
   return found;
 }
 

@@ -7,15 +7,17 @@
 
 namespace unietp {
 
-inline constexpr const char* kReportFile = "report.html";
+inline constexpr const char* kReportFile = "report.html";  // in the folder of results
 
+/// What the results of a run contain beside its tables.
 struct ResultsOptions {
   int pictured = 40;  // episodes that the report has pictures of, spread over modes, splits and results
 };
 
 /// Scores the episodes of a folder that has a manifest, and writes into it scores.jsonl, results.json, lm_eval.json,
-/// tables.md, tables.tex, tables.csv and report.html. Deterministic for any number of threads. Errors: those of
-/// score_run; Schema, naming file, line and field, for an episode that does not agree with its replies; Io.
+/// tables.md, tables.tex, tables.csv, report.html and the folder report. Deterministic for any number of threads.
+/// Errors: those of score_run; Schema, naming file, line and field, for an episode that does not agree with its
+/// replies; Io.
 Result<ScoredRun> write_results(const std::filesystem::path& folder, const ScoringData& data,
                                 const ResultsOptions& options = {});
 

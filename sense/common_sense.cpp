@@ -30,9 +30,11 @@ bool matches(std::string_view pattern, std::string_view role) {
   return role.starts_with(pattern.substr(0, pattern.size() - 1));
 }
 
-constexpr std::string_view kNextTo = "next_to:";
+constexpr std::string_view kNextTo = "next_to:", kMaterialMark = "material:", kOnFloor = "on:floor";
 
-Sense refused_by(const SenseRule& rule) { return {Grade::Senseless, 0, {"rule " + rule.name + ": " + rule.reason}}; }
+Sense refused_by(const SenseRule& rule) {
+  return {Grade::Senseless, 0, {"rule " + rule.name + ": " + rule.reason}, "rule:" + rule.name};
+}
 
 std::string short_number(double value) {
   return number_text(static_cast<double>(static_cast<int>(value * 100 + 0.5)) / 100);
@@ -53,12 +55,14 @@ Sense worse_of(Sense a, Sense b) {
 }
 
 CommonSense::CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgments, std::vector<SenseRule> rules,
-                         const std::vector<Evidence>& evidence)
+                         const std::vector<Evidence>& evidence, SpecialPlaces special, Companions companions)
     : kinds_(std::move(kinds)),
       categories_(std::move(categories)),
       judgments_(std::move(judgments)),
       rules_(std::move(rules)),
-      evidence_(evidence) {
+      evidence_(evidence),
+      special_(std::move(special)),
+      companions_(std::move(companions)) {
   for (std::size_t i = 0; i < evidence_.size(); ++i) {
     const Evidence& row = evidence_[i];
     for (const Kind* kind : kinds_.lineage(row.thing)) {
@@ -106,12 +110,11 @@ double CommonSense::moved(const std::string& kind, const Role& role, double star
 }
 
 bool CommonSense::meets(const SenseRule& rule, const Thing& thing) const {
-  constexpr std::string_view material = "material:";
   for (const auto& kind : rule.except) {
     if (kinds_.is_a(thing.kind, kind)) return false;
   }
-  if (!rule.thing.starts_with(material)) return kinds_.is_a(thing.kind, rule.thing);
-  const auto of = rule.thing.substr(material.size());
+  if (!rule.thing.starts_with(kMaterialMark)) return kinds_.is_a(thing.kind, rule.thing);
+  const auto of = rule.thing.substr(kMaterialMark.size());
   return !thing.materials.empty() && std::all_of(thing.materials.begin(), thing.materials.end(),
                                                  [&](const std::string& each) { return each == of; });
 }
@@ -179,7 +182,16 @@ Role CommonSense::best_place(const std::string& kind, const Role& role) const {
 Sense CommonSense::graded(const Thing& thing, const Role& asked) const {
   const Role role = best_place(thing.kind, asked);
   const double value = score(thing.kind, role);
-  return {grade_of(value), value, reasons_for(thing, role)};
+  return {grade_of(value), value, reasons_for(thing, role), std::string(why(thing, role))};
+}
+
+std::string_view CommonSense::why(const Thing& thing, const Role& role) const {
+  bool judged = false;
+  for (const Kind* kind : kinds_.lineage(thing.kind)) {
+    if (kinds_.lineage(kind->name).size() > 2 && counts_.contains({kind->name, role})) return "written";
+    judged = judged || judgments_.contains({kind->name, role});
+  }
+  return judged ? "judged" : "unspoken";
 }
 
 Sense CommonSense::beside(const Thing& thing, const Role& role, const std::string& other) const {
@@ -192,21 +204,27 @@ Sense CommonSense::beside(const Thing& thing, const Role& role, const std::strin
       where = what;
     }
   };
-  if (kinds_.is_a(other, "movable")) {
-    for (const auto& place : kinds_.all()) {
-      if (place.relation.empty() || !kinds_.is_a(place.name, "place")) continue;
-      const Role at = kinds_.place_role(kinds_.usual_relation(place.name), place.name);
-      offer(kSharedPlace * std::min(score(thing.kind, at), score(other, at)), at);
-    }
-  } else {
-    offer(kSharedPlace * score(thing.kind, "on:floor"), "on:floor");
+  // What stands on furniture, a lamp or a toaster, has others beside it there.
+  for (const auto& place : kinds_.all()) {
+    if (place.relation.empty() || !kinds_.is_a(place.name, "place")) continue;
+    const Role at = kinds_.place_role(kinds_.usual_relation(place.name), place.name);
+    const bool floor = !kinds_.is_a(other, "movable") && at == kOnFloor;
+    offer(kSharedPlace * std::min(score(thing.kind, at), floor ? 1 : score(other, at)), at);
+  }
+  if (!kinds_.is_a(other, "movable")) {
     for (const auto* relation : {"on", "in"}) {
       const Role at = best_place(thing.kind, kinds_.place_role(relation, other));
       if (grade_of(score(thing.kind, at)) != Grade::Senseless) offer(kStart[1], at);
     }
   }
   if (best <= own.score) return own;
-  return {grade_of(best), best, {"both may be at one place: " + where}};
+  return {grade_of(best), best, {"both may be at one place: " + where}, "shared"};
+}
+
+bool CommonSense::has_rule_on(std::string_view material) const {
+  return std::any_of(rules_.begin(), rules_.end(), [&](const SenseRule& rule) {
+    return rule.thing.starts_with(kMaterialMark) && rule.thing.substr(kMaterialMark.size()) == material;
+  });
 }
 
 const SenseRule* CommonSense::broken(const Thing& thing, const Role& role) const {
@@ -225,7 +243,7 @@ Sense CommonSense::grade(const Thing& thing, const Role& asked) const {
 
 Sense CommonSense::found(const Thing& thing, const Role& place) const {
   if (const auto* rule = broken(thing, "found:" + place)) return refused_by(*rule);
-  return {Grade::Usual, 1, {}};
+  return {Grade::Usual, 1, {}, ""};
 }
 
 bool CommonSense::belongs(const Thing& thing, const std::string& place) const {
@@ -243,7 +261,7 @@ Sense CommonSense::together(const Thing& a, const Thing& b) const {
       if (meets(rule, *first) && kinds_.is_a(second->kind, rule.other)) return refused_by(rule);
     }
   }
-  return {Grade::Usual, 1, {}};
+  return {Grade::Usual, 1, {}, ""};
 }
 
 CommonSense read_common_sense(const std::filesystem::path& folder, std::vector<Error>& errors) {
@@ -252,7 +270,10 @@ CommonSense read_common_sense(const std::filesystem::path& folder, std::vector<E
   auto judgments = read_judgments(folder / "judged.csv", kinds, errors);
   auto rules = read_sense_rules(folder / "rules.csv", kinds, errors);
   const auto evidence = read_evidence(folder / "counts.csv", kinds, errors);
-  return {std::move(kinds), std::move(categories), std::move(judgments), std::move(rules), evidence};
+  auto special = read_special_places(folder / "special_places.csv", kinds, errors);
+  auto companions = read_companions(folder / "companions.csv", kinds, errors);
+  return {std::move(kinds), std::move(categories), std::move(judgments), std::move(rules),
+          evidence,         std::move(special),    std::move(companions)};
 }
 
 }  // namespace unietp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -7,8 +8,10 @@
 #include <vector>
 
 #include "sense/category_kinds.h"
+#include "sense/companions.h"
 #include "sense/evidence.h"
 #include "sense/kinds.h"
+#include "sense/special_places.h"
 #include "sense/word_kinds.h"
 
 namespace unietp {
@@ -18,7 +21,12 @@ struct Sense {
   Grade grade = Grade::Tolerable;
   double score = 0;  // what the grade was read from: at least 0.5 usual, below 0.12 senseless
   std::vector<std::string> reasons;
+  std::string why = {};  // the same in a word: one of kWhys, or "rule:" and the rule's name
 };
+/// What a grade rests on: a person's judgment of the kind or a wider one, what people wrote of it, that two things have
+/// a place in common, that two wants have nothing to do with one another, that something is taken away from where it
+/// is, or nothing.
+inline constexpr std::array<std::string_view, 6> kWhys{"judged", "written", "shared", "apart", "cleared", "unspoken"};
 /// The worse of two; the reasons of both when they are equal.
 Sense worse_of(Sense a, Sense b);
 
@@ -42,9 +50,12 @@ struct Thing {
 class CommonSense {
  public:
   CommonSense(Kinds kinds, CategoryKinds categories, Judgments judgments, std::vector<SenseRule> rules,
-              const std::vector<Evidence>& evidence);
+              const std::vector<Evidence>& evidence, SpecialPlaces special = {}, Companions companions = {});
 
-  const Kinds& kinds() const { return kinds_; }
+  const Kinds& kinds() const { return kinds_; }  // those that the tables speak of
+  /// Shelves and the like that are for some kinds only, and what goes along with what: as in their tables.
+  const SpecialPlaces& special_places() const { return special_; }
+  const Companions& companions() const { return companions_; }
   /// nullptr for a category that has none.
   const KindFact* kind_of(Simulator simulator, const std::string& category) const;
 
@@ -54,6 +65,8 @@ class CommonSense {
   Sense found(const Thing& thing, const Role& place) const;
   /// True when the thing is at home on or in a place or machine, so that opening this one may be for its sake.
   bool belongs(const Thing& thing, const std::string& place) const;
+  /// True when some rule looks at this material.
+  bool has_rule_on(std::string_view material) const;
   /// The rules on two things at one place, or next to one another.
   Sense together(const Thing& a, const Thing& b) const;
 
@@ -68,6 +81,7 @@ class CommonSense {
   Sense graded(const Thing& thing, const Role& role) const;
   Sense beside(const Thing& thing, const Role& role, const std::string& other) const;
   std::vector<std::string> reasons_for(const Thing& thing, const Role& role) const;
+  std::string_view why(const Thing& thing, const Role& role) const;
   bool meets(const SenseRule& rule, const Thing& thing) const;
   const SenseRule* broken(const Thing& thing, const Role& role) const;
   Role known_role(const Thing& thing, const Role& role) const;
@@ -77,11 +91,13 @@ class CommonSense {
   Judgments judgments_;
   std::vector<SenseRule> rules_;
   std::vector<Evidence> evidence_;
+  SpecialPlaces special_;
+  Companions companions_;
   std::map<std::pair<std::string, Role>, Count> counts_;          // of a kind and all narrower ones
   std::map<std::pair<std::string, std::string>, double> totals_;  // of a kind and a family
 };
 
-/// Reads data/sense/: kinds, categories, judged, counts, rules. Errors are appended.
+/// Reads data/sense/: kinds, categories, judged, counts, rules, special places, companions. Errors are appended.
 CommonSense read_common_sense(const std::filesystem::path& folder, std::vector<Error>& errors);
 
 }  // namespace unietp

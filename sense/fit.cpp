@@ -7,6 +7,7 @@
 #include "akb/metadata_json.h"
 #include "core/files.h"
 #include "sense/category_kinds.h"
+#include "sense/companions.h"
 
 namespace unietp {
 
@@ -67,8 +68,10 @@ Result<Done> fit_sense_into(const std::filesystem::path& folder, const std::file
   if (!categories) return categories.error();
   const auto items = read_items(sources, {kinds, words, *net, std::move(*synsets)});
   if (!items) return items.error();
+  const auto companions = count_companions(*items, kinds);
   for (const auto& [name, text] :
-       {std::pair("categories.csv", csv_of(*categories)), std::pair("counts.csv", csv_of(add_up(*items)))}) {
+       {std::pair("categories.csv", csv_of(*categories)), std::pair("counts.csv", csv_of(add_up(*items))),
+        std::pair("companions.csv", csv_of(companions, kinds))}) {
     if (const auto done = write_file(folder / name, text); !done) return done.error();
   }
   return Done{};

@@ -26,8 +26,8 @@ Result<std::vector<Item>> read_items(const SenseSources& sources, const Vocabula
 /// Adds up the items that count: one row for each kind, role and source, with its heaviest item as the example. Sorted.
 std::vector<Evidence> add_up(std::span<const Item> items);
 
-/// Writes categories.csv and counts.csv into a folder; reads kinds.csv, words.csv and hypernyms.csv of `tables`.
-/// Deterministic. Errors: Io, Parse, Schema.
+/// Writes categories.csv, counts.csv and companions.csv into a folder; reads kinds.csv, words.csv and hypernyms.csv of
+/// `tables`. Deterministic. Errors: Io, Parse, Schema.
 Result<Done> fit_sense_into(const std::filesystem::path& folder, const std::filesystem::path& tables,
                             const SenseSources& sources, const std::vector<Knowledge>& knowledge);
 

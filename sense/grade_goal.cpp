@@ -1,6 +1,7 @@
 #include "sense/grade_goal.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "core/text.h"
@@ -68,6 +69,48 @@ std::string_view deed_of(Predicate predicate) {
   }
 }
 
+bool is_place(const Want& want) {
+  return (want.predicate == Predicate::On || want.predicate == Predicate::Inside) && !want.negated;
+}
+
+bool turns(const Want& want) {
+  return !want.negated && (want.predicate == Predicate::Open || want.predicate == Predicate::Closed ||
+                           want.predicate == Predicate::PowerOn || want.predicate == Predicate::PowerOff);
+}
+
+/// True for two wants that may say something together which neither says alone.
+bool go_together(const Want& a, const Want& b) {
+  if (a.thing == b.thing) return true;
+  if (is_place(a) && is_place(b) && (a.other == b.other || a.other == b.thing || b.other == a.thing)) return true;
+  return (turns(a) && (is_place(b) || turns(b))) || (turns(b) && is_place(a));
+}
+
+/// The piece of the wants that has these, with the things that they speak of.
+Wants piece_of(const Wants& whole, std::vector<Want> wants, std::vector<Want> found) {
+  Wants piece;
+  std::vector<std::size_t> old;
+  const auto moved = [&](std::size_t thing) {
+    const auto at = std::find(old.begin(), old.end(), thing);
+    if (at != old.end()) return static_cast<std::size_t>(at - old.begin());
+    old.push_back(thing);
+    piece.things.push_back(whole.things[thing]);
+    piece.things.back().where.clear();
+    return old.size() - 1;
+  };
+  for (auto* list : {&wants, &found}) {
+    for (Want& want : *list) {
+      want.thing = moved(want.thing);
+      if (want.other) want.other = moved(*want.other);
+    }
+  }
+  piece.wants = std::move(wants);
+  piece.found = std::move(found);
+  return piece;
+}
+
+/// Kinds of places in which things are kept.
+constexpr std::array<std::string_view, 6> kKeepers{"cabinet", "drawer", "fridge", "freezer", "wardrobe", "dresser"};
+
 /// A want about one category, in words and as a role.
 struct Asked {
   Role role;
@@ -84,9 +127,11 @@ class GoalGrader {
     for (const auto& want : wants_.found) found(want);
     for (std::size_t i = 0; i < wants_.wants.size(); ++i) {
       for (std::size_t j = i + 1; j < wants_.wants.size(); ++j) {
+        if (!go_together(wants_.wants[i], wants_.wants[j])) continue;
         pair(wants_.wants[i], wants_.wants[j]);
         apart(wants_.wants[i], wants_.wants[j]);
         apart(wants_.wants[j], wants_.wants[i]);
+        strangers(wants_.wants[i], wants_.wants[j]);
       }
     }
     TaskSense task;
@@ -192,6 +237,26 @@ class GoalGrader {
       for (auto& each : asked(want, thing)) keep(std::move(each.words), sense_.grade(thing, each.role));
       const bool beside = want.predicate == Predicate::NextTo && want.other && !want.negated;
       if (beside) company(want.thing, *want.other);
+      if (want.negated && want.other) taken_away(want, thing);
+    }
+  }
+
+  /// Taking a thing away from where it is: a surface or a floor is cleared, but what is where it is kept stays there.
+  void taken_away(const Want& want, const Thing& thing) {
+    if (want.predicate == Predicate::OnFloor)
+      return keep("no " + thing.words + " on the floor", {Grade::Usual, 1, {"floors are cleared"}, "cleared"});
+    if (want.predicate != Predicate::On && want.predicate != Predicate::Inside) return;
+    const std::string relation = want.predicate == Predicate::On ? "on" : "in";
+    for (const auto& place : things_of(*want.other)) {
+      const auto& kinds = sense_.kinds();
+      if (place.kind.empty()) continue;
+      const bool keeps = std::any_of(kKeepers.begin(), kKeepers.end(),
+                                     [&](std::string_view keeper) { return kinds.is_a(place.kind, keeper); });
+      const bool kept = relation == "in" && keeps &&
+                        sense_.grade(thing, kinds.place_role(relation, place.kind)).grade == Grade::Usual;
+      keep("no " + thing.words + " " + relation + " " + place.words,
+           kept ? Sense{Grade::Tolerable, 0.3, {"it is where it is kept"}, "cleared"}
+                : Sense{Grade::Usual, 1, {"surfaces are cleared"}, "cleared"});
     }
   }
 
@@ -217,27 +282,47 @@ class GoalGrader {
     }
   }
 
-  static bool is_place(const Want& want) {
-    return (want.predicate == Predicate::On || want.predicate == Predicate::Inside) && !want.negated;
-  }
-
   /// Opening or switching on something in a task that puts a thing elsewhere which never goes there.
   void apart(const Want& part, const Want& moved) {
-    const bool turns = part.predicate == Predicate::Open || part.predicate == Predicate::Closed ||
-                       part.predicate == Predicate::PowerOn || part.predicate == Predicate::PowerOff;
-    if (!turns || part.negated || !is_place(moved) || moved.thing == part.thing || moved.other == part.thing) return;
+    if (!turns(part) || !is_place(moved) || moved.thing == part.thing || moved.other == part.thing) return;
     for (const auto& machine : things_of(part.thing)) {
       for (const auto& thing : things_of(moved.thing)) {
         const auto& kinds = sense_.kinds();
         const bool stays = kinds.is_a(machine.kind, "place") || kinds.is_a(machine.kind, "fixture");
         if (!stays || thing.kind.empty() || sense_.belongs(thing, machine.kind)) continue;
         keep(std::string(deed_of(part.predicate)) + " " + machine.words + ", and " + thing.words + " elsewhere",
-             {Grade::Tolerable, 0.3, {"the two have nothing to do with one another"}});
+             {Grade::Tolerable, 0.3, {"the two have nothing to do with one another"}, "apart"});
+      }
+    }
+  }
+
+  /// Opening or switching on one thing and doing something with another that nobody needs for the same activity.
+  void strangers(const Want& a, const Want& b) {
+    if ((!turns(a) && !turns(b)) || a.thing == b.thing || a.other == b.thing || b.other == a.thing) return;
+    for (const auto& first : things_of(a.thing)) {
+      for (const auto& second : things_of(b.thing)) {
+        if (!sense_.companions().strangers(first.kind, second.kind)) continue;
+        keep(first.words + " and " + second.words,
+             {Grade::Tolerable, 0.3, {"people seldom need the two for one activity"}, "apart"});
+      }
+    }
+  }
+
+  /// A thing on or in another that is put somewhere comes along: an apple on a plate goes into the dishwasher with it.
+  void along(const Want& inner, const Want& outer) {
+    if (!is_place(inner) || !is_place(outer) || inner.other != outer.thing) return;
+    for (const auto& thing : things_of(inner.thing)) {
+      if (thing.kind.empty()) continue;
+      for (auto& there : asked(outer, thing)) {
+        auto sense = sense_.grade(thing, there.role);
+        if (sense.grade == Grade::Senseless) keep(there.words + ", with what it is on or in", std::move(sense));
       }
     }
   }
 
   void pair(const Want& a, const Want& b) {
+    along(a, b);
+    along(b, a);
     if (is_place(a) && is_place(b) && a.thing != b.thing && a.other == b.other) company(a.thing, b.thing);
     if (a.thing != b.thing) return;
     const bool turned = a.other && !b.other;  // in one state, the change comes before the place
@@ -262,6 +347,25 @@ class GoalGrader {
 };
 
 }  // namespace
+
+std::vector<Wants> pieces_of(const Wants& wants) {
+  std::vector<Wants> pieces;
+  for (const Want& want : wants.wants) pieces.push_back(piece_of(wants, {want}, {}));
+  for (const Want& want : wants.found) pieces.push_back(piece_of(wants, {}, {want}));
+  for (std::size_t i = 0; i < wants.wants.size(); ++i) {
+    for (std::size_t j = i + 1; j < wants.wants.size(); ++j) {
+      if (go_together(wants.wants[i], wants.wants[j]))
+        pieces.push_back(piece_of(wants, {wants.wants[i], wants.wants[j]}, {}));
+    }
+  }
+  return pieces;
+}
+
+std::optional<Grade> grade_piece(const Wants& piece, const Knowledge& knowledge, const CommonSense& sense,
+                                 const WordKinds& words) {
+  const TaskSense task = GoalGrader(knowledge, sense, words, piece).grade();
+  return task.parts.empty() ? std::nullopt : std::optional(task.grade);
+}
 
 TaskSense grade_goal(const Formula& goal, const Knowledge& knowledge, const CommonSense& sense,
                      const WordKinds& words) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "akb/knowledge.h"
 #include "logic/formula.h"
 #include "sense/common_sense.h"
+#include "sense/wants.h"
 #include "sense/word_kinds.h"
 
 namespace unietp {
@@ -27,5 +29,12 @@ struct TaskSense {
 /// arguments give equal results. Categories that the simulator has not, and substances that `words` has not, are
 /// tolerable.
 TaskSense grade_goal(const Formula& goal, const Knowledge& knowledge, const CommonSense& sense, const WordKinds& words);
+
+/// What a goal asks for, cut into pieces that are graded apart: one want, or two that go together. The worst of their
+/// grades is the goal's. Each has only the things that it speaks of.
+std::vector<Wants> pieces_of(const Wants& wants);
+/// The grade of such a piece; nullopt when it has no part that is graded.
+std::optional<Grade> grade_piece(const Wants& piece, const Knowledge& knowledge, const CommonSense& sense,
+                                 const WordKinds& words);
 
 }  // namespace unietp

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -20,13 +21,12 @@ int int_of(const std::string& text) {
   return number;
 }
 
-/// Housekeep has one name for the cabinets of all rooms.
-std::string place_in_room(const std::string& place, const std::string& room) {
-  const bool bath = room == "bathroom";
-  const bool kitchen = room == "kitchen" || room == "pantry_room" || room == "dining_room";
-  if (place == "kitchen_cabinet" && !kitchen) return bath ? "bathroom_cabinet" : "storage_cabinet";
-  if (place == "counter" && bath) return "bathroom_counter";
-  return place;
+/// The kind of a receptacle as Housekeep names it, which has one name for the cabinets of all rooms, and one for their
+/// shelves: words.csv has rows for a receptacle in a room.
+std::optional<std::string> receptacle_kind(const WordKinds& words, const std::string& room, const std::string& name) {
+  constexpr std::string_view kList = "housekeep";
+  const auto in_room = words.of_word(room + "/" + name, kList);
+  return in_room ? in_room : words.of_word(name, kList);
 }
 
 }  // namespace
@@ -41,11 +41,11 @@ Result<std::vector<Item>> vote_items(const std::filesystem::path& file, const Vo
   std::vector<Item> items;
   for (const auto& row : table->rows) {  // object, room, receptacle, belongs, misplaced, implausible, ...
     const auto thing = vocabulary.words.of_word(row[0].text, "housekeep");
-    const auto place = vocabulary.words.of_word(row[2].text, "housekeep");
+    const auto place = receptacle_kind(vocabulary.words, row[1].text, row[2].text);
     if (!thing || !place || !vocabulary.kinds.is_a(*place, "place")) continue;
     const int votes = int_of(row[3].text), against = int_of(row[5].text);
     if (votes < kBelongs && against < kBelongs) continue;
-    const auto role = usual_place(vocabulary.kinds, place_in_room(*place, row[1].text));
+    const auto role = usual_place(vocabulary.kinds, *place);
     const double weight = std::max(0.06 * (votes - 5), 0.06);
     items.push_back({{*thing, role, weight, row[0].text + " at " + row[2].text, std::string(kVotes)},
                      row[0].text,

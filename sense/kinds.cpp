@@ -75,12 +75,14 @@ Kinds read_kinds(const std::filesystem::path& path, std::vector<Error>& errors) 
   RowReader row(path.string(), *text, {"name", "singular", "plural", "parent", "purpose", "relation", "piece"}, errors);
   std::vector<Kind> kinds;
   std::vector<std::string> names;
+  bool tree = true;
   for (const auto& cells : row.rows()) {
     row.at(cells);
     Kind kind{row.required("name"),    row.required("singular"), row.required("plural"), row.text("parent"),
               row.required("purpose"), row.text("relation"),     row.text("piece")};
-    if (std::find(names.begin(), names.end(), kind.name) != names.end())
-      row.fail("name", "'" + kind.name + "' stands twice");
+    const bool twice = std::find(names.begin(), names.end(), kind.name) != names.end();
+    if (twice) row.fail("name", "'" + kind.name + "' stands twice");
+    tree = tree && !twice && !kind.name.empty();
     static const std::vector<std::string> relations{"", "on", "in", "on|in", "in|on"};
     if (std::find(relations.begin(), relations.end(), kind.relation) == relations.end())
       row.fail("relation", "'" + kind.relation + "' is no relation; expected nothing, on, in, on|in or in|on");
@@ -89,7 +91,6 @@ Kinds read_kinds(const std::filesystem::path& path, std::vector<Error>& errors) 
   }
   Kinds all(std::move(kinds));
   std::size_t at = 0, roots = 0;
-  bool circle = false;
   for (const auto& cells : row.rows()) {
     row.at(cells);
     const Kind& kind = all.all()[at++];
@@ -98,13 +99,13 @@ Kinds read_kinds(const std::filesystem::path& path, std::vector<Error>& errors) 
     } else if (all.find(kind.parent) == nullptr) {
       row.fail("parent", "'" + kind.parent + "' is not a kind of this table");
     } else if (!ends(all, kind)) {
-      circle = true;
+      tree = false;
       row.fail("parent", "'" + kind.name + "' is above itself");
     }
     if (!kind.piece.empty() && all.find(kind.piece) == nullptr)
       row.fail("piece", "'" + kind.piece + "' is not a kind of this table");
   }
-  return circle ? Kinds() : all;  // whoever goes up a circle never ends
+  return tree ? all : Kinds();  // whoever goes up or down a circle never ends
 }
 
 }  // namespace unietp

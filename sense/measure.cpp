@@ -4,8 +4,10 @@
 #include <charconv>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "core/digest.h"
+#include "sense/companions.h"
 #include "sense/fit.h"
 #include "sense/swap_pool.h"
 
@@ -25,6 +27,37 @@ Grade grade_of(const CommonSense& sense, const Evidence& item) {
   return sense.grade({item.thing, item.thing, {}}, item.role).grade;
 }
 
+/// Grades items beside the other parts of their activities.
+class Beside {
+ public:
+  Beside(const CommonSense& sense, std::span<const Item> fitted, std::span<const Item> held)
+      : kinds_(sense.kinds()),
+        companions_(count_companions(fitted, kinds_)),
+        activities_(kinds_of_activities(held, kinds_)) {}
+
+  bool knows(const Item& real) const { return activities_.contains({real.evidence.source, real.group}); }
+
+  /// `item`: the real one, or another in its place.
+  Grade graded(const Item& real, const Evidence& item, Grade alone) const {
+    if (alone != Grade::Usual) return alone;
+    const auto own = kinds_of(real.evidence, kinds_);
+    auto others = activities_.at({real.evidence.source, real.group});
+    for (const auto& kind : own) others.erase(kind);
+    const bool swapped = item.thing != real.evidence.thing || item.role != real.evidence.role;
+    for (const auto& kind : kinds_of(item, kinds_)) {
+      if (swapped && own.contains(kind)) continue;
+      const auto among = companions_.among(kind, others);
+      if (among && *among < 1) return Grade::Tolerable;
+    }
+    return alone;
+  }
+
+ private:
+  const Kinds& kinds_;
+  Companions companions_;
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> activities_;
+};
+
 }  // namespace
 
 bool is_held_out(const Item& item) {
@@ -40,6 +73,7 @@ std::vector<HeldOutFigures> measure_held_out(std::span<const Item> items, const 
   for (const auto& item : items) (is_held_out(item) ? held : fitted).push_back(item);
   const CommonSense sense(kinds, categories, judgments, rules, add_up(fitted));
   const SwapPool pool(sense, physical);
+  const Beside beside(sense, fitted, held);
   std::map<std::string, HeldOutFigures> by_source;
   for (const auto& item : held) {
     const Evidence& row = item.evidence;
@@ -53,10 +87,13 @@ std::vector<HeldOutFigures> measure_held_out(std::span<const Item> items, const 
     }
     count(figures.real, grade);
     figures.items.push_back({row, grade});
+    if (beside.knows(item)) count(figures.real_beside, beside.graded(item, row, grade));
     const auto draw = hash_of("swap:" + row.source + item.group + row.thing + row.role);
     if (const auto other = pool.swapped(row, SwapPool::By::Physics, draw)) {
-      count(figures.moved, grade_of(sense, *other));
-      figures.swapped.push_back({*other, grade_of(sense, *other)});
+      const Grade moved = grade_of(sense, *other);
+      count(figures.moved, moved);
+      if (beside.knows(item)) count(figures.moved_beside, beside.graded(item, *other, moved));
+      figures.swapped.push_back({*other, moved});
     }
     if (const auto other = pool.swapped(row, SwapPool::By::Listing, draw))
       count(figures.listed, grade_of(sense, *other));

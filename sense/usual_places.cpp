@@ -9,11 +9,23 @@
 namespace unietp {
 namespace {
 
+Thing thing_of(const Category& category, Simulator simulator, const CommonSense& sense) {
+  const auto* kind = sense.kind_of(simulator, category.name);
+  return {kind == nullptr ? std::string() : kind->kind, category.display, category.materials};
+}
+
 Thing thing_of(const std::string& category, const Knowledge& knowledge, const CommonSense& sense) {
-  const auto* kind = sense.kind_of(knowledge.simulator(), category);
-  const auto* facts = knowledge.find(category);
-  return {kind == nullptr ? std::string() : kind->kind, facts == nullptr ? category : facts->display,
-          facts == nullptr ? std::vector<std::string>{} : facts->materials};
+  const auto* known = knowledge.find(category);
+  return known == nullptr ? Thing{} : thing_of(*known, knowledge.simulator(), sense);
+}
+
+Sense graded(const Thing& thing, Predicate relation, const Thing& place, const CommonSense& sense) {
+  if (thing.kind.empty() || place.kind.empty()) return {Grade::Tolerable, 0, {"a category has no kind"}, "unspoken"};
+  const bool held = relation == Predicate::On || relation == Predicate::Inside;
+  if (held && !sense.special_places().may_hold(place.words, thing.kind, sense.kinds()))
+    return {Grade::Senseless, 0, {"rule special-place: the place is made for other things"}, "rule:special-place"};
+  auto own = sense.grade(thing, role_of(relation, place.kind, sense.kinds()));
+  return relation == Predicate::NextTo ? worse_of(std::move(own), sense.together(thing, place)) : own;
 }
 
 /// What a grade depends on.
@@ -39,11 +51,22 @@ Role role_of(Predicate relation, const std::string& kind, const Kinds& kinds) {
 }
 
 Sense grade_placement(const Placement& placement, const Knowledge& knowledge, const CommonSense& sense) {
-  const auto thing = thing_of(placement.object, knowledge, sense);
-  const auto place = thing_of(placement.receptacle, knowledge, sense);
-  if (thing.kind.empty() || place.kind.empty()) return {Grade::Tolerable, 0, {"a category has no kind"}};
-  auto own = sense.grade(thing, role_of(placement.relation, place.kind, sense.kinds()));
-  return placement.relation == Predicate::NextTo ? worse_of(std::move(own), sense.together(thing, place)) : own;
+  return graded(thing_of(placement.object, knowledge, sense), placement.relation,
+                thing_of(placement.receptacle, knowledge, sense), sense);
+}
+
+bool is_absurd(const CommonSense& sense, Simulator simulator, const Category& object, Predicate relation,
+               const Category& receptacle) {
+  constexpr std::string_view kOutside = "outside";
+  const auto thing = thing_of(object, simulator, sense), place = thing_of(receptacle, simulator, sense);
+  const bool held = relation == Predicate::On || relation == Predicate::Inside;
+  if (held && object.movable && !sense.special_places().may_hold(place.words, thing.kind, sense.kinds())) return true;
+  const bool case_of_its_kind =
+      relation == Predicate::Inside && thing.kind == place.kind;  // a plaster, a first-aid kit
+  if (case_of_its_kind) return false;
+  const auto own = graded(thing, relation, place, sense);
+  const bool nobody_judged = object.movable && thing.kind == kOutside && own.why == "unspoken";
+  return own.grade == Grade::Senseless && !nobody_judged;
 }
 
 UsualPlaces::UsualPlaces(const Knowledge& knowledge, const CommonSense& sense) {

@@ -40,6 +40,12 @@ class UsualPlaces {
 /// The role of being on, in, next to or under a thing of a kind: "in:fridge", "next_to:cup".
 Role role_of(Predicate relation, const std::string& kind, const Kinds& kinds);
 
+/// Whether a placement is senseless, so that the importers leave it out. Always so for what a special place is not made
+/// for. Else never so for a category without a kind, for what can be carried but is not of a home where nobody judged
+/// that place, nor for a case of things of its own kind, such as tools in a toolbox.
+bool is_absurd(const CommonSense& sense, Simulator simulator, const Category& object, Predicate relation,
+               const Category& receptacle);
+
 /// Grades one placement row: a thing of a category on, in, next to or under another. Tolerable for a category without a
 /// kind.
 Sense grade_placement(const Placement& placement, const Knowledge& knowledge, const CommonSense& sense);

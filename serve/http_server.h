@@ -18,6 +18,7 @@ struct HttpRequest {
   std::string body;
 };
 
+/// What a server answers.
 struct HttpResponse {
   int status = 200;
   std::string type = "application/json";
@@ -37,6 +38,7 @@ struct HttpService {
   std::function<void(ConnectionId)> closed;                            // a WebSocket that was opened
 };
 
+/// Where a server listens and what it accepts.
 struct HttpOptions {
   std::string host = "127.0.0.1";  // the address to listen at
   int port = 0;                    // 0: one that is free

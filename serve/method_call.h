@@ -23,6 +23,7 @@ struct MethodCall {
   const nlohmann::ordered_json& parameters;  // an object
 };
 
+/// The `result` of an answer, or its `error`.
 using MethodResult = std::variant<nlohmann::ordered_json, CallError>;
 
 /// Errors that several methods answer with; `message` is for the client and names no file.

@@ -22,6 +22,7 @@ struct ServedTasks {
   std::function<Result<SharedTask>(std::uint64_t seed)> made;  // empty: none
 };
 
+/// Bounds of what clients may have open and for how long.
 struct ProtocolOptions {
   std::size_t sessions = 16;        // open at once
   std::chrono::seconds idle{1800};  // after which a session is closed

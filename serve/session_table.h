@@ -43,8 +43,8 @@ class SessionTable {
   void reap(ServerTime now);
 
   std::size_t size() const { return sessions_.size(); }
-  std::size_t most() const { return most_; }
-  std::chrono::seconds idle() const { return idle_; }
+  std::size_t most() const { return most_; }           // sessions that may be open at once
+  std::chrono::seconds idle() const { return idle_; }  // after which a session ends
 
  private:
   std::size_t most_;

@@ -21,7 +21,7 @@ class BodyId {
   static constexpr BodyId wall(std::size_t position) { return BodyId(position, kFirstWall); }
   static constexpr BodyId floor() { return from_number(kFloor); }
 
-  constexpr bool is_node() const { return number_ < kFirstWall; }
+  constexpr bool is_node() const { return number_ < kFirstWall; }  // a node of the scene
   constexpr bool is_wall() const { return !is_node() && number_ != kFloor; }
   /// The position of a node or a wall.
   constexpr std::size_t index() const { return is_node() ? number_ : number_ - kFirstWall; }

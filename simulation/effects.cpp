@@ -156,7 +156,9 @@ ActionResult treat_with(WorldState& state, std::size_t tool, Treatment treatment
 }
 
 ActionResult slice(WorldState& state, std::size_t i) {
-  if (state.held(state.node(i).id)) return failed(FailureCause::MustBePutDown, state.reference(i));
+  const auto in_hand = state.in_hand();  // with what lies on or in a thing that is held
+  if (std::binary_search(in_hand.begin(), in_hand.end(), i))
+    return failed(FailureCause::MustBePutDown, state.reference(i));
   if (!state.profile->slicing || !state.knowledge->has(state.node(i).category, "sliceable")) {
     return failed(FailureCause::NotSliceable, state.reference(i));
   }

@@ -39,7 +39,7 @@ class ModeEpisode {
   int steps() const { return steps_; }
   int failures() const { return failures_; }
 
-  const ModeRules& rules() const { return rules_; }
+  const ModeRules& rules() const { return rules_; }  // as given
   const World& world() const { return world_; }
   /// Objects in the picture before the next step, sorted by id: where the agent is told boxes those within the limit of
   /// sight, otherwise all.

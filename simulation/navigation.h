@@ -40,7 +40,7 @@ class NavigationGrid {
     return {static_cast<std::int32_t>(std::floor(cells.x())), static_cast<std::int32_t>(std::floor(cells.y()))};
   }
   Vec2 centre(Cell cell) const { return origin_ + Vec2((cell.x + 0.5) * kCell_m, (cell.y + 0.5) * kCell_m); }
-  int width() const { return width_; }
+  int width() const { return width_; }  // cells
   int height() const { return height_; }
 
   /// The cells that the body can walk to by steps to the four neighbours, `from` included; empty when `from` is not

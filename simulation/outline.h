@@ -31,7 +31,7 @@ struct ManyOverImage {
   using Values = Eigen::Array<double, N, 1>;
   Values a = Values::Zero(), b = Values::Zero(), c = Values::Constant(kNever);
 
-  void set(std::size_t i, const OverImage& one) {
+  void set(std::size_t i, const OverImage& one) {  // the i-th function, from 0
     const auto at = static_cast<Eigen::Index>(i);
     a[at] = one.a, b[at] = one.b, c[at] = one.c;
   }

@@ -25,7 +25,7 @@ struct ViewedScene {
   /// The nodes whose bodies reach into bounds, ascending; null: all nodes of the scene.
   std::function<std::vector<std::size_t>(const Bounds&)> near{};
 
-  bool hides(std::size_t node) const { return hidden && hidden(node); }
+  bool hides(std::size_t node) const { return hidden && hidden(node); }  // whether a node is not to be seen
   /// A superset of the nodes that a camera may show within `sight_m` along each axis; ascending.
   std::vector<std::size_t> shown_within(const Camera& camera, double sight_m) const;
 };

@@ -80,17 +80,17 @@ class WorldState {
   const Knowledge* knowledge = nullptr;
   const Profile* profile = nullptr;
 
-  const Scene& scene() const { return scene_; }
+  const Scene& scene() const { return scene_; }  // as it is now
   const Agent& agent() const { return scene_.agent; }
-  const HandPose& hand() const { return hand_; }
-  bool stopped() const { return stopped_; }
-  const PhysicsWorld& physics() const { return physics_; }
-  const Node& node(std::size_t i) const { return scene_.nodes[i]; }
-  std::size_t count() const { return scene_.nodes.size(); }
+  const HandPose& hand() const { return hand_; }                     // relative to the body
+  bool stopped() const { return stopped_; }                          // the agent ended the episode
+  const PhysicsWorld& physics() const { return physics_; }           // with the bodies where they are now
+  const Node& node(std::size_t i) const { return scene_.nodes[i]; }  // by position in the scene
+  std::size_t count() const { return scene_.nodes.size(); }          // of nodes
   /// Of a node with its joints as they are, in the world or in the hand.
   const Collider& collider(std::size_t i) const { return *colliders_[i]; }
 
-  std::optional<std::size_t> index_of(std::string_view id) const { return places_.find(id); }
+  std::optional<std::size_t> index_of(std::string_view id) const { return places_.find(id); }  // of a node, if known
   /// Positions of nodes by id and category.
   const NodeIndex& places() const { return places_; }
   bool held(std::string_view id) const;

@@ -18,7 +18,7 @@ class Id {
   static constexpr Id room(std::size_t position) { return Id(position, kFirstRoom, kAgent - kFirstRoom); }
   static constexpr Id agent() { return Id(0, kAgent, 1); }
 
-  constexpr bool is_thing() const { return value_ < kFirstRoom; }
+  constexpr bool is_thing() const { return value_ < kFirstRoom; }  // neither a room nor the agent
   constexpr bool is_room() const { return value_ >= kFirstRoom && value_ < kAgent; }
   /// The position of a thing or of a room; the others have none.
   constexpr std::size_t index() const { return is_thing() ? value_ : value_ - kFirstRoom; }
@@ -37,7 +37,7 @@ class Id {
   std::uint32_t value_ = kNobody;
 };
 
-inline constexpr Id kNobody{};
+inline constexpr Id kNobody{};  // names nothing
 inline constexpr Id kAgent = Id::agent();
 
 }  // namespace unietp::symbolic

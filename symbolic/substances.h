@@ -17,7 +17,7 @@ inline constexpr std::nullopt_t kAnySymbol = std::nullopt;
 class SubstanceSet {
  public:
   bool empty() const { return words_.empty(); }
-  bool contains(SubstanceId substance) const;
+  bool contains(SubstanceId substance) const;  // whether it is one of them
   /// Whether a substance other than `one` is in it.
   bool has_other_than(std::optional<SubstanceId> one) const;
   void insert(SubstanceId substance);

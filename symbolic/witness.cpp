@@ -5,7 +5,7 @@
 #include <unordered_set>
 
 #include "logic/evaluate.h"
-#include "symbolic/guide.h"
+#include "symbolic/heuristic.h"
 
 namespace unietp::symbolic {
 namespace {
@@ -72,7 +72,7 @@ class Search {
         start_(start),
         options_(options),
         goal_(formula, setting, start),
-        guide_(setting, goal_) {}
+        heuristic_(setting, goal_) {}
 
   std::optional<std::vector<Step>> run() {
     Place first{start_, Progress(goal_), 0, {}, 0};
@@ -100,10 +100,10 @@ class Search {
 
   void add(Place place) {
     if (!seen_.insert(digest(place.world, place.progress)).second) return;
-    Wish wish = guide_.wish(place.world, place.progress);
-    if (!wish.possible() || wish.steps.empty()) return;
+    Estimate estimate = heuristic_.estimate(place.world, place.progress);
+    if (!estimate.possible() || estimate.steps.empty()) return;
     const int done = static_cast<int>(place.length);
-    open_.push({done + kEagerness * wish.cost, places_.size(), wish.steps});
+    open_.push({done + kEagerness * estimate.cost, places_.size(), estimate.steps});
     places_.push_back(std::move(place));
   }
 
@@ -169,7 +169,7 @@ class Search {
   const World& start_;
   const SearchOptions& options_;
   Goal goal_;
-  Guide guide_;
+  Heuristic heuristic_;
   std::vector<Place> places_;
   std::priority_queue<Entry> open_;
   std::unordered_set<std::uint64_t> seen_;

@@ -14,7 +14,7 @@ constexpr auto kKinds = [] {
   using C = ConstraintType;
   using P = Predicate;
   using T = Treatment;
-  return std::array<ConstraintKind, 22>{{
+  return std::array<ConstraintKind, 24>{{
       {C::Distinct,
        "distinct",
        Distinct,
@@ -77,8 +77,22 @@ constexpr auto kKinds = [] {
        Words,
        {},
        {},
-       "(has-words A synonym|function|context)",
+       "(has-words A synonym|function|occasion)",
        "the knowledge base has such words for an A"},
+      {C::Kind,
+       "kind",
+       OfKind,
+       {},
+       {},
+       "(kind A food ...)",
+       "an A is of one of these kinds (data/sense/kinds.csv): (kind A food drink)"},
+      {C::SameKind,
+       "same-kind",
+       SameKind,
+       {},
+       {},
+       "(same-kind A B ...)",
+       "these are of a common kind, such as tableware, garments or food"},
   }};
 }();
 
@@ -132,8 +146,8 @@ std::vector<PlaceholderUse> placeholders_of(const DomainConstraint& constraint) 
     const auto& argument = constraint.arguments[i];
     const bool substance =
         meaning == Effect && !argument.empty() && std::isupper(static_cast<unsigned char>(argument.front())) != 0;
-    if (meaning != Distinct && i >= 2 && !substance) break;
-    if (meaning == Words && i >= 1) break;
+    if (meaning != Distinct && meaning != SameKind && i >= 2 && !substance) break;
+    if ((meaning == Words || meaning == OfKind) && i >= 1) break;
     uses.push_back(placeholder_use(constraint.arguments[i]));
   }
   return uses;

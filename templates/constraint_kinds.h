@@ -22,6 +22,8 @@ struct ConstraintKind {
     Value,      // colours and materials of `category`: (kind category value)
     Sizes,      // `size` and the models: (kind category)
     Words,      // a row of the table of aliases: (kind category synonym|function|context)
+    OfKind,     // the kinds of `category`: (kind category kind ...)
+    SameKind,   // the kinds of `category`: (kind category category ...)
   };
   ConstraintType type = ConstraintType::Distinct;
   std::string_view name;  // "fits-on"

@@ -16,6 +16,7 @@
 #include "templates/constraint_kinds.h"
 #include "templates/idle_parts.h"
 #include "templates/phrasing.h"
+#include "templates/purpose_reading.h"
 #include "templates/refinement_kinds.h"
 #include "templates/sections.h"
 #include "templates/template.h"
@@ -82,6 +83,9 @@ class TemplateReader {
   void error(SourcePos pos, std::string message, Error::Kind kind = Error::Kind::Parse) {
     errors_.push_back({kind, file_, pos, std::move(message)});
   }
+  void add(std::vector<Error> problems) {
+    for (auto& problem : problems) errors_.push_back(std::move(problem));
+  }
   void schema_error(SourcePos pos, std::string message) { error(pos, std::move(message), Error::Kind::Schema); }
 
   void read_template(const Sexpr& top) {
@@ -122,8 +126,9 @@ class TemplateReader {
                            join(section_names(false), ", ") + " are optional");
       }
     }
-    for (auto& problem : check_template(source_)) errors_.push_back(std::move(problem));
-    for (auto& problem : idle_parts(source_)) errors_.push_back(std::move(problem));
+    add(check_template(source_));
+    add(check_purpose(source_));
+    add(idle_parts(source_));
   }
 
   void check_name() {
@@ -143,6 +148,8 @@ class TemplateReader {
     switch (type) {
       case SectionType::Name:
         return read_title(section, items);
+      case SectionType::Purpose:
+        return add(read_purpose(section, source_));
       case SectionType::Split:
         return read_split(section, items);
       case SectionType::Refinement:
@@ -310,15 +317,19 @@ class TemplateReader {
 
   static bool has_right_arguments(const ConstraintKind& kind, const std::vector<std::string>& arguments) {
     using enum ConstraintKind::Meaning;
-    std::size_t places = kind.meaning == Distinct ? arguments.size() : std::min<std::size_t>(2, arguments.size());
-    if (kind.meaning == Words) places = std::min<std::size_t>(1, places);
+    const bool alike = kind.meaning == Distinct || kind.meaning == SameKind;
+    std::size_t places = alike ? arguments.size() : std::min<std::size_t>(2, arguments.size());
+    if (kind.meaning == Words || kind.meaning == OfKind) places = std::min<std::size_t>(1, places);
     for (std::size_t i = 0; i < places; ++i) {
       const auto use = placeholder_use(arguments[i]);
       if (!is_placeholder_name(use.name)) return false;
     }
     if (kind.meaning == Sizes) return arguments.size() == 1;
     if (arguments.size() < 2) return false;
-    if (kind.meaning == Distinct) return true;
+    if (alike) return true;
+    if (kind.meaning == OfKind) {
+      return std::all_of(arguments.begin() + 1, arguments.end(), [](const auto& word) { return is_plain_name(word); });
+    }
     if (kind.meaning == Value || kind.meaning == Usual) return arguments.size() == 2;
     if (kind.meaning == Words) {
       return arguments.size() == 2 && alias_kind_named(arguments[1]).has_value();

@@ -7,7 +7,7 @@ namespace {
 
 using enum Split;
 
-constexpr std::array<RefinementKind, 23> kRefinements = {{
+constexpr std::array<RefinementKind, 28> kRefinements = {{
     {"referring", InstanceGrounding, true, "the goal itself identifies its objects, with a :where"},
     {"by-state", InstanceGrounding, false, "the dirty mug"},
     {"by-relation", InstanceGrounding, false, "the mug on the desk, in the sink, next to the laptop"},
@@ -20,7 +20,15 @@ constexpr std::array<RefinementKind, 23> kRefinements = {{
     {"each-its-own", InstanceGrounding, false, "two placeholders of one category: the red mug and the blue one"},
     {"alias", Linguistic, true, "objects are called by synonyms"},
     {"function", Linguistic, false, "something to drink from"},
-    {"context", Linguistic, true, "a first sentence gives the occasion"},
+    {"hypernym", Linguistic, false, "a piece of cutlery"},
+    {"description", Linguistic, false, "the place where we keep the milk"},
+    {"context", Linguistic, false, "a first sentence decides which thing is meant: I want to make a salad."},
+    {"request", Linguistic, false, "a state is asked for without saying so: it's too dark to read"},
+    {"aside", Linguistic, true, "first sentences that are true in this home and do not matter"},
+    {"exception", Linguistic, false, "every mug but the red one"},
+    {"ellipsis", Linguistic, false, "there is more than one mug here; wash the red one"},
+    {"anaphora", Linguistic, false, "there is a mug on the desk; wash it"},
+    {"compound", Linguistic, false, "the kitchen cabinet"},
     {"distractor", Linguistic, true, "something else is mentioned that must stay as it is"},
     {"negation", Linguistic, true, "a part of the goal is stated as what must not hold"},
     {"relative-clause", Linguistic, true, "an object is described by what is done to it"},
@@ -28,9 +36,6 @@ constexpr std::array<RefinementKind, 23> kRefinements = {{
     {"coreference", Linguistic, true, "a place is described by what is kept there"},
     {"implicit-need", Linguistic, true, "only the need is stated; the action follows from it"},
     {"vague-quantity", Linguistic, true, "a couple, a few"},
-    {"background", Linguistic, true, "first sentences give background and ask for nothing"},
-    {"bystander", Linguistic, true, "an object of the home is named that is not part of the goal"},
-    {"nested-syntax", Linguistic, true, "one long sentence with clauses inside clauses"},
     {"condition", Linguistic, true, "starts with a condition that holds at the start: if a fridge is closed, ..."},
 }};
 

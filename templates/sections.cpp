@@ -6,9 +6,11 @@
 namespace unietp {
 namespace {
 
-constexpr std::array<TemplateSection, 9> kSections = {{
+constexpr std::array<TemplateSection, 10> kSections = {{
     {SectionType::Name, "name", true, "(name \"open one <A>\")",
      "a title for people, with placeholders in angle brackets"},
+    {SectionType::Purpose, "purpose", false, "(purpose cleaning (because (dirty A)))",
+     "what the task is for in a home, and what in the start makes it needed"},
     {SectionType::Split, "split", true, "(split atomic)", "the class of the task"},
     {SectionType::Refinement, "refinement", false, "(refinement by-state)", "how its tasks are made harder"},
     {SectionType::Simulators, "simulators", false, "(simulators ai2thor behavior)",

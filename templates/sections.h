@@ -6,8 +6,9 @@
 
 namespace unietp {
 
-enum class SectionType : std::uint8_t {
+enum class SectionType : std::uint8_t {  // of a template
   Name,
+  Purpose,
   Split,
   Refinement,
   Simulators,

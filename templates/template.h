@@ -52,22 +52,41 @@ enum class ConstraintType : std::uint8_t {
   ComesIn,
   ComesInSizes,
   HasWords,
+  Kind,
+  SameKind,
 };
 
 /// A condition on which categories may fill the placeholders together, answered from the AKB:
 /// (distinct A B …), (fits-on A B [n]), (fits-inside A B [n]), (heats T A), (cools T A), (washes T A), (cooks T A),
-/// (slices K A), (fills T A substance), …; `A/slice` may stand for what slicing an A makes.
+/// (slices K A), (fills T A substance), …, and, from the kinds of data/sense, (kind A food …), (same-kind A B).
+/// `A/slice` may stand for what slicing an A makes.
 struct DomainConstraint {
   ConstraintType type = ConstraintType::Distinct;
   std::vector<std::string> arguments;
   SourcePos pos;
 };
 
+/// Something that the start says and that makes a task needed: `(dirty A)`, `(not (inside A B))`.
+struct Need {
+  bool positive = true;
+  Predicate predicate = Predicate::Dirty;
+  std::string thing;  // a placeholder, or "agent" for where the agent is
+  std::string other;  // of a relation: the other placeholder; of a state with a word: that word; else ""
+  SourcePos pos;
+};
+
+/// What a task is for (purpose_kinds() of templates/purposes.h), and why it is needed.
+struct Purpose {
+  std::string name;  // "cleaning"; "" when the template does not say
+  std::vector<Need> needs;
+};
+
 /// A parameterised task as its file says it (docs/templates.md). Formulas name placeholders where an instance of the
 /// template names categories.
 struct Template {
-  std::string name;             // "place-two-one-inside", equal to the file's stem
-  std::string title;            // "place two <A> and one <B> inside <C>"
+  std::string name;   // "place-two-one-inside", equal to the file's stem
+  std::string title;  // "place two <A> and one <B> inside <C>"
+  Purpose purpose;
   Split split = Split::Atomic;  // the base class
   std::string refinement;       // how its tasks are made harder by default (refinement_kinds()); "" when they are not
   std::vector<Simulator> simulators;

@@ -211,7 +211,9 @@ class Checker {
       const auto meaning = info(constraint.type).meaning;
       for (const auto& use : placeholders_of(constraint)) {
         require_declared(use.name, constraint.pos);
-        if (meaning != ConstraintKind::Meaning::Distinct) used.insert(use.name);
+        const bool compares =
+            meaning == ConstraintKind::Meaning::Distinct || meaning == ConstraintKind::Meaning::SameKind;
+        if (!compares) used.insert(use.name);
       }
     }
     for (const auto& expression : source_.init) use_domains(expression, used);

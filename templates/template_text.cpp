@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "templates/constraint_kinds.h"
+#include "templates/purpose_reading.h"
 
 namespace unietp {
 namespace {
@@ -70,6 +71,7 @@ std::string laid_out(const Sexpr& expression, std::size_t indent) {
 std::string to_text(const Template& source) {
   std::string text = "(template " + source.name;
   text += "\n  (name " + quoted_string(source.title) + ")";
+  if (!source.purpose.name.empty()) text += "\n  (purpose " + to_text(source.purpose) + ")";
   text += "\n  (split " + std::string(name_of(source.split)) + ")";
   if (!source.refinement.empty()) text += "\n  (refinement " + source.refinement + ")";
   text += "\n  (simulators";
@@ -102,8 +104,8 @@ bool same_content(const Template& left, const Template& right) {
   const auto same_constraint = [](const DomainConstraint& a, const DomainConstraint& b) {
     return a.type == b.type && a.arguments == b.arguments;
   };
-  return left.name == right.name && left.title == right.title && left.split == right.split &&
-         left.refinement == right.refinement && left.simulators == right.simulators &&
+  return left.name == right.name && left.title == right.title && to_text(left.purpose) == to_text(right.purpose) &&
+         left.split == right.split && left.refinement == right.refinement && left.simulators == right.simulators &&
          std::equal(left.parameters.begin(), left.parameters.end(), right.parameters.begin(), right.parameters.end(),
                     same_parameter) &&
          std::equal(left.constraints.begin(), left.constraints.end(), right.constraints.begin(),

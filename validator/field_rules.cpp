@@ -19,6 +19,7 @@ constexpr std::string_view kSettled = "physics rebuilds the scene: same relation
 constexpr std::string_view kReadBack = "read back: means the goal, has the style, is of the set of phrasings";
 constexpr std::string_view kPerson = "a person's judgment";
 constexpr std::string_view kFormat = "the name of the format";
+constexpr std::string_view kGraded = "graded again from the goal and the tables of sense";
 constexpr std::string_view kPlanned = "how the tasks were planned; homes, ids, candidates and counts must fit it";
 
 constexpr std::array kFieldRules{
@@ -31,6 +32,7 @@ constexpr std::array kFieldRules{
     FieldInfo{"task", "layout", Rule::Compared, "a home of that name; database"},
     FieldInfo{"task", "bindings", Rule::Compared, "the template gives the goal with them; database"},
     FieldInfo{"task", "refinement", Rule::Compared, "the form of the goal's referring phrase"},
+    FieldInfo{"task", "phenomena", Rule::Recomputed, "from the text; that of the style among them"},
     FieldInfo{"task", "goal.text", Rule::Recomputed,
               "from template and bindings, but for a refinement; equals the tree"},
     FieldInfo{"task", "goal.tree.*", Rule::Recomputed, "from the text"},
@@ -44,6 +46,10 @@ constexpr std::array kFieldRules{
     FieldInfo{"task", "instruction.checks", Rule::Recomputed, "from the writer"},
     FieldInfo{"task", "instruction.why", Rule::Free,
               "there exactly where the grammar stands in for a model; its words"},
+    FieldInfo{"task", "sense.grade", Rule::Recomputed, kGraded},
+    FieldInfo{"task", "sense.parts[].part", Rule::Recomputed, kGraded},
+    FieldInfo{"task", "sense.parts[].grade", Rule::Recomputed, kGraded},
+    FieldInfo{"task", "sense.parts[].why", Rule::Recomputed, kGraded},
     FieldInfo{"task", "expert.M1.steps", Rule::Recomputed, kCounted},
     FieldInfo{"task", "expert.M1.failures", Rule::Recomputed, kCounted},
     FieldInfo{"task", "expert.M2.steps", Rule::Recomputed, kCounted},
@@ -162,6 +168,9 @@ constexpr std::array kFieldRules{
     FieldInfo{"manifest", "counts.balance[].variation", Rule::Recomputed, kCounted},
     FieldInfo{"manifest", "counts.by_template[].template", Rule::Recomputed, kCounted},
     FieldInfo{"manifest", "counts.by_template[].tasks", Rule::Recomputed, kCounted},
+    FieldInfo{"manifest", "counts.by_sense", Rule::Recomputed, kCounted},
+    FieldInfo{"manifest", "counts.not_usual[].template", Rule::Recomputed, kCounted},
+    FieldInfo{"manifest", "counts.not_usual[].tasks", Rule::Recomputed, kCounted},
     FieldInfo{"manifest", "counts.rejections", Rule::Recomputed, kCounted},
     FieldInfo{"manifest", "files[].path", Rule::Recomputed, "the files of the folder, in order"},
     FieldInfo{"manifest", "files[].bytes", Rule::Recomputed, "from the file"},
@@ -181,6 +190,7 @@ constexpr std::array kFieldRules{
     FieldInfo{"run", "quotas.simulators", Rule::Compared, kCounted},
     FieldInfo{"run", "without", Rule::Setting, "templates that no task has"},
     FieldInfo{"run", "modes", Rule::Recomputed, "those of every task; card"},
+    FieldInfo{"run", "sense", Rule::Setting, "tasks make at least so much, but for templates that cannot"},
     FieldInfo{"run", "phrasings", Rule::Setting, "of the instructions, unless they were rewritten"},
     FieldInfo{"run", "block", Rule::Setting, kPlanned},
     FieldInfo{"run", "homes", Rule::Setting, kPlanned},

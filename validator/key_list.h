@@ -26,6 +26,7 @@ class KeyList {
     entries_.push_back({key, place});
     sorted_ = false;
   }
+  /// The same by a text.
   void add(std::string_view text, std::size_t place) { add(Digester().add(text).digest(), place); }
 
   /// In order of place.
@@ -50,9 +51,9 @@ class KeyList {
 /// The names of a data set's tasks, by place: some 50 bytes a task.
 class TaskNames {
  public:
-  void add(const std::string& name);
+  void add(const std::string& name);  // of the next task
   std::size_t size() const { return ends_.size(); }
-  std::string name(std::size_t place) const;
+  std::string name(std::size_t place) const;  // of the task at that place, from 0
   /// Tasks whose name an earlier one has.
   std::vector<Repeat> repeats() { return keys_.repeats(); }
   /// The places of the tasks with a name, rising.

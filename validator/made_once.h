@@ -13,6 +13,7 @@ namespace unietp {
 template <class T>
 class MadeOnce {
  public:
+  /// The value of a name, made now if it is the first time.
   std::shared_ptr<const T> get(const std::string& name, const std::function<T()>& make) {
     {
       const std::scoped_lock lock(mutex_);

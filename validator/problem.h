@@ -53,6 +53,7 @@ enum class ProblemKind : std::uint8_t {
   // the goal
   GoalText,
   GoalTree,
+  Sense,
   BoundCategory,
   OfTemplate,
   GoalAtStart,

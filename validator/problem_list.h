@@ -18,14 +18,14 @@ class ProblemList {
  public:
   static constexpr std::size_t kKept = 1000;
 
-  void add(Problem problem);
+  void add(Problem problem);  // kept while there are fewer than kKept, counted always
   void add(std::vector<Problem> problems);
   /// Those of another list behind these.
   void add(ProblemList other);
 
-  const std::vector<Problem>& kept() const { return kept_; }
+  const std::vector<Problem>& kept() const { return kept_; }  // in the order of adding
   std::vector<Problem> take() { return std::move(kept_); }
-  std::int64_t count(ProblemKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
+  std::int64_t count(ProblemKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }  // kept or not
   /// Whether a problem, kept or not, names this task.
   bool blames(std::string_view task) const { return tasks_.contains(key_of(task)); }
 

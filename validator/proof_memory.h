@@ -16,6 +16,7 @@ class ProofMemory {
   /// The text of all that a proof depends on. `home`: the SHA-256 of its file.
   static std::string key_of(const TaskLines& lines, const std::string& home, const ManifestRecord& manifest);
 
+  /// nullptr for a key that is not kept.
   std::shared_ptr<const TaskProof> find(const std::string& key) const;
   void keep(const std::string& key, const TaskProof& proof);
 

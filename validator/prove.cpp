@@ -129,7 +129,8 @@ class TaskProver {
       found(ProblemKind::Edits, reading_.where, "its start is not the one that goal, home and seed give");
     if (made->edits != task_.edits)
       found(ProblemKind::Edits, reading_.where, "the edits of its start differ from those that lead to it");
-    if (!tools_.manifest->writing && task_.writer == "grammar" && made->instruction != task_.instruction)
+    if (!tools_.manifest->writing && task_.writer == "grammar" && !made->instruction.empty() &&
+        made->instruction != task_.instruction)
       found(ProblemKind::TextRecord, reading_.where,
             "its instruction is not the one that the run wrote, and the manifest says of no other writing");
   }
@@ -174,7 +175,7 @@ class TaskProver {
         tools_.manifest != nullptr && tools_.manifest->writing && tools_.manifest->writing->writer != "grammar";
     if (tools_.manifest != nullptr)
       prove_origin({task_.writer, task_.checks, task_.fallback}, by_model, reading_.where);
-    if (goal_) prove_text(task_.instruction, task_.writer, task_.style, *goal_, reading_.where);
+    if (goal_) prove_text(task_.instruction, task_.writer, task_.style, &task_.phenomena, *goal_, reading_.where);
   }
 
   void prove_origin(const TextOrigin& origin, bool by_model, const std::string& where) {
@@ -182,8 +183,8 @@ class TaskProver {
       found(ProblemKind::TextRecord, where, "its instruction " + std::move(fault));
   }
 
-  void prove_text(const std::string& text, const std::string& writer, const std::string& style, const Formula& goal,
-                  const std::string& where) {
+  void prove_text(const std::string& text, const std::string& writer, const std::string& style,
+                  const std::vector<std::string>* phenomena, const Formula& goal, const std::string& where) {
     for (const Node& node : start_.nodes) {
       if (text.find(node.id) != std::string::npos)
         found(ProblemKind::TextForm, where, "its instruction contains the object id " + node.id);
@@ -201,7 +202,9 @@ class TaskProver {
                                                goal,
                                                constraints_,
                                                {around.begin(), around.end()},
-                                               tools_.manifest == nullptr ? "all" : tools_.manifest->phrasings});
+                                               &start_,
+                                               phenomena,
+                                               tools_.manifest == nullptr ? "everyday" : tools_.manifest->phrasings});
     for (Problem& problem : problems) problem.error.where = where;
     found(std::move(problems));
   }
@@ -216,7 +219,7 @@ class TaskProver {
         found(ProblemKind::Wordings, where,
               "has a " + name + " wording by " + wording.writer + " in the style " + wording.style);
       if (wording.goal.empty()) {
-        if (goal_) prove_text(wording.text, wording.writer, wording.style, *goal_, where);
+        if (goal_) prove_text(wording.text, wording.writer, wording.style, nullptr, *goal_, where);
         continue;
       }
       const auto goal = parse_formula(where, wording.goal, FormulaUse::Goal);
@@ -224,7 +227,7 @@ class TaskProver {
         found(ProblemKind::Wordings, where, "the goal of its " + name + " wording is invalid: " + goal.error().message);
         continue;
       }
-      prove_text(wording.text, wording.writer, wording.style, *goal, where);
+      prove_text(wording.text, wording.writer, wording.style, nullptr, *goal, where);
       if (to_text(*goal) != wording.goal || (goal_ && without_references(*goal) != without_references(*goal_)))
         found(ProblemKind::Wordings, where,
               "the goal of its " + name + " wording is not the task's with a referring phrase");

@@ -120,6 +120,8 @@ void TaskRecount::add(const TaskReading& task) {
   ++splits_[task.record->split];
   ++simulators_[task.record->simulator];
   ++templates_[task.record->template_name];
+  ++grades_[task.record->grade];
+  if (task.record->grade != "usual") ++not_usual_[task.record->template_name];
   ++writers_[task.record->writer];
   check_task(task);
 }
@@ -143,6 +145,8 @@ void TaskRecount::check_task(const TaskReading& task) {
   if (is_among(run.without, record.template_name) ||
       (!run.templates.empty() && !is_among(run.templates, record.template_name)))
     found("has the template " + record.template_name + ", which is not in the configuration");
+  if (record.grade == "senseless" && run.sense != "any")
+    found("is senseless, but the configuration asks for tasks that are " + run.sense);
   if (record.run != run.seed)
     found("has the seed " + std::to_string(record.run) + ", but the run has " + std::to_string(run.seed));
   for (const Mode mode : run.modes) {
@@ -170,6 +174,9 @@ ProblemList TaskRecount::wrong_counts(const RejectionCounts& rejections) const {
     compare(ProblemKind::Counts, manifest_.by_split, splits_, "counts ", "tasks of the split", problems);
     compare(ProblemKind::Counts, manifest_.by_simulator, simulators_, "counts ", "tasks on", problems);
     compare(ProblemKind::Counts, manifest_.by_template, templates_, "counts ", "tasks of the template", problems);
+    compare(ProblemKind::Counts, manifest_.by_sense, grades_, "counts ", "tasks of the grade", problems);
+    compare(ProblemKind::Counts, manifest_.not_usual, not_usual_, "counts ",
+            "tasks that are not usual, of the template", problems);
   }
   NameCounts recorded;
   for (const auto& [stage, reasons] : manifest_.rejections) {

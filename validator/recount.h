@@ -43,7 +43,7 @@ Digest candidate_key(int slot, int attempt);
 class TaskRecount {
  public:
   explicit TaskRecount(const ManifestRecord& manifest) : manifest_(manifest) {}
-  void add(const TaskReading& task);
+  void add(const TaskReading& task);  // counts what it has
 
   /// Problems with the manifest's numbers of tasks, rejections and candidates.
   ProblemList wrong_counts(const RejectionCounts& rejections) const;
@@ -62,7 +62,7 @@ class TaskRecount {
   const ManifestRecord& manifest_;
   int tasks_ = 0;
   bool all_read_ = true;  // false: split, simulator and template of some task are not known
-  NameCounts splits_, simulators_, templates_, writers_;
+  NameCounts splits_, simulators_, templates_, grades_, not_usual_, writers_;
   ProblemList quota_problems_;  // of single tasks, up to the first that cannot be read
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "akb/default_states.h"
 #include "core/text.h"
@@ -55,6 +56,13 @@ std::string look_fault(const Node& node, const Category* category) {
   return "";
 }
 
+/// What cannot be so of an object's model; "" when nothing is wrong.
+std::string model_fault(const Node& node, const Knowledge& knowledge) {
+  const Asset* asset = node.asset.empty() ? nullptr : knowledge.asset(node.asset);
+  if (node.asset.empty() || (asset != nullptr && asset->category == node.category)) return "";
+  return "has the model " + node.asset + ", which is none of a " + node.category;
+}
+
 /// What cannot be so of an object that is not in the home; "" when nothing is wrong.
 std::string new_object_fault(const Node& node, const Knowledge& knowledge) {
   if (!node.slice_of.empty()) return "";  // as cutting makes it
@@ -63,9 +71,7 @@ std::string new_object_fault(const Node& node, const Knowledge& knowledge) {
   if (node.movable != category->movable || node.archetype != category->archetype ||
       node.openable != knowledge.has(category->name, "openable"))
     return "is not built as a " + node.category + " is";
-  const Asset* asset = node.asset.empty() ? nullptr : knowledge.asset(node.asset);
-  if (!node.asset.empty() && (asset == nullptr || asset->category != node.category))
-    return "has the model " + node.asset + ", which is none of a " + node.category;
+  if (auto fault = model_fault(node, knowledge); !fault.empty()) return fault;
   if (!node.boards.empty()) return "has solids of its own";
   const double density = category->mass / category->size.prod(), own = node.mass / node.size.prod();
   if (std::abs(own - density) > 1e-9 * density) return "does not have the mass of a " + node.category + " of its size";
@@ -79,16 +85,19 @@ std::string new_object_fault(const Node& node, const Knowledge& knowledge) {
   return "";
 }
 
-/// What cannot have changed of an object of the home; "" when nothing is wrong.
-std::string changed_object_fault(const Node& before, const Node& now, const Category* category) {
+/// What cannot have changed of an object of the home, which may have another model if it is `resized`; "" when nothing
+/// is wrong.
+std::string changed_object_fault(const Node& before, const Node& now, bool resized, const Knowledge& knowledge) {
   if (now.category != before.category || now.movable != before.movable || now.archetype != before.archetype ||
-      now.openable != before.openable || now.asset != before.asset || now.boards != before.boards ||
+      now.openable != before.openable || (now.asset != before.asset && !resized) || now.boards != before.boards ||
       now.slice_of != before.slice_of || now.whole_category != before.whole_category)
     return "is built differently than in the home";
+  if (auto fault = model_fault(now, knowledge); resized && !fault.empty()) return fault;
   const double density = before.mass / before.size.prod(), own = now.mass / now.size.prod();
   if (std::abs(own - density) > 1e-9 * density) return "has a different density than in the home";
   if (!same_groups(before.states, now.states)) return "has other kinds of states than in the home";
-  if (now.colour != before.colour || now.material != before.material) return look_fault(now, category);
+  if (now.colour != before.colour || now.material != before.material)
+    return look_fault(now, knowledge.find(now.category));
   return "";
 }
 
@@ -101,11 +110,8 @@ class EditsCheck {
     compare();
   }
 
-  /// Whether the edits made an object, which may have the id of one that was there before.
-  bool is_new(const std::string& id) const {
-    const auto found = present_.find(id);
-    return found != present_.end() && !found->second.category.empty();
-  }
+  /// Whether an edit made an object larger or smaller.
+  bool is_resized(const std::string& id) const { return resized_.contains(id); }
   const std::vector<std::string>& faults() const { return faults_; }
 
  private:
@@ -120,11 +126,25 @@ class EditsCheck {
       if (!present_.emplace(words[2], Present{words[1]}).second) wrong("but there is one already");
     } else if (words[0] == "removed" && words.size() == 2) {
       if (present_.erase(words[1]) == 0) wrong("but there is none");
-    } else if (words[0] == "moved" || words[0] == "put" || words[0] == "made") {
+    } else if (words[0] == "moved" || words[0] == "made") {
       if (!present_.contains(words[1])) wrong("but there is none");
+      if (words[0] == "made" && !is_so(words)) wrong("but it is not so");
+      if (words[0] == "made" && (words.back() == "larger" || words.back() == "smaller")) resized_.insert(words[1]);
     } else {
-      wrong("which is none of added, removed, moved, put, made, the agent starts");
+      wrong("which is none of added, removed, moved, made, the agent starts");
     }
+    // They tell what was changed in the end, not what was tried on the way.
+    const std::size_t id = words[0] == "added" ? 2 : 1;
+    const bool of_place = words[0] == "added" || words[0] == "removed" || words[0] == "moved";
+    if (of_place && words.size() > id && !placed_.insert(words[id]).second) wrong("a second time");
+  }
+
+  /// Whether a thing of the start has the state that "made mug_1 filled water" gives it; true for other properties.
+  bool is_so(const std::vector<std::string>& words) const {
+    const Node* node = find_node(start_, words[1]);
+    const auto predicate = words.size() > 2 ? predicate_named(words[2]) : std::nullopt;
+    if (node == nullptr || !predicate) return node != nullptr;
+    return node->states.has(State{*predicate, words.size() > 3 ? words[3] : ""});
   }
 
   /// The objects that the edits lead to are those of the start.
@@ -153,6 +173,8 @@ class EditsCheck {
   const TaskRecord& task_;
   const Scene& start_;
   std::map<std::string, Present> present_;  // by id
+  std::set<std::string> resized_;
+  std::set<std::string> placed_;  // ids that were said to come, to go or to move
   std::vector<std::string> faults_;
 };
 
@@ -168,9 +190,8 @@ std::vector<Problem> check_start(const TaskRecord& task, const Scene& home, cons
   const EditsCheck edits(task, home, start);
   for (const Node& node : task.changes.nodes) {
     const Node* before = find_node(home, node.id);
-    auto fault = before == nullptr || edits.is_new(node.id)
-                     ? new_object_fault(node, knowledge)
-                     : changed_object_fault(*before, node, knowledge.find(node.category));
+    auto fault = before == nullptr ? new_object_fault(node, knowledge)
+                                   : changed_object_fault(*before, node, edits.is_resized(node.id), knowledge);
     if (!fault.empty()) found(node.id + " of its start " + std::move(fault));
   }
   for (const auto& fault : edits.faults()) found("the edits of its start " + fault);

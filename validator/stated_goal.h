@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "logic/formula.h"
-#include "scene/simulator.h"
+#include "scene/scene.h"
 #include "validator/problem.h"
 
 namespace unietp {
@@ -17,7 +17,9 @@ struct StatedGoal {
   Formula goal;
   std::vector<Formula> constraints;  // that the start meets
   std::vector<std::string> around;   // categories of the objects and types of the rooms of the start, sorted
-  std::string phrasings;             // the set of turns of phrase that it is to be of: "all", "training", "benchmark"
+  const Scene* home = nullptr;       // the start scene
+  const std::vector<std::string>* phenomena = nullptr;  // that it says it shows; nullptr: says nothing
+  std::string phrasings;  // the set of turns of phrase that it is to be of: "everyday", "all", …
 };
 
 /// Reads English: what is wrong with a text, without task and place. The validator has no grammar of its own; whoever

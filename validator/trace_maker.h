@@ -13,8 +13,8 @@ class TraceMaker {
   /// `comparisons`: whether some formula compares sizes or distances; `later`: also in states after the start.
   TraceMaker(const Scene& start, bool comparisons, bool later);
 
-  Trace at_start() const { return of({}); }
-  Trace of(std::span<const Delta> changes) const;
+  Trace at_start() const { return of({}); }        // of one state
+  Trace of(std::span<const Delta> changes) const;  // the start, then a state after each change
 
  private:
   const Scene& start_;

@@ -60,10 +60,12 @@ std::vector<Value> named(const std::vector<std::string>& names, std::optional<Va
 
 TaskSupply procedural(const Catalog& catalog, const std::vector<std::string>& simulators,
                       const std::vector<std::string>& splits, const std::vector<std::string>& templates,
-                      const std::vector<std::string>& modes, int homes, std::uint64_t homes_seed, int attempts) {
+                      const std::vector<std::string>& modes, const std::string& sense, int homes,
+                      std::uint64_t homes_seed, int attempts) {
   return {value_of(Procedural::make(
-      catalog.resources, {named(simulators, simulator_named, "simulator"), named(splits, split_named, "split"),
-                          templates, named(modes, mode_named, "mode"), homes, homes_seed, attempts}))};
+      catalog.resources,
+      {named(simulators, simulator_named, "simulator"), named(splits, split_named, "split"), templates,
+       named(modes, mode_named, "mode"), value_of(parse_sense("sense", sense)), homes, homes_seed, attempts}))};
 }
 
 nb::dict listing_row(const TaskListing& row) {
@@ -130,9 +132,10 @@ void define_catalog(nb::module_& module) {
           "The tasks of a data set. `homes`, `tasks`: how many are kept in memory once they were asked for.\n"
           "Raises Error for a folder without tasks and for a line that is not as it should be.")
       .def_static(
-          "procedural", &procedural, "catalog"_a, "simulators"_a, "splits"_a, "templates"_a, "modes"_a, "homes"_a,
-          "homes_seed"_a, "attempts"_a, nb::call_guard<nb::gil_scoped_release>(),
-          "New tasks without end. Empty lists of splits and templates: all. `homes`: of each simulator, kept in\n"
+          "procedural", &procedural, "catalog"_a, "simulators"_a, "splits"_a, "templates"_a, "modes"_a, "sense"_a,
+          "homes"_a, "homes_seed"_a, "attempts"_a, nb::call_guard<nb::gil_scoped_release>(),
+          "New tasks without end. Empty lists of splits and templates: all. `sense`: as of `unietp generate --sense`.\n"
+          "`homes`: of each simulator, kept in\n"
           "memory. Raises Error for unknown names and numbers out of range.")
       .def("listing", &listing,
            "id, split, template, simulator, layout and instruction of each task, in the order of the file; empty for\n"

@@ -25,6 +25,7 @@ struct Encoding {
   std::size_t rows = 0;              // of the array `things`
   std::size_t text_bytes = 0;        // of the array `instruction`
 
+  /// Of the observations.
   ArrayForm form() const { return {catalog->vocabulary, actions, rows}; }
 };
 

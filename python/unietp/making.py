@@ -45,7 +45,7 @@ def make(
         tasks: "FOLDER/TASK-ID" or "FOLDER", of a data set.
         mode: "M1", "M2" or "M3": what the agent is told and how it names objects (docs/modes.md).
         procedural: instead of `tasks`: what new tasks to make, any of simulators, splits, templates, modes (lists of
-            names), homes (how many of each simulator, 16), homes_seed (1) and attempts (200); `{}` for all kinds.
+            names), sense ("usual", "tolerable" or "any"; docs/sense.md), homes (how many of each simulator, 16), homes_seed (1) and attempts (200); `{}` for all kinds.
         render_mode: what `render` gives: "rgb_array", "ansi" or None.
         max_things: rows of the array `things`, and so the number of things that actions can name by number.
         privileged: put what the agent must not know into `info["privileged"]`.
@@ -169,7 +169,7 @@ def _new_tasks(options: str) -> Supply:
     wanted = json.loads(options)
     defaults = {
         "simulators": ["ai2thor", "virtualhome", "habitat", "behavior"], "splits": [], "templates": [], "modes": ["M1"],
-        "homes": 16, "homes_seed": 1, "attempts": 200,
+        "sense": "usual", "homes": 16, "homes_seed": 1, "attempts": 200,
     }
     if unknown := sorted(wanted.keys() - defaults.keys()):
         raise Error(f"procedural has no option {unknown[0]!r}; accepted are {', '.join(defaults)}")

@@ -1,8 +1,9 @@
-// The list of episodes and the viewer. Texts enter the page as text only.
-const kListed = 200;
+// The list of episodes and the viewer, which opens the pages in the folder `report` as it needs them. Texts enter the
+// page as text only.
+const kListed = 200, kKeptPages = 8;
 const episodes = data.episodes || [];
 const viewer = $('#viewer');
-let filter = new URLSearchParams(), listed = [], most = kListed, shownEpisode = null, at = 0, timer = 0;
+let filter = new URLSearchParams(), listed = [], most = kListed, shownEpisode = null, shownView = null, at = 0, timer = 0;
 
 const result = episode => episode.success ? 'success' : episode.classes[0] || 'failed';
 
@@ -81,14 +82,14 @@ function box(numbers, name, isNamed) {
   return [rect, label];
 }
 
-function drawPicture(episode, step) {
-  const image = episode.images[at];
+function drawPicture(view, step) {
+  const image = view.images[at];
   if (!image) {
     part('picture').replaceChildren(element('p', { class: 'none', text: 'The report has no picture of this moment.' }));
     return;
   }
   const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  svg.setAttribute('viewBox', `0 0 ${episode.width} ${episode.height}`);
+  svg.setAttribute('viewBox', `0 0 ${view.width} ${view.height}`);
   for (const [id, ...numbers] of step ? step.seen : []) svg.append(...box(numbers, id, false));
   for (const act of step ? step.acts : []) {
     if (act.box) svg.append(...box(act.box, act.object || 'nothing', true));
@@ -98,11 +99,11 @@ function drawPicture(episode, step) {
 
 // What the agent was told before its reply number `at`, the reply, and what came of it; at the end what came of all.
 function showMoment() {
-  const episode = shownEpisode, step = episode.steps[at], before = episode.steps[at - 1];
+  const view = shownView, step = view.steps[at], before = view.steps[at - 1];
   const last = acts => acts.length ? acts[acts.length - 1] : null;
   const reached = step ? last(step.acts) : before ? last(before.acts) : null;
-  part('place').textContent = step ? `reply ${at + 1} of ${episode.steps.length}` : 'the end';
-  part('told').textContent = before ? before.told : episode.told;
+  part('place').textContent = step ? `reply ${at + 1} of ${view.steps.length}` : 'the end';
+  part('told').textContent = before ? before.told : view.told;
   part('thinking').textContent = step ? step.thinking || '–' : '–';
   part('said').textContent = step ? step.said : '–';
   part('done').replaceChildren(...(step ? step.acts : []).map(act => {
@@ -111,15 +112,15 @@ function showMoment() {
     if (act.reached) line.append(' ', element('span', { class: 'good', text: 'goal reached' }));
     return line;
   }));
-  const met = reached ? reached.parts : episode.met;
-  part('parts').replaceChildren(...episode.parts.map(([kind, text], i) =>
+  const met = reached ? reached.parts : view.met;
+  part('parts').replaceChildren(...view.parts.map(([kind, text], i) =>
     element('li', { text: kind === 'state' ? text : `${text} (${kind})`, class: met[i] === '1' ? 'met' : '' })));
   const share = Math.round(100 * (reached ? reached.progress : 0));
   part('progress').style.setProperty('--share', share + '%');
   part('progress').setAttribute('aria-label', `${share} % of the goal is met`);
-  drawPicture(episode, step);
+  drawPicture(view, step);
   let number = 0;
-  part('way').replaceChildren(...episode.steps.flatMap((one, i) => one.acts.map(act => {
+  part('way').replaceChildren(...view.steps.flatMap((one, i) => one.acts.map(act => {
     ++number;
     const line = element('li', { text: act.text || 'no action', class: act.ok ? '' : 'failed' });
     if (i === at) line.setAttribute('aria-current', 'step');
@@ -129,37 +130,77 @@ function showMoment() {
     part('way').scrollTop = line.offsetTop - part('way').offsetTop - 60;
   }
   part('previous').disabled = part('first').disabled = at === 0;
-  part('next').disabled = at >= episode.steps.length;
-  if (at >= episode.steps.length) stopPlaying();
+  part('next').disabled = at >= view.steps.length;
+  if (at >= view.steps.length) stopPlaying();
 }
 
 function move(to) {
-  at = Math.max(0, Math.min(shownEpisode.steps.length, to));
+  if (!shownView) return;
+  at = Math.max(0, Math.min(shownView.steps.length, to));
   showMoment();
 }
 
-function showEpisode(episode) {
+// The views of a page of episodes. A frame may send its text from a disk, where a script may read no file.
+const pages = new Map();
+function openPage(number) {
+  if (pages.has(number)) return pages.get(number);
+  const frame = element('iframe', { src: `report/${String(number).padStart(4, '0')}.html`, hidden: '', title: 'Episodes' });
+  let take;
+  const views = new Promise((resolve, reject) => {
+    take = event => {
+      if (event.source === frame.contentWindow) resolve(JSON.parse(event.data));
+    };
+    addEventListener('message', take);
+    frame.addEventListener('load', () => setTimeout(() => reject(new Error('no answer')), 2000));
+  }).finally(() => {
+    removeEventListener('message', take);
+    frame.remove();
+  });
+  views.catch(() => pages.delete(number));
+  pages.set(number, views);
+  if (pages.size > kKeptPages) pages.delete(pages.keys().next().value);
+  document.body.append(frame);
+  return views;
+}
+
+async function showEpisode(episode) {
   stopPlaying();
   shownEpisode = episode;
+  shownView = null;
+  for (const row of $('#list').rows) row.setAttribute('aria-selected', 'false');
+  const index = listed.indexOf(episode);
+  if (index >= 0 && $('#list').rows[index]) $('#list').rows[index].setAttribute('aria-selected', 'true');
+  const number = episodes.indexOf(episode), page = Math.floor(number / data.in_page);
+  let view;
+  try {
+    view = (await openPage(page + 1))[number % data.in_page];
+  } catch {
+    if (shownEpisode !== episode) return;
+    viewer.hidden = true;
+    $('#shown').textContent = 'The folder "report" beside this page has the episodes, and cannot be read.';
+    return;
+  }
+  if (shownEpisode === episode) showView(episode, view);
+}
+
+function showView(episode, view) {
+  shownView = view;
   at = 0;
   viewer.hidden = false;
-  part('instruction').textContent = episode.instruction;
+  part('instruction').textContent = view.instruction;
   const end = { stop: 'the agent stopped', steps: 'limit of steps', failures: 'limit of failures',
                 answers: 'limit of answers', errored: 'errored' }[episode.end];
   const tags = [episode.task, episode.mode, episode.simulator, episode.split.replace(/_/g, ' '), episode.template,
     episode.home, episode.success ? 'success' : episode.classes.join('; '), end, `${episode.count} steps`,
-    `${episode.failures} failures`, episode.shortest ? `shortest known plan ${episode.shortest}` : '', episode.error || ''];
+    `${episode.failures} failures`, episode.shortest ? `shortest known plan ${episode.shortest}` : '', view.error || ''];
   part('tags').replaceChildren(...tags.filter(Boolean).map(text => element('li', { text })));
-  part('goal').replaceChildren(...episode.goal.map(([depth, text]) => {
+  part('goal').replaceChildren(...view.goal.map(([depth, text]) => {
     const line = element('li', { text });
     line.style.setProperty('--depth', depth);
     return line;
   }));
-  part('expert').replaceChildren(...(episode.expert.length ? episode.expert : ['none is known in this mode']).map(text =>
+  part('expert').replaceChildren(...(view.expert.length ? view.expert : ['none is known in this mode']).map(text =>
     element('li', { text })));
-  for (const row of $('#list').rows) row.setAttribute('aria-selected', 'false');
-  const index = listed.indexOf(episode);
-  if (index >= 0 && $('#list').rows[index]) $('#list').rows[index].setAttribute('aria-selected', 'true');
   showMoment();
 }
 
@@ -187,7 +228,8 @@ function initEpisodes() {
   part('next').addEventListener('click', () => move(at + 1));
   part('play').addEventListener('click', () => {
     if (timer) return stopPlaying();
-    if (at >= shownEpisode.steps.length) move(0);
+    if (!shownView) return;
+    if (at >= shownView.steps.length) move(0);
     part('play').textContent = 'Pause';
     timer = setInterval(() => move(at + 1), 900);
   });

@@ -76,7 +76,8 @@ const BadTable kBad[] = {
     {"SliceWithoutPieces", "effect", "half_apple,2", "half_apple,0",
      "effect.csv:3:31: schema error: bad amount '0'; expected a whole number >= 1"},
     {"UnknownAliasKind", "alias", "mug,function", "mug,functions",
-     "alias.csv:2:5: schema error: unknown kind of alias 'functions'; expected one of synonym, function, context; did "
+     "alias.csv:2:5: schema error: unknown kind of alias 'functions'; expected one of synonym, function, context, "
+     "hypernym, description, occasion, request; did "
      "you mean 'function'?"},
     {"MissingSource", "relation", "derived:kind", "",
      "relation.csv:2:28: schema error: missing source; expected metadata:<file>, derived:<rule>, llm:<model>, "

@@ -17,9 +17,15 @@ std::string bytes_of(const std::filesystem::path& path) {
   return bytes ? *bytes : std::string();
 }
 
-/// The tables of a loaded knowledge base as CSV: equal text means every field is equal.
+/// The tables of a loaded knowledge base as CSV, without what lay_kinds and lay_phrases add: equal text means every
+/// field is equal.
 std::string all_text(const Knowledge& k) {
-  const Tables tables{k.categories(), k.affordances(), k.placements(), k.effects(), k.aliases(), k.assets()};
+  Tables tables{k.categories(), k.affordances(), k.placements(), k.effects(), k.aliases(), k.assets()};
+  std::erase_if(tables.aliases, [](const Alias& alias) {
+    const bool phrase = alias.kind == AliasKind::Hypernym || alias.kind == AliasKind::Description ||
+                        alias.kind == AliasKind::Occasion || alias.kind == AliasKind::Request;
+    return phrase || alias.source.source.starts_with("derived:function:");
+  });
   std::string text;
   for (const auto& table : table_names()) text += table_csv(tables, table);
   return text;
@@ -39,7 +45,10 @@ TEST(CompileKnowledge, LoadGivesExactlyWhatTheCommittedTablesSay) {
     sort_tables(tables);
     std::string expected;
     for (const auto& table : table_names()) expected += table_csv(tables, table);
-    EXPECT_EQ(all_text(*knowledge), expected);
+    // Line by line: gtest would compare the whole texts with one another, which takes more memory than there is.
+    const auto found = split(all_text(*knowledge), '\n'), wanted = split(expected, '\n');
+    ASSERT_EQ(found.size(), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) ASSERT_EQ(found[i], wanted[i]);
   }
 }
 

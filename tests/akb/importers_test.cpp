@@ -7,6 +7,7 @@
 #include "akb/wordnet_words.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "sense/usual_places.h"
 #include "tests/akb/small_tables.h"
 #include "tests/support/needs.h"
 
@@ -14,6 +15,19 @@ namespace unietp {
 namespace {
 
 std::filesystem::path upstream() { return UNIETP_UPSTREAM_DIR; }
+
+/// What the tables of sense call senseless.
+AbsurdPlace absurd(Simulator simulator) {
+  static const CommonSense sense = [] {
+    std::vector<Error> errors;
+    auto read = read_common_sense(std::filesystem::path(UNIETP_SOURCE_DIR) / "data/sense", errors);
+    for (const auto& error : errors) ADD_FAILURE() << format(error);
+    return read;
+  }();
+  return [simulator](const Category& object, Predicate relation, const Category& receptacle) {
+    return is_absurd(sense, simulator, object, relation, receptacle);
+  };
+}
 
 /// BEHAVIOR's words are WordNet's too.
 bool has_wordnet() { return std::filesystem::exists(std::filesystem::path(WordNetWords::kFolder) / "data.noun"); }
@@ -33,7 +47,8 @@ INSTANTIATE_TEST_SUITE_P(Each, Importers, ::testing::ValuesIn(kSimulators),
                          [](const auto& simulator) { return std::string(name_of(simulator.param)); });
 
 TEST_P(Importers, GiveTheCommittedTablesByteForByte) {
-  const auto tables = import_simulator(GetParam(), upstream(), test::committed_tables() / "curated");
+  const auto tables =
+      import_simulator(GetParam(), upstream(), test::committed_tables() / "curated", absurd(GetParam()));
   ASSERT_TRUE(tables) << format(tables.error());
   for (const auto& table : table_names()) {
     const auto committed = read_file(test::committed_tables() / std::string(name_of(GetParam())) / (table + ".csv"));
@@ -114,7 +129,7 @@ TEST(Curated, AClassToLeaveOutMustBeOneOfTheLexicon) {
 
 TEST(ImportAll, WritesNothingWhenOneImportFails) {
   const ScratchFolder folder;
-  EXPECT_FALSE(import_all(folder.path() / "none", folder.path() / "tables"));
+  EXPECT_FALSE(import_all(folder.path() / "none", folder.path() / "tables", absurd));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "tables"));
 }
 

@@ -81,9 +81,9 @@ TEST(WriteInstruction, RefinedGoalsReadBack) {
       if (!binding) continue;
       const auto plain = instantiate(source, *knowledge, *binding);
       if (!plain) continue;
-      for (const auto& refined :
-           {refine_referring(*plain, *knowledge, {}, "", Rng(1)), refine_linguistic(*plain, *knowledge, "", Rng(1))}) {
-        if (!refined) continue;
+      for (const auto& refined : {refine_referring(*plain, *knowledge, {}, "", Rng(1)),
+                                  refine_linguistic(*plain, *knowledge, {}, "", Rng(1))}) {
+        if (!refined || refined->style == Style::Aside) continue;  // which needs a home
         const auto text = write_instruction(*refined, *knowledge, Rng(2));
         ASSERT_TRUE(text) << format(text.error());
         EXPECT_TRUE(check_instruction(text->text, *refined, *knowledge).empty()) << text->text;

@@ -46,7 +46,7 @@ class LlmWriter : public ::testing::Test {
   LlmWriter() : knowledge_(small_knowledge()), nouns_(knowledge_) {}
 
   WordingTask task(const char* goal, std::uint64_t seed = 1) const {
-    return {asking(goal), &knowledge_, &nouns_, {"Mug", "Table"}, "kitchen: table, 2 mugs\n", Rng(seed)};
+    return {asking(goal), &knowledge_, &nouns_, {"Mug", "Table"}, {}, "kitchen: table, 2 mugs\n", {}, Rng(seed)};
   }
   std::vector<Result<Instruction>> written(ChatServer& server, const std::vector<WordingTask>& tasks,
                                            int at_once = 4) const {

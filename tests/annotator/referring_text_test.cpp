@@ -27,9 +27,11 @@ void expect_says(const Saying& saying) {
     ASSERT_TRUE(formula) << format(formula.error());
     specification.init.push_back(*formula);
   }
+  const Knowledge knowledge = small_knowledge();
+  const NounTable nouns(knowledge);
   std::string texts;
   for (std::uint64_t seed = 0; seed < 80; ++seed) {
-    const auto written = write_instruction(specification, small_knowledge(), Rng(seed));
+    const auto written = write_instruction(specification, knowledge, nouns, {Phrasings::All, {}, nullptr}, Rng(seed));
     ASSERT_TRUE(written) << format(written.error());
     if (!saying.style.empty()) {
       EXPECT_EQ(name_of(written->style), saying.style) << written->text;

@@ -23,7 +23,11 @@ Knowledge small_knowledge() {
       category("Table", "table", "tables"),       category("Utensil", "utensil", "utensils")};
   const Source source{"curated", 1};
   std::vector<Alias> aliases{{"Bowl", "something to drink from", AliasKind::Function, source},
-                             {"Mug", "I am thirsty.", AliasKind::Context, source},
+                             {"Mug", "I'm thirsty.", AliasKind::Occasion, source},
+                             {"Bowl", "a piece of tableware", AliasKind::Hypernym, source},
+                             {"Mug", "a piece of tableware", AliasKind::Hypernym, source},
+                             {"Fridge", "the place where we keep the milk cold", AliasKind::Description, source},
+                             {"Lamp", "power_on It's too dark to read.", AliasKind::Request, source},
                              {"Mug", "something to drink from", AliasKind::Function, source},
                              {"Mug", "beaker", AliasKind::Synonym, source}};
   return Knowledge(Simulator::Ai2thor, categories, {}, {}, {}, aliases);

@@ -68,7 +68,7 @@ class WrongTexts : public ::testing::Test {
                               const std::string& style = "direct") const {
     Specification styled = asked;
     styled.style = style_named(style).value();
-    return write_instruction(styled, *knowledge_, *nouns_, {Phrasings::All, around_}, Rng(seed));
+    return write_instruction(styled, *knowledge_, *nouns_, {Phrasings::Everyday, around_, nullptr}, Rng(seed));
   }
 
   TemplateReading library_;
@@ -146,7 +146,7 @@ TEST_F(WrongTexts, RightOnesOfEveryStyleAreNotRefusedByTheirWords) {
     styled.style = style_named(style).value();
     const auto narrowed = narrowed_for(styled, *knowledge_, *nouns_);
     const NounTable& nouns = narrowed ? *narrowed : *nouns_;
-    const auto faults = saying_faults(std::string(nouns.behind_context(text->text)), styled, nouns);
+    const auto faults = saying_faults(text->text, styled, nouns);
     ++tallies[style].texts;
     tallies[style].by_words += faults.empty() ? 0 : 1;
     for (const std::string& fault : faults) std::printf("%s: \"%s\": %s\n", style, text->text.c_str(), fault.c_str());
@@ -154,10 +154,10 @@ TEST_F(WrongTexts, RightOnesOfEveryStyleAreNotRefusedByTheirWords) {
   std::uint64_t number = 0;
   for (const Simulator simulator : kSimulators) {
     use(simulator);
-    around_ = {"Bowl", "bowl", "Candle", "candle"};  // what bystanders may be
+    around_ = {"Bowl", "bowl", "Candle", "candle"};
     for (const Specification& task : tasks())
-      for (const char* style : {"direct", "alias", "context", "background", "bystander", "nested-syntax", "condition",
-                                "inverted-order", "relative-clause", "implicit-need", "vague-quantity", "function"}) {
+      for (const char* style : {"direct", "alias", "hypernym", "description", "context", "condition", "inverted-order",
+                                "relative-clause", "implicit-need", "vague-quantity", "function"}) {
         const bool slow = std::string_view(style) == "function" && simulator != Simulator::Ai2thor;
         if (!slow) look_at(task, style, ++number);
       }
@@ -165,7 +165,7 @@ TEST_F(WrongTexts, RightOnesOfEveryStyleAreNotRefusedByTheirWords) {
   int texts = 0, refused = 0;
   for (const auto& [style, tally] : tallies) texts += tally.texts, refused += tally.by_words;
   std::printf("%d right texts of %zu styles, %d refused by their words\n", texts, tallies.size(), refused);
-  EXPECT_GT(texts, 3000);
+  EXPECT_GT(texts, 1750);
   EXPECT_LE(refused * 100, texts);
 }
 

@@ -18,6 +18,7 @@ TemplateDraft open_one() {
   TemplateDraft draft;
   draft.name = "unlock-one";
   draft.title = "unlock one <A>";
+  draft.purpose = "preparing (because (closed A))";
   draft.parameters = {"A - furniture openable"};
   draft.init = {"(exists (?a - A) (and))", "(forall (?a - A) (closed ?a))"};
   draft.goal = "(exists (?a - A) (at-end (open ?a)))";
@@ -61,6 +62,7 @@ TEST(TemplateDraft, AProblemKnowsItsSection) {
 TEST(AskTemplate, AsksForEverySectionAndAgainForAWrongAnswer) {
   std::istringstream answers(
       "unlock one <A>\n"
+      "preparing (because (closed A))\n"
       "atomic\n"
       "\n"
       "\n"
@@ -94,9 +96,10 @@ TEST(AskTemplate, ANameThatCannotBeIsAnErrorAndNotAskedForAgain) {
   draft.name = "Unlock";
   std::istringstream answers("\n\n\n\n\n\n\n\n\n\n");
   std::ostringstream questions;
-  const auto asked = ask_template(
-      draft, {"name", "split", "refinement", "simulators", "parameters", "constraints", "init", "goal", "instruction"},
-      answers, questions);
+  const auto asked = ask_template(draft,
+                                  {"name", "purpose", "split", "refinement", "simulators", "parameters", "constraints",
+                                   "init", "goal", "instruction"},
+                                  answers, questions);
   ASSERT_FALSE(asked);
   EXPECT_THAT(asked.error().message, HasSubstr("is not a valid template name"));
 }
@@ -107,8 +110,9 @@ TEST(AskTemplate, AsksOnlyForWhatIsNotGiven) {
   std::istringstream answers("(exists (?a - A) (at-end (open ?a)))\n");
   std::ostringstream questions;
   const auto asked = ask_template(
-      draft, {"name", "split", "refinement", "simulators", "parameters", "constraints", "init", "instruction"}, answers,
-      questions);
+      draft,
+      {"name", "purpose", "split", "refinement", "simulators", "parameters", "constraints", "init", "instruction"},
+      answers, questions);
   ASSERT_TRUE(asked) << format(asked.error());
   EXPECT_EQ(*asked, open_one());
 }

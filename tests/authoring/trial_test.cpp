@@ -25,7 +25,7 @@ RunConfiguration small_homes() {
 TEST(TryTemplate, EveryTemplateGivesAProvenTaskOnASimulatorThatItClaims) {
   const auto& templates = committed().templates;
   const auto configuration = small_homes();
-  LayoutPool layouts(configuration, committed(), 4);
+  LayoutPool layouts(configuration, committed(), 8);
   std::vector<std::string> failures(templates.size());
   const auto work = [&](std::size_t first) {
     for (std::size_t i = first; i < templates.size(); i += 2) {
@@ -49,9 +49,7 @@ TEST(TryTemplate, EveryTemplateGivesAProvenTaskOnASimulatorThatItClaims) {
 
 TEST(TryTemplate, DoesNotDependOnWhatElseTheLibraryHolds) {
   const auto configuration = small_homes();
-  Resources alone;
-  alone.backends = committed().backends;
-  alone.recipes = committed().recipes;
+  Resources alone = committed();
   alone.templates = {committed().templates[3]};
   LayoutPool many(configuration, committed(), 1), one(configuration, alone, 1);
   const auto simulator = alone.templates[0].simulators.front();

@@ -85,6 +85,8 @@ TEST(Lines, AManifestFollowsItsSchema) {
   manifest.counts.by_split = {{"atomic", 2}};
   manifest.counts.by_simulator = {{"ai2thor", 2}};
   manifest.counts.by_template = {{"open-one", 2}};
+  manifest.counts.by_sense = {{"tolerable", 1}, {"usual", 1}};
+  manifest.counts.not_usual = {{"open-one", 1}};
   manifest.counts.rejections = {{"expert", {{"no-plan", 1}}}};
   manifest.counts.balance = {{Dimension::Template, 1, 1, 0}};
   manifest.files = {{"tasks.jsonl", {12, std::string(64, 'b')}}};

@@ -107,6 +107,7 @@ TEST(Diff, OfAFolderAndItsCompilationIsEmpty) {
 TEST(Diff, TellsEachFactThatChanged) {
   const ScratchFolder folder;
   fs::copy(kTables, folder.path() / "t", fs::copy_options::recursive);
+  fs::copy(kTables.parent_path() / "sense", folder.path() / "sense");  // phrases are laid over the tables from there
   const auto committed = read_file(kTables / "override.csv");
   ASSERT_TRUE(committed);
   ASSERT_TRUE(write_file(folder.at("t/override.csv"), *committed + "ai2thor,Mug,mass,0.77,weighed\n"

@@ -33,7 +33,7 @@ const fs::path& made() {
   static const fs::path path = [] {
     const auto ended =
         run_program({"generate", "--count", std::to_string(kCount), "--seed", "5", "--rooms", "5", "--objects", "25",
-                     "--splits", "atomic,compositional", "--modes", "M1,M2", "--out", folder.at("made")});
+                     "--splits", "atomic,compositional,linguistic", "--modes", "M1,M2", "--out", folder.at("made")});
     EXPECT_EQ(ended.code, 0) << ended.err;
     return fs::path(folder.at("made"));
   }();
@@ -78,8 +78,11 @@ class Pages : public ::testing::Test {
   /// Another wording of the grammar, which is right.
   std::string another_wording(std::size_t task) const {
     const auto copy = folder_.at("reworded");
-    EXPECT_EQ(run_program({"annotate", made().string(), "--seed", "99", "--out", copy}).code, 0);
-    return tasks(copy).at(task)["instruction"]["text"];
+    const auto ended = run_program({"annotate", made().string(), "--seed", "99", "--phrasings", "all", "--out", copy});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    const std::string text = tasks(copy).at(task)["instruction"]["text"];
+    EXPECT_NE(tasks(made()).at(task)["instruction"]["text"], text);
+    return text;
   }
   ScratchFolder folder_;
 };

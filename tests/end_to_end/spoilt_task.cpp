@@ -24,6 +24,10 @@ Json SpoiltTask::line() const {
   for (const auto& node : scene["nodes"]) {
     if (!among(home["nodes"], [&](const Json& one) { return one == node; })) changes["nodes"].push_back(node);
   }
+  // A start lists new things after those of the home, its changes all by id.
+  if (changes.contains("nodes"))
+    std::sort(changes["nodes"].begin(), changes["nodes"].end(),
+              [](const Json& a, const Json& b) { return a["id"] < b["id"]; });
   for (const auto& node : home["nodes"]) {
     if (!among(scene["nodes"], [&](const Json& one) { return one["id"] == node["id"]; }))
       changes["removed"].push_back(node["id"]);
@@ -268,6 +272,11 @@ const std::vector<Corruption> kCorruptions{
        const auto where = where_in(goal);
        const auto* step = s.last_step({"pick_up"});
        if (!where || step == nullptr || !another_lies_open(s, (*step)["args"][0])) return false;
+       const auto referred = "(" + s.category_of((*step)["args"][0]) + " :where ";
+       if (!goal.substr(0, where->from).ends_with(referred)) return false;
+       const bool walks = step != &steps_of(s).front() && (*(step - 1))["action"] == "go_to" &&
+                          (*(step - 1))["args"] == (*step)["args"];  // so that it also walks to the other one
+       if (!walks) return false;
        const auto f = goal.substr(where->from, where->to - where->from);
        s.set_goal("(or " + goal + " " + goal.substr(0, where->from) + "(not " + f + ")" + goal.substr(where->to) + ")");
        return true;
@@ -276,16 +285,22 @@ const std::vector<Corruption> kCorruptions{
     {"SomethingThatMayStayInTheHand", "left-in-hand", [](SpoiltTask& s) { return ask_for_less(s, "place_on"); }},
     {"AnOrderThatDoesNotMatter", "any-order",
      [](SpoiltTask& s) {
-       // Two things are put to one place, whichever comes first.
-       std::vector<Json> places;
+       // What was picked up from where it lies was held, whether what is done after putting it down comes first or not.
+       const auto& steps = steps_of(s);
        int picked = 0;
-       for (const auto& step : steps_of(s)) {
-         if (step["action"] == "place_on") places.push_back(step["args"]);
-         picked += step["action"] == "pick_up" ? 1 : 0;
+       std::size_t put = 0;
+       for (std::size_t i = 0; i < steps.size(); ++i) {
+         const std::string action = steps[i]["action"];
+         picked += action == "pick_up" ? 1 : 0;
+         if (put == 0 && action.starts_with("place_")) put = i;
        }
-       if (places.size() != 2 || places[0] != places[1] || picked != 2 || steps_of(s)[0]["action"] != "go_to")
+       if (picked != 1 || steps.size() < 4 || steps[1]["action"] != "pick_up" || steps[0]["args"] != steps[1]["args"])
          return false;
-       s.set_goal("(or " + s.goal() + " (before (exists (?z - object) (held ?z)) (exists (?z - object) (held ?z))))");
+       const bool goes_on = put > 0 && put + 2 < steps.size() && steps[put + 1]["action"] != "go_to";
+       if (!goes_on) return false;
+       s.set_goal(
+           "(or (exists (?z - " + s.category_of(steps[1]["args"][0]) +
+           ") (sometime (held ?z))) (before (exists (?z - object) (held ?z)) (exists (?z - object) (held ?z))))");
        return true;
      }},
     {"ATaskInAHomeThatIsNotThere", "unreadable",
@@ -345,6 +360,37 @@ const std::vector<Corruption> kCorruptions{
        s.task["start"]["edits"].push_back("added Unicorn unicorn_1 on table_1");
        return true;
      }},
+    {"AGradeThatTheGoalDoesNotHave", "sense",
+     [](SpoiltTask& s) {
+       s.task["sense"]["grade"] = s.task["sense"]["grade"] == "usual" ? "tolerable" : "usual";
+       return true;
+     }},
+    {"AReasonForTheGradeThatIsNotGiven", "sense",
+     [](SpoiltTask& s) {
+       auto& parts = s.task["sense"]["parts"];
+       if (!parts.empty()) parts[0]["why"] = "somebody thinks so";
+       return !parts.empty();
+     }},
+    {"AMoveToAndFro", "edits",
+     [](SpoiltTask& s) {
+       auto& edits = s.task["start"]["edits"];
+       const auto moved = std::find_if(edits.begin(), edits.end(),
+                                       [](const Json& edit) { return edit.get<std::string>().starts_with("moved "); });
+       if (moved == edits.end()) return false;
+       const Json again = *moved;
+       edits.push_back(again);
+       return true;
+     }},
+    {"AStateThatWasNotMade", "edits",
+     [](SpoiltTask& s) {
+       for (auto& edit : s.task["start"]["edits"]) {
+         const auto text = edit.get<std::string>();
+         if (!text.starts_with("made ") || !text.ends_with(" dirty")) continue;
+         edit = text.substr(0, text.size() - 5) + "clean";
+         return true;
+       }
+       return false;
+     }},
     {"ARefinementThatWasNotMade", "template",
      [](SpoiltTask& s) {
        if (s.task["refinement"] != "") return false;
@@ -386,7 +432,7 @@ const std::vector<Corruption> kCorruptions{
      [](SpoiltTask& s) {
        const std::string text = s.task["instruction"]["text"];
        if (s.task["instruction"]["style"] != "direct" || has_size(text, 15)) return false;
-       s.task["instruction"]["style"] = "nested-syntax";
+       s.task["instruction"]["style"] = "exception";
        return true;
      }},
 };

@@ -126,7 +126,8 @@ TEST(TemplateLint, WarnsOfPhrasingsWithoutTheNumberAndOfSimulatorsThatHaveNothin
   EXPECT_THAT(ended.err, HasSubstr("doubtful.template:9:39: warning: the goal counts 2"));
   EXPECT_THAT(ended.err, HasSubstr("doubtful.template:4:23: warning: habitat has no categories that can be bound"));
   EXPECT_THAT(ended.err, HasSubstr("without (heats T A) it would have"));
-  EXPECT_EQ(ended.out, "1 sound, 0 errors, 2 warnings\n");
+  EXPECT_THAT(ended.err, HasSubstr("doubtful.template:1:11: warning: no section (purpose ...)"));
+  EXPECT_EQ(ended.out, "1 sound, 0 errors, 3 warnings\n");
 }
 
 TEST(TemplateLint, TheLibraryIsSoundAndItsPhrasingsSayWhatTheirGoalsCount) {
@@ -144,6 +145,7 @@ TEST(TemplateNew, WritesACommentedFileThatLintsCleanAndNeverOverwritesOne) {
                                             "--init",        "(exists (?a - A) (and))",
                                             "--init",        "(forall (?a - A) (closed ?a))",
                                             "--goal",        "(exists (?a - A) (at-end (open ?a)))",
+                                            "--purpose",     "preparing (because (closed A))",
                                             "--instruction", "Unlock {A:indefinite}."};
   const auto made = ask(command);
   EXPECT_EQ(made.code, 0) << made.err;
@@ -172,13 +174,15 @@ TEST(TemplateNew, WritesNothingThatWouldBeRefused) {
 TEST(TemplateNew, AsksForWhatIsMissing) {
   const ScratchFolder folder;
   ASSERT_TRUE(write_file(folder.at("answers"),
-                         "unlock one <A>\natomic\n\n\nA - furniture openable\n\n\n"
+                         "unlock one <A>\npreparing (because (closed A))\natomic\n\n\nA - furniture openable\n\n\n"
                          "(exists (?a - A) (and))\n(forall (?a - A) (closed ?a))\n\n"
                          "(exists (?a - A) (at-end (open ?a)))\nUnlock {A:indefinite}.\n\n"));
   const auto ended = run_script("unietp template new unlock-one --ask < answers", folder.path());
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("goal: what must hold"));
-  EXPECT_THAT(bytes_of(folder.at("unlock-one.template")), HasSubstr("(name \"unlock one <A>\")"));
+  const auto text = bytes_of(folder.at("unlock-one.template"));
+  EXPECT_THAT(text, HasSubstr("(name \"unlock one <A>\")"));
+  EXPECT_THAT(text, HasSubstr("(purpose preparing (because (closed A)))"));
 }
 
 TEST(TemplateVocabulary, IsATreeForEditorsAndThePageInTheDocs) {

@@ -106,6 +106,7 @@ TEST(TemplateWhyNot, ABindingThatPassesIsTakenThroughHomes) {
       run_program({"template", "why-not", "place-one-inside", "--bind", "A=Bowl", "--simulator", "ai2thor", "--try"});
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("all gates pass"));
+  EXPECT_THAT(ended.out, ContainsRegex("sense +(usual|tolerable|senseless): +bowl in "));
   EXPECT_THAT(ended.out, ContainsRegex("homes +passed"));
 }
 

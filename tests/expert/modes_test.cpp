@@ -4,9 +4,9 @@
 #include <numbers>
 #include <set>
 
-#include "expert/course.h"
 #include "expert/exploration.h"
 #include "expert/mode_expert.h"
+#include "expert/rollout.h"
 #include "logic/evaluate.h"
 #include "simulation/mode_episode.h"
 #include "tests/expert/house.h"

@@ -21,8 +21,9 @@ struct Ordering : ::testing::Test {
   const Scene start = house();
   const Formula formula = goal("(exists (?x - Mug) (at-end (held ?x)))");
 
-  /// The order in which an expert with these habits takes up literals that nothing makes true meanwhile.
-  std::vector<std::string> order(const std::vector<std::vector<std::string>>& literals, const Habits& habits = {}) {
+  /// The order in which an expert with these preferences takes up literals that nothing makes true meanwhile.
+  std::vector<std::string> order(const std::vector<std::vector<std::string>>& literals,
+                                 const OrderPreferences& preferences = {}) {
     auto rehearsal = Rehearsal::of(formula, start, knowledge, profile);
     const Situation situation = look_around(*rehearsal, Mode::M1);
     Alternative alternative;
@@ -40,7 +41,7 @@ struct Ordering : ::testing::Test {
     alternative.end = open;
     const Attempt attempt(*rehearsal, situation, alternative, {});
     std::vector<std::string> taken;
-    while (const auto next = next_literal(attempt, open, habits)) {
+    while (const auto next = next_literal(attempt, open, preferences)) {
       taken.push_back(to_text(*next, situation));
       std::erase(open, *next);
     }

@@ -25,6 +25,7 @@ bool database_body(std::string_view bytes) {
   record.instruction = "Open a fridge.";
   record.style = "direct";
   record.writer = "grammar";
+  record.grade = "usual";
   record.bindings = {{"A", "Fridge"}};
   record.expert = {{Mode::M1, 2, 0}};
   task.record = record;

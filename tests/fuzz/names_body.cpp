@@ -38,6 +38,13 @@ bool binding_body(std::string_view text) {
   return true;
 }
 
+bool grade_body(std::string_view text) {
+  const auto grade = parse_sense("--sense", text);
+  if (!check_result(grade)) return false;
+  require(name_of_least(*grade) == text);
+  return true;
+}
+
 bool fact_body(std::string_view text) {
   const auto fact = parse_fact(text);
   if (!check_result(fact)) return false;
@@ -71,6 +78,7 @@ bool names_body(std::string_view text) {
       {"simulators", [](std::string_view value) { return accepted_list(parse_simulators("--simulators", value)); }},
       {"splits", [](std::string_view value) { return accepted_list(parse_splits("--splits", value)); }},
       {"modes", [](std::string_view value) { return accepted_list(parse_modes("--modes", value)); }},
+      {"sense", grade_body},
       {"bind", binding_body},
       {"fact", fact_body},
       {"where", place_body},

@@ -1,6 +1,7 @@
 #include "../annotator/small_knowledge.h"
 #include "bodies.h"
 #include "fuzz_bodies.h"
+#include "grounding/household.h"
 #include "sense/common_sense.h"
 #include "sense/question.h"
 #include "sense/start_states.h"
@@ -8,11 +9,27 @@
 
 namespace unietp::fuzz {
 
+namespace {
+
+/// The same tables as the household of a simulator's homes.
+void check_household(const std::filesystem::path& folder, bool sound) {
+  static const Knowledge knowledge = testing_support::small_knowledge();
+  const auto household = read_household(folder, knowledge);
+  require(check_result(household) || !sound);
+  if (!household) return;
+  for (const Category& category : knowledge.categories()) {
+    for (const LikelyState& row : household->states_of(category.name, Predicate::Inside, "Fridge"))
+      require(row.share >= 0 && row.share <= 1);
+  }
+}
+
+}  // namespace
+
 bool sense_body(std::string_view text) {
   static const Folder folder("sense");
   constexpr std::string_view kBetween = "====\n";
-  for (const char* file :
-       {"kinds.csv", "categories.csv", "judged.csv", "counts.csv", "rules.csv", "words.csv", "hypernyms.csv"}) {
+  for (const char* file : {"kinds.csv", "categories.csv", "judged.csv", "counts.csv", "rules.csv", "words.csv",
+                           "hypernyms.csv", "start_states.csv", "special_places.csv", "companions.csv"}) {
     const std::size_t end = text.find(kBetween);
     folder.write(file, text.substr(0, end));
     text = end == std::string_view::npos ? "" : text.substr(end + kBetween.size());
@@ -20,10 +37,7 @@ bool sense_body(std::string_view text) {
   std::vector<Error> errors;
   const CommonSense sense = read_common_sense(folder.path(), errors);
   const WordKinds words = read_word_kinds(folder.path(), sense.kinds(), errors);
-  if (!text.empty()) {
-    folder.write("start_states.csv", text);
-    (void)read_start_states(folder.path() / "start_states.csv", sense.kinds(), errors);
-  }
+  const StartStates states = read_start_states(folder.path() / "start_states.csv", sense.kinds(), errors);
   for (const Error& error : errors) check_error(error);
   for (const Kind& kind : sense.kinds().all()) {
     const auto lineage = sense.kinds().lineage(kind.name);
@@ -34,9 +48,11 @@ bool sense_body(std::string_view text) {
       require(answer.score >= 0 && answer.score <= 1);
     }
     (void)sense.together(thing, thing);
+    for (const auto& row : states.of(kind.name, "in:" + kind.name)) require(row.share >= 0 && row.share <= 1);
     const auto named = words.of_word(kind.name);
     require(!errors.empty() || !named || sense.kinds().find(*named) != nullptr);
   }
+  check_household(folder.path(), errors.empty());
   return errors.empty();
 }
 

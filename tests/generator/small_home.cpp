@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -48,7 +49,31 @@ Knowledge small_home(Simulator simulator) {
     afford(name, {"pickupable"});
   }
   for (const auto& name : furniture) categories.push_back(category(name, false));
+  // As data/sense/kinds.csv has them, narrowest first.
+  const std::map<std::string, std::vector<std::string>> kinds = {
+      {"Apple", {"fruit", "produce", "food", "movable"}},
+      {"AppleSliced", {"fruit_piece", "fruit", "produce", "food", "movable"}},
+      {"Book", {"book", "movable"}},
+      {"Bowl", {"bowl", "tableware", "movable"}},
+      {"Bread", {"bread", "ready_food", "food", "movable"}},
+      {"BreadSliced", {"bread", "ready_food", "food", "movable"}},
+      {"Cabinet", {"kitchen_cabinet", "cabinet", "place"}},
+      {"Counter", {"counter", "place"}},
+      {"Drawer", {"drawer", "place"}},
+      {"Fridge", {"fridge", "place"}},
+      {"Knife", {"cutlery", "tableware", "movable"}},
+      {"Lamp", {"room_lamp", "fixture"}},
+      {"Microwave", {"microwave", "place"}},
+      {"Mug", {"cup", "tableware", "movable"}},
+      {"Plate", {"plate", "tableware", "movable"}},
+      {"Pot", {"pot", "cookware", "movable"}},
+      {"Shelf", {"shelf", "place"}},
+      {"Sink", {"sink", "place"}},
+      {"Table", {"dining_table", "place"}},
+      {"Television", {"television", "fixture"}}};
   for (auto& known : categories) {
+    known.kinds = kinds.at(known.name);
+    known.kinds.push_back("thing");
     if (known.name == "Mug" || known.name == "Book") known.colours = {"blue", "orange", "red"};
     if (known.name == "Table" || known.name == "Shelf") known.materials = {"glass", "wood"};
   }
@@ -183,6 +208,18 @@ bool fits_by_scan(const Template& source, const Binding& binding, const Knowledg
     } else if (kind == "has-words") {
       for (const auto& alias : knowledge.aliases()) {
         found = found || (alias.category == category_of(arguments[0]) && name_of(alias.kind) == arguments[1]);
+      }
+    } else if (kind == "kind") {
+      for (const auto& wider : knowledge.find(category_of(arguments[0]))->kinds)
+        found = found || std::count(arguments.begin() + 1, arguments.end(), wider) > 0;
+    } else if (kind == "same-kind") {
+      for (const auto& wider : knowledge.find(category_of(arguments[0]))->kinds) {
+        bool all = wider != "thing" && wider != "movable" && wider != "place" && wider != "fixture";
+        for (const auto& argument : arguments) {
+          const auto& others = knowledge.find(category_of(argument))->kinds;
+          all = all && std::count(others.begin(), others.end(), wider) > 0;
+        }
+        found = found || all;
       }
     } else if (kind.starts_with("fits-")) {
       const int wanted = arguments.size() > 2 ? std::stoi(arguments[2]) : 1;

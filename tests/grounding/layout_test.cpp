@@ -364,13 +364,13 @@ class EveryPlan : public ::testing::Test {
   static std::vector<FloorPlan> plans() {
     std::vector<FloorPlan> drawn;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
-      auto plan = draw_floor_plan({{"kitchen", 18},
-                                   {"living_room", 26},
+      auto plan = draw_floor_plan({{"kitchen", 18, 2},
+                                   {"living_room", 26, 1},
                                    {"bedroom", 17},
-                                   {"bathroom", 11},
-                                   {"dining_room", 16},
+                                   {"bathroom", 11, kNoPassage},
+                                   {"dining_room", 16, 2},
                                    {"bedroom", 17},
-                                   {"corridor", 12}},
+                                   {"corridor", 12, 0}},
                                   Rng(seed));
       if (plan) drawn.push_back(std::move(*plan));
     }

@@ -84,13 +84,26 @@ void ChatServer::accept_all() {
   }
 }
 
+namespace {
+
+/// The text of a message; of one with pictures, that of its parts.
+std::string text_of(const Json& message) {
+  const Json content = message.value("content", Json(""));
+  if (content.is_string()) return content;
+  std::string text;
+  for (const Json& part : content) text += part.value("text", "");
+  return text;
+}
+
+}  // namespace
+
 void ChatServer::serve(int peer) {
   Received received;
   if (!read_request(peer, received.head, received.body)) return;
   const Json json = Json::parse(received.body, nullptr, false);
   if (json.is_object()) {
     received.structured = json.contains("response_format");
-    if (json.contains("messages")) received.user = json["messages"].back().value("content", "");
+    if (json.contains("messages")) received.user = text_of(json["messages"].back());
   }
   {
     const std::lock_guard lock(mutex_);

@@ -198,6 +198,7 @@ TEST(PddlProblem, WhateverTheSymbolsAllowTheActionsDo) {
         }
         for (const auto action : {HeatWith, CoolWith, CookWith, BurnWith, WashWith, SoakWith, FillWith, Slice})
           reach({action, world.held == thing ? tool : thing});
+        if (world.held == thing) reach({PlaceIn, tool});
       }
       if (HasFailure()) return;
     }

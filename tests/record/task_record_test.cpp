@@ -16,11 +16,12 @@ using Json = nlohmann::ordered_json;
 Json sound_task() {
   return Json::parse(R"text({"format":"unietp-task/1","id":"ai2thor-00001","template":"open-one","split":"atomic",
     "simulator":"ai2thor","scene":"ai2thor-00001","layout":"ai2thor-home-0001","bindings":{"A":"Fridge"},
-    "refinement":"","goal":{"text":"(at-end (exists (?a - Fridge) (open ?a)))","tree":{"op":"at-end","parts":[
+    "refinement":"","phenomena":[],"goal":{"text":"(at-end (exists (?a - Fridge) (open ?a)))","tree":{"op":"at-end","parts":[
       {"op":"exists","variable":"a","domain":{"categories":[{"category":"Fridge"}]},"body":
         {"op":"atom","predicate":"open","terms":[{"variable":"a"}]}}]}},
     "start":{"constraints":[],"edits":[],"changes":{}},
     "instruction":{"text":"Open a fridge.","writer":"grammar","style":"direct","checks":["parses-back"]},
+    "sense":{"grade":"tolerable","parts":[{"part":"open fridge","grade":"tolerable","why":"written"}]},
     "expert":{"M1":{"steps":3,"failures":0},"M3":{"steps":30,"failures":2}},"seed":{"run":1,"slot":0,"attempt":0}})text");
 }
 
@@ -39,6 +40,11 @@ TEST(ReadTask, TakesASoundLine) {
   EXPECT_EQ(task->layout, "ai2thor-home-0001");
   EXPECT_EQ(task->bindings, (std::vector<std::pair<std::string, std::string>>{{"A", "Fridge"}}));
   EXPECT_EQ(task->writer, "grammar");
+  EXPECT_EQ(task->grade, "tolerable");
+  ASSERT_EQ(task->sense.size(), 1U);
+  EXPECT_EQ(task->sense[0].part, "open fridge");
+  EXPECT_EQ(task->sense[0].grade, "tolerable");
+  EXPECT_EQ(task->sense[0].why, "written");
   ASSERT_EQ(task->expert.size(), 2U);
   EXPECT_EQ(task->expert[0].steps, 3);
   EXPECT_EQ(task->expert[1].mode, Mode::M3);

@@ -75,6 +75,12 @@ TEST(UnknownCategories, ANameThatIsNoPlaceholderMustBeKnownToASimulator) {
   const auto errors = unknown_categories(source, reading.backends);
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_NE(errors[0].message.find("did you mean \"Mug\""), std::string::npos);
+  source.goal = at_end(exists("a", of_category("A"), atom(Predicate::Open, {"a"})));
+  source.constraints = {{ConstraintType::Kind, {"A", "food"}, {}}};
+  EXPECT_TRUE(unknown_categories(source, reading.backends).empty());
+  source.constraints = {{ConstraintType::Kind, {"A", "foood"}, {}}};
+  ASSERT_EQ(unknown_categories(source, reading.backends).size(), 1U);
+  EXPECT_NE(unknown_categories(source, reading.backends)[0].message.find("did you mean 'food'"), std::string::npos);
 }
 
 }  // namespace

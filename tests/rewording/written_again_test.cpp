@@ -85,6 +85,8 @@ TEST(WrittenAgain, AManifestStaysAsItWas) {
   manifest.counts.by_split = {{"atomic", 2}};
   manifest.counts.by_simulator = {{"ai2thor", 2}};
   manifest.counts.by_template = {{"open-one", 2}};
+  manifest.counts.by_sense = {{"tolerable", 1}, {"usual", 1}};
+  manifest.counts.not_usual = {{"open-one", 1}};
   manifest.counts.rejections = {{"expert", {{"no-plan", 1}}}};
   manifest.counts.balance = {{Dimension::Receptacle, 3, 2.123456789012345, 0.1}};
   manifest.files = {{"tasks.jsonl", {5'000'000'000, "b"}}};

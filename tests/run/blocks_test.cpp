@@ -8,7 +8,8 @@ namespace {
 std::vector<TaskSlot> slots(int count) {
   std::vector<TaskSlot> all;
   for (int i = 0; i < count; ++i)
-    all.push_back({i, kSimulators[static_cast<std::size_t>(i) % kSimulators.size()], Split::Atomic, {0}});
+    all.push_back(
+        {i, kSimulators[static_cast<std::size_t>(i) % kSimulators.size()], Split::Atomic, {0}, {Grade::Usual}, 0, {}});
   return all;
 }
 

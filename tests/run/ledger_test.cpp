@@ -43,6 +43,7 @@ CandidateRecord full_record() {
                      "Open it.",
                      "direct",
                      "grammar",
+                     "usual",
                      {{"A", "Fridge"}, {"B", ""}},
                      {{Mode::M1, "go_to", "fridge_1", true, "none"},
                       {Mode::M1, "stop", "", true, "none"},

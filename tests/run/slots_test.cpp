@@ -24,7 +24,7 @@ Template small(const std::string& name, Split split, std::vector<Simulator> simu
 
 Resources three_templates() {
   const std::vector<Simulator> all(kSimulators.begin(), kSimulators.end());
-  Resources resources;
+  Resources resources = committed();
   resources.templates = {small("a", Split::Atomic, all), small("b", Split::Atomic, all),
                          small("c", Split::Logical, {Simulator::Ai2thor})};
   return resources;

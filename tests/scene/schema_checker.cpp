@@ -1,6 +1,7 @@
 #include "schema_checker.h"
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -13,39 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Whether a class such as [A-Za-z0-9_.-] has a sign.
-bool has_sign(std::string_view of_class, char sign) {
-  for (std::size_t i = 0; i < of_class.size(); ++i) {
-    const bool range = i + 2 < of_class.size() && of_class[i + 1] == '-';
-    if (range ? of_class[i] <= sign && sign <= of_class[i + 2] : of_class[i] == sign) return true;
-    if (range) i += 2;
-  }
-  return false;
-}
-
-/// ^[first][rest]*$
-bool matches_name(const std::string& text, const std::string& pattern) {
-  const auto parts = split(pattern, '[');
-  EXPECT_TRUE(parts.size() == 3 && parts[1].ends_with("]") && parts[2].ends_with("]*$")) << pattern;
-  const std::string first = parts[1].substr(0, parts[1].size() - 1), rest = parts[2].substr(0, parts[2].size() - 3);
-  return !text.empty() && has_sign(first, text.front()) &&
-         std::all_of(text.begin() + 1, text.end(), [&](char sign) { return has_sign(rest, sign); });
-}
-
-/// Of the two forms of pattern in use: the one above and ^((a|b|…)|(c|d|…)\([\s\S]+\))$
+/// Whether a text matches a pattern, which is an ECMAScript regular expression as JSON Schema has it.
 bool matches(const std::string& text, const std::string& pattern) {
-  if (pattern.starts_with("^[")) return matches_name(text, pattern);
-  const auto between = pattern.find(")|(");
-  const auto end = pattern.find(")\\([\\s\\S]+\\))$");
-  EXPECT_TRUE(pattern.starts_with("^((") && between != std::string::npos && end != std::string::npos) << pattern;
-  const auto plain = split(pattern.substr(3, between - 3), '|');
-  const auto symbolic = split(pattern.substr(between + 3, end - between - 3), '|');
-  const auto among = [](const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  const auto bracket = text.find('(');
-  if (bracket == std::string::npos) return among(plain, text);
-  return among(symbolic, text.substr(0, bracket)) && text.back() == ')' && text.size() > bracket + 2;
+  return std::regex_search(text, std::regex(pattern, std::regex::ECMAScript));
 }
 
 }  // namespace

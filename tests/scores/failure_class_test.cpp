@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scores/episode_score.h"
 #include "tests/environment/house_task.h"
 #include "tests/scores/played_episode.h"
 
@@ -23,10 +24,7 @@ const char* const kMugOnTable = "(exists (?x - Mug) (exists (?y - SideTable) (at
 std::vector<std::string> classes(const PlayedEpisode& episode, const SharedTask& task,
                                  std::optional<int> shortest = std::nullopt) {
   EXPECT_THAT(differences(episode.record, episode.replayed, *task), IsEmpty());
-  std::vector<std::string> texts;
-  for (const FailureClass& one : failure_classes(episode.record, episode.replayed, *task, shortest))
-    texts.push_back(to_text(one));
-  return texts;
+  return settled(score_episode(episode.record, episode.replayed, *task, false), shortest).classes;
 }
 
 /// All classes of what an agent says in M1.

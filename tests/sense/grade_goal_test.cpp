@@ -26,6 +26,17 @@ TEST(GradeGoal, IsThatOfTheWorstPart) {
   EXPECT_THAT(bad.parts.front().part, HasSubstr("tomato on toilet"));
 }
 
+TEST(GradeGoal, WhatIsOnAPlateGoesWhereThePlateGoes) {
+  const auto goal = [](const std::string& thing, const std::string& place) {
+    return "(exists (?a - " + thing + ") (exists (?b - plate) (exists (?c - " + place +
+           ") (at-end (and (on ?a ?b) (inside ?b ?c))))))";
+  };
+  const auto bad = graded(goal("apple", "dishwasher"), Simulator::Habitat);
+  EXPECT_EQ(bad.grade, Grade::Senseless);
+  EXPECT_THAT(bad.parts.front().part, HasSubstr("apple in dishwasher"));
+  EXPECT_NE(graded(goal("apple", "fridge"), Simulator::Habitat).grade, Grade::Senseless);
+}
+
 TEST(GradeGoal, JudgesWhatFollowsWhat) {
   EXPECT_EQ(graded("(exists (?a - Potato) (exists (?b - Plate) (at-end (and (cooked ?a) (on ?a ?b)))))").grade,
             Grade::Usual);

@@ -51,6 +51,19 @@ TEST(Kinds, EveryCategoryOfEverySimulatorHasOneAndNoOtherHas) {
   EXPECT_EQ(read_category_kinds(test::sense_tables() / "categories.csv", sense.kinds(), errors).size(), categories);
 }
 
+/// Whoever goes up or down a table that is no tree never ends.
+TEST(Kinds, OfATableThatIsNoTreeAreNone) {
+  for (const char* rows : {"thing,thing,things,,all,,\na,a,as,b,a,,\nb,b,bs,a,b,,\n",
+                           "thing,thing,things,,all,,\nthing,thing,things,thing,all,,\n",
+                           "thing,thing,things,,all,,\n,mug,mugs,,to drink from,,\n"}) {
+    const ScratchFolder folder;
+    EXPECT_TRUE(write_file(folder.path() / "kinds.csv", kHead + std::string(rows)));
+    std::vector<Error> errors;
+    EXPECT_THAT(read_kinds(folder.path() / "kinds.csv", errors).all(), IsEmpty()) << rows;
+    EXPECT_FALSE(errors.empty()) << rows;
+  }
+}
+
 TEST(Kinds, SayHowThingsAreAtAPlace) {
   const auto& kinds = test::committed_sense().kinds();
   EXPECT_EQ(kinds.place_role("on", "sink"), "in:sink");      // on or in it is the same
@@ -67,6 +80,7 @@ TEST(Kinds, RefusesATableThatIsNoTree) {
   EXPECT_THAT(problems_of("thing,thing,things,,all,,\na,a,a,b,x,,\nb,b,b,a,x,,\n"),
               Contains(HasSubstr("'a' is above itself")));
   EXPECT_THAT(problems_of("thing,thing,things,,all,,\nthing,t,t,,all,,\n"), Contains(HasSubstr("stands twice")));
+  EXPECT_THAT(problems_of(",a,a,,all,,\n"), Contains(HasSubstr("name")));
   EXPECT_THAT(problems_of("a,a,a,,all,,\nb,b,b,,all,,\n"), Contains(HasSubstr("expected one root")));
   EXPECT_THAT(problems_of("a,a,a,,all,beside,\n"), Contains(HasSubstr("'beside' is no relation")));
 }

@@ -59,7 +59,7 @@ Scene bare_room(const Knowledge& knowledge, const Placement& row, double body_he
 }
 
 /// Rows to try: all of them when UNIETP_EVERY_PLACEMENT is set in the environment (minutes), else as many of each pair
-/// of archetypes and relation, spread evenly over the table, that a simulator's rows stay near kRows.
+/// of archetypes and relation, spread evenly over the table, that a simulator's rows reach kRows.
 std::vector<Placement> sampled(const Knowledge& knowledge) {
   constexpr std::size_t kRows = 800;
   std::map<std::tuple<Predicate, Archetype, Archetype>, std::vector<const Placement*>> groups;
@@ -70,7 +70,13 @@ std::vector<Placement> sampled(const Knowledge& knowledge) {
     groups[{row.relation, archetype(row.object), archetype(row.receptacle)}].push_back(&row);
   }
   const bool every = std::getenv("UNIETP_EVERY_PLACEMENT") != nullptr;
-  const std::size_t most = std::max<std::size_t>(1, 2 * kRows / std::max<std::size_t>(1, groups.size()));
+  const auto drawn = [&](std::size_t most) {
+    std::size_t count = 0;
+    for (const auto& [key, group] : groups) count += std::min(most, group.size());
+    return count;
+  };
+  std::size_t most = 1;
+  while (drawn(most) < kRows && drawn(most + 1) > drawn(most)) ++most;
   std::vector<Placement> rows;
   for (const auto& [key, group] : groups) {
     const std::size_t count = every ? group.size() : std::min(most, group.size());
@@ -98,7 +104,7 @@ TEST_P(KnowledgeInPhysics, WhatTheTablesPlaceABodyCanPlace) {
     EXPECT_TRUE(outcome.success) << row.object << " " << info(row.relation).name << " " << row.receptacle << ": "
                                  << feedback_with_ids(outcome.detail);
   }
-  EXPECT_GT(rows.size(), 600U);
+  EXPECT_GT(rows.size(), 500U);  // AI2-THOR has the fewest: 569
 }
 
 INSTANTIATE_TEST_SUITE_P(All, KnowledgeInPhysics, ::testing::ValuesIn(kSimulators),

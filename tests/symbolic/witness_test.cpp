@@ -41,8 +41,8 @@ TEST(Witness, IsFoundForEachOperatorOfGoals) {
        {"(forall (?a - Mug) (not (exists (?b - CounterTop) (on ?a ?b))))"},
        {}},
       {Simulator::Ai2thor,
-       "(exists (?f - Fridge) (at-end (count = 2 (?a - Mug) (inside ?a ?f))))",
-       {"(count >= 3 (?a - Mug) (and))", "(forall (?a - Mug) (not (exists (?f - Fridge) (inside ?a ?f))))"},
+       "(exists (?f - Fridge) (at-end (count = 2 (?a - Tomato) (inside ?a ?f))))",
+       {"(count >= 3 (?a - Tomato) (and))", "(forall (?a - Tomato) (not (exists (?f - Fridge) (inside ?a ?f))))"},
        {}},
       {Simulator::Ai2thor,
        "(exists (?a - Mug) (before (dirty ?a) (clean ?a)))",
@@ -72,26 +72,26 @@ TEST(Witness, IsFoundForEachOperatorOfGoals) {
 
 /// Each comparison of a count with a number or another count, from a start in which it does not hold.
 TEST(Witness, IsFoundForEachComparisonOfCountsAndDoesNoMoreThanItAsks) {
-  const std::string outside = "(forall (?a - Mug) (not (exists (?f - Fridge) (inside ?a ?f))))";
-  const std::string inside = "(forall (?a - Mug) (exists (?f - Fridge) (inside ?a ?f)))";
-  const std::string three = "(count = 3 (?a - Mug) (and))", two = "(count = 2 (?b - Bowl) (and))";
-  const std::string bowls = "(forall (?b - Bowl) (exists (?f - Fridge) (inside ?b ?f)))";
-  const std::string numbers = "(number (?a - Mug) (inside ?a ?f)) (number (?b - Bowl) (inside ?b ?f))";
+  const std::string outside = "(forall (?a - Tomato) (not (exists (?f - Fridge) (inside ?a ?f))))";
+  const std::string inside = "(forall (?a - Tomato) (exists (?f - Fridge) (inside ?a ?f)))";
+  const std::string three = "(count = 3 (?a - Tomato) (and))", two = "(count = 2 (?b - Egg) (and))";
+  const std::string eggs = "(forall (?b - Egg) (exists (?f - Fridge) (inside ?b ?f)))";
+  const std::string numbers = "(number (?a - Tomato) (inside ?a ?f)) (number (?b - Egg) (inside ?b ?f))";
   struct Count {
     std::string goal, init;
     std::size_t moved;  // the least number of things that go into or out of the fridge
   };
-  const std::vector<Count> counts{{"> 1 (?a - Mug) (inside ?a ?f)", outside, 2},
-                                  {">= 1 (?a - Mug) (inside ?a ?f)", outside, 1},
-                                  {"< 2 (?a - Mug) (inside ?a ?f)", inside, 2},
-                                  {"<= 2 (?a - Mug) (inside ?a ?f)", inside, 1},
-                                  {"= 2 (?a - Mug) (inside ?a ?f)", inside, 1},
+  const std::vector<Count> counts{{"> 1 (?a - Tomato) (inside ?a ?f)", outside, 2},
+                                  {">= 1 (?a - Tomato) (inside ?a ?f)", outside, 1},
+                                  {"< 2 (?a - Tomato) (inside ?a ?f)", inside, 2},
+                                  {"<= 2 (?a - Tomato) (inside ?a ?f)", inside, 1},
+                                  {"= 2 (?a - Tomato) (inside ?a ?f)", inside, 1},
                                   {"> " + numbers, outside, 1},
                                   {"< " + numbers, inside, 2}};
   for (const auto& [count, init, moved] : counts) {
     SCOPED_TRACE(count);
     const std::string held =
-        count.starts_with("< (number") ? bowls : "(forall (?b - Bowl) (not (exists (?f - Fridge) (inside ?b ?f))))";
+        count.starts_with("< (number") ? eggs : "(forall (?b - Egg) (not (exists (?f - Fridge) (inside ?b ?f))))";
     const auto made = about(Simulator::Ai2thor, "(exists (?f - Fridge) (at-end (count " + count + ")))",
                             {three, two, "(count = 1 (?f - Fridge) (and))", init, held});
     const NaiveScenes scenes(made, committed_knowledge(Simulator::Ai2thor), Rng(1));

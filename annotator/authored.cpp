@@ -1,0 +1,123 @@
+#include "annotator/authored.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "annotator/phrase_plan.h"
+#include "annotator/realise.h"
+#include "core/text.h"
+#include "templates/phrasing.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+using Text = std::optional<std::string>;
+
+/// The quantifier of a variable, also within a `:where`; nullptr when the goal binds none of that name.
+const Formula* binder_of(const Formula& formula, const std::string& variable) {
+  if (formula.variable == variable) return &formula;
+  for (const std::vector<Formula>* parts : {&formula.domain.where, &formula.children})
+    for (const Formula& part : *parts)
+      if (const Formula* found = binder_of(part, variable)) return found;
+  return nullptr;
+}
+
+class Author {
+ public:
+  Author(const Specification& specification, const NounTable& lexicon, const Wording& wording, Rng rng)
+      : specification_(specification),
+        style_(wording.style),
+        rng_(rng),
+        naming_(plan_, lexicon, wording, rng_),
+        phrases_(specification.init) {
+    for (const Formula* f = &specification.goal; f->op == Op::Exists; f = &f->children[0])
+      phrases_.scope()[f->variable] = f->domain;
+  }
+
+  Text text(std::string_view phrasing) {
+    const auto reading = read_slots(phrasing);
+    if (!reading.errors.empty()) return std::nullopt;
+    std::string filled;
+    if (style_ == Style::Anaphora || style_ == Style::Ellipsis) {
+      const Text fact = opening_fact();
+      if (!fact) return std::nullopt;
+      filled = *fact + " ";
+    }
+    const std::size_t begin = filled.size();
+    std::size_t at = 0;
+    for (const Slot& slot : reading.slots) {
+      filled += phrasing.substr(at, slot.offset - at);
+      at = slot.offset + slot.length;
+      const Text said = words_for(slot);
+      if (!said || phrases_.error()) return std::nullopt;
+      filled += *said;
+    }
+    filled += phrasing.substr(at);
+    if (begin < filled.size())
+      filled[begin] = static_cast<char>(std::toupper(static_cast<unsigned char>(filled[begin])));
+    return filled;
+  }
+
+ private:
+  /// "There is a mug on the desk.", "There is more than one mug here.", of the thing that the goal describes.
+  Text opening_fact() {
+    for (const auto& [variable, domain] : phrases_.scope()) {
+      if (domain.where.empty()) continue;
+      NounPhrase thing = phrases_.reference(variable, specification_.goal);
+      if (style_ == Style::Ellipsis) thing = several_of(thing);
+      return fact_sentence(thing, naming_, rng_);
+    }
+    return std::nullopt;
+  }
+
+  Text words_for(const Slot& slot) {
+    const std::string variable = lower(slot.placeholder);
+    const Formula* binder = binder_of(specification_.goal, variable);
+    if (binder == nullptr) return std::nullopt;
+    if (slot.form.empty() || slot.form == "plural") return bare(*binder, slot.form == "plural");
+    const bool whole = phrases_.scope().contains(variable);
+    NounPhrase thing;
+    if (whole) {
+      thing = phrases_.reference(variable, specification_.goal);
+    } else {
+      thing.noun = binder->domain;
+      thing.noun.where.clear();
+    }
+    if (slot.form == "slice" && !of_slices(thing.noun)) return std::nullopt;
+    const auto named = naming_.phrase(thing, {.inside_description = !whole});
+    if (!named || named->plural) return std::nullopt;
+    const bool article = slot.form == "indefinite" || slot.form == "definite" || slot.form == "slice";
+    return article ? named->text : replace_all(slot.form, "-", " ") + " " + named->text;
+  }
+
+  /// The noun alone, to which the phrasing adds what it wants.
+  Text bare(const Formula& binder, bool plural) {
+    NounPhrase thing;
+    thing.noun = binder.domain;
+    const bool described = !thing.noun.where.empty();
+    thing.noun.where.clear();
+    if (plural) return described ? std::nullopt : naming_.plural(thing);
+    return naming_.singular(thing.noun);
+  }
+
+  static bool of_slices(const Domain& noun) {
+    return std::all_of(noun.members.begin(), noun.members.end(), [](const auto& member) { return member.slice; });
+  }
+
+  const Specification& specification_;
+  Style style_;
+  Rng rng_;
+  Plan plan_;
+  Naming naming_;
+  PhrasePlanner phrases_;
+};
+
+}  // namespace
+
+std::optional<std::string> authored_text(std::string_view phrasing, const Specification& specification,
+                                         const NounTable& lexicon, const Wording& wording, Rng rng) {
+  return Author(specification, lexicon, wording, rng).text(phrasing);
+}
+
+}  // namespace unietp

@@ -1,0 +1,134 @@
+#include "annotator/clause_reading.h"
+
+// What people say otherwise than clause by clause.
+namespace unietp {
+namespace {
+
+using P = Predicate;
+
+NounPhrase named_again(const NounPhrase& phrase) {
+  NounPhrase again;
+  again.determiner = Determiner::Known;
+  again.noun = phrase.noun;
+  again.column = phrase.column;
+  return again;
+}
+
+}  // namespace
+
+/// "divide all the mugs between the desk and the shelf, with at least one on each"
+Clause ClauseReader::shared_out() {
+  Clause clause;
+  clause.subjects.push_back(words_.phrase());
+  if (clause.subjects[0].determiner != Determiner::Every) words_.fail("expected 'all the …' before this");
+  words_.expect("between");
+  clause.complements.push_back({P::On, false, "", {words_.phrase()}});
+  words_.expect("and");
+  clause.complements.push_back({P::On, false, "", {words_.phrase()}});
+  words_.expect(", with at least one on each");
+  clause.any_complement = clause.each_has_one = true;
+  return clause;
+}
+
+/// "put the same number of mugs on the desk and on the shelf, with at least one on each"
+Clause ClauseReader::same_number() {
+  Clause clause;
+  clause.kind = Clause::Kind::Compare;
+  clause.subjects.assign(2, words_.bare_noun());
+  clause.complements.push_back(words_.complement());
+  words_.expect("and");
+  clause.complements.push_back(words_.complement());
+  words_.expect(", with at least one on each");
+  clause.each_has_one = true;
+  return clause;
+}
+
+/// "put more mugs than plates in the sink"
+Clause ClauseReader::outnumbering() {
+  Clause clause;
+  clause.kind = Clause::Kind::Compare;
+  clause.comparison = Comparison::Greater;
+  clause.subjects.push_back(words_.bare_noun());
+  words_.expect("than");
+  clause.subjects.push_back(words_.bare_noun());
+  clause.complements.push_back(words_.complement());
+  if (clause.complements[0].object.empty()) {
+    words_.fail("expected a place before this");
+    return clause;
+  }
+  Complement again = clause.complements[0];
+  again.object = {named_again(again.object[0])};
+  clause.complements.push_back(std::move(again));
+  return clause;
+}
+
+/// "pour it into the vase": what was filled in before; the symbol is that of the clause before.
+Clause ClauseReader::poured() {
+  Clause clause;
+  clause.poured = true;
+  clause.subjects.push_back(words_.phrase());
+  clause.complements.push_back({P::Filled, false, "", {}});
+  return clause;
+}
+
+bool ClauseReader::put_down() {
+  return words_.accept_one(
+             {"and put them down", "and put it down", "and put them somewhere else", "and put it somewhere else"}) >= 0;
+}
+
+/// "take the mug off the desk and put it in the sink": the mug that is on the desk.
+bool ClauseReader::taken_from(Clause& clause) {
+  if (clause.subjects.size() != 1 || clause.subjects[0].determiner == Determiner::Every) return false;
+  const int from = words_.accept_one({"off", "out of", "from"});
+  if (from < 0) return false;
+  Complement place{from == 1 ? P::Inside : P::On, false, "", {words_.phrase()}};
+  if (from == 2) {
+    if (!is_room(place.object[0].noun)) words_.fail("expected a room before this");
+    place.predicate = P::InRoom;
+  }
+  clause.subjects[0].modifiers.push_back(std::move(place));
+  if (words_.accept_one({"and put it", "and place it"}) < 0) words_.fail("expected 'and put it'");
+  words_.complements(clause);
+  return true;
+}
+
+/// "leave exactly one mug on the desk and put the others somewhere else", "leave no mug on any desk"
+Clause ClauseReader::remaining() {
+  Clause clause;
+  clause.subjects.push_back(words_.phrase());
+  words_.complements(clause);
+  const Determiner determiner = clause.subjects[0].determiner;
+  if (determiner == Determiner::No) return clause;
+  if (determiner != Determiner::Exactly) words_.fail("expected 'exactly …' or 'no …' before this");
+  words_.expect("and put the others somewhere else");
+  clause.put_down = true;
+  return clause;
+}
+
+bool ClauseReader::left_alone(Clause& clause) {
+  const int others = words_.accept_one({"do not open any of the others", "leave the others closed"});
+  if (others >= 0) {
+    NounPhrase rest = words_.last_noun();
+    rest.determiner = Determiner::Every;
+    rest.modifiers.push_back({P::Closed, false, "", {}});
+    clause.subjects.push_back(std::move(rest));
+    clause.complements.push_back({P::Closed, false, "", {}});
+    return true;
+  }
+  if (words_.accept("do not open")) {
+    clause.subjects.push_back(words_.phrase());
+    if (clause.subjects[0].determiner == Determiner::Any) clause.subjects[0].determiner = Determiner::Every;
+    clause.complements.push_back({P::Closed, false, "", {}});
+    return true;
+  }
+  for (const std::string_view all : {"leave all", "leave every", "leave each", "leave both"}) {
+    if (!words_.comes(all)) continue;
+    words_.accept("leave");
+    clause.subjects.push_back(words_.phrase());
+    words_.complements(clause);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace unietp

@@ -1,0 +1,136 @@
+#include "annotator/idiom_writing.h"
+
+#include <algorithm>
+
+#include "annotator/words_for_writing.h"
+#include "core/text.h"
+
+namespace unietp {
+namespace {
+
+using P = Predicate;
+using Text = std::optional<std::string>;
+
+bool is_single(const Clause& clause) {
+  return clause.kind == Clause::Kind::Simple && clause.subjects.size() == 1 && clause.complements.size() == 1 &&
+         !clause.complements[0].negated;
+}
+
+bool is_put(P predicate) { return predicate == P::On || predicate == P::Inside; }
+
+bool says_none_is_somewhere(const Clause& clause) {
+  return is_single(clause) && clause.subjects[0].determiner == Determiner::No &&
+         (is_put(clause.complements[0].predicate) || clause.complements[0].predicate == P::OnFloor);
+}
+
+NounPhrase as(NounPhrase phrase, Determiner determiner) {
+  phrase.determiner = determiner;
+  return phrase;
+}
+
+/// "off the table", "out of it", "off the floor of the kitchen": from every one of several.
+Text from(const Complement& place, Naming& naming) {
+  const NounPhrase& object = place.object[0];
+  const std::string off = place.predicate == P::Inside ? "out of " : "off ";
+  const bool all = object.determiner == Determiner::Any && !naming.is_alone(object.noun);
+  if (all && object.modifiers.empty()) {
+    const auto many = naming.plural(object);
+    return many && naming.is_countable(object.noun) ? Text(off + "the " + *many) : std::nullopt;
+  }
+  const auto one = naming.phrase(object, {.beside_every = true});
+  if (!one) return std::nullopt;
+  if (place.predicate != P::OnFloor) return off + one->text;
+  return one->text == "it" ? off + "its floor" : off + "the floor of " + one->text;
+}
+
+/// "take all the mugs off the table and put them down"
+Text taken_away(const Clause& clause, Naming& naming, Rng& rng) {
+  const Complement& place = clause.complements[0];
+  if (naming.keeps_no()) {
+    const auto none = naming.phrase(clause.subjects[0], {});
+    const Text where = none ? naming.complement(place, {.beside_none = true}) : std::nullopt;
+    return where && !clause.put_down ? Text("leave " + none->text + " " + *where) : std::nullopt;
+  }
+  const auto all = naming.phrase(as(clause.subjects[0], Determiner::Every), {.together = true});
+  const Text where = all ? from(place, naming) : std::nullopt;
+  if (!where) return std::nullopt;
+  const std::string them = all->plural ? "them" : "it";
+  const std::string down = rng.chance(0.5) ? " down" : " somewhere else";
+  return "take " + all->text + " " + *where + (clause.put_down ? " and put " + them + down : "");
+}
+
+Text leaving_one(const Clause& clause, Naming& naming) {
+  const auto one = naming.phrase(clause.subjects[0], {});
+  const Text where = one ? naming.complement(clause.complements[0], {}) : std::nullopt;
+  if (!where) return std::nullopt;
+  return "leave " + one->text + " " + *where + " and put the others somewhere else";
+}
+
+Text shared(const Clause& clause, Naming& naming) {
+  const bool even = clause.kind == Clause::Kind::Compare;
+  const auto things = even ? naming.plural(clause.subjects[0]) : std::nullopt;
+  const auto all = even ? std::nullopt : naming.phrase(clause.subjects[0], {.together = true});
+  if (even ? !things : !all) return std::nullopt;
+  const auto first = naming.phrase(clause.complements[0].object[0], {.beside_every = true});
+  const auto second = first ? naming.phrase(clause.complements[1].object[0], {.beside_every = true}) : std::nullopt;
+  if (!second) return std::nullopt;
+  const std::string places = first->text + " and " + (even ? "on " : "") + second->text;
+  const std::string head = even ? "put the same number of " + *things + " on " : "divide " + all->text + " between ";
+  return head + places + ", with at least one on each";
+}
+
+/// "put more mugs than plates in the sink"
+Text outnumbering(const Clause& clause, Naming& naming) {
+  const auto more = naming.plural(clause.subjects[0]), fewer = naming.plural(clause.subjects[1]);
+  const Text where = more && fewer ? naming.complement(clause.complements[0], {}) : std::nullopt;
+  return where ? Text("put more " + *more + " than " + *fewer + " " + *where) : std::nullopt;
+}
+
+bool same_place(const Clause& clause) {
+  const Complement &a = clause.complements[0], &b = clause.complements[1];
+  return a.predicate == b.predicate && !a.negated && !b.negated && is_put(a.predicate) &&
+         !a.object[0].variable.empty() && a.object[0].variable == b.object[0].variable;
+}
+
+}  // namespace
+
+bool is_idiom(const Clause& clause) {
+  if (clause.put_down || clause.each_has_one || clause.poured) return true;
+  if (clause.kind == Clause::Kind::Compare) return clause.comparison == Comparison::Greater && same_place(clause);
+  return says_none_is_somewhere(clause);
+}
+
+std::optional<std::string> idiom(const Clause& clause, Naming& naming, Rng& rng) {
+  if (clause.poured) {
+    const auto into = naming.phrase(clause.subjects[0], {});
+    return into ? Text("pour it into " + into->text) : std::nullopt;
+  }
+  if (clause.each_has_one) return shared(clause, naming);
+  if (clause.kind == Clause::Kind::Compare) return outnumbering(clause, naming);
+  if (clause.subjects[0].determiner == Determiner::Exactly) return leaving_one(clause, naming);
+  return taken_away(clause, naming, rng);
+}
+
+std::optional<std::string> left_alone(const Clause& clause, Naming& naming, Rng& rng) {
+  if (!is_single(clause) || naming.keeps_no()) return std::nullopt;
+  const NounPhrase& subject = clause.subjects[0];
+  const Complement& said = clause.complements[0];
+  if (subject.determiner == Determiner::Every && said.predicate == P::On && naming.distracts()) {
+    const auto all = naming.phrase(subject, {});
+    const Text where = all ? naming.complement(said, {.beside_every = true}) : std::nullopt;
+    return where ? Text("leave " + all->text + " " + *where) : std::nullopt;
+  }
+  if (said.predicate != P::Closed || !said.object.empty() || subject.two) return std::nullopt;
+  if (subject.determiner == Determiner::Every && naming.is_alone(subject.noun) && subject.modifiers.empty()) {
+    const auto one = naming.phrase(as(subject, Determiner::Any), {});
+    return one ? Text("do not open " + one->text) : std::nullopt;
+  }
+  if (subject.determiner != Determiner::Every) return std::nullopt;
+  if (subject.modifiers.size() == 1 && subject.modifiers[0].predicate == P::Closed && !subject.modifiers[0].negated &&
+      naming.was_named_kind(subject.noun))
+    return rng.chance(0.5) ? "do not open any of the others" : "leave the others closed";
+  const auto any = naming.phrase(as(subject, Determiner::Any), {});
+  return any ? Text("do not open " + any->text) : std::nullopt;
+}
+
+}  // namespace unietp

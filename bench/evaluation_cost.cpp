@@ -1,0 +1,147 @@
+// What an evaluation costs beside the environment that it runs in, with a policy that answers at once: the stored
+// demonstrations of a data set. For each mode, on one core: processor time of the environment alone (tasks read,
+// episodes begun, replies executed), of playing the same episodes with everything recorded, and of the whole evaluation
+// with its results, each in a process of its own. Pictures of the report are left out. Then the peak memory of one
+// repeat and of four.
+//
+//   build/release/bench/evaluation_cost out/benchmark
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "core/staged_folder.h"
+#include "evaluation/evaluate.h"
+#include "procedural/simulator_data.h"
+#include "resources/resources.h"
+#include "scores/write_results.h"
+
+namespace {
+
+using namespace unietp;
+namespace fs = std::filesystem;
+
+struct Cost {
+  double processor_s = 0, peak_mb = 0;
+};
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+template <class T>
+T sound(Result<T> result) {
+  if (result) return std::move(*result);
+  std::fprintf(stderr, "%s\n", format(result.error()).c_str());
+  std::exit(2);
+}
+
+/// Seconds that `work` says it took, and the peak of memory, in a process of its own.
+Cost measured(const std::function<double()>& work) {
+  int ends[2];
+  if (::pipe(ends) != 0) std::exit(2);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const double seconds = work();
+    const auto written = ::write(ends[1], &seconds, sizeof seconds);
+    ::_exit(written == sizeof seconds ? 0 : 1);
+  }
+  ::close(ends[1]);
+  Cost cost;
+  rusage usage{};
+  const auto got = ::read(ends[0], &cost.processor_s, sizeof cost.processor_s);
+  ::close(ends[0]);
+  int status = 0;
+  if (::wait4(child, &status, 0, &usage) != child || status != 0 || got != sizeof cost.processor_s) std::exit(2);
+  cost.peak_mb = static_cast<double>(usage.ru_maxrss) / 1024;
+  return cost;
+}
+
+struct Bench {
+  fs::path dataset, scratch;
+  std::shared_ptr<const Resources> resources;
+
+  TaskSource tasks() const { return sound(TaskSource::open(dataset, simulator_data(resources))); }
+
+  double environment_alone(Mode mode) const {
+    const TaskSource source = tasks();
+    EpisodeSelection selection;
+    selection.modes = {mode};
+    const auto plan = sound(plan_episodes(source, selection, true));
+    const auto policy = built_in_policies({BuiltInPolicy::Kind::Replay, 0}, source, 0)();
+    double seconds = 0;
+    for (const PlannedEpisode& planned : plan.episodes) {
+      double begin = processor_seconds();
+      auto environment = sound(Environment::make(sound(source.task(planned.position)), settings_for(mode)));
+      seconds += processor_seconds() - begin;
+      (void)policy->begin(planned, environment);
+      while (!environment.over()) {
+        const auto reply = std::get<PolicyReply>(policy->next(environment));
+        begin = processor_seconds();
+        (void)environment.step(reply.text);
+        seconds += processor_seconds() - begin;
+      }
+    }
+    return seconds;
+  }
+
+  double evaluation(Mode mode, int repeats, bool with_results) const {
+    const fs::path folder = scratch / "run";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    const double begin = processor_seconds();
+    const TaskSource source = tasks();
+    const JudgingData judging{source, {}};
+    EvaluationSetup setup;
+    setup.program_version = setup.program_build = "bench";
+    setup.knowledge_digest = setup.dataset.digest = std::string(64, '0');
+    setup.dataset.name = "bench";
+    setup.agent = {"policy", "replay"};
+    setup.selection.modes = {mode};
+    setup.selection.repeats = repeats;
+    setup.settings = {{mode, settings_for(mode)}};
+    const auto plan = sound(plan_episodes(source, setup.selection, true));
+    EpisodeLog log = sound(EpisodeLog::open(folder));
+    const auto policies = built_in_policies({BuiltInPolicy::Kind::Replay, 0}, source, 0);
+    auto watched = sound(WatchedEpisodes::begin(folder, judging));
+    EvaluationOptions options;
+    options.watcher = watched.watchers();
+    (void)sound(evaluate(plan, source, setup.settings, policies, log, options));
+    (void)sound(write_evaluation(folder, setup, plan, log));
+    if (with_results) (void)sound(write_results(folder, {judging, 1, &watched}, {0}));
+    return processor_seconds() - begin;
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "expected a data set with demonstrations\n");
+    return 2;
+  }
+  const DataFolders committed{UNIETP_SOURCE_DIR, fs::temp_directory_path() / "unietp-bench-cache"};
+  auto reading = load_resources(committed);
+  if (!reading.errors.empty()) return 2;
+  Bench bench{argv[1], fs::temp_directory_path() / ("unietp-evaluation-cost-" + std::to_string(::getpid())),
+              std::make_shared<const Resources>(std::move(reading.resources))};
+  std::printf("mode  environment  played         with results\n");
+  std::fflush(stdout);
+  for (const Mode mode : bench.tasks().modes()) {
+    const auto alone = measured([&] { return bench.environment_alone(mode); });
+    const auto played = measured([&] { return bench.evaluation(mode, 1, false); });
+    const auto whole = measured([&] { return bench.evaluation(mode, 1, true); });
+    std::printf("%s    %8.2f s  %6.2f s %+3.0f %%  %6.2f s %+3.0f %%\n", std::string(name_of(mode)).c_str(),
+                alone.processor_s, played.processor_s, 100 * (played.processor_s / alone.processor_s - 1),
+                whole.processor_s, 100 * (whole.processor_s / alone.processor_s - 1));
+    std::fflush(stdout);
+  }
+  const auto one = measured([&] { return bench.evaluation(Mode::M1, 1, true); });
+  const auto four = measured([&] { return bench.evaluation(Mode::M1, 4, true); });
+  std::printf("peak memory in M1: %.0f MB with one repeat, %.0f MB with four\n", one.peak_mb, four.peak_mb);
+  std::error_code ignored;
+  fs::remove_all(bench.scratch, ignored);
+  return 0;
+}

@@ -1,0 +1,91 @@
+#include <algorithm>
+
+#include "generator/consistency.h"
+#include "generator/goal_variable.h"
+#include "generator/phrase_kind.h"
+#include "generator/refinement.h"
+
+namespace unietp {
+namespace {
+
+Specification substituted(const Specification& plain, const std::string& category,
+                          const std::vector<std::string>& values) {
+  auto changed = plain;
+  changed.goal = substitute_names(plain.goal, {{category, values}});
+  for (auto& start : changed.init) start = substitute_names(start, {{category, values}});
+  return changed;
+}
+
+/// The state that a goal of one object and one state at the end asks for.
+std::optional<Predicate> only_state(const Formula& goal) {
+  using Op = Formula::Op;
+  if (goal.op != Op::Exists || goal.children[0].op != Op::AtEnd) return std::nullopt;
+  const Formula& asked = goal.children[0].children[0];
+  if (asked.op != Op::Atom || asked.terms.size() != 1) return std::nullopt;
+  return asked.predicate;
+}
+
+/// The categories that a phrase means, of those that could satisfy the goal; none when one of them is another part of
+/// the goal, since one word for two parts would be ambiguous.
+std::vector<std::string> served_by(const Alias& phrase, const Specification& plain, const std::string& category,
+                                   const Knowledge& knowledge) {
+  std::vector<std::string> serving;
+  for (const auto& alias : knowledge.aliases()) {
+    if (alias.kind != phrase.kind || alias.text != phrase.text) continue;
+    if (contradiction(substituted(plain, category, {alias.category}), knowledge)) continue;
+    const bool other_part =
+        alias.category != category && std::any_of(plain.binding.begin(), plain.binding.end(),
+                                                  [&](const auto& pair) { return pair.second == alias.category; });
+    if (other_part) return {};
+    serving.push_back(alias.category);
+  }
+  std::sort(serving.begin(), serving.end());
+  serving.erase(std::unique(serving.begin(), serving.end()), serving.end());
+  return serving;
+}
+
+}  // namespace
+
+AliasKind phrases_of(Style style) {
+  switch (style) {
+    case Style::Hypernym:
+      return AliasKind::Hypernym;
+    case Style::Description:
+      return AliasKind::Description;
+    case Style::Context:
+      return AliasKind::Occasion;
+    case Style::Request:
+      return AliasKind::Request;
+    default:
+      return AliasKind::Function;
+  }
+}
+
+std::optional<Specification> refine_by_phrase(const Specification& plain, const Knowledge& knowledge, Style style,
+                                              Rng rng) {
+  std::vector<std::string> choices;
+  for (const auto& variable : singular_variables(plain.goal)) {
+    const auto* category = knowledge.find(variable.category);
+    if (category != nullptr && (category->movable || style != Style::Function)) choices.push_back(variable.category);
+  }
+  const auto state = only_state(plain.goal);
+  if (style == Style::Request && !state) return std::nullopt;
+  rng.shuffle(choices);
+  for (const auto& category : choices) {
+    auto phrases = knowledge.aliases_of(category, phrases_of(style));
+    if (style == Style::Request)
+      std::erase_if(phrases,
+                    [&](const Alias* alias) { return !alias->text.starts_with(std::string(info(*state).name) + " "); });
+    if (phrases.empty()) continue;
+    const auto serving = served_by(*rng.pick(phrases), plain, category, knowledge);
+    if (serving.empty()) continue;
+    auto widened = substituted(plain, category, serving);
+    widened.split = Split::Linguistic;
+    widened.style = style;
+    if (contradiction(widened, knowledge) || bad_start(widened, knowledge, kStartsDrawn)) continue;
+    return widened;
+  }
+  return std::nullopt;
+}
+
+}  // namespace unietp

@@ -1,0 +1,65 @@
+#include "generator/style_fit.h"
+
+#include <algorithm>
+
+#include "generator/goal_variable.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+bool any_part(const Formula& goal, const auto& fits) {
+  return fits(goal) || std::any_of(goal.children.begin(), goal.children.end(),
+                                   [&](const Formula& child) { return any_part(child, fits); });
+}
+
+bool asks_for_one_state(const Formula& goal) {
+  if (goal.op != Op::Exists || goal.children[0].op != Op::AtEnd) return false;
+  const Formula& asked = goal.children[0].children[0];
+  return asked.op == Op::Atom && asked.terms.size() == 1;
+}
+
+bool has_form_for(Style style, const Formula& goal) {
+  switch (style) {
+    case Style::Alias:
+    case Style::Aside:
+      return true;
+    case Style::Request:
+      return asks_for_one_state(goal);
+    case Style::Exception:
+      return any_part(goal, [](const Formula& f) { return f.op == Op::Forall && f.children[0].op == Op::AtEnd; });
+    case Style::InvertedOrder:
+      return any_part(goal, [](const Formula& f) { return f.op == Op::Before; });
+    case Style::VagueQuantity:
+      return any_part(goal, [](const Formula& f) {
+        return f.op == Op::Count && f.comparison == Comparison::AtLeast && (f.number == 2 || f.number == 3);
+      });
+    case Style::Function:
+    case Style::Hypernym:
+    case Style::Description:
+    case Style::Context:
+    case Style::Negation:
+    case Style::Ellipsis:
+    case Style::Anaphora:
+    case Style::Compound:
+      return !singular_variables(goal).empty();
+    default:
+      return false;  // only templates that are written so
+  }
+}
+
+}  // namespace
+
+std::vector<Style> styles_fitting(const Template& source) {
+  if (!source.refinement.empty()) {
+    const auto own = style_named(source.refinement);
+    return own ? std::vector<Style>{*own} : std::vector<Style>();
+  }
+  std::vector<Style> fitting;
+  for (std::size_t i = 0; i < kStyleCount; ++i)
+    if (has_form_for(static_cast<Style>(i), source.goal)) fitting.push_back(static_cast<Style>(i));
+  return fitting;
+}
+
+}  // namespace unietp

@@ -1,0 +1,79 @@
+#include "grounding/household.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+namespace unietp {
+namespace {
+
+// Goals put things there, but nobody keeps them there: food waits in an oven only while it is cooked.
+constexpr std::array<std::string_view, 5> kPassing{"oven", "microwave", "toaster", "stove", "dishwasher"};
+constexpr double kInPassing = 0.15;  // of the weight of such a place
+
+constexpr double kTolerable = 0.08;  // weight of all tolerable places of a category together; the usual ones have 1
+constexpr double kUnspoken = 0.02;   // share of a state that nobody spoke of
+
+}  // namespace
+
+Household::Household(const Knowledge& knowledge, const CommonSense& sense, StartStates states)
+    : kinds_(sense.kinds()), states_(std::move(states)) {
+  const UsualPlaces usual(knowledge, sense);
+  for (const Category& category : knowledge.categories()) {
+    if (const auto* fact = sense.kind_of(knowledge.simulator(), category.name)) kind_[category.name] = fact->kind;
+    if (!category.movable) continue;
+    const auto& all = usual.of(category.name);
+    if (all.empty()) continue;
+    auto& places = places_[category.name];
+    for (const UsualPlace& place : all) {
+      const auto& receptacle = place.placement->receptacle;
+      const auto* at = sense.kind_of(knowledge.simulator(), receptacle);
+      const auto is_a = [&](std::string_view kind) { return at != nullptr && kinds_.is_a(at->kind, kind); };
+      if (is_a("trash_can") && !kinds_.is_a(kind_of(category.name), "rubbish")) continue;
+      const bool passing = std::any_of(kPassing.begin(), kPassing.end(), is_a);
+      const bool is_usual = place.grade == Grade::Usual;
+      const double weight = place.weight * (is_usual ? 1 : kTolerable) * (passing ? kInPassing : 1);
+      places.push_back({place.placement->relation, receptacle, weight, is_usual});
+    }
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+      return std::tie(a.receptacle, a.relation) < std::tie(b.receptacle, b.relation);
+    });
+  }
+}
+
+const std::vector<Household::Place>& Household::places_of(std::string_view category) const {
+  static const std::vector<Place> kNone;
+  const auto found = places_.find(category);
+  return found == places_.end() ? kNone : found->second;
+}
+
+std::string_view Household::kind_of(std::string_view category) const {
+  const auto found = kind_.find(category);
+  return found == kind_.end() ? std::string_view() : std::string_view(found->second);
+}
+
+Role Household::role_at(Predicate relation, std::string_view receptacle) const {
+  const auto kind = kind_of(receptacle);
+  return kind.empty() ? Role() : role_of(relation, std::string(kind), kinds_);
+}
+
+std::vector<LikelyState> Household::states_of(std::string_view category, Predicate relation,
+                                              std::string_view receptacle) const {
+  return states_.of(kind_of(category), role_at(relation, receptacle));
+}
+
+double Household::share(std::string_view category, Predicate relation, std::string_view receptacle,
+                        const State& state) const {
+  return states_.share(kind_of(category), role_at(relation, receptacle), state).value_or(kUnspoken);
+}
+
+Result<Household> read_household(const std::filesystem::path& sense, const Knowledge& knowledge) {
+  std::vector<Error> errors;
+  const auto common = read_common_sense(sense, errors);
+  auto states = read_start_states(sense / "start_states.csv", common.kinds(), errors);
+  if (!errors.empty()) return errors.front();
+  return Household(knowledge, common, std::move(states));
+}
+
+}  // namespace unietp

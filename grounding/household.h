@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "akb/knowledge.h"
+#include "core/result.h"
+#include "scene/scene.h"
+#include "sense/start_states.h"
+#include "sense/usual_places.h"
+
+namespace unietp {
+
+/// How things are in a lived-in home of one simulator: where those of a category usually are, and in which states.
+/// A value; read only after making.
+class Household {
+ public:
+  /// A kind of place for things of a category.
+  struct Place {
+    Predicate relation = Predicate::On;  // or Inside
+    std::string receptacle;              // category
+    double weight = 0;                   // relative to the category's other places
+    bool usual = true;                   // false: tolerable
+  };
+
+  Household(const Knowledge& knowledge, const CommonSense& sense, StartStates states);
+
+  /// Of a movable category, by receptacle, then relation; empty when nothing is known.
+  const std::vector<Place>& places_of(std::string_view category) const;
+  /// The share of things of the category that are in a state at a place; a little when nobody spoke of it. `receptacle`
+  /// "": wherever it is.
+  double share(std::string_view category, Predicate relation, std::string_view receptacle, const State& state) const;
+  /// All states that are spoken of there.
+  std::vector<LikelyState> states_of(std::string_view category, Predicate relation, std::string_view receptacle) const;
+
+ private:
+  Role role_at(Predicate relation, std::string_view receptacle) const;
+  std::string_view kind_of(std::string_view category) const;
+
+  Kinds kinds_;
+  StartStates states_;
+  std::map<std::string, std::string, std::less<>> kind_;  // by category
+  std::map<std::string, std::vector<Place>, std::less<>> places_;
+};
+
+/// The household of a simulator from the tables of data/sense. Errors: the first of those tables.
+Result<Household> read_household(const std::filesystem::path& sense, const Knowledge& knowledge);
+
+}  // namespace unietp

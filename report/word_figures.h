@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/result.h"
+#include "report/data_set.h"
+
+namespace unietp {
+
+/// An instruction with the group of splits that it counts in.
+struct CountedText {
+  std::string split;
+  std::string text;
+};
+
+/// How often each pair of neighbouring words occurs within texts; words are lower case, without punctuation.
+using Bigrams = std::map<std::pair<std::string, std::string>, int>;
+
+/// How texts ask for things.
+struct WordFigures {
+  int texts = 0;
+  std::map<std::string, double> mean_words;  // by group: "all", "atomic and compositional", "other splits"
+  double at_most_10_words = 0;               // shares of the texts, 0 to 1
+  double ten_openings = 0;                   // that begin with one of the ten commonest sequences of three words
+  double frames = 0;                         // "make sure that", "I want you to": about the request itself
+  double polite = 0;                         // "please", "could you"
+  Bigrams bigrams;
+};
+
+/// The instructions of a data set, one task after another. Errors: Io, Parse, Schema.
+Result<std::vector<CountedText>> counted_texts(const FinishedSet& set);
+
+/// Deterministic. Texts without words count nowhere.
+WordFigures word_figures(const std::vector<CountedText>& texts);
+
+/// What is stored of the goals that people wrote for ALFRED: figures, and how often each pair of words occurs. Pairs
+/// that occur once are only counted, so no sentence can be made again.
+struct HumanGoals {
+  std::map<std::string, double> figures;  // by name: "mean_words", "at_most_10_words", …
+  Bigrams bigrams;
+  int single_bigrams = 0;  // pairs that occur once
+};
+/// Reads `data/english/human_goals.csv` and `human_bigrams.csv` of a folder. Errors: Io, Parse with file and line.
+Result<HumanGoals> read_human_goals(const std::filesystem::path& folder);
+
+/// Jensen–Shannon divergence of two distributions of pairs, in bits: 0 for the same, 1 for nothing in common. As many
+/// pairs of the human goals as `ours` has are drawn, by `seed`.
+double distance_to_human(const Bigrams& ours, const HumanGoals& human, std::uint64_t seed = 1);
+/// The same between two samples of the human goals, of `pairs` each: what chance alone gives.
+double distance_within_human(int pairs, const HumanGoals& human, std::uint64_t seed = 1);
+
+/// A table of these figures of several data sets beside the human ones, for people.
+std::string word_table(const std::vector<std::pair<std::string, WordFigures>>& sets, const HumanGoals& human);
+
+}  // namespace unietp

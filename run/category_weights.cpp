@@ -1,0 +1,74 @@
+#include "run/category_weights.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "generator/domain_constraints.h"
+#include "templates/init_shape.h"
+
+namespace unietp {
+namespace {
+
+constexpr double kAdded = 1e-4;   // times the weight of what is there
+constexpr double kTooFew = 0.02;  // likewise, of what is there, but not in the number that is needed
+
+/// How many of each placeholder's category the start needs: those that `init` counts, and another one to tell it from.
+std::vector<std::size_t> needed_by(const Template& source, Split split) {
+  std::vector<std::size_t> needed;
+  for (const auto& parameter : source.parameters) {
+    int most = 1;
+    for (const Formula& start : source.init) {
+      if (start.domain == of_category(parameter.name)) most = std::max(most, demanded_count(start));
+    }
+    const bool told_apart = split == Split::InstanceGrounding && source.split != split && needed.empty();
+    needed.push_back(static_cast<std::size_t>(most + (told_apart ? 1 : 0)));
+  }
+  return needed;
+}
+
+}  // namespace
+
+RoomTypes room_types_in(const Layout& layout) {
+  RoomTypes types;
+  const auto& scene = layout.home.scene;
+  const std::string prefix = std::string(name_of(scene.simulator)) + "/";
+  std::map<std::string_view, int> in_rooms;  // nodes of a category
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const auto room = layout.home.rooms[node];
+    if (room < 0) continue;
+    const auto& category = scene.nodes[node].category;
+    ++in_rooms[category];
+    types[category][prefix + scene.rooms[static_cast<std::size_t>(room)].type] += 1;
+  }
+  for (auto& [category, shares] : types) {
+    for (auto& [type, share] : shares) share /= in_rooms[category];
+  }
+  return types;
+}
+
+CategoryWeight weight_in(const Layout& layout, const Template& source, Split split, const Frequencies& counts,
+                         const RoomTypes* rooms) {
+  std::vector<Dimension> dimensions;
+  for (const auto& parameter : source.parameters) dimensions.push_back(dimension_of(parameter, source));
+  return [&layout, &source, &counts, rooms, dimensions = std::move(dimensions), needed = needed_by(source, split),
+          prefix = std::string(name_of(layout.home.scene.simulator)) + "/"](const Parameter& parameter,
+                                                                            const std::string& category) {
+    const auto at = static_cast<std::size_t>(&parameter - source.parameters.data());
+    const auto dimension = dimensions[at];
+    double own = counts.weight(dimension, prefix + category);
+    if (dimension == Dimension::Room || is_value(parameter)) return own;
+    const std::size_t there = layout.home.places.of(category).size();
+    if (there == 0) return own * kAdded;
+    if (there < needed[at]) own *= kTooFew;
+    if (rooms == nullptr) return own;
+    const auto stands = rooms->find(category);
+    if (stands == rooms->end()) return own;
+    double room = 0;
+    for (const auto& [type, share] : stands->second) room += share * counts.weight(Dimension::Room, type);
+    return own * room;
+  };
+}
+
+}  // namespace unietp

@@ -1,0 +1,67 @@
+#include "run/styles_of_slots.h"
+
+#include <algorithm>
+#include <array>
+
+#include "generator/style_fit.h"
+
+namespace unietp {
+namespace {
+
+constexpr int kStylesOfASlot = 3;
+
+using Counts = std::array<int, kStyleCount>;
+
+std::size_t position(Style style) { return static_cast<std::size_t>(style); }
+
+/// The styles that some template of the slot fits and that the slot does not have yet.
+std::vector<Style> open_styles(const TaskSlot& slot, const std::vector<std::vector<Style>>& styles) {
+  std::array<bool, kStyleCount> fitting{};
+  for (const std::size_t source : slot.templates)
+    for (const Style style : styles[source]) fitting[position(style)] = true;
+  for (const Style had : slot.styles) fitting[position(had)] = false;
+  std::vector<Style> open;
+  for (std::size_t i = 0; i < kStyleCount; ++i)
+    if (fitting[i]) open.push_back(static_cast<Style>(i));
+  return open;
+}
+
+/// Each slot takes the style dealt least often; among equals the one that fits the fewest slots, then a random one.
+void deal_one_each(std::vector<TaskSlot>& slots, const std::vector<std::vector<Style>>& styles, Rng rng) {
+  Counts dealt{}, fitted{};
+  std::vector<std::vector<Style>> open;
+  for (const TaskSlot& slot : slots) {
+    open.push_back(slot.split == Split::Linguistic ? open_styles(slot, styles) : std::vector<Style>());
+    for (const Style style : open.back()) ++fitted[position(style)];
+  }
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    std::vector<Style> least;
+    const auto rank = [&](Style style) { return std::pair(dealt[position(style)], fitted[position(style)]); };
+    for (const Style style : open[i]) {
+      if (!least.empty() && rank(style) > rank(least.front())) continue;
+      if (!least.empty() && rank(style) < rank(least.front())) least.clear();
+      least.push_back(style);
+    }
+    if (least.empty()) continue;
+    slots[i].styles.push_back(rng.pick(least));
+    ++dealt[position(slots[i].styles.back())];
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<Style>> styles_of_templates(const std::vector<Template>& templates) {
+  std::vector<std::vector<Style>> styles;
+  for (const Template& source : templates) styles.push_back(styles_fitting(source));
+  return styles;
+}
+
+bool is_among(Style style, const std::vector<Style>& styles) {
+  return std::find(styles.begin(), styles.end(), style) != styles.end();
+}
+
+void deal_styles(std::vector<TaskSlot>& slots, const std::vector<std::vector<Style>>& styles, Rng rng) {
+  for (std::uint64_t i = 0; i < kStylesOfASlot; ++i) deal_one_each(slots, styles, rng.fork("rank", i));
+}
+
+}  // namespace unietp

@@ -1,0 +1,146 @@
+// What people say in one breath: read as exactly its goal, and written for it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "annotator/everyday_names.h"
+#include "annotator/meaning.h"
+#include "annotator/noun_table.h"
+#include "annotator/only_ones.h"
+#include "small_knowledge.h"
+
+namespace unietp {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using testing_support::asking;
+using testing_support::small_knowledge;
+
+struct Said {
+  const char* text;
+  const char* goal;
+  const char* words;  // that some text of the goal has
+};
+
+constexpr Said kSaid[] = {
+    {"Take all the mugs off the table and put them down.",
+     "(exists (?t - Table) (at-end (and (count = 0 (?a - Mug) (on ?a ?t)) (count = 0 (?b - Mug) (held ?b)))))",
+     " and put them "},
+    {"Leave exactly one mug on the table and put the others somewhere else.",
+     "(exists (?t - Table) (at-end (and (count = 1 (?a - Mug) (on ?a ?t)) (count = 0 (?b - Mug) (held ?b)))))",
+     "and put the others somewhere else"},
+    {"Divide all the mugs between the table and the coffee table, with at least one on each.",
+     "(exists (?t - Table) (exists (?c - CoffeeTable) (at-end (and (forall (?a - Mug) (or (on ?a ?t) (on ?a ?c)))"
+     " (exists (?b - Mug) (on ?b ?t)) (exists (?d - Mug) (on ?d ?c))))))",
+     "ivide all the mugs between"},
+    {"Put the same number of mugs on the table and on the coffee table, with at least one on each.",
+     "(exists (?t - Table) (exists (?c - CoffeeTable) (at-end (and (exists (?b - Mug) (on ?b ?c))"
+     " (count = (number (?a - Mug) (on ?a ?t)) (number (?e - Mug) (on ?e ?c)))))))",
+     "same number of mugs"},
+    {"Put more mugs than bowls in the fridge.",
+     "(exists (?f - Fridge) (at-end (count > (number (?a - Mug) (inside ?a ?f)) (number (?b - Bowl) (inside ?b ?f)))))",
+     "ut more mugs than bowls in"},
+    {"Keep the fridge closed until the mug is on the table, then open the fridge.",
+     "(exists (?f - Fridge) (exists (?m - Mug) (exists (?t - Table) (and (until (closed ?f) (on ?m ?t))"
+     " (at-end (and (on ?m ?t) (open ?f)))))))",
+     ", then open "},
+    {"Put all the bowls on the table, and only then all the mugs.",
+     "(exists (?t - Table) (and (until (count = 0 (?b - Mug) (on ?b ?t)) (forall (?a - Bowl) (on ?a ?t)))"
+     " (at-end (and (forall (?a - Bowl) (on ?a ?t)) (forall (?b - Mug) (on ?b ?t))))))",
+     ", and only then "},
+    {"Fill the mug with water, then pour it into the bowl.",
+     "(exists (?a - Mug) (exists (?b - Bowl) (and (before (filled ?a water) (filled ?b water))"
+     " (at-end (filled ?b water)))))",
+     "pour it into"},
+    {"Slice the apple, then cook a slice of it.",
+     "(exists (?a - Apple) (exists (?s - Apple/slice) (and (before (sliced ?a) (cooked ?s))"
+     " (at-end (and (slice_of ?s ?a) (cooked ?s))))))",
+     "cook a slice of it"},
+    {"Open the fridge, take all the mugs out of it and put them down, and close it again.",
+     "(exists (?f - Fridge) (and (sometime (open ?f)) (at-end (and (closed ?f) (count = 0 (?a - Mug) (inside ?a ?f))"
+     " (count = 0 (?b - Mug) (held ?b))))))",
+     ", and close "},
+    {"If the fridge is open, put a mug in it. If not, put it on a table.",
+     "(or (exists (?f - (Fridge :where (open ?f))) (exists (?m - Mug) (at-end (inside ?m ?f))))"
+     " (exists (?f - (Fridge :where (closed ?f))) (exists (?m - Mug) (exists (?t - Table) (at-end (on ?m ?t))))))",
+     nullptr},
+    {"Put a mug on the table. Do not open any fridge.",
+     "(exists (?t - Table) (exists (?m - Mug) (and (at-end (on ?m ?t)) (forall (?f - Fridge) (always (closed ?f))))))",
+     "o not open any fridge"},
+    {"Close the open fridge. Leave the others closed.",
+     "(and (exists (?f - (Fridge :where (open ?f))) (at-end (closed ?f)))"
+     " (forall (?y - (Fridge :where (closed ?y))) (always (closed ?y))))",
+     "the others"},
+    {"Take the mug out of the fridge and put it on a table.",
+     "(exists (?m - (Mug :where (exists (?f - Fridge) (inside ?m ?f)))) (exists (?t - Table) (at-end (on ?m ?t))))",
+     "ake the mug out of the fridge and put it on"},
+    {"Put all the mugs either in the fridges or on the tables.",
+     "(forall (?m - Mug) (at-end (or (exists (?f - Fridge) (inside ?m ?f)) (exists (?t - Table) (on ?m ?t)))))",
+     "either in the fridges or on the tables"},
+};
+
+TEST(Idioms, AreReadAsExactlyTheirGoals) {
+  const Knowledge knowledge = small_knowledge();
+  for (const Said& said : kSaid) {
+    const auto faults = check_instruction(said.text, asking(said.goal, "direct"), knowledge);
+    EXPECT_TRUE(faults.empty()) << said.text << ": " << (faults.empty() ? "" : faults.front());
+  }
+}
+
+TEST(Idioms, AreWrittenForTheirGoals) {
+  const Knowledge knowledge = small_knowledge();
+  const NounTable nouns(knowledge);
+  for (const Said& said : kSaid) {
+    if (said.words == nullptr) continue;  // needs a home with one fridge
+    std::vector<std::string> texts;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      const auto written = write_instruction(asking(said.goal, "direct"), knowledge, nouns, {}, Rng(seed));
+      ASSERT_TRUE(written) << said.goal << ": " << format(written.error());
+      texts.push_back(written->text);
+    }
+    EXPECT_THAT(texts, Contains(HasSubstr(said.words))) << said.goal;
+  }
+}
+
+TEST(Idioms, WithOneWordChangedMeanSomethingElse) {
+  const Knowledge knowledge = small_knowledge();
+  constexpr std::pair<const char*, std::size_t> kChanged[] = {
+      {"Take all the mugs off the table.", 0},
+      {"Leave exactly two mugs on the table and put the others somewhere else.", 1},
+      {"Put the same number of bowls on the table and on the coffee table, with at least one on each.", 3},
+      {"Put more bowls than mugs in the fridge.", 4},
+      {"Keep the fridge closed until the mug is on the table.", 5},
+      {"Put all the mugs on the table, and only then all the bowls.", 6},
+      {"Fill the mug with water, then fill the bowl with water.", 7},
+      {"Slice the apple, then cook a slice of apple.", 8},
+      {"If the fridge is closed, put a mug in it. If not, put it on a table.", 10}};
+  for (const auto& [text, of] : kChanged)
+    EXPECT_FALSE(check_instruction(text, asking(kSaid[of].goal, "direct"), knowledge).empty()) << text;
+}
+
+TEST(OnlyOnes, AreTheSameForAllAndForSome) {
+  const auto goal = [](const char* text) { return *parse_formula("test", text, FormulaUse::Goal); };
+  const std::vector<std::string> alone{"Table"};
+  const auto named = [&](const char* text) { return expanded(with_names_of_only_ones(goal(text), alone)); };
+  const char* all = "(forall (?m - Mug) (forall (?t - Table) (at-end (not (on ?m ?t)))))";
+  EXPECT_TRUE(same_expanded(named(all), named("(exists (?t - Table) (at-end (forall (?m - Mug) (not (on ?m ?t)))))")));
+  EXPECT_FALSE(same_expanded(named(all), named("(exists (?t - Table) (at-end (exists (?m - Mug) (not (on ?m ?t)))))")));
+  EXPECT_FALSE(same_expanded(named("(forall (?m - Mug) (at-end (clean ?m)))"),
+                             named("(exists (?m - Mug) (at-end (clean ?m)))")));
+}
+
+TEST(EverydayNames, AreThoseOfOneEnglishAndBothAreRead) {
+  Category stove;
+  stove.name = "Stove";
+  stove.display = "oven stove";
+  stove.plural = "oven stoves";
+  const Knowledge knowledge(Simulator::Ai2thor, {stove}, {}, {}, {}, {});
+  const NounTable us(knowledge), gb(knowledge, English::Gb);
+  EXPECT_EQ(us.display("Stove")->singular, "stove");
+  EXPECT_EQ(gb.display("Stove")->singular, "cooker");
+  for (const NounTable* nouns : {&us, &gb})
+    for (const char* name : {"stove", "cooker", "oven stove"}) EXPECT_TRUE(nouns->is_name(name)) << name;
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,154 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "annotator/home_reading.h"
+#include "annotator/home_sentences.h"
+#include "annotator/instruction.h"
+#include "annotator/meaning.h"
+#include "annotator/parse.h"
+#include "small_knowledge.h"
+
+namespace unietp {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+using testing_support::asking;
+using testing_support::small_knowledge;
+
+/// With what can be done to mugs and fridges.
+Knowledge knowledge_of_mugs() {
+  const auto small = small_knowledge();
+  std::vector<AffordanceFact> facts;
+  for (const char* category : {"Fridge", "Lamp", "Mug"})
+    for (const char* affordance : {"dirtyable", "fillable", "openable", "pickupable", "switchable"})
+      facts.push_back({category, affordance, {"curated", 1}});
+  return Knowledge(small.simulator(), small.categories(), facts, {}, {}, small.aliases());
+}
+
+/// A lamp and two mugs, of which the first is dirty and stands on the table, and a fridge.
+Trace home() {
+  Trace start;
+  const auto object = [](const char* id, const char* category) {
+    return Entity{Entity::Kind::Object, id, category, ""};
+  };
+  start.entities = EntityList{Entity{Entity::Kind::Agent, "agent", "", ""},
+                              object("mug_1", "Mug"),
+                              object("mug_2", "Mug"),
+                              object("table_1", "Table"),
+                              object("fridge_1", "Fridge"),
+                              object("lamp_1", "Lamp")};
+  Facts facts;
+  for (std::uint32_t i = 0; i < 6; ++i) facts.set_exists(EntityIndex(i));
+  facts.set(Predicate::Dirty, EntityIndex(1));
+  facts.set(Predicate::Clean, EntityIndex(2));
+  facts.set(Predicate::Closed, EntityIndex(4));
+  facts.set(Predicate::On, EntityIndex(1), EntityIndex(3));
+  start.states = {facts};
+  return start;
+}
+
+std::vector<Reading> read(const std::string& text) {
+  const auto knowledge = knowledge_of_mugs();
+  auto readings = readings_of(text, NounTable(knowledge));
+  EXPECT_TRUE(readings) << format(readings.error());
+  if (!readings) return {};
+  const Trace start = home();
+  return readings_in_home(std::move(*readings), knowledge, &start);
+}
+
+void expect_goal(const std::string& text, const std::string& goal) {
+  const auto readings = read(text);
+  ASSERT_THAT(readings, SizeIs(1)) << text;
+  const auto wanted = parse_formula("test", goal, FormulaUse::Goal);
+  ASSERT_TRUE(wanted) << format(wanted.error());
+  EXPECT_TRUE(same_meaning(readings[0].goal, *wanted)) << text << "\n" << to_text(readings[0].goal);
+}
+
+TEST(Phenomena, AnaphoraSpeaksOfWhatTheFirstSentenceNamed) {
+  expect_goal("There is a mug on the table. Pick it up.",
+              "(exists (?a - (Mug :where (exists (?t - Table) (on ?a ?t)))) (at-end (held ?a)))");
+  expect_goal("There is a dirty mug somewhere. Wash that mug.",
+              "(exists (?a - (Mug :where (dirty ?a))) (at-end (clean ?a)))");
+}
+
+TEST(Phenomena, WhatIsOnlyMentionedIsNotAskedFor) {
+  expect_goal("The fridge is closed. There is a mug on the table. Turn on a lamp.",
+              "(exists (?a - Lamp) (at-end (power_on ?a)))");
+}
+
+TEST(Phenomena, WhatIsNotSoInTheHomeIsNoReading) {
+  EXPECT_THAT(read("The fridge is open. Wash the dirty mug."), IsEmpty());
+  EXPECT_THAT(read("There is a dirty fridge somewhere. Wash it."), IsEmpty());
+  EXPECT_THAT(read("There is more than one table here. Wash the dirty mug."), IsEmpty());
+  EXPECT_THAT(read("The mug is dirty. Wash the dirty mug."), IsEmpty());  // which one?
+}
+
+TEST(Phenomena, ItHasAReadingForEachThingThatWasNamed) {
+  EXPECT_THAT(read("There is a mug on the table. Open a fridge and wash it."), SizeIs(2));
+}
+
+TEST(Phenomena, EllipsisTakesTheNounOfWhatWasNamed) {
+  expect_goal("There is more than one mug here. Wash the dirty one.",
+              "(exists (?a - (Mug :where (dirty ?a))) (at-end (clean ?a)))");
+  EXPECT_FALSE(readings_of("Wash the dirty one.", NounTable(small_knowledge())));
+}
+
+TEST(Phenomena, AnExceptionIsNeverSo) {
+  expect_goal(
+      "Fill every mug but the dirty one with water.",
+      "(and (forall (?a - (Mug :where (not (dirty ?a)))) (at-end (filled ?a water))) (always (forall (?b - (Mug "
+      ":where (dirty ?b))) (not (filled ?b water)))))");
+}
+
+TEST(Phenomena, ACompoundNamesTheRoomOfAThing) {
+  const auto readings = readings_of("Open the kitchen fridge.", NounTable(small_knowledge()));
+  ASSERT_TRUE(readings) << format(readings.error());
+  ASSERT_THAT(*readings, SizeIs(1));
+  EXPECT_EQ(to_text((*readings)[0].goal),
+            "(exists (?n1 - (Fridge :where (exists (?n2 - kitchen) (in_room ?n1 ?n2)))) (at-end (open ?n1)))");
+}
+
+TEST(Phenomena, SentencesAndPhrasesStandForThings) {
+  const NounTable nouns(small_knowledge());
+  const auto goal = [&](const char* text) {
+    const auto read = parse_with(text, nouns);
+    return read ? to_text(normal_form(*read)) : format(read.error());
+  };
+  const auto normal = [](const char* text) {
+    return to_text(normal_form(*parse_formula("test", text, FormulaUse::Goal)));
+  };
+  EXPECT_EQ(goal("It's too dark to read."), normal("(exists (?a - Lamp) (at-end (power_on ?a)))"));
+  EXPECT_EQ(goal("I'm thirsty. Wash what I need for that."), normal("(exists (?a - Mug) (at-end (clean ?a)))"));
+  EXPECT_EQ(goal("Open the place where we keep the milk cold."), normal("(exists (?a - Fridge) (at-end (open ?a)))"));
+  EXPECT_EQ(goal("Wash a piece of tableware."), normal("(exists (?a - (either Bowl Mug)) (at-end (clean ?a)))"));
+  EXPECT_FALSE(parse_with("Wash what I need for that.", nouns));
+}
+
+TEST(Phenomena, TheWriterSaysOnlyWhatIsReadBack) {
+  const std::string dirty = "(exists (?a - (Mug :where (dirty ?a))) (at-end (held ?a)))";
+  const auto knowledge = small_knowledge();
+  const auto text_of = [&](const std::string& goal, const char* style, std::uint64_t seed) {
+    const auto written = write_instruction(asking(goal, style), knowledge, Rng(seed));
+    EXPECT_TRUE(written) << format(written.error());
+    EXPECT_EQ(name_of(written->style), style) << written->text;
+    EXPECT_THAT(check_instruction(written->text, asking(goal, style), knowledge), IsEmpty()) << written->text;
+    return written->text;
+  };
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    EXPECT_THAT(text_of(dirty, "anaphora", seed), ::testing::StartsWith("There is "));
+    EXPECT_THAT(text_of(dirty, "ellipsis", seed), ::testing::HasSubstr("the dirty one"));
+    EXPECT_EQ(text_of("(exists (?a - Lamp) (at-end (power_on ?a)))", "request", seed), "It's too dark to read.");
+  }
+}
+
+TEST(HomeSentences, AreTrueAndOfOtherThings) {
+  const auto knowledge = small_knowledge();
+  const auto told = home_sentences(home(), {"Mug"}, knowledge, NounTable(knowledge), Rng(1));
+  for (const auto& sentence : told) EXPECT_THAT(sentence, Not(::testing::HasSubstr("mug")));
+  for (const auto& sentence : told) EXPECT_THAT(read(sentence + " Wash the dirty mug."), SizeIs(1)) << sentence;
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,105 @@
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "audit/audit.h"
+#include "audit/task_questions.h"
+#include "planted_set.h"
+
+namespace unietp {
+namespace {
+
+using ::testing::Eq;
+using ::testing::IsEmpty;
+using testing::MadeTask;
+using ::testing::Not;
+using testing::Plant;
+
+constexpr int kHomes = 50;
+
+std::vector<AuditedTask> audited(const std::vector<MadeTask>& made) {
+  std::vector<AuditedTask> tasks;
+  for (const MadeTask& one : made) tasks.push_back(audited_task(one.task));
+  return tasks;
+}
+
+std::vector<AuditedTask> audited(const Plant& plant, bool is_aimed) {
+  return audited(planted(testing::made_set(kHomes, Rng(5)), plant, is_aimed, Rng(6)));
+}
+
+/// Where the one policy does better than chance, as improbably as if all the others were played too.
+std::vector<std::string> leaks_of(std::string_view policy, std::vector<AuditedTask> tasks,
+                                  std::vector<AuditedTask> training = {}) {
+  AuditSettings settings = whole_audit();
+  std::erase_if(settings.policies, [&](const ShortcutPolicy* one) { return one->name != policy; });
+  EXPECT_EQ(settings.policies.size(), 1U) << policy;
+  std::vector<std::string> found;
+  for (const AuditCell& cell : audit(std::move(tasks), std::move(training), settings).cells) {
+    if (cell.p * static_cast<double>(shortcut_policies().size()) < kAuditLevel)
+      found.push_back(std::string(name_of(cell.mode)) + " " + cell.group);
+  }
+  return found;
+}
+
+std::string name_of_plant(const ::testing::TestParamInfo<Plant>& plant) {
+  std::string name(plant.param.policy);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class PlantedLeak : public ::testing::TestWithParam<Plant> {};
+INSTANTIATE_TEST_SUITE_P(Policies, PlantedLeak, ::testing::ValuesIn(testing::plants()), name_of_plant);
+
+TEST_P(PlantedLeak, IsFound) { EXPECT_THAT(leaks_of(GetParam().policy, audited(GetParam(), true)), Not(IsEmpty())); }
+
+/// All but those that change what the demonstration begins with, which are done to no thing.
+std::vector<Plant> done_to_things() {
+  auto plants = testing::plants();
+  std::erase_if(plants, [](const Plant& plant) { return plant.policy.find("first-object") != std::string_view::npos; });
+  return plants;
+}
+class DecoyPlant : public ::testing::TestWithParam<Plant> {};
+INSTANTIATE_TEST_SUITE_P(Policies, DecoyPlant, ::testing::ValuesIn(done_to_things()), name_of_plant);
+
+/// The same done to things drawn at random gives nothing away.
+TEST_P(DecoyPlant, IsNoLeak) { EXPECT_THAT(leaks_of(GetParam().policy, audited(GetParam(), false)), IsEmpty()); }
+
+TEST(Audit, EveryPolicyHasAPlantedLeak) {
+  std::vector<std::string_view> policies, planted;
+  for (const ShortcutPolicy& policy : shortcut_policies()) policies.push_back(policy.name);
+  for (const Plant& plant : testing::plants()) planted.push_back(plant.policy);
+  EXPECT_THAT(planted, Eq(policies));
+  EXPECT_GE(policies.size(), 20U);
+}
+
+TEST(Audit, FindsNothingWhereNothingIsPlanted) {
+  const auto report = audit(audited(testing::made_set(kHomes, Rng(5))), {}, whole_audit());
+  for (const AuditCell& cell : report.cells) {
+    EXPECT_FALSE(cell.leaks()) << cell.policy->name << " " << cell.group << " " << cell.right << " of " << cell.asked;
+    EXPECT_LE(cell.low, cell.chance);
+    EXPECT_LE(cell.chance, cell.high);
+  }
+  EXPECT_GT(report.cells.size(), 200U);
+}
+
+TEST(Audit, IsTheSameWithAnyNumberOfThreads) {
+  const auto tasks = audited(testing::made_set(6, Rng(1)));
+  AuditSettings settings = whole_audit();
+  const std::string one = audit_json(audit(tasks, {}, settings));
+  settings.threads = 3;
+  EXPECT_EQ(audit_json(audit(tasks, {}, settings)), one);
+}
+
+TEST(Audit, LearnsFromATrainingSet) {
+  const auto plant = std::find_if(testing::plants().begin(), testing::plants().end(),
+                                  [](const Plant& one) { return one.policy == "kind-classifier"; });
+  const auto training = audited(*plant, true);
+  auto few = planted(testing::made_set(60, Rng(8)), *plant, true, Rng(9));
+  for (MadeTask& one : few) one.task.record.layout = "one home";  // no other home to learn from
+  EXPECT_THAT(leaks_of("kind-classifier", audited(few)), IsEmpty());
+  EXPECT_THAT(leaks_of("kind-classifier", audited(few), training), Not(IsEmpty()));
+}
+
+}  // namespace
+}  // namespace unietp

@@ -1,0 +1,112 @@
+// The report of an evaluation in a browser, opened from the disk as people do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "../report/browser.h"
+#include "core/files.h"
+#include "data_set.h"
+#include "tests/support/needs.h"
+
+namespace unietp {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Browser;
+using ::testing::Each;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class EvaluationReport : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!Browser::installed()) GTEST_SKIP() << needs::kChromium;
+    const Ended made = run_program({"evaluate", data_set_in_all_modes().string(), "--policy", "noisy:0.3", "--modes",
+                                    "M1,M3", "--repeats", "5", "--out", folder_.at("run")});
+    ASSERT_EQ(made.code, 0) << made.err;
+  }
+  fs::path run() const { return folder_.path() / "run"; }
+  static int episodes() { return 2 * 5 * kCountInAllModes; }
+
+  ScratchFolder folder_;
+};
+
+std::string text(Browser& browser, const std::string& selector) {
+  return browser.evaluate("document.querySelector('" + selector + "').textContent").get<std::string>();
+}
+/// A click as a person makes it, on what the selector finds first.
+void click(Browser& browser, const std::string& selector) {
+  browser.evaluate("document.querySelector('" + selector + "').click()");
+}
+
+TEST_F(EvaluationReport, PlaysTheEpisodesThatANumberOfATableLeadsTo) {
+  Browser browser(folder_.path());
+  browser.open(run() / "report.html");
+  browser.until("!document.querySelector('#viewer').hidden");
+  EXPECT_THAT(text(browser, "#shown"), HasSubstr(std::to_string(episodes()) + " of " + std::to_string(episodes())));
+
+  // From a cell of the table of failures to its episodes.
+  const auto filter = browser.evaluate("document.querySelector('#table-failures tbody td a').dataset.filter");
+  EXPECT_THAT(filter.get<std::string>(), HasSubstr("class="));
+  const auto count = browser.evaluate("Number(document.querySelector('#table-failures tbody td a').textContent)");
+  click(browser, "#table-failures tbody td a");
+  EXPECT_EQ(browser.evaluate("document.querySelectorAll('#list tr').length"), count);
+  const auto kinds =
+      browser.evaluate("[...document.querySelectorAll('#list tr')].map(row => row.cells[2].textContent)");
+  const auto kind = browser.evaluate(
+      "new URLSearchParams(document.querySelector('#table-failures tbody td a').dataset.filter).get('class')");
+  for (const auto& one : kinds) EXPECT_THAT(one.get<std::string>(), HasSubstr(kind.get<std::string>()));
+
+  // The last episode lies on another page than the first; it is played to its end.
+  click(browser, "#clear");
+  click(browser, "#list tr:last-child a");
+  const std::string last = text(browser, "#list tr:last-child a");
+  const std::string id = last.substr(0, last.find(' '));
+  browser.until("document.querySelector('[data-part=tags]').textContent.includes('" + id + "')");
+  const auto first_said = text(browser, "[data-part=said]");
+  EXPECT_THAT(first_said, HasSubstr("\"action\""));
+  EXPECT_EQ(text(browser, "[data-part=place]").substr(0, 10), "reply 1 of");
+  while (!browser.evaluate("document.querySelector('[data-part=next]').disabled").get<bool>())
+    click(browser, "[data-part=next]");
+  EXPECT_EQ(text(browser, "[data-part=place]"), "the end");
+  EXPECT_GT(browser.evaluate("document.querySelectorAll('[data-part=expert] li').length").get<int>(), 1);
+
+  // A bar of the chart of failures.
+  browser.evaluate("charts[0].options.onClick({}, [{index: 0, datasetIndex: 0}])");
+  EXPECT_GT(browser.evaluate("document.querySelectorAll('#list tr').length").get<int>(), 0);
+  EXPECT_LT(browser.evaluate("document.querySelectorAll('#list tr').length").get<int>(), episodes());
+
+  EXPECT_THAT(browser.complaints, IsEmpty());
+  EXPECT_THAT(browser.fetched, Each(HasSubstr("/run/report/")));
+}
+
+TEST_F(EvaluationReport, ShowsWhatWasSeenWhereItHasPictures) {
+  Browser browser(folder_.path());
+  browser.open(run() / "report.html");
+  browser.until("!document.querySelector('#viewer').hidden");
+  EXPECT_GT(browser.evaluate("document.querySelector('[data-part=picture] img').naturalWidth").get<int>(), 100);
+}
+
+TEST_F(EvaluationReport, SaysSoWhenItsEpisodesAreMissing) {
+  fs::remove_all(run() / "report");
+  Browser browser(folder_.path());
+  browser.open(run() / "report.html");
+  browser.until("document.querySelector('#shown').textContent.includes('cannot be read')");
+  EXPECT_GT(browser.evaluate("document.querySelectorAll('#table-main td').length").get<int>(), 0);
+}
+
+/// The report stays light: its episodes are in pages beside it.
+TEST_F(EvaluationReport, HasItsEpisodesInPagesBesideIt) {
+  std::size_t pages = 0;
+  for (const auto& entry : fs::directory_iterator(run() / "report")) {
+    EXPECT_THAT(entry.path().filename().string(), EndsWith(".html"));
+    ++pages;
+  }
+  EXPECT_EQ(pages, static_cast<std::size_t>((episodes() + 31) / 32));
+  const std::string page = *read_file(run() / "report.html");
+  const std::string list = page.substr(page.find("id=\"data\""));
+  EXPECT_LT(list.find("</script>"), 500U * static_cast<std::size_t>(episodes()));
+}
+
+}  // namespace
+}  // namespace unietp

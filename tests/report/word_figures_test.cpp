@@ -1,0 +1,58 @@
+#include "report/word_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/scratch_folder.h"
+
+namespace unietp {
+namespace {
+
+TEST(WordFigures, AreCountedByText) {
+  const auto figures = word_figures({{"atomic", "Wash a mug."},
+                                     {"atomic", "Wash a mug, please."},
+                                     {"logical", "Make sure that the large red mug that is on a table is clean."},
+                                     {"logical", "Could you wash a plate?"},
+                                     {"logical", "..."}});
+  EXPECT_EQ(figures.texts, 4);
+  EXPECT_DOUBLE_EQ(figures.mean_words.at("all"), (3 + 4 + 14 + 5) / 4.0);
+  EXPECT_DOUBLE_EQ(figures.mean_words.at("atomic and compositional"), 3.5);
+  EXPECT_DOUBLE_EQ(figures.mean_words.at("other splits"), 9.5);
+  EXPECT_DOUBLE_EQ(figures.at_most_10_words, 0.75);
+  EXPECT_DOUBLE_EQ(figures.ten_openings, 1);
+  EXPECT_DOUBLE_EQ(figures.frames, 0.25);
+  EXPECT_DOUBLE_EQ(figures.polite, 0.5);
+  EXPECT_EQ(figures.bigrams.at({"a", "mug"}), 2);
+  EXPECT_FALSE(figures.bigrams.contains({"mug", "please."}));
+}
+
+TEST(WordFigures, TheDivergenceIsNoneFromTheSameAndOneFromOthers) {
+  HumanGoals human;
+  human.bigrams[{"wash", "a"}] = 500;
+  human.bigrams[{"a", "mug"}] = 500;
+  EXPECT_LT(distance_to_human({{{"wash", "a"}, 400}, {{"a", "mug"}, 400}}, human), 0.001);
+  EXPECT_DOUBLE_EQ(distance_to_human({{{"close", "the"}, 400}}, human), 1);
+  const double half = distance_to_human({{{"wash", "a"}, 400}, {{"close", "the"}, 400}}, human);
+  EXPECT_NEAR(half, 0.5, 0.02);
+  EXPECT_LT(distance_within_human(800, human), 0.001);
+}
+
+TEST(WordFigures, OfPeopleAreReadFromTheirFilesAndFaultsAreTold) {
+  const ScratchFolder folder;
+  const auto write = [&](const char* name, const char* text) { std::ofstream(folder.path() / name) << text; };
+  write("human_goals.csv", "# from somewhere\nfigure,value\nmean_words,9.25\npairs_that_occur_once,12\n");
+  write("human_bigrams.csv", "first,second,count\nput,a,7\n");
+  const auto read = read_human_goals(folder.path());
+  ASSERT_TRUE(read) << format(read.error());
+  EXPECT_DOUBLE_EQ(read->figures.at("mean_words"), 9.25);
+  EXPECT_EQ(read->single_bigrams, 12);
+  EXPECT_EQ(read->bigrams.at({"put", "a"}), 7);
+  for (const char* wrong : {"first,second,count\nput,a\n", "first,second,count\nput,a,one\n"}) {
+    write("human_bigrams.csv", wrong);
+    EXPECT_FALSE(read_human_goals(folder.path())) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace unietp
