@@ -121,8 +121,8 @@ bool prove(const fs::path& folder, const std::vector<fs::path>& against, int thr
     return check_text(stated, reading.backends[static_cast<std::size_t>(stated.simulator)]);
   };
   const auto report = validate_dataset(folder, backends, *digest, options);
-  std::printf("  %d of %d proven, %d demonstrations, %d steps, %d spoilt plans\n", report.counts.proven,
-              report.counts.tasks, report.counts.demonstrations, report.counts.steps, report.counts.spoilt_plans);
+  std::printf("  %d of %d proven, %d demonstrations, %d steps, %d altered plans\n", report.counts.proven,
+              report.counts.tasks, report.counts.demonstrations, report.counts.steps, report.counts.altered_plans);
   for (const Problem& problem : report.problems) (void)print_error(problem.error);
   return report.sound();
 }

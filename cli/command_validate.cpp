@@ -11,9 +11,11 @@
 #include "cli/evaluation_results.h"
 #include "cli/full_validation.h"
 #include "cli/likeness_output.h"
+#include "core/file_writer.h"
 #include "core/in_quotes.h"
 #include "record/manifest_record.h"
 #include "resources/resources.h"
+#include "scene/command.h"
 #include "validator/validate.h"
 
 namespace unietp {
@@ -22,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ValidateOptions {
-  std::filesystem::path folder, dataset;
+  std::filesystem::path folder, dataset, plans;
   std::vector<std::filesystem::path> against;
   int threads = 1;
   bool json = false, kinds = false;
@@ -49,7 +51,7 @@ Json counts_json(const ProofCounts& counts) {
           {"proven", counts.proven},
           {"demonstrations", counts.demonstrations},
           {"steps", counts.steps},
-          {"spoilt_plans", counts.spoilt_plans},
+          {"altered_plans", counts.altered_plans},
           {"texts", counts.texts}};
 }
 
@@ -82,7 +84,7 @@ void print_json(const ValidationReport& report) {
 
 void print_row(std::string_view name, const ProofCounts& counts) {
   std::printf("%-12s %8d %8d %15d %8d %13d %8d\n", std::string(name).c_str(), counts.tasks, counts.proven,
-              counts.demonstrations, counts.steps, counts.spoilt_plans, counts.texts);
+              counts.demonstrations, counts.steps, counts.altered_plans, counts.texts);
 }
 
 void print_text(const ValidationReport& report) {
@@ -93,7 +95,7 @@ void print_text(const ValidationReport& report) {
     std::printf("and %lld more problems of these kinds\n", static_cast<long long>(more));
   if (!report.problems.empty()) std::printf("\n");
   for (const auto& likeness : report.likeness) print_likeness(likeness);
-  std::printf("%-12s %8s %8s %15s %8s %13s %8s\n", "", "tasks", "proven", "demonstrations", "steps", "spoilt plans",
+  std::printf("%-12s %8s %8s %15s %8s %13s %8s\n", "", "tasks", "proven", "demonstrations", "steps", "altered plans",
               "texts");
   for (const auto simulator : kSimulators)
     print_row(name_of(simulator), report.by_simulator[static_cast<std::size_t>(simulator)]);
@@ -109,6 +111,34 @@ void print_kinds() {
   for (const auto& about : all_problems())
     std::printf("| `%s` | %s |\n", std::string(about.name).c_str(), std::string(about.meaning).c_str());
 }
+
+/// Writes changed plans as they come; remembers the first failure.
+class PlanFile {
+ public:
+  static Result<PlanFile> begin(const std::filesystem::path& path) {
+    auto place = place_of(path);
+    if (!place) return place.error();
+    auto file = FileWriter::replace(std::move(*place));
+    if (!file) return file.error();
+    return PlanFile(std::move(*file));
+  }
+  void add(const std::string& task, const TriedPlan& tried) {
+    auto actions = Json::array();
+    for (const Command& command : tried.plan.commands) actions.push_back(command_to_json(command));
+    const Json line{{"task", task},
+                    {"mode", name_of(tried.mode)},
+                    {"change", name_of(tried.plan.change)},
+                    {"actions", std::move(actions)},
+                    {"reaches_goal", tried.plan.reaches_goal}};
+    if (written_) written_ = file_.add(line.dump() + "\n");
+  }
+  Result<Done> finish() { return written_ ? file_.finish() : written_; }
+
+ private:
+  explicit PlanFile(FileWriter file) : file_(std::move(file)) {}
+  FileWriter file_;
+  Result<Done> written_ = Done{};
+};
 
 Exit validate(ValidateOptions& options, const CommandLine& program) {
   if (options.kinds) {
@@ -138,7 +168,17 @@ Exit validate(ValidateOptions& options, const CommandLine& program) {
   if (!validation) return refuse(validation.error());
   validation->threads = options.threads;
   validation->against = options.against;
+  std::optional<PlanFile> plans;
+  if (!options.plans.empty()) {
+    auto begun = PlanFile::begin(options.plans);
+    if (!begun) return refuse(begun.error());
+    plans.emplace(std::move(*begun));
+    validation->take_plan = [&](const std::string& task, const TriedPlan& plan) { plans->add(task, plan); };
+  }
   const auto report = validate_dataset(options.folder, backends, resources.digest, *validation);
+  if (plans) {
+    if (const auto written = plans->finish(); !written) return refuse(written.error());
+  }
   options.json ? print_json(report) : print_text(report);
   return report.sound() ? Exit::Ok : Exit::Wrong;
 }
@@ -150,7 +190,7 @@ void add_validate_command(CommandParser& app, CommandLine& program) {
   auto* command = app.add_subcommand("validate", "Verify a data set from its files alone");
   command->explain(
       "Rebuilds each start scene in fresh physics, replays every demonstration and compares each outcome, view and "
-      "change, evaluates the goal, checks that damaged plans fail, and reads each instruction back into its goal. Also "
+      "change, evaluates the goal, checks that altered plans fail, and reads each instruction back into its goal. Also "
       "checks checksums, quotas, balance, duplicates and overlap with other data sets, from which homes and tasks must "
       "not be copied with small changes either.\n\n"
       "Of an evaluation that `unietp evaluate` wrote, it executes every episode again and computes every number of its "
@@ -171,6 +211,8 @@ void add_validate_command(CommandParser& app, CommandLine& program) {
       ->folder()
       ->one_each();
   command->add_option("--dataset", options->dataset, "For an evaluation: the data set that it was made on")->folder();
+  command->add_option("--altered-plans", options->plans,
+                      "Write the altered plans that were run, with their results, to this file as JSON lines");
   command->add_flag("--kinds", options->kinds, "List the kinds of problems, as Markdown")->excludes(folder);
   add_threads_option(*command, options->threads, program);
   command->add_flag("--json", options->json, "Print the report as JSON");

@@ -6,6 +6,7 @@
 
 #include "cli/command_parser.h"
 #include "cli/common_options.h"
+#include "core/evaluation_limits.h"
 #include "core/files.h"
 #include "core/limits.h"
 #include "core/text.h"
@@ -80,10 +81,9 @@ Result<Settings> read_settings(const EvaluateChoice& choice, Mode mode) {
     if (name == "mode" || name == "conventions") return usage("--setting", "use --modes and --preset instead");
     json[name] = setting_value(one.substr(equals + 1));
   }
-  constexpr int kMostSteps = 10'000;  // an episode is one line of a file
   auto settings = settings_from_json("--setting", json);
-  if (settings && settings->rules.limits.steps > kMostSteps)
-    return usage("--setting", "expected at most " + std::to_string(kMostSteps) + " steps");
+  if (settings && settings->rules.limits.steps > limits::kEvaluatedSteps)
+    return usage("--setting", "expected at most " + std::to_string(limits::kEvaluatedSteps) + " steps");
   return settings;
 }
 

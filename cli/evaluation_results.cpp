@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "core/in_quotes.h"
 #include "evaluation/dataset_digest.h"
+#include "evaluation/evaluate.h"
 #include "evaluation/evaluation_manifest.h"
 #include "scores/result_tables.h"
 #include "scores/write_results.h"
@@ -66,6 +67,16 @@ Exit validate_evaluation(const std::filesystem::path& folder, const std::filesys
          where + "#/setup/dataset/version",
          {},
          "is " + in_quotes(manifest->setup.dataset.version) + ", but the data set is " + in_quotes(*version)});
+  const EvaluatedAgent& agent = manifest->setup.agent;
+  const bool demonstrated = agent.kind == "policy" && (agent.name == "replay" || agent.name.starts_with("noisy:"));
+  const auto plan = plan_episodes(*reading.tasks.stored, manifest->setup.selection, demonstrated);
+  if (!plan) return refuse(plan.error());
+  if (const auto asked = static_cast<int>(plan->episodes.size()); asked != manifest->totals.episodes)
+    found.push_back(
+        {Error::Kind::Schema,
+         where + "#/totals/episodes",
+         {},
+         "is " + std::to_string(manifest->totals.episodes) + ", but the settings ask for " + std::to_string(asked)});
   for (const Error& one : found) std::printf("%s\n", format(one).c_str());
   const int episodes = manifest->totals.finished + manifest->totals.errored;
   std::printf("%d episodes executed again, all results computed again: %s\n", episodes,

@@ -82,6 +82,31 @@ constexpr const char* kModelsTopic =
     "or shown. --dry-run prints the prompts and sends nothing. Every answer is checked\n"
     "before it is used. Details: docs/llm.md.\n";
 
+constexpr const char* kEvaluationTopic =
+    "`unietp evaluate DATASET --out FOLDER` plays every task with an agent and writes\n"
+    "tables of its success:\n"
+    "\n"
+    "  --model NAME --llm-url URL      any OpenAI-compatible server; its key is read from\n"
+    "                                  UNIETP_LLM_KEY. --images none for models that\n"
+    "                                  cannot see\n"
+    "  --policy COMMAND                a program that speaks JSON lines\n"
+    "  --policy python:module.Class    a Python class with act(observation)\n"
+    "  --policy replay                 the stored demonstrations; also expert, random,\n"
+    "                                  stop and noisy:P\n"
+    "\n"
+    "Malformed answers count as the model's. Errors of the server or the program do not:\n"
+    "the episode is errored, the run incomplete, the exit code 1, and the same command\n"
+    "with --resume plays what is missing. --dry-run shows the plan and the first prompt,\n"
+    "--show-prompt TASK:STEP any other.\n"
+    "\n"
+    "FOLDER then holds report.html with a viewer of the episodes, tables.md, .tex and\n"
+    ".csv, results.json, lm_eval.json, and episodes.jsonl, from which they follow:\n"
+    "\n"
+    "  unietp validate FOLDER --dataset DATASET    executes all episodes again\n"
+    "  unietp compare FOLDER FOLDER --out BOARD    ranks, pairs and a leaderboard\n"
+    "\n"
+    "Details: docs/evaluation.md and docs/results.md.\n";
+
 std::string formats_text() {
   std::string text = "`unietp export DATASET --format NAME --out FOLDER` writes:\n\n";
   for (const auto& format : export_formats()) {
@@ -167,6 +192,7 @@ std::vector<HelpTopic> help_topics(const CommandPage& program) {
           {"formats", "Export formats with their options", formats_text()},
           {"files", "What is in a data set, and configuration files", kFilesTopic},
           {"models", "Using a language model", kModelsTopic},
+          {"evaluation", "Evaluating a model or a policy", kEvaluationTopic},
           {"settings", "Options of every command, and environment variables", settings_text(program)},
           {"exit-codes", "What the exit codes mean", kExitCodesTopic}};
 }

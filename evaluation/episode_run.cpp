@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/evaluation_limits.h"
 #include "core/in_quotes.h"
 #include "environment/answer.h"
 
@@ -47,7 +48,8 @@ class EpisodeWriter {
     EpisodeStep step;
     step.prompt = std::move(reply.prompt);
     step.reply = kept_text(reply.text, reply_bytes_);
-    step.thinking = kept_text(reply.thinking, kThinkingBytes - std::min(kThinkingBytes, thinking_bytes_));
+    step.thinking =
+        kept_text(reply.thinking, limits::kThinkingBytes - std::min(limits::kThinkingBytes, thinking_bytes_));
     step.finish = std::move(reply.finish);
     step.prompt_tokens = reply.prompt_tokens;
     step.completion_tokens = reply.completion_tokens;
@@ -130,7 +132,7 @@ PlayedEpisode unplayed(const PlannedEpisode& planned, const Environment& environ
 
 std::size_t reply_bytes(const Settings& settings) {
   const auto steps = static_cast<std::size_t>(std::max(1, settings.rules.limits.steps));
-  return std::clamp<std::size_t>(kEpisodeBytes / steps, 256, kReplyBytes);
+  return std::clamp<std::size_t>(limits::kRepliesBytes / steps, 256, limits::kReplyBytes);
 }
 
 std::string kept_text(const std::string& text, std::size_t most) {

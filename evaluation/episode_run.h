@@ -9,11 +9,6 @@
 
 namespace unietp {
 
-/// What a run keeps of the text of an episode, so that a line of its files can be read again (limits::kLineBytes).
-inline constexpr std::size_t kReplyBytes = std::size_t{32} << 10;    // of one reply; what follows is cut off
-inline constexpr std::size_t kEpisodeBytes = std::size_t{3} << 20;   // of all replies of an episode, shared evenly
-inline constexpr std::size_t kThinkingBytes = std::size_t{2} << 20;  // of an episode; the log has the rest
-
 /// An episode as it was played.
 struct PlayedEpisode {
   EpisodeRecord record;

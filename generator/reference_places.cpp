@@ -2,6 +2,7 @@
 #include <array>
 
 #include "generator/reference.h"
+#include "logic/evaluate.h"
 #include "templates/init_shape.h"
 
 namespace unietp {
@@ -83,6 +84,7 @@ class Landmarks {
     for (const auto& landmark : single_objects(offer_)) {
       const auto* category = knowledge_.find(landmark);
       if (category == nullptr || category->movable || !category->countable || is_named(landmark)) continue;
+      if (!is_near_in_a_room(landmark)) continue;
       found.push_back(related(Predicate::Nearest, landmark, Referring::ByNearness));
       found.back().start.push_back(only_one(landmark));
     }
@@ -95,6 +97,20 @@ class Landmarks {
   }
   bool usable(const std::string& category) const {
     return !is_named(category) && (offer_.now.states.empty() || number_of(offer_, category) > 0);
+  }
+  /// Whether the nearest of the things is in the landmark's room now: what is near through a wall is not near to
+  /// people.
+  bool is_near_in_a_room(const std::string& landmark) const {
+    if (offer_.now.states.empty()) return true;
+    const std::string room = other_ + "_room";
+    Domain any_room;
+    any_room.kind = Domain::Kind::Room;
+    const Formula together = exists(
+        room, any_room,
+        conjunction({atom(Predicate::InRoom, {variable_.variable, room}), atom(Predicate::InRoom, {other_, room})}));
+    const Formula near = exists(other_, of_category(landmark),
+                                conjunction({atom(Predicate::Nearest, {variable_.variable, other_}), together}));
+    return holds_in(exists(variable_.variable, of_category(variable_.category), near), offer_.now, 0);
   }
   Reference related(Predicate relation, const std::string& other, Referring kind) const {
     return {kind, exists(other_, of_category(other), atom(relation, {variable_.variable, other_})), {}};

@@ -44,6 +44,17 @@ std::vector<std::string> served_by(const Alias& phrase, const Specification& pla
   return serving;
 }
 
+/// What each phrase means, for all that mean anything, those first that leave a choice among several categories.
+std::vector<std::vector<std::string>> choices_first(const std::vector<const Alias*>& phrases,
+                                                    const Specification& plain, const std::string& category,
+                                                    const Knowledge& knowledge) {
+  std::vector<std::vector<std::string>> all;
+  for (const Alias* phrase : phrases) all.push_back(served_by(*phrase, plain, category, knowledge));
+  std::erase_if(all, [](const auto& serving) { return serving.empty(); });
+  std::stable_partition(all.begin(), all.end(), [](const auto& serving) { return serving.size() > 1; });
+  return all;
+}
+
 }  // namespace
 
 AliasKind phrases_of(Style style) {
@@ -76,14 +87,14 @@ std::optional<Specification> refine_by_phrase(const Specification& plain, const 
     if (style == Style::Request)
       std::erase_if(phrases,
                     [&](const Alias* alias) { return !alias->text.starts_with(std::string(info(*state).name) + " "); });
-    if (phrases.empty()) continue;
-    const auto serving = served_by(*rng.pick(phrases), plain, category, knowledge);
-    if (serving.empty()) continue;
-    auto widened = substituted(plain, category, serving);
-    widened.split = Split::Linguistic;
-    widened.style = style;
-    if (contradiction(widened, knowledge) || bad_start(widened, knowledge, kStartsDrawn)) continue;
-    return widened;
+    rng.shuffle(phrases);
+    for (const auto& serving : choices_first(phrases, plain, category, knowledge)) {
+      auto widened = substituted(plain, category, serving);
+      widened.split = Split::Linguistic;
+      widened.style = style;
+      if (contradiction(widened, knowledge) || bad_start(widened, knowledge, kStartsDrawn)) continue;
+      return widened;
+    }
   }
   return std::nullopt;
 }

@@ -19,6 +19,9 @@ constexpr double kUnspoken = 0.02;   // share of a state that nobody spoke of
 
 Household::Household(const Knowledge& knowledge, const CommonSense& sense, StartStates states)
     : kinds_(sense.kinds()), states_(std::move(states)) {
+  for (auto& pair : sense.kept_apart()) {
+    if (!kinds_.is_a(pair.first, "food") || !kinds_.is_a(pair.second, "food")) apart_.push_back(std::move(pair));
+  }
   const UsualPlaces usual(knowledge, sense);
   for (const Category& category : knowledge.categories()) {
     if (const auto* fact = sense.kind_of(knowledge.simulator(), category.name)) kind_[category.name] = fact->kind;
@@ -51,6 +54,14 @@ const std::vector<Household::Place>& Household::places_of(std::string_view categ
 std::string_view Household::kind_of(std::string_view category) const {
   const auto found = kind_.find(category);
   return found == kind_.end() ? std::string_view() : std::string_view(found->second);
+}
+
+bool Household::clash(std::string_view a, std::string_view b) const {
+  const auto first = kind_of(a), second = kind_of(b);
+  return std::any_of(apart_.begin(), apart_.end(), [&](const auto& pair) {
+    return (kinds_.is_a(first, pair.first) && kinds_.is_a(second, pair.second)) ||
+           (kinds_.is_a(second, pair.first) && kinds_.is_a(first, pair.second));
+  });
 }
 
 Role Household::role_at(Predicate relation, std::string_view receptacle) const {

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "akb/knowledge.h"
@@ -33,6 +34,9 @@ class Household {
   /// The share of things of the category that are in a state at a place; a little when nobody spoke of it. `receptacle`
   /// "": wherever it is.
   double share(std::string_view category, Predicate relation, std::string_view receptacle, const State& state) const;
+  /// True for two categories that a rule of safety keeps apart: cleaning agents and food. Kinds of food are not kept
+  /// apart here: a fridge has a shelf for each.
+  bool clash(std::string_view a, std::string_view b) const;
   /// All states that are spoken of there.
   std::vector<LikelyState> states_of(std::string_view category, Predicate relation, std::string_view receptacle) const;
 
@@ -42,7 +46,8 @@ class Household {
 
   Kinds kinds_;
   StartStates states_;
-  std::map<std::string, std::string, std::less<>> kind_;  // by category
+  std::vector<std::pair<std::string, std::string>> apart_;  // kinds
+  std::map<std::string, std::string, std::less<>> kind_;    // by category
   std::map<std::string, std::vector<Place>, std::less<>> places_;
 };
 

@@ -99,6 +99,7 @@ class Scatterer {
   bool place(const Wish& wish, Rng rng) {
     const Node plain = make_node(workspace_, *wish.category, kObjectSizeSpread, rng);
     std::vector<Host> hosts = hosts_in(wish);
+    std::erase_if(hosts, [&](const Host& host) { return holds_what_clashes(host.node, wish.category->name); });
     for (int choice = 0; choice < kReceptaclesPerTry && !hosts.empty(); ++choice) {
       std::vector<double> chances;
       for (const Host& host : hosts) chances.push_back(host.weight);
@@ -114,7 +115,7 @@ class Scatterer {
                                           options, rng.fork("place", static_cast<std::uint64_t>(choice)));
       if (!place.pose) continue;
       node.pose = *place.pose;
-      ++carried_[host.node];
+      carried_[host.node].push_back(wish.category->name);
       enter(workspace_.add(std::move(node)));
       return true;
     }
@@ -175,6 +176,14 @@ class Scatterer {
     return hosts;
   }
 
+  /// Whether the node has something on or in it that is kept apart from the category: no bleach among the bread.
+  bool holds_what_clashes(std::size_t node, std::string_view category) const {
+    const auto carried = carried_.find(node);
+    if (carried == carried_.end() || workspace_.household() == nullptr) return false;
+    return std::any_of(carried->second.begin(), carried->second.end(),
+                       [&](std::string_view other) { return workspace_.household()->clash(category, other); });
+  }
+
   /// Nothing where the room has none of the usual places of what has such places, unless real homes have it there.
   void add_usual_hosts(std::size_t room, const Wish& wish, std::vector<Host>& hosts) const {
     const auto& places = workspace_.household()->places_of(wish.category->name);
@@ -195,7 +204,7 @@ class Scatterer {
     const double mean = usual == recipe_.held.end() ? kHeldByOthers : usual->second;
     for (const std::size_t node : there->second) {
       const auto carried = carried_.find(node);
-      const double crowd = carried == carried_.end() ? 0 : carried->second / (mean + 1);
+      const double crowd = carried == carried_.end() ? 0 : static_cast<double>(carried->second.size()) / (mean + 1);
       hosts.push_back({node, relation, likelihood / static_cast<double>(there->second.size()) / (1 + crowd)});
     }
   }
@@ -204,8 +213,8 @@ class Scatterer {
   const LayoutRecipe& recipe_;
   const ScatterOptions& options_;
   std::vector<std::map<std::string, std::vector<std::size_t>, std::less<>>> rooms_;  // category → nodes, by room
-  std::set<std::string_view> sliced_;   // categories that only slicing makes
-  std::map<std::size_t, int> carried_;  // things put on or in a node
+  std::set<std::string_view> sliced_;                             // categories that only slicing makes
+  std::map<std::size_t, std::vector<std::string_view>> carried_;  // categories of the things put on or in a node
 };
 
 }  // namespace

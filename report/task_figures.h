@@ -24,6 +24,8 @@ struct TaskFigures {
   std::string writer;
   std::vector<std::string> words;       // of the instruction, lower case, in order
   std::vector<std::string> categories;  // that its template is bound to
+  /// Of each part of the goal for which any of several categories serves: these, in order of name.
+  std::vector<std::vector<std::string>> alternatives;
   FormulaCensus goal;
   std::map<Mode, Plan> plans;  // of the demonstrations that were read
 };

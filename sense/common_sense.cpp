@@ -254,6 +254,14 @@ bool CommonSense::belongs(const Thing& thing, const std::string& place) const {
   return false;
 }
 
+std::vector<std::pair<std::string, std::string>> CommonSense::kept_apart() const {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const auto& rule : rules_) {
+    if (rule.together) pairs.emplace_back(rule.thing, rule.other);
+  }
+  return pairs;
+}
+
 Sense CommonSense::together(const Thing& a, const Thing& b) const {
   for (const auto& rule : rules_) {
     if (!rule.together) continue;

@@ -67,6 +67,9 @@ class CommonSense {
   bool belongs(const Thing& thing, const std::string& place) const;
   /// True when some rule looks at this material.
   bool has_rule_on(std::string_view material) const;
+  /// The kinds that a rule keeps apart, in the order of the rules: nothing of the first is at one place with something
+  /// of the second.
+  std::vector<std::pair<std::string, std::string>> kept_apart() const;
   /// The rules on two things at one place, or next to one another.
   Sense together(const Thing& a, const Thing& b) const;
 

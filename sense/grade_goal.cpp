@@ -85,6 +85,11 @@ bool go_together(const Want& a, const Want& b) {
   return (turns(a) && (is_place(b) || turns(b))) || (turns(b) && is_place(a));
 }
 
+/// True when `outer` puts somewhere what `inner` puts something on or into.
+bool carries(const Want& outer, const Want& inner) {
+  return is_place(inner) && is_place(outer) && inner.other == outer.thing;
+}
+
 /// The piece of the wants that has these, with the things that they speak of.
 Wants piece_of(const Wants& whole, std::vector<Want> wants, std::vector<Want> found) {
   Wants piece;
@@ -105,6 +110,18 @@ Wants piece_of(const Wants& whole, std::vector<Want> wants, std::vector<Want> fo
   }
   piece.wants = std::move(wants);
   piece.found = std::move(found);
+  return piece;
+}
+
+/// The wants of a piece and what its vessels carry, on which the grade of a vessel's place depends.
+std::vector<Want> with_carried(std::vector<Want> piece, const Wants& whole) {
+  const std::size_t size = piece.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    for (const Want& inner : whole.wants) {
+      if (carries(piece[i], inner) && std::find(piece.begin(), piece.end(), inner) == piece.end())
+        piece.push_back(inner);
+    }
+  }
   return piece;
 }
 
@@ -234,11 +251,32 @@ class GoalGrader {
   void part(const Want& want) {
     for (const auto& thing : things_of(want.thing)) {
       if (thing.kind.empty()) continue;
-      for (auto& each : asked(want, thing)) keep(std::move(each.words), sense_.grade(thing, each.role));
+      for (auto& each : asked(want, thing)) {
+        auto sense = sense_.grade(thing, each.role);
+        if (auto carried = carried_there(want, each.role); carried && sense.grade == Grade::Tolerable)
+          sense = std::move(*carried);
+        keep(std::move(each.words), std::move(sense));
+      }
       const bool beside = want.predicate == Predicate::NextTo && want.other && !want.negated;
       if (beside) company(want.thing, *want.other);
       if (want.negated && want.other) taken_away(want, thing);
     }
+  }
+
+  /// What the grade of a thing on or in a vessel is where the vessel goes: a plate of potatoes goes into a fridge for
+  /// the sake of the potatoes. Nothing when that is not usual, or the vessel carries nothing.
+  std::optional<Sense> carried_there(const Want& outer, const Role& role) const {
+    std::optional<Sense> worst;
+    for (const Want& inner : wants_.wants) {
+      if (!carries(outer, inner)) continue;
+      for (const auto& thing : things_of(inner.thing)) {
+        if (thing.kind.empty()) continue;
+        auto sense = sense_.grade(thing, role);
+        if (sense.grade != Grade::Usual) return std::nullopt;
+        worst = worst ? worse_of(std::move(*worst), std::move(sense)) : std::move(sense);
+      }
+    }
+    return worst;
   }
 
   /// Taking a thing away from where it is: a surface or a floor is cleared, but what is where it is kept stays there.
@@ -310,7 +348,7 @@ class GoalGrader {
 
   /// A thing on or in another that is put somewhere comes along: an apple on a plate goes into the dishwasher with it.
   void along(const Want& inner, const Want& outer) {
-    if (!is_place(inner) || !is_place(outer) || inner.other != outer.thing) return;
+    if (!carries(outer, inner)) return;
     for (const auto& thing : things_of(inner.thing)) {
       if (thing.kind.empty()) continue;
       for (auto& there : asked(outer, thing)) {
@@ -350,12 +388,12 @@ class GoalGrader {
 
 std::vector<Wants> pieces_of(const Wants& wants) {
   std::vector<Wants> pieces;
-  for (const Want& want : wants.wants) pieces.push_back(piece_of(wants, {want}, {}));
+  for (const Want& want : wants.wants) pieces.push_back(piece_of(wants, with_carried({want}, wants), {}));
   for (const Want& want : wants.found) pieces.push_back(piece_of(wants, {}, {want}));
   for (std::size_t i = 0; i < wants.wants.size(); ++i) {
     for (std::size_t j = i + 1; j < wants.wants.size(); ++j) {
       if (go_together(wants.wants[i], wants.wants[j]))
-        pieces.push_back(piece_of(wants, {wants.wants[i], wants.wants[j]}, {}));
+        pieces.push_back(piece_of(wants, with_carried({wants.wants[i], wants.wants[j]}, wants), {}));
     }
   }
   return pieces;

@@ -36,9 +36,10 @@ bool can_be_identified(const Command& command) {
                      [](const Argument& argument) { return !argument.box || shows_clearly(*argument.box); });
 }
 
-/// An episode, and the changes so far.
+/// An episode, with the commands and changes so far.
 struct Rollout {
   ModeEpisode episode;
+  std::vector<Command> commands;
   std::vector<Delta> changes;
 
   void act(const Action& action) {
@@ -46,6 +47,7 @@ struct Rollout {
     if (!command || !can_be_identified(*command)) return;
     const auto before = episode.world().moment();
     (void)episode.step(*command);
+    commands.push_back(*command);
     if (episode.world().moment() != before) changes.push_back(episode.world().changes());
   }
 };
@@ -58,18 +60,20 @@ std::vector<StateSet> states_held(const World& world) {
   return states;
 }
 
-class Spoiler {
+class PlanChanger {
  public:
-  Spoiler(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces, std::string where)
-      : goal_(goal), start_{ModeEpisode(start, mode), {}}, traces_(traces), where_(std::move(where)) {}
+  PlanChanger(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces, std::string where)
+      : goal_(goal), start_{ModeEpisode(start, mode), {}, {}}, traces_(traces), where_(std::move(where)) {}
 
   void leave_out_each(const std::vector<Action>& plan) {
     Rollout here = start_;
     for (std::size_t i = 0; i < plan.size(); ++i) {
       Rollout without = here;
-      if (reaches_goal(without, std::span(plan).subspan(i + 1))) {
+      const bool kept = puts_down(plan[i].type);
+      if (reaches_goal(kept ? PlanChange::KeptInHand : PlanChange::MissingStep, without,
+                       std::span(plan).subspan(i + 1))) {
         const auto step = "step " + std::to_string(i + 1) + " " + to_text(plan[i]);
-        if (puts_down(plan[i].type)) {
+        if (kept) {
           found(ProblemKind::LeftInHand,
                 "the goal is also reached if the object that " + step + " puts down stays in the hand");
         } else {
@@ -87,9 +91,9 @@ class Spoiler {
     for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
       auto swapped = parts;
       std::swap(swapped[i], swapped[i + 1]);
-      if (!survives(swapped)) return;
+      if (!survives(PlanChange::SwappedParts, swapped)) return;
     }
-    if (!survives({parts.rbegin(), parts.rend()})) return;
+    if (!survives(PlanChange::ReversedParts, {parts.rbegin(), parts.rend()})) return;
     found(ProblemKind::AnyOrder,
           "the goal requires an order, but is also reached with any two neighboring parts of the plan "
           "swapped, and with all of them reversed");
@@ -120,17 +124,19 @@ class Spoiler {
     done_.problems.push_back(problem_in(kind, where_, std::move(message)));
   }
 
-  bool reaches_goal(Rollout& rollout, std::span<const Action> rest) {
-    ++done_.tried;
+  bool reaches_goal(PlanChange change, Rollout& rollout, std::span<const Action> rest) {
     for (const Action& action : rest) rollout.act(action);
-    return holds(goal_, traces_.of(rollout.changes));
+    const bool reached = holds(goal_, traces_.of(rollout.changes));
+    rollout.commands.push_back(by_ids({ActionType::Stop, {}}));
+    done_.plans.push_back({change, std::move(rollout.commands), reached});
+    return reached;
   }
 
-  bool survives(const std::vector<std::vector<Action>>& parts) {
+  bool survives(PlanChange change, const std::vector<std::vector<Action>>& parts) {
     std::vector<Action> plan;
     for (const auto& part : parts) plan.insert(plan.end(), part.begin(), part.end());
     Rollout rollout = start_;
-    return reaches_goal(rollout, plan);
+    return reaches_goal(change, rollout, plan);
   }
 
   /// The plan cut wherever something was done and the hands are empty, and where what they hold became another: what
@@ -171,9 +177,9 @@ class Spoiler {
   }
 
   void use_instead(const std::string& referent, const std::string& other, const std::vector<Action>& plan) {
-    std::vector<Action> spoilt = plan;
+    std::vector<Action> altered = plan;
     bool used = false;
-    for (Action& action : spoilt) {
+    for (Action& action : altered) {
       for (std::string& argument : action.args) {
         if (argument != referent) continue;
         argument = other;
@@ -181,7 +187,7 @@ class Spoiler {
       }
     }
     Rollout rollout = start_;
-    if (used && reaches_goal(rollout, spoilt))
+    if (used && reaches_goal(PlanChange::Distractor, rollout, altered))
       found(ProblemKind::DistractorServes, "the goal is also reached with " + other + " instead of " + referent);
   }
 
@@ -194,13 +200,29 @@ class Spoiler {
 
 }  // namespace
 
+std::string_view name_of(PlanChange change) {
+  switch (change) {
+    case PlanChange::MissingStep:
+      return "missing-step";
+    case PlanChange::KeptInHand:
+      return "kept-in-hand";
+    case PlanChange::SwappedParts:
+      return "swapped-parts";
+    case PlanChange::ReversedParts:
+      return "reversed-parts";
+    case PlanChange::Distractor:
+      return "distractor";
+  }
+  return "";
+}
+
 MustFail must_fail(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
                    const std::vector<Action>& plan, const std::string& where) {
-  Spoiler spoiler(goal, start, mode, traces, where);
-  spoiler.leave_out_each(plan);
-  spoiler.change_order(plan);
-  spoiler.use_distractors(plan);
-  return spoiler.take();
+  PlanChanger changer(goal, start, mode, traces, where);
+  changer.leave_out_each(plan);
+  changer.change_order(plan);
+  changer.use_distractors(plan);
+  return changer.take();
 }
 
 }  // namespace unietp

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "logic/formula.h"
+#include "scene/command.h"
 #include "simulation/mode_rules.h"
 #include "simulation/world.h"
 #include "validator/problem.h"
@@ -11,9 +14,22 @@
 
 namespace unietp {
 
+/// How a plan was changed: without one of its steps, which put nothing down; without a step that put the held object
+/// down; with two neighboring parts in the other order; with all parts in reverse; with an object that the goal
+/// excludes in place of a referent.
+enum class PlanChange : std::uint8_t { MissingStep, KeptInHand, SwappedParts, ReversedParts, Distractor };
+std::string_view name_of(PlanChange change);  // "missing-step"
+
+/// A changed plan as an agent says it, `stop` included, and what it came to.
+struct AlteredPlan {
+  PlanChange change = PlanChange::MissingStep;
+  std::vector<Command> commands;
+  bool reaches_goal = false;
+};
+
 /// Result of running plans that must not reach the goal.
 struct MustFail {
-  int tried = 0;  // plans
+  std::vector<AlteredPlan> plans;  // in the order in which they were run
   std::vector<Problem> problems;
 };
 
@@ -21,7 +37,8 @@ struct MustFail {
 /// (an object that is then not put down stays in the hand), with its parts in a different order if the goal requires an
 /// order, and with an excluded object in place of each referent. Actions whose object cannot be named at that point are
 /// skipped. A changed plan that reaches the goal is a problem; of the orders, one that fails is enough, since not every
-/// order matters. `plan`: the actions of the demonstration, with objects by their ids.
+/// order matters, and no further one is tried. `plan`: the actions of the demonstration, with objects by their ids,
+/// without `stop`.
 MustFail must_fail(const Formula& goal, const World& start, Mode mode, const TraceMaker& traces,
                    const std::vector<Action>& plan, const std::string& where);
 

@@ -164,9 +164,11 @@ class TaskProver {
     }
     if (!holds(*goal_, trace))
       found(ProblemKind::GoalNotReached, where_shown(mode), "its replay does not reach the goal " + task_.goal_text);
-    auto spoilt = must_fail(*goal_, world, mode, traces, done.plan, where_shown(mode));
-    proof_.counts.spoilt_plans += spoilt.tried;
-    found(std::move(spoilt.problems));
+    auto altered = must_fail(*goal_, world, mode, traces, done.plan, where_shown(mode));
+    proof_.counts.altered_plans += static_cast<int>(altered.plans.size());
+    found(std::move(altered.problems));
+    if (!tools_.options.take_plan) return;
+    for (AlteredPlan& plan : altered.plans) proof_.plans.push_back({mode, std::move(plan)});
   }
 
   void prove_instruction() {

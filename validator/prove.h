@@ -27,6 +27,7 @@ struct TaskProof {
   TaskFacts facts;  // keys are "" when the scene does not read
   ProofCounts counts;
   std::vector<Problem> problems;  // of this task
+  std::vector<TriedPlan> plans;   // with ValidationOptions::take_plan only
 };
 
 /// Proves one task that reads, in fresh physics, with all that belongs to it. `lines`: those that it was read from.

@@ -195,7 +195,7 @@ void add(ProofCounts& to, const ProofCounts& other) {
   to.proven += other.proven;
   to.demonstrations += other.demonstrations;
   to.steps += other.steps;
-  to.spoilt_plans += other.spoilt_plans;
+  to.altered_plans += other.altered_plans;
   to.texts += other.texts;
 }
 
@@ -270,6 +270,7 @@ ValidationReport validate_dataset(const fs::path& folder, const std::vector<Vali
       },
       [&](TaskVerdict&& task) -> Result<Done> {
         if (whole) whole->add(set.names.size(), task.reading, task.proof.facts, task.nearest);
+        for (const TriedPlan& plan : task.proof.plans) options.take_plan(task.reading.name, plan);
         take(std::move(task), set);
         return Done{};
       });

@@ -13,6 +13,7 @@
 #include "record/task_record.h"
 #include "scene/scene.h"
 #include "simulation/profile.h"
+#include "validator/must_fail.h"
 #include "validator/problem.h"
 #include "validator/stated_goal.h"
 
@@ -52,6 +53,14 @@ using RemakeTask =
     std::function<Result<RemadeTask>(const TaskRecord&, const Formula& goal, const std::vector<Formula>& constraints,
                                      const std::shared_ptr<const Scene>& home, const ManifestRecord&)>;
 
+/// A changed plan of a task's demonstration that was run.
+struct TriedPlan {
+  Mode mode = Mode::M1;
+  AlteredPlan plan;
+};
+/// Called by one thread at a time, task by task in their order.
+using TakePlan = std::function<void(const std::string& task, const TriedPlan& plan)>;
+
 class ProofMemory;
 
 /// What a verification reads and compares, and on how many threads.
@@ -65,6 +74,7 @@ struct ValidationOptions {
   RemakeTask remake_task;                          // none: starts are only held against physics
   DeriveFiles derive_files;                        // none: README.md and the sources are not compared
   std::vector<std::filesystem::path> against;      // finished data sets with which nothing may be shared
+  TakePlan take_plan;                              // none: changed plans are run and forgotten
   ProofMemory* memory = nullptr;                   // proofs of an earlier call, to which those of this one are added
 };
 

@@ -1,5 +1,8 @@
 """The stored demonstrations, acted out through Python."""
 
+import json
+from collections import Counter
+
 import pytest
 from conftest import MODES
 
@@ -55,6 +58,27 @@ def test_a_plan_that_lacks_a_step_fails(folder, dataset, mode):
             assert reward == (1 if info.get("success", False) else 0), (task.id, left_out)
             if mode != "M3":
                 assert reward == 0, (task.id, left_out)
+
+
+def test_altered_plans_are_rewarded_as_the_validator_judges_them(folder, tmp_path):
+    """What the validator makes of each demonstration: without a step, with something kept in the hand, in another order,
+    with an object that the goal excludes."""
+    unietp.validate(folder, altered_plans=tmp_path / "plans.jsonl")
+    envs = {mode: unietp.make(folder, mode, picture=False) for mode in MODES}
+    tried = Counter()
+    with open(tmp_path / "plans.jsonl", encoding="utf-8") as plans:
+        for line in plans:
+            plan = json.loads(line)
+            env = envs[plan["mode"]]
+            env.reset(options={"task": plan["task"]})
+            _, reward, terminated, truncated, info = env.step(plan["actions"])
+            assert terminated or truncated, line
+            assert reward == (1 if plan["reaches_goal"] else 0) == (1 if info["success"] else 0), line
+            if plan["change"] not in ("swapped-parts", "reversed-parts"):
+                assert reward == 0, line
+            tried[plan["change"]] += 1
+    print(dict(tried))
+    assert {"missing-step", "kept-in-hand", "swapped-parts", "distractor"} <= set(tried)
 
 
 def test_the_scene_graph_follows_the_stored_changes(folder, dataset):

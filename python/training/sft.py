@@ -41,6 +41,7 @@ def options() -> argparse.Namespace:
     parser.add_argument("--steps", type=int, default=100, help="steps of the optimizer (default: 100)")
     parser.add_argument("--batch", type=int, help="chats in a step (default: 1 on a CPU, 8 on a GPU)")
     parser.add_argument("--rate", type=float, default=3e-4, help="highest learning rate (default: 3e-4)")
+    parser.add_argument("--layers", type=int, default=10, help="of 30, from the last, that a LoRA adapts (default: 10)")
     parser.add_argument("--longest", type=int, default=2048, help="leave out chats of more tokens (default: 2048)")
     parser.add_argument("--held-out", type=int, default=20, help="held-out chats whose loss and answers are measured (default: 20)")
     parser.add_argument("--evaluate", type=int, default=0, metavar="N", help="also evaluate on N tasks of the benchmark, before and after")
@@ -129,6 +130,7 @@ def train(chosen: argparse.Namespace, model: Any, tokenizer: Any, chats: dataset
     batch = chosen.batch or (8 if on_gpu else 1)
     lora = peft.LoraConfig(
         r=16, lora_alpha=32, lora_dropout=0.0, task_type="CAUSAL_LM",
+        layers_to_transform=list(range(model.config.num_hidden_layers - chosen.layers, model.config.num_hidden_layers)),
         target_modules=["q_proj", "k_proj", "v_proj", "o_proj", "gate_proj", "up_proj", "down_proj"],
     )
     trainer = trl.SFTTrainer(
@@ -182,8 +184,8 @@ def main() -> None:
     names = {json.loads(chat["messages"][-1]["content"])["action"] for chat in (*chats, *held_out)}
     report: dict[str, Any] = {
         "model": "SmolLM2-135M-Instruct", "without_simulator": chosen.without_simulator, "held_out_templates": chosen.hold_out_templates,
-        "tasks": chosen.tasks, "chats": len(chats), "steps": chosen.steps, "batch": batch, "threads": chosen.threads,
-        "device": "cuda" if torch.cuda.is_available() else "cpu", "before": measure(model, tokenizer, held_out, names),
+        "tasks": chosen.tasks, "chats": len(chats), "steps": chosen.steps, "batch": batch, "layers": chosen.layers,
+        "longest": chosen.longest, "threads": chosen.threads, "device": "cuda" if torch.cuda.is_available() else "cpu", "before": measure(model, tokenizer, held_out, names),
     }
     print("before:", report["before"], flush=True)
     if chosen.evaluate:

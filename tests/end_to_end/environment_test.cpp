@@ -2,20 +2,25 @@
 // and what their modes must not tell them. On the folder in UNIETP_DATASET where it is set, with as many episodes as
 // UNIETP_EPISODES says.
 #include <cstdlib>
+#include <map>
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/files.h"
+#include "core/text.h"
 #include "data_set.h"
 #include "environment/environment.h"
 #include "environment/observation_json.h"
 #include "environment/task_source.h"
 #include "logic/evaluate.h"
+#include "program.h"
 #include "scene/trace.h"
 #include "schema_checker.h"
 #include "tests/environment/random_agent.h"
 #include "tests/support/committed_knowledge.h"
+#include "tests/support/scratch_folder.h"
 
 namespace unietp {
 namespace {
@@ -35,12 +40,18 @@ AllSimulatorData data() {
   return data;
 }
 
-TaskSource source() {
+std::filesystem::path source_folder() {
   const char* given = std::getenv("UNIETP_DATASET");
-  auto opened = TaskSource::open(given == nullptr ? data_set_in_all_modes() : std::filesystem::path(given), data());
+  return given == nullptr ? data_set_in_all_modes() : std::filesystem::path(given);
+}
+
+TaskSource source(const std::filesystem::path& folder) {
+  auto opened = TaskSource::open(folder, data());
   EXPECT_TRUE(opened) << format(opened.error());
   return std::move(*opened);
 }
+
+TaskSource source() { return source(source_folder()); }
 
 std::size_t episodes(std::size_t usually) {
   const char* given = std::getenv("UNIETP_EPISODES");
@@ -92,6 +103,49 @@ TEST(EnvironmentsOfADataSet, GiveForEachDemonstrationWhatItsFileSays) {
     }
   }
   std::printf("replayed %zu demonstrations\n", replayed);
+}
+
+/// Every altered plan of the validator, as an agent would say it: the environment rewards it exactly when the validator
+/// found the goal reached, which of all kinds but those of order is never.
+TEST(EnvironmentsOfADataSet, RewardAlteredPlansAsTheValidatorJudgesThem) {
+  const ScratchFolder folder;
+  const char* given = std::getenv("UNIETP_DATASET");
+  const std::string set = given == nullptr ? folder.at("set") : given;
+  if (given == nullptr) {  // with tasks that ask for an order, and for one of several objects
+    ASSERT_EQ(run_program({"generate", "--count", "12", "--seed", "7", "--rooms", "5", "--objects", "25", "--modes",
+                           "M1,M2,M3", "--splits", "logical,instance_grounding", "--out", set, "--threads", "2"})
+                  .code,
+              0);
+  }
+  const TaskSource tasks = source(set);
+  ASSERT_EQ(run_program({"validate", set, "--altered-plans", folder.at("plans.jsonl")}).code, 0);
+  const auto text = read_file(folder.at("plans.jsonl"));
+  ASSERT_TRUE(text);
+  SchemaChecker checker;
+  std::map<std::string, int> tried;
+  for (const std::string& line : split(trim(*text), '\n')) {
+    const Json plan = Json::parse(line);
+    SCOPED_TRACE(line);
+    ASSERT_EQ(checker.check(plan, "altered_plan.schema.json"), "");
+    const auto position = tasks.find(plan["task"].get<std::string>());
+    ASSERT_TRUE(position);
+    Environment environment = environment_of(tasks, *position, *mode_named(plan["mode"].get<std::string>()));
+    StepResult last;
+    for (const Json& action : plan["actions"]) {
+      if (!environment.over()) last = environment.step(action.dump());
+    }
+    const bool reaches_goal = plan["reaches_goal"].get<bool>();
+    const auto change = plan["change"].get<std::string>();
+    EXPECT_TRUE(environment.over());
+    EXPECT_EQ(last.reward, reaches_goal ? 1 : 0);
+    if (change != "swapped-parts" && change != "reversed-parts") {
+      EXPECT_FALSE(reaches_goal);
+    }
+    ++tried[change];
+  }
+  for (const auto& [change, count] : tried) std::printf("%d plans of %s\n", count, change.c_str());
+  for (const char* change : {"missing-step", "kept-in-hand", "swapped-parts", "distractor"})
+    EXPECT_GT(tried[change], 0) << change;
 }
 
 TEST(EnvironmentsOfADataSet, RewardNoPlanThatLacksAStep) {

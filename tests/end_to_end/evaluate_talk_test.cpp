@@ -183,6 +183,70 @@ TEST(EvaluateTalk, AServerThatHangsIsGivenUpAfterItsTime) {
   EXPECT_THAT(table, AllOf(HasSubstr("Incomplete"), HasSubstr("2 errored")));
 }
 
+TEST(EvaluateTalk, ThePromptThatIsPrintedIsTheOneThatIsSent) {
+  const ScratchFolder scratch;
+  ChatServer server([](const Received& request) { return turns_then_stops(request, 3); });
+  const std::vector<std::string> talk{"--images", "none", "--reasoning"};
+  auto dry = talk;
+  dry.emplace_back("--dry-run");
+  const Ended planned = evaluate(server.url, scratch.at("run"), dry);
+  EXPECT_EQ(planned.code, 0) << planned.err;
+  EXPECT_EQ(server.count(), 0);
+  EXPECT_FALSE(fs::exists(scratch.at("run")));
+  ASSERT_EQ(evaluate(server.url, scratch.at("run"), talk).code, 0);
+  const auto sent = bodies(server);
+  ASSERT_EQ(sent.size(), 4U);
+  EXPECT_THAT(planned.out, HasSubstr(sent[0]["messages"][1]["content"].get<std::string>()));
+  auto third = talk;
+  const Json episode = json_lines(fs::path(scratch.at("run")) / "episodes.jsonl").front();
+  third.insert(third.end(), {"--show-prompt", episode["task"].get<std::string>() + ":3"});
+  const Ended shown = evaluate(server.url, scratch.at("run"), third);
+  EXPECT_EQ(shown.code, 0) << shown.err;
+  for (const Json& message : sent[2]["messages"])
+    EXPECT_THAT(shown.out, HasSubstr(message["content"].get<std::string>()));
+  EXPECT_EQ(server.count(), 4);
+}
+
+TEST(EvaluateTalk, TheRequestHasTheFieldsThatAreAskedFor) {
+  const ScratchFolder scratch;
+  ChatServer server([](const Received&) { return completion("<think>it is done</think>" + std::string(kStop)); });
+  ASSERT_EQ(evaluate(server.url, scratch.at("run"),
+                     {"--images", "none", "--temperature", "0.5", "--top-p", "0.9", "--max-tokens", "77",
+                      "--sampling-seed", "5", "--repeats", "2", "--extra", R"({"min_p": 0.1})"})
+                .code,
+            0);
+  const auto sent = bodies(server);
+  ASSERT_EQ(sent.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(sent[i]["temperature"], 0.5);
+    EXPECT_EQ(sent[i]["top_p"], 0.9);
+    EXPECT_EQ(sent[i]["max_tokens"], 77);
+    EXPECT_EQ(sent[i]["seed"], 5 + i) << "each repeat has a seed of its own";
+    EXPECT_EQ(sent[i]["min_p"], 0.1);
+  }
+  for (const Json& episode : json_lines(fs::path(scratch.at("run")) / "episodes.jsonl")) {
+    EXPECT_EQ(episode["steps"][0]["thinking"], "it is done");
+    EXPECT_EQ(episode["steps"][0]["reply"], kStop);
+    EXPECT_EQ(episode["end"], "stop");
+  }
+}
+
+TEST(EvaluateTalk, AsManyStepsAreToldAgainAsAreAskedFor) {
+  const ScratchFolder scratch;
+  const auto told = [&](const std::string& history) {
+    int asked = 0;
+    ChatServer server([&](const Received&) { return completion(++asked < 5 ? kTurn : kStop); });
+    EXPECT_EQ(evaluate(server.url, scratch.at(history), {"--images", "none", "--history", history}).code, 0);
+    const std::string user = server.received().back().user;
+    int count = 0;
+    for (auto at = user.find("turn_left"); at != std::string::npos; at = user.find("turn_left", at + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(told("full"), 4);
+  EXPECT_EQ(told("2"), 2);
+  EXPECT_EQ(told("none"), 0) << "only what became of the last action, without its name";
+}
+
 TEST(EvaluateTalk, EveryLineOfTheLogIsOfASchema) {
   const ScratchFolder scratch;
   ChatServer server([](const Received& request) { return turns_then_stops(request, 1); });

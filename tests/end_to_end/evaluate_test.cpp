@@ -206,6 +206,28 @@ TEST(Evaluate, WithoutFeedbackNoPromptTellsOfSuccess) {
   }
 }
 
+TEST(Evaluate, EpisodesAreChosenByTheirTasks) {
+  const ScratchFolder scratch;
+  std::vector<std::string> all, some;
+  for (const auto& task : json_lines(data_set_in_all_modes() / "tasks.jsonl")) {
+    all.push_back(task["id"]);
+    if (task["split"] == "compositional" && (task["simulator"] == "ai2thor" || task["simulator"] == "habitat"))
+      some.push_back(task["id"]);
+  }
+  const auto played = [&](std::vector<std::string> options, const std::string& out) {
+    options.insert(options.end(), {"--policy", "stop"});
+    EXPECT_EQ(evaluate(options, scratch.at(out)).code, 0);
+    std::vector<std::string> ids;
+    for (const EpisodeRecord& one : episodes_in(scratch.at(out))) ids.push_back(one.key.task);
+    return ids;
+  };
+  ASSERT_FALSE(some.empty());
+  EXPECT_EQ(played({"--splits", "compositional", "--simulators", "ai2thor,habitat"}, "some"), some);
+  EXPECT_EQ(played({"--limit", "3"}, "first"), (std::vector<std::string>{all[0], all[1], all[2]}));
+  EXPECT_EQ(played({"--tasks", all[5] + "," + all[1]}, "named"), (std::vector<std::string>{all[1], all[5]}));
+  EXPECT_EQ(evaluate({"--policy", "stop", "--tasks", "no-such-task"}, scratch.at("none")).code, 2);
+}
+
 TEST(Evaluate, AChangedSettingIsNotResumed) {
   const ScratchFolder scratch;
   ASSERT_EQ(evaluate({"--policy", "stop"}, scratch.at("run")).code, 0);

@@ -95,6 +95,23 @@ TEST_F(EvaluationReport, SaysSoWhenItsEpisodesAreMissing) {
   EXPECT_GT(browser.evaluate("document.querySelectorAll('#table-main td').length").get<int>(), 0);
 }
 
+TEST_F(EvaluationReport, AndALeaderboardOfSeveralRunsRanksThem) {
+  ASSERT_EQ(run_program({"evaluate", data_set_in_all_modes().string(), "--policy", "replay", "--modes", "M1,M3",
+                         "--out", folder_.at("replay")})
+                .code,
+            0);
+  ASSERT_EQ(run_program({"compare", folder_.at("run"), folder_.at("replay"), "--out", folder_.at("board")}).code, 0);
+  Browser browser(folder_.path());
+  browser.open(folder_.path() / "board" / "leaderboard.html");
+  const auto agents = browser.evaluate(
+      "[...document.querySelectorAll('#table-ranks-M1 tbody tr')].map(row => row.cells[1].textContent)");
+  EXPECT_EQ(agents, nlohmann::json({"replay", "noisy:0.3"}));
+  EXPECT_GT(browser.evaluate("document.querySelectorAll('#table-main tbody tr').length"), 1);
+  EXPECT_EQ(browser.evaluate("document.querySelectorAll('a[data-filter]').length"), 0) << "no episodes are here";
+  EXPECT_THAT(browser.complaints, IsEmpty());
+  EXPECT_THAT(browser.fetched, IsEmpty());
+}
+
 /// The report stays light: its episodes are in pages beside it.
 TEST_F(EvaluationReport, HasItsEpisodesInPagesBesideIt) {
   std::size_t pages = 0;

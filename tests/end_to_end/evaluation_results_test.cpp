@@ -9,6 +9,8 @@
 #include "core/text.h"
 #include "data_set.h"
 #include "program.h"
+#include "schema_checker.h"
+#include "tests/llm/server.h"
 #include "tests/support/scratch_folder.h"
 
 namespace unietp {
@@ -64,6 +66,10 @@ TEST_F(ForgedRun, IsSoundAsItWasWritten) {
   const Ended fine = validated();
   EXPECT_EQ(fine.code, 0) << fine.out << fine.err;
   EXPECT_THAT(fine.out, HasSubstr("no problem"));
+  SchemaChecker schemas;
+  for (const auto& line : json_lines(fs::path(run_) / "scores.jsonl"))
+    EXPECT_EQ(schemas.check(line, "score.schema.json"), "");
+  EXPECT_EQ(schemas.check(Json::parse(read("results.json")), "results.schema.json"), "");
   EXPECT_EQ(run_program({"validate", run_}).code, 2) << "it has to be told the data set";
   EXPECT_EQ(run_program({"validate", run_, "--dataset", small_data_set().string()}).code, 2) << "and the right one";
 }
@@ -118,6 +124,38 @@ TEST_F(ForgedRun, IsFoundByEveryNumberOfItsResults) {
     write(file, sound);
   }
   EXPECT_EQ(validated().code, 0);
+}
+
+TEST_F(ForgedRun, IsFoundByEveryTotalOfItsManifest) {
+  test::ChatServer server([](const test::Received& request) {
+    return test::completion(request.number % 3 == 2 ? R"({"action": "stop", "args": []})" : "I wonder.");
+  });
+  const Ended made = run_program({"evaluate", data_set_in_all_modes().string(), "--model", "some-model", "--llm-url",
+                                  server.url, "--images", "none", "--price-in", "0.15", "--price-out", "0.6",
+                                  "--at-once", "2", "--out", scratch_.at("model")});
+  ASSERT_EQ(made.code, 0) << made.err;
+  run_ = scratch_.at("model");
+  const std::string sound = read("manifest.json");
+  const Json totals = Json::parse(sound)["totals"];
+  EXPECT_GT(totals["cost"], 0);
+  ASSERT_EQ(validated().code, 0);
+  std::vector<Json> others;
+  for (const std::string& pointer : leaves(totals)) {
+    others.push_back(totals);
+    Json& value = others.back()[Json::json_pointer(pointer)];
+    value = forged(value);
+  }
+  EXPECT_GE(others.size(), 6U) << totals;
+  others.push_back(totals);
+  others.back()["models"].push_back("another model");
+  for (const Json& other : others) {
+    Json manifest = Json::parse(sound);
+    manifest["totals"] = other;
+    write("manifest.json", manifest.dump(2) + "\n");
+    const Ended ended = validated();
+    EXPECT_EQ(ended.code, 1) << other << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("manifest.json#/totals/")) << other;
+  }
 }
 
 TEST_F(ForgedRun, MustNotBeMixedWithAnotherDataSet) {

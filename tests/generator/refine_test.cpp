@@ -62,8 +62,17 @@ SceneOffer offer_with(const std::vector<std::string>& categories) {
   return offer;
 }
 
+/// Everything stands in the kitchen, and each thing is the nearest of its kind to any other.
 SceneOffer small_offer() {
-  return offer_with({"Lamp", "Television", "Counter", "Table", "Shelf", "Sink", "Fridge", "Cabinet", "Bowl", "Book"});
+  auto offer = offer_with(
+      {"Lamp", "Television", "Counter", "Table", "Shelf", "Sink", "Fridge", "Cabinet", "Bowl", "Book", "Mug", "Mug"});
+  Facts& facts = offer.now.states[0];
+  for (std::size_t i = 2; i < offer.now.entities.size(); ++i) {
+    facts.set(Predicate::InRoom, EntityIndex(i), EntityIndex(0));
+    for (std::size_t k = 2; k < offer.now.entities.size(); ++k)
+      if (k != i) facts.set(Predicate::Nearest, EntityIndex(i), EntityIndex(k));
+  }
+  return offer;
 }
 
 class ReferringKind : public ::testing::TestWithParam<std::string> {};

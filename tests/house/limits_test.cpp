@@ -1,4 +1,4 @@
-// docs/limits.md lists every bound of core/limits.h with its value.
+// docs/limits.md lists every bound of core/limits.h and core/evaluation_limits.h with its value.
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -32,7 +32,9 @@ double value_of(std::string expression, const std::map<std::string, double>& kno
 
 std::map<std::string, double> bounds_of_header() {
   std::map<std::string, double> bounds;
-  for (const auto& line : split(*read_file(kCheckout / "core" / "limits.h"), '\n')) {
+  const auto text =
+      *read_file(kCheckout / "core" / "limits.h") + *read_file(kCheckout / "core" / "evaluation_limits.h");
+  for (const auto& line : split(text, '\n')) {
     if (!line.starts_with("inline constexpr ")) continue;
     std::string list = line.substr(0, line.find(';'));
     list = list.substr(list.find(" k") + 1);
@@ -47,8 +49,14 @@ std::map<std::string, double> bounds_of_header() {
 
 /// By constant, from the rows `| what | 8 MiB | `kLineBytes` |`.
 std::map<std::string, double> bounds_of_page() {
-  const std::map<std::string, double> units{
-      {"", 1}, {"bytes", 1}, {"m", 1}, {"m2", 1}, {"kg", 1}, {"Mi", std::exp2(20)}, {"MiB", std::exp2(20)}};
+  const std::map<std::string, double> units{{"", 1},
+                                            {"bytes", 1},
+                                            {"m", 1},
+                                            {"m2", 1},
+                                            {"kg", 1},
+                                            {"KiB", 1024},
+                                            {"Mi", std::exp2(20)},
+                                            {"MiB", std::exp2(20)}};
   std::map<std::string, double> bounds;
   for (const auto& line : split(*read_file(kCheckout / "docs" / "limits.md"), '\n')) {
     const auto cells = split(line, '|');

@@ -78,5 +78,71 @@ TEST(Monitor, SaysHowMuchIsMetAndWhatIsMissing) {
   EXPECT_EQ(monitor.missing(), "");
 }
 
+/// Two mugs and a plate, of which some are clean.
+class CountingMonitor : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    for (std::size_t i = 0; i < entities_.size(); ++i) facts_.set_exists(EntityIndex(i));
+  }
+  void clean(std::size_t which) { facts_.set(Predicate::Clean, EntityIndex(which)); }
+
+  EntityList entities_ = {{Entity::Kind::Object, "mug_1", "Mug", ""},
+                          {Entity::Kind::Object, "mug_2", "Mug", ""},
+                          {Entity::Kind::Object, "plate_1", "Plate", ""}};
+  Facts facts_;
+};
+
+TEST_F(CountingMonitor, ProgressIsTheShareOfTheNumberThatIsNeeded) {
+  clean(0);
+  for (const auto& [goal, share] : {std::pair("(at-end (count >= 2 (?m - Mug) (clean ?m)))", 0.5),
+                                    std::pair("(at-end (count > 1 (?m - Mug) (clean ?m)))", 0.5),
+                                    std::pair("(at-end (count = 2 (?m - Mug) (clean ?m)))", 0.5)}) {
+    Monitor monitor(goal_of(goal));
+    monitor.observe(entities_, facts_);
+    EXPECT_FALSE(monitor.satisfied()) << goal;
+    EXPECT_DOUBLE_EQ(monitor.progress(), share) << goal;
+  }
+}
+
+TEST_F(CountingMonitor, TwoNumbersAreComparedInWords) {
+  clean(0);
+  clean(2);
+  Monitor monitor(goal_of("(at-end (count > (number (?m - Mug) (clean ?m)) (number (?p - Plate) (clean ?p))))"));
+  monitor.observe(entities_, facts_);
+  EXPECT_FALSE(monitor.satisfied());
+  EXPECT_EQ(monitor.missing(), "counting Mug against Plate gives a difference of 0, it must be more than 0");
+  clean(1);
+  monitor.observe(entities_, facts_);
+  EXPECT_TRUE(monitor.satisfied());
+  EXPECT_EQ(monitor.missing(), "");
+}
+
+TEST_F(CountingMonitor, IsHopelessOnceTooFewAreLeft) {
+  clean(0);
+  clean(1);
+  Monitor both(goal_of("(count >= 2 (?m - Mug) (always (clean ?m)))"));
+  Monitor one(goal_of("(count >= 1 (?m - Mug) (always (clean ?m)))"));
+  Monitor most(goal_of("(count <= 1 (?m - Mug) (sometime (dirty ?m)))"));
+  for (Monitor* monitor : {&both, &one, &most}) {
+    monitor->observe(entities_, facts_);
+    EXPECT_TRUE(monitor->satisfied());
+    EXPECT_FALSE(monitor->hopeless());
+  }
+  Facts dirty;
+  for (std::size_t i = 0; i < entities_.size(); ++i) dirty.set_exists(EntityIndex(i));
+  dirty.set(Predicate::Clean, EntityIndex(1));
+  dirty.set(Predicate::Dirty, EntityIndex(0));
+  for (Monitor* monitor : {&both, &one, &most}) monitor->observe(entities_, dirty);
+  EXPECT_TRUE(both.hopeless());
+  EXPECT_FALSE(one.hopeless());
+  EXPECT_FALSE(most.hopeless());
+  Facts all_dirty;
+  for (std::size_t i = 0; i < entities_.size(); ++i) all_dirty.set_exists(EntityIndex(i));
+  for (const std::size_t mug : {0U, 1U}) all_dirty.set(Predicate::Dirty, EntityIndex(mug));
+  for (Monitor* monitor : {&both, &one, &most}) monitor->observe(entities_, all_dirty);
+  EXPECT_TRUE(one.hopeless());
+  EXPECT_TRUE(most.hopeless());
+}
+
 }  // namespace
 }  // namespace unietp

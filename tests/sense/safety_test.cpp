@@ -46,7 +46,17 @@ INSTANTIATE_TEST_SUITE_P(
         Request{B, "place tablespoon in microwave"}, Request{A, "place Spoon in Microwave"},
         Request{A, "switch on StoveBurner"}, Request{B, "switch on stove"}, Request{A, "place Egg in Microwave"},
         Request{A, "(exists (?p - Pan) (at-end (and (hot ?p) (held ?p))))"},
-        Request{B, "(exists (?k - shears) (exists (?b - bed) (at-end (on ?k ?b))))"},
+        Request{B, "(exists (?k - shears) (exists (?b - bed) (at-end (on ?k ?b))))"}, Request{A, "place Candle on Bed"},
+        Request{A, "(exists (?c - Candle) (exists (?t - Towel) (at-end (next_to ?c ?t))))"},
+        Request{A,
+                "(exists (?c - Candle) (exists (?p - Pillow) (exists (?s - Shelf) (at-end (and (on ?c ?s) (on ?p "
+                "?s))))))"},
+        Request{A, "(exists (?p - PaperTowelRoll) (exists (?s - StoveBurner) (at-end (next_to ?p ?s))))"},
+        Request{V, "place painkillers on coffeetable"}, Request{V, "place painkillers on bed"},
+        Request{B, "(exists (?m - pill_bottle) (exists (?t - toy_dice) (at-end (next_to ?m ?t))))"},
+        Request{B, "place bottle_of_bleach_agent on coffee_table"}, Request{B, "place bottle_of_pesticide on bed"},
+        Request{A, "place Knife on CoffeeTable"}, Request{B, "soak iron"}, Request{B, "place iron in drop_in_sink"},
+        Request{B, "(exists (?d - can_of_soda) (exists (?c - monitor) (at-end (next_to ?d ?c))))"},
         Request{V, "place chefknife on sofa"},
         Request{B, "(exists (?p - bottle_of_pesticide) (exists (?d - can_of_dog_food) (at-end (next_to ?p ?d))))"}));
 

@@ -15,6 +15,9 @@ TEST(FactsOfALine, AreAllButTheProse) {
   EXPECT_EQ(facts_of_line("demonstrations (M1, M2) that reach the goal"), "M1 M2");
   EXPECT_EQ(facts_of_line("Every demonstration was executed."), "");
   EXPECT_EQ(facts_of_line(""), "");
+  EXPECT_EQ(facts_of_line("`a` is first, `b`"), "`a` `b`");
+  EXPECT_EQ(facts_of_line("M3 has pictures"), "M3");
+  EXPECT_EQ(facts_of_line("an open `quotation"), "`quotation");
 }
 
 std::size_t problems_with(const std::string& card, const std::string& wanted) {
@@ -25,6 +28,12 @@ std::size_t problems_with(const std::string& card, const std::string& wanted) {
                                return DerivedFiles{wanted, {}};
                              })
       .size();
+}
+
+TEST(Card, HasMetadataOnlyAtItsBeginning) {
+  EXPECT_EQ(problems_with("My words, of seed 7.\n\n---\n\nAnd more.\n", "Made with seed 7.\n\n---\n\nOther.\n"), 0U);
+  EXPECT_EQ(problems_with("# 1\n\nMine.\n", "# 1\n\nTheirs.\n"), 0U);
+  EXPECT_GT(problems_with("---\na note\n---\n", "---\nanother note\n---\n"), 0U);
 }
 
 TEST(Card, MayHaveOtherProseButNoOtherFacts) {

@@ -1,6 +1,14 @@
 """Inspect AI evaluates with its mock model, which answers with the demonstrations."""
 
+import json
 import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.parse
+import urllib.request
 
 import pytest
 from inspect_ai import eval as evaluate
@@ -56,3 +64,41 @@ def test_a_fault_of_the_environment_is_an_error_and_no_zero(folder, dataset, tmp
     (spoilt / "homes" / f"{dataset[0].layout}.scene.json.gz").unlink()
     log = run(spoilt, replay(unietp.load_dataset(spoilt), "M2"), tmp_path, limit=1, fail_on_error=False)
     assert log.samples[0].error is not None and not log.samples[0].scores
+
+
+def free_port():
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return one.getsockname()[1]
+
+
+def fetched(url):
+    """What is at an address of a server that may still be starting."""
+    for _ in range(300):
+        try:
+            with urllib.request.urlopen(url) as answer:
+                return answer.read()
+        except urllib.error.HTTPError:
+            raise
+        except OSError:
+            time.sleep(0.1)
+    raise TimeoutError(url)
+
+
+def test_the_log_opens_in_inspects_viewer(folder, dataset, tmp_path):
+    log = run(folder, replay(dataset, "M1"), tmp_path, "M1", limit=2)
+    port = free_port()
+    command = [sys.executable, "-m", "inspect_ai", "view", "start", "--log-dir", str(tmp_path / "logs"), "--port", str(port)]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as viewer:
+        try:
+            site = f"http://127.0.0.1:{port}"
+            assert b"<html" in fetched(site)
+            [shown] = json.loads(fetched(f"{site}/api/logs"))["files"]
+            assert shown["name"].endswith(log.location.rsplit("/", 1)[-1])
+            opened = json.loads(fetched(f"{site}/api/logs/{urllib.parse.quote(shown['name'], safe='')}"))
+            assert opened["eval"]["task"] == "unietp_tasks" and len(opened["samples"]) == 2
+            for sample in opened["samples"]:
+                assert sample["scores"]["goal_reached"]["value"] == 1
+                assert sample["messages"][0]["role"] == "system" and sample["messages"][1]["role"] == "user"
+        finally:
+            viewer.terminate()
