@@ -1,6 +1,4 @@
 #include "rewording/annotate.h"
-#include <cstdio>
-#include <cstdlib>
 
 #include <array>
 #include <set>
@@ -172,14 +170,6 @@ class Rewriting {
       std::string why = in_place ? "another task of this home has the model's text" : draft->why;
       draft = by_grammar(homes_, task, resources_, options_, stream_of(task, options_).fork("another", k));
       if (draft) draft->why = std::move(why);
-    }
-    if ((!draft || !in_style()) && std::getenv("WORD_DEV")) {
-      fprintf(stderr, "FAIL %s %s\n", record.id.c_str(), draft ? "style" : draft.error().message.c_str());
-      Instruction old;
-      old.text = "FAILED " + record.id;
-      old.writer = "grammar";
-      old.style = task.specification.style;
-      return old;
     }
     if (!draft) {
       Error error = draft.error();
