@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,17 @@ struct Clause {
   std::vector<NounPhrase> given;              // of a part of Or: only where such things are at the start; of the
                                               // clause of a Final: "if a fridge is open, …"
 };
+
+/// Whether a subject or object of the clause, or of its parts, meets a test of noun phrases.
+template <class Test>
+bool any_phrase(const Clause& clause, const Test& test) {
+  return std::any_of(clause.subjects.begin(), clause.subjects.end(), test) ||
+         std::any_of(
+             clause.complements.begin(), clause.complements.end(),
+             [&](const Complement& said) { return std::any_of(said.object.begin(), said.object.end(), test); }) ||
+         std::any_of(clause.parts.begin(), clause.parts.end(),
+                     [&](const Clause& part) { return any_phrase(part, test); });
+}
 
 /// One operator of a goal, worded as such where no clause can express it: "at all times, if the mug is hot, then …".
 struct Proposition {

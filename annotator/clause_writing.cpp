@@ -34,12 +34,7 @@ std::string agreed(const std::string& be, bool plural, bool forbidden = false) {
 }
 
 bool speaks_of(const Clause& clause, const Domain& noun) {
-  const auto same = [&](const NounPhrase& phrase) { return phrase.noun == noun; };
-  const auto within = [&](const Complement& said) { return std::any_of(said.object.begin(), said.object.end(), same); };
-  return std::any_of(clause.subjects.begin(), clause.subjects.end(), same) ||
-         std::any_of(clause.complements.begin(), clause.complements.end(), within) ||
-         std::any_of(clause.parts.begin(), clause.parts.end(),
-                     [&](const Clause& part) { return speaks_of(part, noun); });
+  return any_phrase(clause, [&](const NounPhrase& phrase) { return phrase.noun == noun; });
 }
 
 /// Whether an action is done to an object where it stands: "open the drawer in the kitchen" is clear, "cook the egg on

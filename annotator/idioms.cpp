@@ -43,12 +43,7 @@ bool says_one_is(const Clause& clause, const Domain& noun, const Complement& pla
 }
 
 bool speaks_of(const Clause& clause, const std::string& variable) {
-  const auto same = [&](const NounPhrase& phrase) { return phrase.variable == variable; };
-  const auto within = [&](const Complement& said) { return std::any_of(said.object.begin(), said.object.end(), same); };
-  return std::any_of(clause.subjects.begin(), clause.subjects.end(), same) ||
-         std::any_of(clause.complements.begin(), clause.complements.end(), within) ||
-         std::any_of(clause.parts.begin(), clause.parts.end(),
-                     [&](const Clause& part) { return speaks_of(part, variable); });
+  return any_phrase(clause, [&](const NounPhrase& phrase) { return phrase.variable == variable; });
 }
 
 bool shares_out(const Clause& clause) {

@@ -8,7 +8,6 @@
 #include "generator/weighted_binding.h"
 #include "run/category_weights.h"
 #include "run/fit_of_home.h"
-#include "run/sense_of_binding.h"
 #include "run/styles_of_slots.h"
 
 namespace unietp {
@@ -139,12 +138,9 @@ std::optional<Binding> CandidatePlanner::draw_binding(const CandidatePlan& plan,
   const auto& rooms = rooms_of(slot.simulator, plan.home, layout);
   const auto& source = resources_.templates[plan.source];
   const CategoryWeight weight = weight_in(layout, source, slot.split, counts, &rooms);
-  const Knowledge& knowledge = resources_.backend(slot.simulator).knowledge;
-  BindingCheck accepts = at_least(plan.least, source, resources_, slot.simulator);
-  // What is asked for by name is refused with a reason later.
-  if (configuration_.binding.empty()) accepts = both(std::move(accepts), fits_home(source, knowledge, layout.offer));
-  const BindingWishes wishes{configuration_.binding, weight, std::move(accepts)};
-  return sample_binding(source, knowledge, layout.offer.categories, wishes, rng);
+  const BindingWishes wishes{configuration_.binding, weight,
+                             fits_home(configuration_, resources_, source, layout, plan.least)};
+  return sample_binding(source, resources_.backend(slot.simulator).knowledge, layout.offer.categories, wishes, rng);
 }
 
 void CandidatePlanner::count(const CandidatePlan& plan, const TaskSlot& slot, Frequencies& counts) {

@@ -1,17 +1,17 @@
 #pragma once
 
-#include "akb/knowledge.h"
-#include "generator/scene_offer.h"
+#include "dataset/configuration.h"
 #include "generator/weighted_binding.h"
-#include "templates/template.h"
+#include "resources/resources.h"
+#include "run/layout_pool.h"
 
 namespace unietp {
 
-/// Accepts the last category of a binding only where the home has the furniture and rooms that the template's start
-/// asks for, since no edit of a start gives it those. What is given must outlive it.
-BindingCheck fits_home(const Template& source, const Knowledge& knowledge, const SceneOffer& offer);
-
-/// Accepts what both accept; an empty one accepts everything.
-BindingCheck both(BindingCheck first, BindingCheck second);
+/// What a binding that is drawn for a home has to be: with it the goal makes at least so much sense, and the home has
+/// the furniture and rooms that the template's start asks for, since no edit of a start gives it those. Where the
+/// configuration binds placeholders, a home that does not fit is accepted, to be refused with its reason later. What is
+/// given must outlive it.
+BindingCheck fits_home(const RunConfiguration& configuration, const Resources& resources, const Template& source,
+                       const Layout& layout, Grade least);
 
 }  // namespace unietp

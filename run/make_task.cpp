@@ -137,10 +137,8 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
   timer.enter(Stage::Generator);
   const CategoryWeight weight = weight_in(*layout, source, slot.split, counts, nullptr);
   const SenseOf sense_of = [&](const Specification& one) { return sense_of_task(one, resources); };
-  BindingCheck accepts = at_least(plan.least, source, resources, slot.simulator);
-  if (configuration.binding.empty())
-    accepts = both(std::move(accepts), fits_home(source, backend.knowledge, layout->offer));
-  const BindingWishes wishes{configuration.binding, weight, std::move(accepts)};
+  const BindingWishes wishes{configuration.binding, weight,
+                             fits_home(configuration, resources, source, *layout, plan.least)};
   const SplitAsked asked{slot.split, plan.style ? name_of(*plan.style) : std::string_view(source.refinement)};
   auto specified = specify(source, *layout, backend.knowledge, plan.binding, wishes, asked, plan.least, sense_of,
                            root.fork("generator", item));

@@ -30,9 +30,9 @@ struct TaskSense {
 /// tolerable.
 TaskSense grade_goal(const Formula& goal, const Knowledge& knowledge, const CommonSense& sense, const WordKinds& words);
 
-/// What a goal asks for, cut into pieces that are graded apart: one want, or two that go together, with what their vessels
-/// carry, on which the grade of where a vessel goes depends. The worst of their
-/// grades is the goal's. Each has only the things that it speaks of.
+/// What a goal asks for, cut into pieces that are graded apart: one want, or two that go together, with what their
+/// vessels carry, on which the grade of where a vessel goes depends. The worst of their grades is the goal's. Each has
+/// only the things that it speaks of.
 std::vector<Wants> pieces_of(const Wants& wants);
 /// The grade of such a piece; nullopt when it has no part that is graded.
 std::optional<Grade> grade_piece(const Wants& piece, const Knowledge& knowledge, const CommonSense& sense,

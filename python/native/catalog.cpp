@@ -11,6 +11,7 @@
 
 #include "akb/table_words.h"
 #include "core/in_quotes.h"
+#include "dataset/configuration.h"
 #include "procedural/simulator_data.h"
 #include "python/native/bindings.h"
 #include "python/native/failure.h"

@@ -79,8 +79,7 @@ TEST(PublicDeclarations, OfAClassAreItsPublicFunctions) {
                               "  int late();\n"
                               "};\n"
                               "int after();\n"),
-              ElementsAre("11: int twice() const", "13: int told(char quote = '') const",
-                          "18: int late()"));
+              ElementsAre("11: int twice() const", "13: int told(char quote = '') const", "18: int late()"));
 }
 
 }  // namespace
