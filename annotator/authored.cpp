@@ -39,7 +39,7 @@ class Author {
     const auto reading = read_slots(phrasing);
     if (!reading.errors.empty()) return std::nullopt;
     std::string filled;
-    if (style_ == Style::Anaphora || style_ == Style::Ellipsis) {
+    if (style_ == Style::Anaphora) {
       const Text fact = opening_fact();
       if (!fact) return std::nullopt;
       filled = *fact + " ";
@@ -60,13 +60,11 @@ class Author {
   }
 
  private:
-  /// "There is a mug on the desk.", "There is more than one mug here.", of the thing that the goal describes.
+  /// "There is a mug on the desk.", of the thing that the goal describes.
   Text opening_fact() {
     for (const auto& [variable, domain] : phrases_.scope()) {
       if (domain.where.empty()) continue;
-      NounPhrase thing = phrases_.reference(variable, specification_.goal);
-      if (style_ == Style::Ellipsis) thing = several_of(thing);
-      return fact_sentence(thing, naming_, rng_);
+      return fact_sentence(phrases_.reference(variable, specification_.goal), naming_, rng_);
     }
     return std::nullopt;
   }

@@ -119,9 +119,9 @@ class Composer {
     switch (requirement.kind) {
       case Requirement::Kind::Choose:
         break;
-      case Requirement::Kind::Final:
+      case Requirement::Kind::Final:  // "once you've put a mug into the box, close it" has two
       case Requirement::Kind::Need:
-        parts.push_back(at_end(said[0]));
+        for (Formula& one : said) parts.push_back(at_end(std::move(one)));
         break;
       case Requirement::Kind::Sometime:
         parts.push_back(wrapped(Op::Sometime, {said[0]}));

@@ -12,7 +12,7 @@ namespace {
 using P = Predicate;
 
 constexpr double kLikely = 0.05;  // of a place that knowledge base rows name for a thing
-constexpr std::array kNoticed{P::PowerOn, P::PowerOff, P::Open};
+constexpr std::array kNoticed{P::PowerOn, P::Open};
 
 class Teller {
  public:
@@ -49,7 +49,7 @@ class Teller {
 
   void tell_state(EntityIndex thing, P state) {
     if (alike(thing) != 1 || !facts_.holds(state, thing)) return;
-    told_.push_back("The " + name_of(thing) + " is " + state_word(state) + ".");
+    told_.push_back("The " + name_of(thing) + " is " + state_word(state) + ", but never mind that.");
   }
 
   void tell_place(EntityIndex thing, P relation, EntityIndex place) {
@@ -58,18 +58,13 @@ class Teller {
     const Entity &here = start_.entities[thing], &there = start_.entities[place];
     const auto* category = knowledge_.find(here.category);
     if (category == nullptr) return;
-    if (relation == P::InRoom) {
-      const auto& rooms = category->rooms;
-      if (category->movable || std::find(rooms.begin(), rooms.end(), there.category) == rooms.end()) return;
-    } else if (relation == P::On || relation == P::Inside) {
-      const auto* known = knowledge_.placement(here.category, relation, there.category);
-      if (!category->movable || known == nullptr || known->likelihood < kLikely) return;
-    } else {
-      return;
-    }
-    const std::string article = alike(place) == 1 ? "the " + where : with_article(where);
-    told_.push_back("There is " + with_article(name_of(thing)) + " " + (relation == P::On ? "on " : "in ") + article +
-                    ".");
+    if (relation != P::On && relation != P::Inside) return;
+    const auto* known = knowledge_.placement(here.category, relation, there.category);
+    if (!category->movable || known == nullptr || known->likelihood < kLikely) return;
+    const std::string at = (relation == P::On ? " on the " : " in the ") + where;
+    if (alike(place) != 1) return;
+    if (alike(thing) == 1) told_.push_back("Never mind the " + name_of(thing) + at + ".");
+    told_.push_back("There's " + with_article(name_of(thing)) + at + ", but never mind that.");
   }
 
   const Trace& start_;

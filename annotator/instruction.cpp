@@ -6,6 +6,7 @@
 
 #include "annotator/authored.h"
 #include "annotator/conditions.h"
+#include "annotator/contrast.h"
 #include "annotator/function_phrases.h"
 #include "annotator/home_facts.h"
 #include "annotator/home_reading.h"
@@ -115,7 +116,7 @@ class Judge {
   mutable Trace start_;  // made when it is asked for
 };
 
-/// Puts the sentences that a style has in front of a text. False when there are none.
+/// Adds to a text what a style has besides what is asked. False when there is nothing to add.
 bool add_style_frame(std::string& text, const Specification& specification, Style style, const Judge& judge,
                      const Knowledge& knowledge, const NounTable& lexicon, Rng& rng) {
   std::vector<std::string> sentences;
@@ -131,8 +132,11 @@ bool add_style_frame(std::string& text, const Specification& specification, Styl
       for (auto& category : categories_of(start)) own.push_back(std::move(category));
     sentences = home_sentences(judge.start(), own, knowledge, lexicon, rng.fork("home", 0));
     if (sentences.empty()) return false;
-    const std::size_t count = std::min<std::size_t>(sentences.size(), 1 + rng.below(2));
-    for (std::size_t i = 0; i < count; ++i) text.insert(0, sentences[i] + " ");
+    if (rng.chance(0.5)) {
+      text.insert(0, sentences[0] + " ");
+    } else {
+      text += " " + sentences[0];
+    }
   }
   return true;
 }
@@ -202,6 +206,7 @@ class Writer {
         if (!text) continue;
       }
       if (!framed(*text, style, own)) return std::nullopt;
+      if (style == Style::Ellipsis && !contrasted(*text, own)) return std::nullopt;
       if (auto written = accepted(*text, style)) return written;
       last_ = std::move(*text);
     }
@@ -222,6 +227,14 @@ class Writer {
   bool is_everyday() const { return options_.phrasings == Phrasings::Everyday; }
   bool framed(std::string& text, Style style, Rng& rng) const {
     return add_style_frame(text, specification_, style, judge_, knowledge_, nouns_, rng);
+  }
+
+  /// "…, not the blue one."
+  bool contrasted(std::string& text, Rng& rng) const {
+    if (options_.home == nullptr || text.empty()) return false;
+    const std::string contrast = contrast_of(judge_.goal(), *options_.home, nouns_, rng);
+    text.insert(text.size() - 1, contrast);
+    return !contrast.empty();
   }
 
   std::optional<Instruction> accepted(const std::string& text, Style style) const {
@@ -245,6 +258,7 @@ class Writer {
         auto text =
             authored_text(phrasings[i], specification_, nouns_, {style, true, judge_.alone(), judge_.there()}, own);
         if (!text || !framed(*text, style, own)) break;
+        if (style == Style::Ellipsis && !contrasted(*text, own)) break;
         auto written = accepted(*text, style);
         if (!written) continue;
         written->phrasing = static_cast<int>(i) + 1;

@@ -48,6 +48,7 @@ class TextReader {
 
  private:
   void end_sentence() {
+    contrast();
     words_.accept(", please");
     if (words_.accept_one({".", "?", "!"}) < 0) words_.fail("expected the end of the sentence");
   }
@@ -73,9 +74,18 @@ class TextReader {
     return true;
   }
 
-  /// "There is a dirty mug in the bedroom.", "There is more than one mug here.", "The lamp in the bedroom is on."
+  /// "There is a dirty mug in the bedroom.", "There is more than one mug here.", "The lamp in the bedroom is on.",
+  /// "Never mind the mug on the desk."
   bool fact() {
     Clause so;
+    if (words_.accept_one({"never mind", "don't worry about"}) >= 0) {
+      words_.set_bare_places(true);
+      so.subjects.push_back(words_.phrase());
+      words_.set_bare_places(false);
+      say(Kind::Fact, {std::move(so)});
+      end_sentence();
+      return true;
+    }
     const bool there = words_.accept_one({"there is", "there are", "there's"}) >= 0;
     if (!there && !words_.comes("the")) return false;
     if (there && words_.accept("more than one")) {
@@ -90,9 +100,20 @@ class TextReader {
     if (!there && words_.accept_one({"is", "are"}) < 0) words_.fail("expected 'is', or a command such as 'Put …'");
     if (words_.accept_one({"here", "somewhere"}) < 0 && (!there || words_.complement_comes())) words_.complements(so);
     if (so.any_complement) words_.fail("expected what is so, without 'or', before this");
+    words_.accept(", but never mind that");
     say(Kind::Fact, {std::move(so)});
     end_sentence();
     return true;
+  }
+
+  /// "…, not the blue one": which thing is meant, and that there is another.
+  void contrast() {
+    if (!words_.accept(", not")) return;
+    Clause so;
+    so.subjects.push_back(words_.phrase());
+    if (so.subjects[0].determiner != Determiner::The || so.subjects[0].modifiers.empty())
+      words_.fail("expected which one is not meant, such as 'the blue one', before this");
+    say(Kind::Fact, {std::move(so)});
   }
 
   void sentence() {
@@ -124,9 +145,20 @@ class TextReader {
       say(Kind::Sometime, {clauses_.command()});
       return end_sentence();
     }
-    for (const std::string_view need : {"someone wants", "someone would like", "somebody needs"})
+    for (const std::string_view need :
+         {"i'd like", "i would like", "i could use", "i want", "someone wants", "someone would like", "somebody needs"})
       if (words_.accept(need)) {
         say(Kind::Need, {needed()});
+        return end_sentence();
+      }
+    for (const std::string_view once : {"once you've", "once you have", "as soon as you've", "as soon as you have"})
+      if (words_.accept(once)) {
+        words_.set_comma_lists(false);
+        Clause sooner = clauses_.command();
+        words_.set_comma_lists(true);
+        words_.expect(",");
+        words_.accept("please");
+        say(Kind::Final, {std::move(sooner), clauses_.command()});
         return end_sentence();
       }
     if (words_.accept("before you")) {

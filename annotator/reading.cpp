@@ -329,7 +329,7 @@ void PhraseReader::direct_description(NounPhrase& read) {
     read.modifiers.push_back(complement());
   } else if (accept("where")) {
     read.modifiers.push_back({P::Inside, false, "", {phrase()}, true});
-    expect("is kept");
+    if (accept_one({"is kept", "is"}) < 0) fail("expected 'is' or 'is kept'");
   } else if (accept("on which")) {
     read.modifiers.push_back({P::On, false, "", {phrase()}, true});
     expect("stands");

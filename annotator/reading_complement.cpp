@@ -80,6 +80,7 @@ void PhraseReader::complements(Clause& into) {
   into.complements.push_back(complement());
   while (!failed()) {
     const std::size_t here = at_;
+    if (comes(", not the")) break;  // "…, not the blue one" is of the thing
     const bool comma = accept(",");
     const bool alternative = accept("or");
     if ((!alternative && !accept("and") && !(comma && comma_lists_)) || !complement_comes()) {

@@ -52,7 +52,7 @@ class Realiser {
  private:
   /// Whether it is one of the commands that "and" can join: not "if a fridge is open, …".
   bool asks_plainly(const Requirement& said) const {
-    return said.kind == Kind::Final && said.clauses[0].given.empty() &&
+    return said.kind == Kind::Final && said.clauses.size() == 1 && said.clauses[0].given.empty() &&
            !(everyday_ && says_if_or_else(said.clauses[0]));
   }
 
@@ -106,7 +106,7 @@ class Realiser {
       case Kind::Fact:
         return fact_sentence(clauses[0].subjects[0], naming_, rng_);
       case Kind::Final:
-        return conditional(clauses[0]);
+        return clauses.size() > 1 ? once_done(clauses[0], clauses[1]) : conditional(clauses[0]);
       case Kind::Choose: {
         const auto named = naming_.phrase(clauses[0].subjects[0], {.chosen = true});
         if (!named) return std::nullopt;
@@ -137,7 +137,7 @@ class Realiser {
         return linked("make sure that ", clauses, " before ");
       case Kind::Need: {
         const Text wanted = needed(clauses[0]);
-        return framed(pick({"someone wants ", "someone would like ", "somebody needs "}), wanted, "");
+        return framed(pick({"I'd like ", "I'd like ", "I could use ", "I want "}), wanted, "");
       }
       case Kind::Then:
       case Kind::ThenKept: {
@@ -228,14 +228,23 @@ class Realiser {
     return framed(condition->substr(1) + pick({", please ", ", then "}), then, "");
   }
 
-  /// "a hot potato on a table"
+  /// "once you've put the towel in the washer, turn it on"
+  Text once_done(const Clause& sooner, const Clause& later) {
+    const Text put = clauses_.command(sooner);
+    // Of the verbs that move things, these are their own participles.
+    if (!put || !(put->starts_with("put ") || put->starts_with("set "))) return std::nullopt;
+    const Text then = clauses_.command(later);
+    return then ? framed(pick({"once you've ", "once you've ", "as soon as you've "}), Text(*put + ", " + *then), "")
+                : std::nullopt;
+  }
+
+  /// "a hot potato"
   Text needed(const Clause& clause) {
     NounPhrase wanted = clause.subjects[0];
     if (!wanted.modifiers.empty() || naming_.was_named(wanted.variable)) return std::nullopt;
     wanted.modifiers = {clause.complements[0]};
     const auto thing = naming_.phrase(wanted, {.wanted = true});
-    const Text where = naming_.complement(clause.complements[1], {});
-    return thing && where ? Text(thing->text + " " + *where) : std::nullopt;
+    return thing ? Text(thing->text) : std::nullopt;
   }
 
   static Text framed(const std::string& before, const Text& body, const std::string& after) {
@@ -258,29 +267,18 @@ class Realiser {
 
 }  // namespace
 
-NounPhrase several_of(NounPhrase thing) {
-  thing.determiner = Determiner::AtLeast;
-  thing.modifiers.clear();
-  thing.variable.clear();
-  return thing;
-}
-
 std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming, Rng& rng) {
-  if (thing.determiner == Determiner::AtLeast) {
-    const auto one = naming.several(thing.noun);
-    return one ? Text(sentence("there is more than one " + *one + " here", '.')) : std::nullopt;
-  }
   NounPhrase body = thing;
   std::vector<Complement> places;
   for (const Complement& modifier : thing.modifiers)
     if (!modifier.object.empty()) places.push_back(modifier);
   std::erase_if(body.modifiers, [](const Complement& modifier) { return !modifier.object.empty(); });
-  if (places.size() > 1) return std::nullopt;
+  if (places.size() != 1) return std::nullopt;
   const auto named = naming.phrase(body, {.wanted = true});
   if (!named || named->plural) return std::nullopt;
-  if (places.empty()) return sentence("there is " + named->text + " " + (rng.chance(0.5) ? "here" : "somewhere"), '.');
   const Text where = naming.complement(places[0], {.inside_description = true, .unique = true});
-  return where ? Text(sentence("there is " + named->text + " " + *where, '.')) : std::nullopt;
+  const std::string there = rng.chance(0.5) ? "there is " : "there's ";
+  return where ? Text(sentence(there + named->text + " " + *where, '.')) : std::nullopt;
 }
 
 std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng) {

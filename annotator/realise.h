@@ -15,9 +15,7 @@ namespace unietp {
 /// another draw may not be.
 std::optional<std::string> realise(const Plan& plan, const NounTable& lexicon, const Wording& wording, Rng rng);
 
-/// That there are several of a thing, whatever describes it.
-NounPhrase several_of(NounPhrase thing);
-/// "There is a dirty mug on the desk.", "There is more than one mug here." `nullopt`: as above.
+/// "There is a mug on the desk.", of what stands at one place. `nullopt`: as above.
 std::optional<std::string> fact_sentence(const NounPhrase& thing, Naming& naming, Rng& rng);
 
 }  // namespace unietp

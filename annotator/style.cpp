@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "annotator/realise.h"
 #include "annotator/words_for_reading.h"
 #include "generator/phrase_kind.h"
 
@@ -30,8 +29,8 @@ bool make_inverted_order(Message& message) {
   return turned;
 }
 
-/// "Put a mug into the box. Close the box." becomes "Close the box that you put a mug into."
-bool make_relative_clause(Message& message) {
+/// "Put a mug into the box. Close the box." becomes "Once you've put a mug into the box, close it."
+bool make_subordinate_clause(Message& message) {
   for (std::size_t i = 0; i < message.size(); ++i) {
     if (!says_one_thing(message[i])) continue;
     const Complement put = message[i].clauses[0].complements[0];
@@ -39,19 +38,17 @@ bool make_relative_clause(Message& message) {
     if (!place || put.object[0].variable.empty()) continue;
     for (std::size_t k = 0; k < message.size(); ++k) {
       if (k == i || !says_one_thing(message[k])) continue;
-      NounPhrase& subject = message[k].clauses[0].subjects[0];
-      if (subject.variable != put.object[0].variable) continue;
-      subject.done.push_back({put.predicate, false, "", {message[i].clauses[0].subjects[0]}, true});
-      std::rotate(message.begin(), message.begin() + static_cast<std::ptrdiff_t>(k),
-                  message.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-      message.erase(message.begin() + static_cast<std::ptrdiff_t>(k < i ? i : i + 1));
+      if (message[k].clauses[0].subjects[0].variable != put.object[0].variable) continue;
+      Clause then = message[k].clauses[0];
+      message[i].clauses.push_back(std::move(then));
+      message.erase(message.begin() + static_cast<std::ptrdiff_t>(k));
       return true;
     }
   }
   return false;
 }
 
-/// A state and a place of one object become a need: "someone wants a hot potato on a table".
+/// A state of what is put somewhere becomes a need: "I'd like a hot potato. Put it on a table."
 bool make_need(Message& message) {
   for (std::size_t i = 0; i < message.size(); ++i) {
     if (!says_one_thing(message[i]) || !message[i].clauses[0].complements[0].object.empty()) continue;
@@ -59,12 +56,16 @@ bool make_need(Message& message) {
       if (k == i || !says_one_thing(message[k]) || message[k].clauses[0].complements[0].object.empty()) continue;
       if (message[k].clauses[0].subjects[0].variable != message[i].clauses[0].subjects[0].variable) continue;
       message[i].kind = Kind::Need;
-      message[i].clauses[0].complements.push_back(message[k].clauses[0].complements[0]);
-      message.erase(message.begin() + static_cast<std::ptrdiff_t>(k));
+      if (k < i) std::swap(message[i], message[k]);
       return true;
     }
   }
   return false;
+}
+
+bool is_at_a_place(const NounPhrase& phrase) {
+  return std::any_of(phrase.modifiers.begin(), phrase.modifiers.end(),
+                     [](const Complement& modifier) { return !modifier.object.empty(); });
 }
 
 NounPhrase* described_phrase(Clause& clause) {
@@ -79,16 +80,15 @@ NounPhrase* described_phrase(Clause& clause) {
   return nullptr;
 }
 
-/// "There is a dirty mug on the desk." or, `several`, "There is more than one mug here.", before the rest.
-bool begin_with_fact(Message& message, bool several) {
+/// "There is a mug on the desk.", before the rest. What is only of some colour or state nobody would announce.
+bool begin_with_fact(Message& message) {
   const NounPhrase* described = nullptr;
   for (Requirement& requirement : message)
     for (Clause& clause : requirement.clauses)
       if (described == nullptr) described = described_phrase(clause);
-  if (described == nullptr) return false;
-  NounPhrase thing = several ? several_of(*described) : *described;
+  if (described == nullptr || !is_at_a_place(*described)) return false;
   Clause so;
-  so.subjects.push_back(std::move(thing));
+  so.subjects.push_back(*described);
   message.insert(message.begin(), {Kind::Fact, {std::move(so)}, false, {}});
   return true;
 }
@@ -137,13 +137,14 @@ constexpr std::array kMarks = {
     Mark{Style::Distractor, "do not open"},
     Mark{Style::Negation, "no"},
     Mark{Style::Negation, "not"},
-    Mark{Style::RelativeClause, "that you put"},
+    Mark{Style::RelativeClause, "once"},
+    Mark{Style::RelativeClause, "as soon as"},
     Mark{Style::InvertedOrder, "before you"},
     Mark{Style::Coreference, "where"},
     Mark{Style::Coreference, "on which"},
-    Mark{Style::ImplicitNeed, "someone wants"},
-    Mark{Style::ImplicitNeed, "someone would like"},
-    Mark{Style::ImplicitNeed, "somebody needs"},
+    Mark{Style::ImplicitNeed, "i'd like"},
+    Mark{Style::ImplicitNeed, "i could use"},
+    Mark{Style::ImplicitNeed, "i want"},
     Mark{Style::VagueQuantity, "a couple of"},
     Mark{Style::VagueQuantity, "a few"},
     Mark{Style::Condition, "if"},
@@ -193,11 +194,10 @@ std::string compound_fault(const std::vector<Token>& words, const NounTable& lex
 
 bool turn_to_style(Plan& plan, Style style) {
   if (style == Style::InvertedOrder) return make_inverted_order(plan.message);
-  if (style == Style::RelativeClause) return make_relative_clause(plan.message);
+  if (style == Style::RelativeClause) return make_subordinate_clause(plan.message);
   if (style == Style::ImplicitNeed) return make_need(plan.message);
   if (style == Style::Condition) return make_conditional(plan);
-  if (style == Style::Anaphora || style == Style::Ellipsis)
-    return begin_with_fact(plan.message, style == Style::Ellipsis);
+  if (style == Style::Anaphora) return begin_with_fact(plan.message);
   if (style == Style::Exception) return make_exception(plan.message);
   return true;
 }

@@ -298,8 +298,8 @@ class Check {
 
   /// A denial where the goal has nothing to deny: "do not wash", "never".
   void denials() {
-    static const std::set<Style> kDenying{Style::Negation, Style::Distractor, Style::Aside,       Style::Context,
-                                          Style::Request,  Style::Condition,  Style::ImplicitNeed};
+    static const std::set<Style> kDenying{Style::Negation, Style::Distractor, Style::Aside,        Style::Context,
+                                          Style::Request,  Style::Condition,  Style::ImplicitNeed, Style::Ellipsis};
     if (kDenying.contains(specification_.style) || denies(specification_.goal) || goal_.order || goal_.throughout)
       return;
     for (std::size_t i = 0; i < words_.size(); ++i) {

@@ -7,9 +7,10 @@ namespace unietp {
 namespace {
 
 constexpr std::array<std::string_view, kStyleCount> kStyleNames{
-    "direct",          "alias",          "function",    "hypernym",      "description",    "context",    "request",
-    "aside",           "exception",      "ellipsis",    "anaphora",      "compound",       "distractor", "negation",
-    "relative-clause", "inverted-order", "coreference", "implicit-need", "vague-quantity", "condition"};
+    "direct",         "alias",       "function",      "hypernym",       "description",
+    "context",        "request",     "aside",         "exception",      "ellipsis",
+    "anaphora",       "compound",    "distractor",    "negation",       "subordinate-clause",
+    "inverted-order", "coreference", "implicit-need", "vague-quantity", "condition"};
 
 }  // namespace
 

@@ -55,7 +55,7 @@ TEST(ReferringText, NamesEachKindAsPeopleDo) {
   expect_says({open_the("(material ?a wood)"), {}, "", {"the wooden lamp", "made of wood"}});
   expect_says({open_the("(exists (?p - Table) (next_to ?a ?p))"), {}, "", {"lamp next to", "that is next to"}});
   expect_says({open_the("(and (dirty ?a) (exists (?p - Table) (on ?a ?p)))"), {}, "", {"the dirty lamp"}});
-  expect_says({open_the("(exists (?p - Bowl) (inside ?p ?a))"), {}, "", {"where a bowl is kept"}});
+  expect_says({open_the("(exists (?p - Bowl) (inside ?p ?a))"), {}, "", {"where a bowl is"}});
 }
 
 TEST(ReferringText, SaysTwoOnlyWhereTheStartHasTwo) {
@@ -95,12 +95,12 @@ TEST(Styles, EachKeepsItsPromise) {
        {"Before you put", "open"}});
   expect_says({"(exists (?a - Mug) (exists (?b - Fridge) (at-end (and (inside ?a ?b) (power_on ?b)))))",
                {},
-               "relative-clause",
-               {"that you put", "into"}});
+               "subordinate-clause",
+               {" you've ", ", "}});
   expect_says({"(exists (?a - Mug) (exists (?b - Table) (at-end (and (hot ?a) (on ?a ?b)))))",
                {},
                "implicit-need",
-               {"Someone wants", "hot mug"}});
+               {"hot mug. ", " it on "}});
   expect_says({"(exists (?b - Fridge) (at-end (count >= 2 (?a - Mug) (inside ?a ?b))))",
                {},
                "vague-quantity",
@@ -128,7 +128,7 @@ TEST(Styles, EachKeepsItsPromise) {
 }
 
 TEST(Styles, AreNotClaimedWhereAGoalHasNothingToSayThatWay) {
-  for (const char* style : {"inverted-order", "relative-clause", "implicit-need", "vague-quantity", "coreference"}) {
+  for (const char* style : {"inverted-order", "subordinate-clause", "implicit-need", "vague-quantity", "coreference"}) {
     const auto written =
         write_instruction(asking("(exists (?a - Lamp) (at-end (open ?a)))", style), small_knowledge(), Rng(1));
     ASSERT_TRUE(written);

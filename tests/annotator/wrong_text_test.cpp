@@ -157,7 +157,7 @@ TEST_F(WrongTexts, RightOnesOfEveryStyleAreNotRefusedByTheirWords) {
     around_ = {"Bowl", "bowl", "Candle", "candle"};
     for (const Specification& task : tasks())
       for (const char* style : {"direct", "alias", "hypernym", "description", "context", "condition", "inverted-order",
-                                "relative-clause", "implicit-need", "vague-quantity", "function"}) {
+                                "subordinate-clause", "implicit-need", "vague-quantity", "function"}) {
         const bool slow = std::string_view(style) == "function" && simulator != Simulator::Ai2thor;
         if (!slow) look_at(task, style, ++number);
       }

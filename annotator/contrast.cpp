@@ -1,0 +1,63 @@
+#include "annotator/contrast.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "annotator/words_for_writing.h"
+#include "core/sort_unique.h"
+#include "scene/states.h"
+
+namespace unietp {
+namespace {
+
+using Op = Formula::Op;
+
+void described_in(const Formula& formula, std::vector<const Domain*>& found) {
+  if (!formula.domain.where.empty()) found.push_back(&formula.domain);
+  for (const Formula& child : formula.children) described_in(child, found);
+}
+
+/// The one thing of a goal that one colour, material or state describes.
+const Domain* described_thing(const Formula& goal) {
+  std::vector<const Domain*> found;
+  described_in(goal, found);
+  if (found.size() != 1 || found[0]->members.size() != 1 || found[0]->members[0].slice) return nullptr;
+  const Formula& test = found[0]->where.front();
+  const bool plain = test.op == Op::Atom && (test.terms.size() == 1 || test.terms[1].kind == Term::Kind::Symbol);
+  return plain ? found[0] : nullptr;
+}
+
+std::optional<std::string> word_of(const Node& node, const Formula& test, const NounTable& lexicon) {
+  if (test.predicate == Predicate::Colour)
+    return lexicon.is_colour(node.colour) ? std::optional(node.colour) : std::nullopt;
+  if (test.predicate == Predicate::Material) {
+    if (!lexicon.is_material(node.material)) return std::nullopt;
+    return node.material == "wood" ? "wooden" : node.material;
+  }
+  const auto other = opposite_of(test.predicate);
+  if (test.terms.size() > 1 || !other || !node.states.has(*other)) return std::nullopt;
+  const std::string word = state_word(*other);
+  return word.empty() || word.find(' ') != std::string::npos ? std::nullopt : std::optional(word);
+}
+
+}  // namespace
+
+std::string contrast_of(const Formula& goal, const Scene& home, const NounTable& lexicon, Rng& rng) {
+  const Domain* thing = described_thing(goal);
+  if (thing == nullptr) return "";
+  const Formula& test = thing->where.front();
+  const std::string own = test.predicate == Predicate::Colour || test.predicate == Predicate::Material
+                              ? test.terms[1].name == "wood" ? "wooden" : test.terms[1].name
+                              : "";
+  std::vector<std::string> words;
+  for (const Node& node : home.nodes) {
+    if (node.category != thing->members[0].category) continue;
+    const auto word = word_of(node, test, lexicon);
+    if (word && *word != own) words.push_back(*word);
+  }
+  sort_unique(words);
+  return words.empty() ? "" : ", not the " + rng.pick(words) + " one";
+}
+
+}  // namespace unietp
