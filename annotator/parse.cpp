@@ -318,7 +318,7 @@ class TextReader {
   }
 
   bool goes_on() {
-    if (words_.comes(", please")) return false;
+    if (words_.comes(", please") || words_.comes(", not")) return false;
     const bool comma = words_.accept(",");
     return words_.accept("and") || comma;
   }
