@@ -206,7 +206,7 @@ class Writer {
         if (!text) continue;
       }
       if (!framed(*text, style, own)) return std::nullopt;
-      if (style == Style::Ellipsis && !contrasted(*text, own)) return std::nullopt;
+      if (style == Style::Ellipsis && !contrasted(*text, own)) continue;
       if (auto written = accepted(*text, style)) return written;
       last_ = std::move(*text);
     }
@@ -229,9 +229,9 @@ class Writer {
     return add_style_frame(text, specification_, style, judge_, knowledge_, nouns_, rng);
   }
 
-  /// "…, not the blue one."
+  /// "…, not the blue one.", behind a command that does not go on about "it".
   bool contrasted(std::string& text, Rng& rng) const {
-    if (options_.home == nullptr || text.empty()) return false;
+    if (options_.home == nullptr || text.empty() || says(tokens_of(text), "it")) return false;
     const std::string contrast = contrast_of(judge_.goal(), *options_.home, nouns_, rng);
     text.insert(text.size() - 1, contrast);
     return !contrast.empty();

@@ -21,7 +21,8 @@ constexpr std::array<std::string_view, 9> kPlainWords{
     "might. "
     "must. shall. should. will. would. need. needs. needed. ought. let. lets. let's. i'd. i'll. i'm. it's. that's. "
     "you'd. "
-    "you'll. you're. there's. we'd. we're. they're. what's. don't. doesn't. isn't. aren't. won't. can't. s. t. d. ll. "
+    "you'll. you're. you've. there's. we'd. we're. they're. what's. don't. doesn't. isn't. aren't. won't. can't. s. t. "
+    "d. ll. "
     "re",
     // joints of a sentence
     "and. or. but. except. so. if. as. than. then. when. whenever. while. once. until. till. before. after. "

@@ -108,6 +108,7 @@ class Realiser {
       case Kind::Final:
         return clauses.size() > 1 ? once_done(clauses[0], clauses[1]) : conditional(clauses[0]);
       case Kind::Choose: {
+        if (naming_.was_named(clauses[0].subjects[0].variable)) return std::nullopt;  // "Choose it."
         const auto named = naming_.phrase(clauses[0].subjects[0], {.chosen = true});
         if (!named) return std::nullopt;
         return sentence("choose " + named->text, '.');
