@@ -31,7 +31,7 @@ constexpr std::array<RefinementKind, 28> kRefinements = {{
     {"compound", Linguistic, false, "the kitchen cabinet"},
     {"distractor", Linguistic, true, "something else is mentioned that must stay as it is"},
     {"negation", Linguistic, true, "a part of the goal is stated as what must not hold"},
-    {"subordinate-clause", Linguistic, true, "an object is described by what is done to it"},
+    {"subordinate-clause", Linguistic, true, "a clause with \"once\" says what is put where before the rest is asked"},
     {"inverted-order", Linguistic, true, "the later part comes first in the sentence"},
     {"coreference", Linguistic, true, "a place is described by what is kept there"},
     {"implicit-need", Linguistic, true, "only the need is stated; the action follows from it"},
