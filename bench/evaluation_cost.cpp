@@ -1,14 +1,15 @@
 // What an evaluation costs beside the environment that it runs in, with a policy that answers at once: the stored
-// demonstrations of a data set. For each mode, on one core: processor time of the environment alone (tasks read,
-// episodes begun, replies executed), of playing the same episodes with everything recorded, and of the whole evaluation
-// with its results, each in a process of its own. Pictures of the report are left out. Then the peak memory of one
-// repeat and of four.
+// demonstrations of a data set, read beforehand. For each mode, on one core: processor time of the environment alone
+// (tasks read, episodes begun, replies executed), of playing the same episodes with everything recorded and scored, and
+// of the whole evaluation with its results, each in a process of its own. Pictures of the report are left out. Then the
+// peak memory of one repeat and of four.
 //
 //   build/release/bench/evaluation_cost out/benchmark
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <functional>
+#include <map>
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -59,35 +60,67 @@ Cost measured(const std::function<double()>& work) {
   return cost;
 }
 
+/// The replies of each task, in order.
+using Replies = std::map<std::size_t, std::vector<std::string>>;
+
+/// Says what was prepared.
+class Prepared : public Policy {
+ public:
+  explicit Prepared(const Replies& replies) : replies_(replies) {}
+  std::optional<NoReply> begin(const PlannedEpisode& episode, const Environment&) override {
+    next_ = replies_.at(episode.position).begin();
+    return std::nullopt;
+  }
+  PolicyAnswer next(const Environment&) override {
+    PolicyReply reply;
+    reply.text = *next_++;
+    return reply;
+  }
+
+ private:
+  const Replies& replies_;
+  std::vector<std::string>::const_iterator next_;
+};
+
 struct Bench {
   fs::path dataset, scratch;
   std::shared_ptr<const Resources> resources;
 
   TaskSource tasks() const { return sound(TaskSource::open(dataset, simulator_data(resources))); }
 
-  double environment_alone(Mode mode) const {
-    const TaskSource source = tasks();
+  EpisodePlan plan(const TaskSource& source, Mode mode, int repeats) const {
     EpisodeSelection selection;
     selection.modes = {mode};
-    const auto plan = sound(plan_episodes(source, selection, true));
-    const auto policy = built_in_policies({BuiltInPolicy::Kind::Replay, 0}, source, 0)();
-    double seconds = 0;
-    for (const PlannedEpisode& planned : plan.episodes) {
-      double begin = processor_seconds();
-      auto environment = sound(Environment::make(sound(source.task(planned.position)), settings_for(mode)));
-      seconds += processor_seconds() - begin;
-      (void)policy->begin(planned, environment);
-      while (!environment.over()) {
-        const auto reply = std::get<PolicyReply>(policy->next(environment));
-        begin = processor_seconds();
-        (void)environment.step(reply.text);
-        seconds += processor_seconds() - begin;
-      }
-    }
-    return seconds;
+    selection.repeats = repeats;
+    return sound(plan_episodes(source, selection, true));
   }
 
-  double evaluation(Mode mode, int repeats, bool with_results) const {
+  Replies replies(Mode mode) const {
+    const TaskSource source = tasks();
+    const auto policy = built_in_policies({BuiltInPolicy::Kind::Replay, 0}, source, 0)();
+    Replies replies;
+    for (const PlannedEpisode& planned : plan(source, mode, 1).episodes) {
+      auto environment = sound(Environment::make(sound(source.task(planned.position)), settings_for(mode)));
+      (void)policy->begin(planned, environment);
+      while (!environment.over()) {
+        replies[planned.position].push_back(std::get<PolicyReply>(policy->next(environment)).text);
+        (void)environment.step(replies[planned.position].back());
+      }
+    }
+    return replies;
+  }
+
+  double environment_alone(Mode mode, const Replies& replies) const {
+    const double begin = processor_seconds();
+    const TaskSource source = tasks();
+    for (const PlannedEpisode& planned : plan(source, mode, 1).episodes) {
+      auto environment = sound(Environment::make(sound(source.task(planned.position)), settings_for(mode)));
+      for (const std::string& reply : replies.at(planned.position)) (void)environment.step(reply);
+    }
+    return processor_seconds() - begin;
+  }
+
+  double evaluation(Mode mode, const Replies& replies, int repeats, bool with_results) const {
     const fs::path folder = scratch / "run";
     fs::remove_all(folder);
     fs::create_directories(folder);
@@ -102,14 +135,14 @@ struct Bench {
     setup.selection.modes = {mode};
     setup.selection.repeats = repeats;
     setup.settings = {{mode, settings_for(mode)}};
-    const auto plan = sound(plan_episodes(source, setup.selection, true));
+    const EpisodePlan episodes = plan(source, mode, repeats);
     EpisodeLog log = sound(EpisodeLog::open(folder));
-    const auto policies = built_in_policies({BuiltInPolicy::Kind::Replay, 0}, source, 0);
+    const PolicyMaker policies = [&] { return std::make_unique<Prepared>(replies); };
     auto watched = sound(WatchedEpisodes::begin(folder, judging));
     EvaluationOptions options;
     options.watcher = watched.watchers();
-    (void)sound(evaluate(plan, source, setup.settings, policies, log, options));
-    (void)sound(write_evaluation(folder, setup, plan, log));
+    (void)sound(evaluate(episodes, source, setup.settings, policies, log, options));
+    (void)sound(write_evaluation(folder, setup, episodes, log));
     if (with_results) (void)sound(write_results(folder, {judging, 1, &watched}, {0}));
     return processor_seconds() - begin;
   }
@@ -129,17 +162,20 @@ int main(int argc, char** argv) {
               std::make_shared<const Resources>(std::move(reading.resources))};
   std::printf("mode  environment  played         with results\n");
   std::fflush(stdout);
-  for (const Mode mode : bench.tasks().modes()) {
-    const auto alone = measured([&] { return bench.environment_alone(mode); });
-    const auto played = measured([&] { return bench.evaluation(mode, 1, false); });
-    const auto whole = measured([&] { return bench.evaluation(mode, 1, true); });
+  const std::vector<Mode> modes = bench.tasks().modes();
+  for (const Mode mode : modes) {
+    const Replies replies = bench.replies(mode);
+    const auto alone = measured([&] { return bench.environment_alone(mode, replies); });
+    const auto played = measured([&] { return bench.evaluation(mode, replies, 1, false); });
+    const auto whole = measured([&] { return bench.evaluation(mode, replies, 1, true); });
     std::printf("%s    %8.2f s  %6.2f s %+3.0f %%  %6.2f s %+3.0f %%\n", std::string(name_of(mode)).c_str(),
                 alone.processor_s, played.processor_s, 100 * (played.processor_s / alone.processor_s - 1),
                 whole.processor_s, 100 * (whole.processor_s / alone.processor_s - 1));
     std::fflush(stdout);
   }
-  const auto one = measured([&] { return bench.evaluation(Mode::M1, 1, true); });
-  const auto four = measured([&] { return bench.evaluation(Mode::M1, 4, true); });
+  const Replies replies = bench.replies(Mode::M1);
+  const auto one = measured([&] { return bench.evaluation(Mode::M1, replies, 1, true); });
+  const auto four = measured([&] { return bench.evaluation(Mode::M1, replies, 4, true); });
   std::printf("peak memory in M1: %.0f MB with one repeat, %.0f MB with four\n", one.peak_mb, four.peak_mb);
   std::error_code ignored;
   fs::remove_all(bench.scratch, ignored);

@@ -113,7 +113,12 @@ PrivilegedState Environment::privileged() const {
 double Environment::progress() const { return state_->monitor.progress(); }
 
 const Scene& Environment::scene() const { return state_->episode.world().scene(); }
+bool Environment::has_object(std::string_view id) const { return state_->episode.world().find(id) != nullptr; }
 const std::vector<VisibleObject>& Environment::pictured() const { return state_->episode.world().pictured(); }
+bool Environment::pictures(std::string_view id) const {
+  const World& world = state_->episode.world();
+  return !world.holds(id) && world.pictured_from(world.agent(), id).has_value();
+}
 
 std::optional<int> Environment::expert_steps_left() const {
   const EnvironmentTask& task = *state_->task;

@@ -84,12 +84,16 @@ class Environment {
   double progress() const;
   /// The scene graph with all relations.
   const Scene& scene() const;
+  /// Whether there is an object of this id in the home now, seen or not.
+  bool has_object(std::string_view id) const;
   /// How many actions of M1 the expert would still take from here, `stop` included: the length of one plan of its,
   /// which need not be the shortest. nullopt when it finds none, or after more successful actions than it can retrace
   /// (1,000). Takes as long as planning does: milliseconds to seconds.
   std::optional<int> expert_steps_left() const;
   /// What is in the picture, whatever the settings tell the agent. Sorted by id.
   const std::vector<VisibleObject>& pictured() const;
+  /// Whether `pictured` contains the object, without computing the whole view.
+  bool pictures(std::string_view id) const;
 
  private:
   explicit Environment(std::unique_ptr<EpisodeState> state);

@@ -122,11 +122,7 @@ class Rules {
 
   /// Nothing that a quantifier of the goal ranges over was ever in a picture.
   std::vector<std::string> exploration() const {
-    const auto was_shown = [&](const GoalObjects& objects) {
-      return std::any_of(objects.meant.begin(), objects.meant.end(),
-                         [&](const std::string& id) { return replayed_.shown.contains(id); });
-    };
-    if (std::all_of(objects_.begin(), objects_.end(), was_shown)) return {};
+    if (replayed_.targets_shown) return {};
     return {"target_not_shown"};
   }
 

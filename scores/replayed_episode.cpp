@@ -8,6 +8,7 @@
 #include "scene/comparisons.h"
 #include "scene/pixel_box.h"
 #include "scene/trace.h"
+#include "scores/goal_objects.h"
 #include "simulation/mode_rules.h"
 
 namespace unietp {
@@ -25,9 +26,9 @@ class PartMonitors {
     observe();
   }
 
-  void read(const Delta& changes, const Scene& scene) {
+  void read(const Delta& changes, const Environment& now) {
     if (changes.empty()) return;
-    facts_ = task_.compares_later ? with_comparisons(reader_.read(scene), scene, reader_, task_.compared)
+    facts_ = task_.compares_later ? with_comparisons(reader_.read(now.scene()), now.scene(), reader_, task_.compared)
                                   : reader_.read(std::move(facts_), changes);
     observe();
   }
@@ -70,13 +71,11 @@ std::vector<VisibleObject> pictured(const Environment& environment) {
 }
 
 /// What the argument of a command named in the view before it.
-void name_object(ReplayedAction& action, const std::vector<VisibleObject>& seen, const Scene& scene) {
+void name_object(ReplayedAction& action, const std::vector<VisibleObject>& seen, const Environment& now) {
   if (action.record.command.args.empty()) return;
   const Argument& argument = action.record.command.args.front();
   if (!argument.box) {
-    const bool known =
-        std::any_of(scene.nodes.begin(), scene.nodes.end(), [&](const Node& node) { return node.id == argument.id; });
-    if (known) action.object = argument.id;
+    if (now.has_object(argument.id)) action.object = argument.id;
     return;
   }
   action.overlap = 0;
@@ -91,13 +90,23 @@ void name_object(ReplayedAction& action, const std::vector<VisibleObject>& seen,
 }  // namespace
 
 struct EpisodeFollower::State {
-  explicit State(const SharedTask& task) : monitors(task) {}
+  explicit State(const SharedTask& task) : monitors(task), unseen(goal_objects(*task)) {}
 
+  /// Strikes out what is in the picture now. What the agent is told is looked at first, since it is there already.
   void show(const Environment& now) {
-    for (const VisibleObject& object : now.pictured()) episode.shown.insert(object.id);
+    const auto is_told = [&](const std::string& id) {
+      const auto place = std::lower_bound(
+          seen.begin(), seen.end(), id, [](const VisibleObject& object, const auto& name) { return object.id < name; });
+      return place != seen.end() && place->id == id;
+    };
+    std::erase_if(unseen, [&](const GoalObjects& wanted) {
+      return std::any_of(wanted.meant.begin(), wanted.meant.end(), is_told) ||
+             std::any_of(wanted.meant.begin(), wanted.meant.end(), [&](const auto& id) { return now.pictures(id); });
+    });
   }
 
   PartMonitors monitors;
+  std::vector<GoalObjects> unseen;  // those of which nothing was in a picture so far
   ReplayedEpisode episode;
   std::vector<VisibleObject> seen;  // before the next action
 };
@@ -115,8 +124,8 @@ EpisodeFollower::EpisodeFollower(const Environment& start) : state_(std::make_un
 }
 
 void EpisodeFollower::begin_reply(const Environment& now) {
-  state_->show(now);
   look(now);
+  state_->show(now);
   state_->episode.steps.push_back({state_->seen, "", {}, ""});
 }
 
@@ -127,8 +136,8 @@ void EpisodeFollower::acted(const StepResult& result, const Environment& now) {
     ReplayedAction action;
     action.record = {executed.command, executed.outcome.success, std::string(name_of(executed.outcome.failure)),
                      executed.outcome.feedback, executed.counted};
-    name_object(action, state_->seen, now.scene());
-    state_->monitors.read(executed.changes, now.scene());
+    name_object(action, state_->seen, now);
+    state_->monitors.read(executed.changes, now);
     action.progress = now.progress();
     action.reached = action.progress >= 1;
     action.parts = state_->monitors.met();
@@ -143,8 +152,10 @@ void EpisodeFollower::end_reply(const std::string& unreadable, const Environment
 }
 
 ReplayedEpisode EpisodeFollower::finish(const Environment& last) && {
+  look(last);
   state_->show(last);
   ReplayedEpisode episode = std::move(state_->episode);
+  episode.targets_shown = state_->unseen.empty();
   const PrivilegedState state = last.privileged();
   if (const auto end = outcome_named(state.ended_by)) episode.end = *end;
   episode.success = last.over() && state.success;

@@ -3,7 +3,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -42,7 +41,7 @@ struct ReplayedEpisode {
   std::vector<bool> parts_at_start;          // which are met at the start
   std::vector<bool> parts_lost;              // of those not met at the end: which order or constraint was lost
   std::vector<ReplayedStep> steps;           // fewer than the record's where the episode was over before
-  std::set<std::string, std::less<>> shown;  // ids of all that was ever in the picture, the last one included
+  bool targets_shown = false;                // of all goal_objects one that is meant was in a picture, the last included
   std::string first_told;                    // the observation at the start, in words
 };
 

@@ -1,5 +1,6 @@
 // Episodes: what they end in, what they remember, and that equal actions give equal observations.
 #include <malloc.h>
+#include <algorithm>
 
 #include <cstdlib>
 
@@ -187,6 +188,15 @@ TEST(AnEnvironment, ForgetsWithoutAnyDifference) {
       }
       ASSERT_TRUE(environment.scene() == remembers.world().scene());
       EXPECT_EQ(environment.pictured(), remembers.world().pictured());
+      std::vector<std::string> pictured, asked_for;
+      for (const VisibleObject& object : environment.pictured()) pictured.push_back(object.id);
+      for (const Node& node : environment.scene().nodes) {
+        EXPECT_TRUE(environment.has_object(node.id));
+        if (environment.pictures(node.id)) asked_for.push_back(node.id);
+      }
+      std::sort(asked_for.begin(), asked_for.end());
+      EXPECT_EQ(asked_for, pictured);
+      EXPECT_FALSE(environment.has_object("no such thing") || environment.pictures("no such thing"));
       EXPECT_EQ(environment.privileged().failures, remembers.failures());
     }
   }
