@@ -131,6 +131,43 @@ TEST(Evaluate, ABadServerChangesNothingThatIsRecorded) {
   EXPECT_EQ(*read_file(scratch.at("bad") + "/episodes.jsonl"), *read_file(scratch.at("good") + "/episodes.jsonl"));
 }
 
+TEST(Evaluate, ASlowServerIsAskedAgainAfterTheTimeForOneAttempt) {
+  const ScratchFolder scratch;
+  ChatServer good(&calm);
+  ASSERT_EQ(evaluate(with(model_at(good.url), "--limit", "1"), scratch.at("good")).code, 0);
+  std::atomic<int> asked{0};
+  ChatServer slow([&](const Received& request) {
+    if (asked++ == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    return calm(request);
+  });
+  const auto once = with(model_at(slow.url), "--limit", "1", "--llm-timeout", "0.5");
+  const auto ended = evaluate(with(once, "--llm-attempts", "2"), scratch.at("slow"));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(asked, good.count() + 1);
+  EXPECT_EQ(*read_file(scratch.at("slow") + "/episodes.jsonl"), *read_file(scratch.at("good") + "/episodes.jsonl"));
+  asked = 0;
+  EXPECT_EQ(evaluate(with(once, "--llm-attempts", "1"), scratch.at("once")).code, 1);
+  const auto episodes = episodes_in(scratch.at("once"));
+  ASSERT_EQ(episodes.size(), 1U);
+  EXPECT_EQ(episodes[0].end, EpisodeOutcome::Errored);
+}
+
+TEST(Evaluate, ATerminalIsToldProgressRateTimeLeftAndCost) {
+  const ScratchFolder scratch;
+  ChatServer server([](const Received& request) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return calm(request);
+  });
+  std::string command = "unietp evaluate " + set() + " --out " + scratch.at("run");
+  for (const std::string& option : with(model_at(server.url), "--repeats", "20", "--price-in", "5"))
+    command += " " + option;
+  RunningProgram program("/usr/bin/script", {"-qec", command, "/dev/null"}, scratch.at(""));
+  const auto ended = program.wait();
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, ::testing::ContainsRegex("[0-9]+ of [0-9]+ episodes  success [0-9]+  errored 0  [0-9.]+/s  "
+                                                  "[0-9]+:[0-9][0-9] left  cost [0-9.]+"));
+}
+
 TEST(Evaluate, WhatTheModelSaysIsNotAskedAgain) {
   const ScratchFolder scratch;
   ChatServer server([](const Received&) { return completion("{\"action\": "); });
