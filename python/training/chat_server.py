@@ -1,37 +1,67 @@
-"""Serves a model of transformers as OpenAI's chat completions on this machine, one request at a time."""
+"""Serves a model of transformers as OpenAI's chat completions on this machine; requests that come together are one batch."""
 
 import json
+import queue
 import threading
 from collections.abc import Iterator
+from concurrent.futures import Future
 from contextlib import contextmanager
-from http.server import BaseHTTPRequestHandler, HTTPServer
-from typing import Any
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any, NamedTuple
 
 import torch
 
 
-def answer(model: Any, tokenizer: Any, messages: list[dict[str, str]], most_tokens: int) -> tuple[str, bool, int, int]:
-    """The likeliest answer: its text, whether it ended by itself, and the tokens of prompt and answer."""
-    told = tokenizer.apply_chat_template(messages, add_generation_prompt=True, return_tensors="pt", return_dict=True)
-    told = told.to(model.device)
-    length = told["input_ids"].shape[1]
+class Answer(NamedTuple):
+    text: str
+    ended: bool  # by itself
+    read: int  # tokens of the prompt
+    written: int
+
+
+def answers(model: Any, tokenizer: Any, chats: list[list[dict[str, str]]], most_tokens: int) -> list[Answer]:
+    """The likeliest answer to each chat."""
+    told = tokenizer.apply_chat_template(
+        chats, add_generation_prompt=True, return_tensors="pt", return_dict=True, padding=True, tokenizer_kwargs={"padding_side": "left"}
+    ).to(model.device)
     with torch.no_grad():
-        said = model.generate(**told, max_new_tokens=most_tokens, do_sample=False)[0][length:]
-    ended = bool((said == tokenizer.eos_token_id).any())
-    return tokenizer.decode(said, skip_special_tokens=True), ended, length, len(said)
+        said = model.generate(**told, max_new_tokens=most_tokens, do_sample=False)[:, told["input_ids"].shape[1]:].tolist()
+    found = []
+    for tokens, mask in zip(said, told["attention_mask"], strict=True):
+        ended = tokenizer.eos_token_id in tokens
+        tokens = tokens[:tokens.index(tokenizer.eos_token_id) + 1] if ended else tokens
+        found.append(Answer(tokenizer.decode(tokens, skip_special_tokens=True), ended, int(mask.sum()), len(tokens)))
+    return found
 
 
 @contextmanager
-def served(model: Any, tokenizer: Any, name: str, most_tokens: int = 64) -> Iterator[str]:
+def served(model: Any, tokenizer: Any, name: str, most_tokens: int, at_once: int) -> Iterator[str]:
     """Gives the address for --llm-url."""
+    asked: queue.Queue[tuple[list[dict[str, str]], Future[Answer]]] = queue.Queue()
+
+    def work() -> None:
+        while True:
+            batch = [asked.get()]
+            while len(batch) < at_once:
+                try:
+                    batch.append(asked.get(timeout=0.02))
+                except queue.Empty:
+                    break
+            try:
+                for (_, future), one in zip(batch, answers(model, tokenizer, [chat for chat, _ in batch], most_tokens), strict=True):
+                    future.set_result(one)
+            except Exception as error:  # told to those who wait
+                for _, future in batch:
+                    future.set_exception(error)
 
     class Handler(BaseHTTPRequestHandler):
         def do_POST(self) -> None:
-            asked = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
-            tokens = min(asked.get("max_tokens", most_tokens), most_tokens)
-            text, ended, read, written = answer(model, tokenizer, asked["messages"], tokens)
-            choice = {"index": 0, "message": {"role": "assistant", "content": text}, "finish_reason": "stop" if ended else "length"}
-            usage = {"prompt_tokens": read, "completion_tokens": written, "total_tokens": read + written}
+            request = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
+            future: Future[Answer] = Future()
+            asked.put((request["messages"], future))
+            one = future.result()
+            choice = {"index": 0, "message": {"role": "assistant", "content": one.text}, "finish_reason": "stop" if one.ended else "length"}
+            usage = {"prompt_tokens": one.read, "completion_tokens": one.written, "total_tokens": one.read + one.written}
             body = json.dumps({"object": "chat.completion", "model": name, "choices": [choice], "usage": usage}).encode()
             self.send_response(200)
             self.send_header("Content-Type", "application/json")
@@ -42,7 +72,8 @@ def served(model: Any, tokenizer: Any, name: str, most_tokens: int = 64) -> Iter
         def log_message(self, *_: Any) -> None:
             pass
 
-    server = HTTPServer(("127.0.0.1", 0), Handler)
+    threading.Thread(target=work, daemon=True).start()
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
     thread = threading.Thread(target=server.serve_forever, daemon=True)
     thread.start()
     try:
