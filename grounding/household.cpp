@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -9,7 +10,8 @@ namespace unietp {
 namespace {
 
 // Goals put things there, but nobody keeps them there: food waits in an oven only while it is cooked.
-constexpr std::array<std::string_view, 5> kPassing{"oven", "microwave", "toaster", "stove", "dishwasher"};
+constexpr std::array<std::string_view, 8> kPassing{"oven",       "microwave", "toaster", "stove",
+                                                   "dishwasher", "sink",      "bathtub", "washer"};
 constexpr double kInPassing = 0.15;  // of the weight of such a place
 
 constexpr double kTolerable = 0.08;  // weight of all tolerable places of a category together; the usual ones have 1
@@ -23,9 +25,19 @@ Household::Household(const Knowledge& knowledge, const CommonSense& sense, Start
     if (!kinds_.is_a(pair.first, "food") || !kinds_.is_a(pair.second, "food")) apart_.push_back(std::move(pair));
   }
   const UsualPlaces usual(knowledge, sense);
+  std::set<std::string> room_types;
+  for (const Category& category : knowledge.categories())
+    room_types.insert(category.rooms.begin(), category.rooms.end());
   for (const Category& category : knowledge.categories()) {
     if (const auto* fact = sense.kind_of(knowledge.simulator(), category.name)) kind_[category.name] = fact->kind;
     if (!category.movable) continue;
+    if (const auto kind = kind_of(category.name); !kind.empty() && !rooms_.contains(kind)) {
+      auto& suits = rooms_[std::string(kind)];
+      for (const auto& type : room_types) {
+        const double score = sense.grade({std::string(kind), {}, {}}, "in_room:" + type).score;
+        suits[type] = score * score;
+      }
+    }
     const auto& all = usual.of(category.name);
     if (all.empty()) continue;
     auto& places = places_[category.name];
@@ -49,6 +61,23 @@ const std::vector<Household::Place>& Household::places_of(std::string_view categ
   static const std::vector<Place> kNone;
   const auto found = places_.find(category);
   return found == places_.end() ? kNone : found->second;
+}
+
+const Household::Place* Household::place(std::string_view category, Predicate relation,
+                                         std::string_view receptacle) const {
+  const auto& all = places_of(category);
+  const auto found =
+      std::lower_bound(all.begin(), all.end(), std::tie(receptacle, relation), [](const Place& place, const auto& key) {
+        return std::tuple(std::string_view(place.receptacle), place.relation) < key;
+      });
+  return found != all.end() && found->receptacle == receptacle && found->relation == relation ? &*found : nullptr;
+}
+
+double Household::in_room(std::string_view category, std::string_view room) const {
+  const auto kind = rooms_.find(kind_of(category));
+  if (kind == rooms_.end()) return 1;
+  const auto suits = kind->second.find(room);
+  return suits == kind->second.end() ? 1 : suits->second;
 }
 
 std::string_view Household::kind_of(std::string_view category) const {

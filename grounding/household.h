@@ -31,6 +31,13 @@ class Household {
 
   /// Of a movable category, by receptacle, then relation; empty when nothing is known.
   const std::vector<Place>& places_of(std::string_view category) const;
+  /// One of these; nullptr when things of the category are not kept there.
+  const Place* place(std::string_view category, Predicate relation, std::string_view receptacle) const;
+  /// How well a type of room suits a category: the square of the score that CommonSense gives to being there, so 1
+  /// where such things usually are, 0.09 where they are at times and below 0.015 where nobody looks for them
+  /// (`kNoRoom`). 1 for what has no kind.
+  double in_room(std::string_view category, std::string_view room) const;
+  static constexpr double kNoRoom = 0.0144;
   /// The share of things of the category that are in a state at a place; a little when nobody spoke of it. `receptacle`
   /// "": wherever it is.
   double share(std::string_view category, Predicate relation, std::string_view receptacle, const State& state) const;
@@ -49,6 +56,7 @@ class Household {
   std::vector<std::pair<std::string, std::string>> apart_;  // kinds
   std::map<std::string, std::string, std::less<>> kind_;    // by category
   std::map<std::string, std::vector<Place>, std::less<>> places_;
+  std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>> rooms_;  // by kind, then type of room
 };
 
 /// The household of a simulator from the tables of data/sense. Errors: the first of those tables.

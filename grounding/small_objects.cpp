@@ -14,8 +14,10 @@ namespace unietp {
 namespace {
 
 constexpr double kObjectSizeSpread = 0.04;
-constexpr double kUsualRoomFactor = 4;
-constexpr double kHeldByOthers = 0.5;  // things that a receptacle holds of which no home shows how many
+constexpr double kUsualRoomFactor = 4;  // where no household says how rooms suit
+constexpr double kOnMovable = 0.1;      // of the weight of a place that is itself carried about, such as a bowl
+constexpr double kHeldByOthers = 0.5;   // things that a receptacle holds of which no home shows how many
+constexpr double kLeastSuits = 1e-6;
 constexpr int kReceptaclesPerTry = 3;
 constexpr double kSecond = 0.5;     // chance of a second thing where there is one already, to that of another category
 constexpr double kMostOften = 1.5;  // times the number of a thing in real homes, when more things are asked for
@@ -82,6 +84,7 @@ class Scatterer {
       if (!category.movable || sliced_.contains(category.name)) continue;
       if (std::find(category.rooms.begin(), category.rooms.end(), type) == category.rooms.end()) continue;
       if (workspace_.household() != nullptr && workspace_.household()->places_of(category.name).empty()) continue;
+      if (!suits(room, category)) continue;
       usual.push_back(&category);
       ++alike[kind_of(category)];
     }
@@ -90,7 +93,7 @@ class Scatterer {
       const std::size_t number = there == rooms_[room].end() ? 0 : there->second.size();
       // People have several of many things; of hundreds of kinds of food no home has most.
       const double again = number == 0 ? 1 : number == 1 ? kSecond : std::pow(0.5, static_cast<double>(number));
-      chances.push_back(again);
+      chances.push_back(again * in_room(room, *category));
     }
     if (usual.empty()) return std::nullopt;
     return Wish{room, usual[rng.weighted(chances)], false};
@@ -129,10 +132,18 @@ class Scatterer {
       for (const ObjectRule& rule : recipe_.objects) {
         if (rule.room != workspace_.scene().rooms[room].type) continue;
         const Category* category = workspace_.knowledge().find(rule.category);
-        if (category != nullptr) each(Wish{room, category, true}, rule.mean);
+        if (category == nullptr || !suits(room, *category)) continue;
+        each(Wish{room, category, true}, rule.mean * std::sqrt(in_room(room, *category)));
       }
     }
   }
+
+  double in_room(std::size_t room, const Category& category) const {
+    const auto* household = workspace_.household();
+    return household == nullptr ? 1 : household->in_room(category.name, workspace_.scene().rooms[room].type);
+  }
+  /// Whether people keep such things in the room at times. What simulators' homes have elsewhere is left out.
+  bool suits(std::size_t room, const Category& category) const { return in_room(room, category) >= Household::kNoRoom; }
 
   /// Movable categories of which no rule speaks and that slicing does not make.
   std::vector<const Category*> unseen_categories() const {
@@ -163,7 +174,7 @@ class Scatterer {
   std::vector<Host> hosts_in(const Wish& wish) const {
     std::vector<Host> hosts;
     for (std::size_t room = 0; room < rooms_.size(); ++room) {
-      if (wish.room && *wish.room != room) continue;
+      if ((wish.room && *wish.room != room) || !suits(room, *wish.category)) continue;
       if (workspace_.household() != nullptr) {
         add_usual_hosts(room, wish, hosts);
         continue;
@@ -193,7 +204,8 @@ class Scatterer {
     if (some &&
         std::none_of(places.begin(), places.end(), [&](const auto& one) { return is_usual(one) && is_here(one); }))
       return;
-    for (const auto& place : places) add_hosts(room, place.receptacle, place.relation, place.weight, hosts);
+    const double here = wish.room ? 1 : in_room(room, *wish.category);
+    for (const auto& place : places) add_hosts(room, place.receptacle, place.relation, place.weight * here, hosts);
   }
 
   void add_hosts(std::size_t room, const std::string& receptacle, Predicate relation, double likelihood,
@@ -205,7 +217,9 @@ class Scatterer {
     for (const std::size_t node : there->second) {
       const auto carried = carried_.find(node);
       const double crowd = carried == carried_.end() ? 0 : static_cast<double>(carried->second.size()) / (mean + 1);
-      hosts.push_back({node, relation, likelihood / static_cast<double>(there->second.size()) / (1 + crowd)});
+      const bool carried_about = workspace_.household() != nullptr && workspace_.scene().nodes[node].movable;
+      const double share = likelihood * (carried_about ? kOnMovable : 1) / static_cast<double>(there->second.size());
+      hosts.push_back({node, relation, share / (1 + crowd)});
     }
   }
 
@@ -242,6 +256,11 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
   }
   const auto& nodes = workspace.scene().nodes;
   const std::vector<bool> usual_here = usual_rooms(workspace, *category);
+  const auto suits = [&](std::size_t node) {
+    if (household == nullptr) return workspace.is_in(node, usual_here) ? kUsualRoomFactor : 1;
+    const Room* room = workspace.room_of(node);
+    return std::max(kLeastSuits, room == nullptr ? 1 : household->in_room(object.category, room->type));
+  };
   for (const auto& [name, receptacle] : receptacles) {
     const auto& there = workspace.places().of(name);
     const bool itself = name == object.category && workspace.places().find(object.id);
@@ -249,7 +268,7 @@ std::vector<Host> hosts_for(const Workspace& workspace, const Node& object) {
     const double on = receptacle.on / count, inside = receptacle.inside / count;
     for (const std::size_t node : there) {
       if (itself && nodes[node].id == object.id) continue;
-      const double usual = workspace.is_in(node, usual_here) ? kUsualRoomFactor : 1;
+      const double usual = suits(node) * (household != nullptr && nodes[node].movable ? kOnMovable : 1);
       if (on > 0) hosts.push_back({node, Predicate::On, on * usual});
       if (inside > 0) hosts.push_back({node, Predicate::Inside, inside * usual});
     }
