@@ -1,8 +1,11 @@
 #include "grounding/enforce.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "generator/fixed_start.h"
+#include "grounding/likelihood.h"
 #include "grounding/numbers.h"
 
 namespace unietp {
@@ -185,6 +188,7 @@ bool Enforcer::has_member_to_change(const Formula& formula, const Names& names, 
   if (depth == 0 && !of_size)
     std::erase_if(candidates, [&](const std::string& id) { return editor_.reserved().contains(id); });
   rng_.shuffle(candidates);
+  if (candidates.size() > 1) order_by_ease(candidates, formula, names, truth);
   constexpr std::size_t kMostTried = 4;
   for (std::size_t i = 0; i < std::min(candidates.size(), kMostTried); ++i) {
     Names inner = names;
@@ -192,6 +196,45 @@ bool Enforcer::has_member_to_change(const Formula& formula, const Names& names, 
     if (make(formula.children.front(), inner, truth, depth + 1)) return true;
   }
   return false;
+}
+
+void Enforcer::order_by_ease(std::vector<std::string>& candidates, const Formula& formula, const Names& names,
+                             bool truth) {
+  std::vector<double> eases;
+  for (const std::string& id : candidates) {
+    Names inner = names;
+    inner.emplace_back(formula.variable, id);
+    eases.push_back(ease_of(formula.children.front(), inner, truth));
+  }
+  for (std::size_t i = 0; i + 1 < candidates.size(); ++i) {
+    const std::size_t drawn = i + rng_.weighted(std::span(eases).subspan(i));
+    std::swap(candidates[i], candidates[drawn]);
+    std::swap(eases[i], eases[drawn]);
+  }
+}
+
+double Enforcer::ease_of(const Formula& formula, const Names& names, bool truth) {
+  constexpr double kChange = 0.05;  // of a start that leaves the home as it is
+  if (holds(formula, names) == truth) return 1;
+  if (formula.op == Op::Not) return ease_of(formula.children.front(), names, !truth);
+  if (formula.op == Op::And && truth) {
+    double ease = 1;
+    for (const Formula& part : formula.children) ease *= ease_of(part, names, true);
+    return ease;
+  }
+  if (formula.op != Op::Atom || !truth) return kChange;
+  const Workspace& workspace = editor_.workspace();
+  const auto place_of = [&](const Term& term) { return workspace.places().find(id_of(term, names)); };
+  const auto subject = place_of(formula.terms.front());
+  if (!subject || !workspace.scene().nodes[*subject].movable) return kChange;
+  const Node& node = workspace.scene().nodes[*subject];
+  if (formula.terms.size() == 2 && formula.terms[1].kind != Term::Kind::Symbol) {
+    const auto other = place_of(formula.terms[1]);
+    const bool hosts = formula.predicate == Predicate::On || formula.predicate == Predicate::Inside;
+    return other && hosts ? kChange * likelihood_of_place(workspace, node, formula.predicate, *other) : kChange;
+  }
+  const std::string symbol = formula.terms.size() == 2 ? formula.terms[1].name : "";
+  return kChange * share_in_state(workspace, node, {formula.predicate, symbol});
 }
 
 bool Enforcer::make_for_some(const Formula& formula, const Names& names, bool truth, int depth) {

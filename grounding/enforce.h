@@ -45,6 +45,13 @@ class Enforcer {
   std::vector<std::size_t> rooms_for(const Category& category);
   bool has_member_to_change(const Formula& formula, const Names& names, bool truth, int depth);
 
+  /// Puts the candidates into a random order, the likelier the start in which the body would be as wanted of one, the
+  /// earlier.
+  void order_by_ease(std::vector<std::string>& candidates, const Formula& formula, const Names& names, bool truth);
+  /// How likely a start would be that makes a formula true, or false: 1 where it is already, else less for each change,
+  /// by how likely a thing is at such a place and in such a state.
+  double ease_of(const Formula& formula, const Names& names, bool truth);
+
   bool holds(const Formula& formula, const Names& names);
   /// The names of things that exist, as the trace numbers them.
   Assignment assignment(const Trace& trace, const Names& names) const;

@@ -1,12 +1,16 @@
 #include "grounding/ground.h"
 
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "generator/goal_parts.h"
 #include "grounding/check_start.h"
 #include "grounding/edits_in_words.h"
 #include "grounding/enforce.h"
+#include "grounding/likelihood.h"
 #include "grounding/numbers.h"
+#include "grounding/polish.h"
 #include "grounding/reachability.h"
 #include "grounding/scene_editor.h"
 #include "logic/evaluate.h"
@@ -82,6 +86,26 @@ void keep_standing(Workspace& workspace, const Home& home) {
   workspace.read_edges();
 }
 
+/// Why no home looks like the start: more than 8 things differ from the home, more than 2 pieces of furniture of a
+/// category were changed alike, or something that was changed is odd where it is (oddness_of); nullopt when some does.
+std::optional<GroundingFailure> odd_start(const Workspace& workspace, bool dangerous) {
+  constexpr std::size_t kMostChanged = 8;
+  constexpr int kMostAlike = 2;
+  const Delta changes = workspace.changes();
+  const auto failure = [](std::string why) { return GroundingFailure{RejectionReason::OddStart, std::move(why), {}}; };
+  const std::size_t changed = changes.nodes.size() + changes.removed.size();
+  if (changed > kMostChanged) return failure(std::to_string(changed) + " things would not be as in the home");
+  std::map<std::string, int> alike;
+  for (const Node& node : changes.nodes) {
+    if (!node.movable && ++alike[node.category] > kMostAlike)
+      return failure("several " + node.category + " would have to be in a state that few of them are in");
+    std::string why;
+    if (node.movable && !dangerous && oddness_of(workspace, node, &why) == Oddness::Senseless)
+      return failure(std::move(why));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::variant<Grounded, Rejection> ground(const Specification& specification, const Home& home,
@@ -108,6 +132,11 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
     if (!within_rounds(enforcer, editor, constraints, parts, options.rounds)) {
       return rejected(specification, home.scene, editor.failure());
     }
+    polish(editor, [&] {
+      return std::all_of(constraints.begin(), constraints.end(),
+                         [&](const Formula& constraint) { return enforcer.holds(constraint); }) &&
+             std::none_of(parts.begin(), parts.end(), [&](const Formula& part) { return holds(part, enforcer.now()); });
+    });
     keep_standing(workspace, home);
     editor.refresh();
     episode.changes = workspace.changes();
@@ -122,6 +151,7 @@ std::variant<Grounded, Rejection> ground(const Specification& specification, con
     editor.reserved().clear();
     if (!misplaced || !editor.relocate(problem->subject, [](const Node&) { return true; })) break;
   }
+  if (!problem && options.likely) problem = odd_start(workspace, options.dangerous);
   if (problem) return rejected(specification, home.scene, *problem);
   episode.specification = specification;
   episode.layout = home.scene.id;

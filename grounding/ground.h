@@ -17,6 +17,8 @@ namespace unietp {
 struct GroundingOptions {
   int draws_per_object = 60;             // poses tried for one placement
   int rounds = 4;                        // passes over the start constraints before giving up
+  bool likely = false;                   // a start that no home looks like is rejected (odd_start of ground.cpp)
+  bool dangerous = false;                // but something may be where safety forbids it
   const Household* household = nullptr;  // how things are in such homes; nullptr: as the knowledge base says
   bool pictured = false;                 // what the goal needs has to show clearly in a picture from somewhere
 };

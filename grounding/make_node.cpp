@@ -65,8 +65,6 @@ std::string draw_filling(std::string_view category, const Knowledge& knowledge, 
   return substances.empty() ? std::string() : rng.pick(substances);
 }
 
-namespace {
-
 bool can_be(const Node& node, const Knowledge& knowledge, const State& state) {
   if (state.predicate == Predicate::Covered) return knowledge.has(node.category, "coverable");
   if (state.predicate == Predicate::Filled) {
@@ -80,6 +78,8 @@ bool can_be(const Node& node, const Knowledge& knowledge, const State& state) {
     return std::find(all.begin(), all.end(), state.predicate) != all.end() && node.states.has(all.front());
   });
 }
+
+namespace {
 
 /// Whether it opens without that anything has to be kept free of its doors.
 bool opens_in_place(const Node& node) {

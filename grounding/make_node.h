@@ -28,6 +28,9 @@ struct Seat {
 /// some vessels full, some laptops and books open. Furniture with doors stays shut.
 void draw_states(Node& node, const Workspace& workspace, const Seat& seat, Rng& rng);
 
+/// Whether a thing of this kind can be in a state at all.
+bool can_be(const Node& node, const Knowledge& knowledge, const State& state);
+
 /// A substance that the knowledge says the category can be filled with; "" when none. Drawn among them.
 std::string draw_filling(std::string_view category, const Knowledge& knowledge, Rng& rng);
 

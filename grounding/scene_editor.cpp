@@ -6,6 +6,7 @@
 
 #include "grounding/floor_plan.h"
 #include "grounding/furnish.h"
+#include "grounding/likelihood.h"
 #include "grounding/make_node.h"
 #include "grounding/place_object.h"
 #include "grounding/reachability.h"
@@ -80,7 +81,8 @@ bool SceneEditor::settle_somewhere(Node node, const std::function<bool(const Nod
     for (const Host& host : left) {
       const Node& there = scene.nodes[host.node];
       const bool shut = host.relation == Predicate::Inside && there.openable && there.opening < 0.5;
-      weights.push_back(host.weight * (shut ? kClosedPenalty : 1) * (there.movable ? 0.3 : 1));
+      const double likely = likelihood_of_states(workspace_, node, {host.relation, there.category});
+      weights.push_back(host.weight * (shut ? kClosedPenalty : 1) * likely);
     }
     for (int tried = 0; tried < kHostsTried && !left.empty(); ++tried) {
       const std::size_t at = rng.weighted(weights);
@@ -194,6 +196,16 @@ bool SceneEditor::remove(const std::string& id) {
   touched_.erase(id);
   stale_ = true;
   return true;
+}
+
+void SceneEditor::replace(Node node) {
+  if (const auto index = index_of(node.id)) {
+    workspace_.replace(*index, std::move(node));
+  } else {
+    touched_.insert(node.id);
+    workspace_.add(std::move(node));
+  }
+  stale_ = true;
 }
 
 bool SceneEditor::relocate(const std::string& id, const std::function<bool(const Node&)>& accept) {

@@ -30,6 +30,8 @@ class SceneEditor {
   bool leaves_rooms_open();
   /// Takes an object out; what rests on or in it is moved first. Not furniture of the home.
   bool remove(const std::string& id);
+  /// Sets an object as it once was, which may have been taken out since. Whether it has room is not looked at.
+  void replace(Node node);
 
   bool put(const std::string& id, Predicate relation, const std::string& receptacle);  // on, inside, next_to, under
   bool put_on_floor(const std::string& id, const std::string& room);

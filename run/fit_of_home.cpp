@@ -1,26 +1,55 @@
 #include "run/fit_of_home.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "generator/fixed_start.h"
 #include "generator/specification.h"
+#include "grounding/goal_places.h"
+#include "grounding/household.h"
 #include "run/sense_of_binding.h"
 
 namespace unietp {
+namespace {
+
+/// Whether each place that the goal names for a thing stands somewhere in a room where people keep such things: no
+/// kitchen knife goes into a drawer where all drawers are in bedrooms. What the home lacks is not looked at.
+bool rooms_suit(const Formula& goal, const Layout& layout, const Household& household) {
+  const Home& home = layout.home;
+  const auto suits = [&](const std::string& category, std::size_t node) {
+    const auto room = home.rooms[node];
+    return room < 0 ||
+           household.in_room(category, home.scene.rooms[static_cast<std::size_t>(room)].type) >= Household::kNoRoom;
+  };
+  for (const auto& [category, places] : goal_places(goal)) {
+    for (const std::string& place : places) {
+      const auto& there = home.places.of(place);
+      if (there.empty() || home.scene.nodes[there.front()].movable) continue;
+      if (std::none_of(there.begin(), there.end(), [&](std::size_t node) { return suits(category, node); }))
+        return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
 
 BindingCheck fits_home(const RunConfiguration& configuration, const Resources& resources, const Template& source,
                        const Layout& layout, Grade least) {
   const Simulator simulator = layout.home.scene.simulator;
   BindingCheck makes_sense = at_least(least, source, resources, simulator);
   if (!configuration.binding.empty()) return makes_sense;
-  return [&source, &layout, &knowledge = resources.backend(simulator).knowledge, makes_sense = std::move(makes_sense)](
-             const Binding& bound, const Parameter& parameter, const std::string& category) {
+  const Household* household = least == Grade::Senseless ? nullptr : resources.recipe(simulator).household.get();
+  return [&source, &layout, &knowledge = resources.backend(simulator).knowledge, household,
+          makes_sense = std::move(makes_sense)](const Binding& bound, const Parameter& parameter,
+                                                const std::string& category) {
     if (makes_sense && !makes_sense(bound, parameter, category)) return false;
     if (bound.size() + 1 < source.parameters.size()) return true;
     Binding all = bound;
     all.emplace_back(parameter.name, category);
     const auto specification = instantiate(source, knowledge, all);
-    return specification && misfit(specification->init, knowledge, layout.offer.now) == nullptr;
+    if (!specification || misfit(specification->init, knowledge, layout.offer.now) != nullptr) return false;
+    return household == nullptr || rooms_suit(specification->goal, layout, *household);
   };
 }
 

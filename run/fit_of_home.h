@@ -8,7 +8,8 @@
 namespace unietp {
 
 /// What a binding that is drawn for a home has to be: with it the goal makes at least so much sense, and the home has
-/// the furniture and rooms that the template's start asks for, since no edit of a start gives it those. Where the
+/// the furniture and rooms that the template's start asks for, since no edit of a start gives it those, some of it in
+/// rooms where people keep what the goal puts there. Where the
 /// configuration binds placeholders, a home that does not fit is accepted, to be refused with its reason later. What is
 /// given must outlive it.
 BindingCheck fits_home(const RunConfiguration& configuration, const Resources& resources, const Template& source,

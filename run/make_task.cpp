@@ -96,10 +96,15 @@ std::variant<Specification, Rejection> specify(const Template& source, const Lay
                                                const SplitAsked& asked, Grade least, const SenseOf& sense_of,
                                                const Rng& rng) {
   constexpr std::uint64_t kBindings = 8;  // of the candidates that 32 bindings save, 8 save 98 %
+  constexpr std::uint64_t kLooks = 40;    // which of its things a home has several of is quickly seen
+  const auto is_lack = [](RejectionReason why) {
+    return why == RejectionReason::LacksFurniture || why == RejectionReason::LacksRoom;
+  };
   auto specified = specify_once(source, layout, knowledge, planned, asked, least, sense_of, rng);
-  for (std::uint64_t i = 1; i < kBindings; ++i) {
+  for (std::uint64_t i = 1, dear = 1; i < kLooks && dear < kBindings; ++i) {
     const auto* why = std::get_if<Rejection>(&specified);
     if (why == nullptr || !another_binding_helps(why->reason)) break;
+    if (!is_lack(why->reason)) ++dear;
     const auto again = rng.fork("again", i);
     const auto binding = sample_binding(source, knowledge, layout.offer.categories, wishes, again.fork("binding", 0));
     specified = specify_once(source, layout, knowledge, binding, asked, least, sense_of, again);
@@ -150,6 +155,8 @@ std::variant<Task, RejectedCandidate> make_task(const RunConfiguration& configur
 
   timer.enter(Stage::Grounding);
   GroundingOptions grounding;
+  grounding.likely = plan.least == Grade::Usual;
+  grounding.dangerous = source.purpose.name == "safety";
   grounding.household = resources.recipe(slot.simulator).household.get();
   const auto& modes = configuration.modes;
   grounding.pictured = std::find(modes.begin(), modes.end(), Mode::M3) != modes.end();

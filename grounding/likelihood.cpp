@@ -1,0 +1,115 @@
+#include "grounding/likelihood.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace unietp {
+namespace {
+
+constexpr double kLeastPlace = 1e-6, kLeastState = 1e-3;
+constexpr double kHardlyAny = 0.01;  // share of things at a place that are in a state
+
+/// What a thing of a workspace is on or in, and the room around it, as last read.
+struct Whereabouts {
+  std::vector<std::pair<Predicate, std::size_t>> hosts;
+  const Room* room = nullptr;
+};
+
+Whereabouts whereabouts_of(const Workspace& workspace, const Node& node) {
+  Whereabouts found;
+  const auto& present = workspace.present();
+  const auto entity = present.reader().find(node.id);
+  if (!entity) return found;
+  const auto& trace = present.now();
+  for (const auto& [relation, other] : trace.states.front().relations(*entity)) {
+    if (relation != Predicate::On && relation != Predicate::Inside) continue;
+    if (const auto host = workspace.places().find(trace.entities[other].id)) found.hosts.emplace_back(relation, *host);
+  }
+  std::sort(found.hosts.begin(), found.hosts.end());
+  if (const auto place = workspace.places().find(node.id)) found.room = workspace.room_of(*place);
+  return found;
+}
+
+/// A state that hardly any such thing is in on or in a receptacle.
+std::optional<State> rare_state(const Household& household, const Node& node, Predicate relation,
+                                const std::string& receptacle) {
+  for (const LikelyState& likely : household.states_of(node.category, relation, receptacle)) {
+    if (likely.share < kHardlyAny && node.states.has(likely.state)) return likely.state;
+  }
+  return std::nullopt;
+}
+
+/// Something else on or in the receptacle that is kept apart from the thing.
+const Node* clashing(const Workspace& workspace, const Node& node, std::size_t host) {
+  for (const std::string& id : workspace.carried_by(host)) {
+    const Node& other = workspace.scene().nodes[*workspace.places().find(id)];
+    if (other.id != node.id && workspace.household()->clash(node.category, other.category)) return &other;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+double likelihood_of_place(const Workspace& workspace, const Node& node, Predicate relation, std::size_t host) {
+  const auto* household = workspace.household();
+  if (household == nullptr || household->places_of(node.category).empty()) return 1;
+  const auto* place = household->place(node.category, relation, workspace.scene().nodes[host].category);
+  const Room* room = workspace.room_of(host);
+  const double suits = room == nullptr ? 1 : household->in_room(node.category, room->type);
+  return std::max(kLeastPlace, (place == nullptr ? 0 : place->weight) * suits);
+}
+
+double likelihood_of_states(const Workspace& workspace, const Node& node, const Seat& seat) {
+  const Household* household = workspace.household();
+  if (household == nullptr) return 1;
+  double likelihood = 1;
+  for (const LikelyState& likely : household->states_of(node.category, seat.relation, seat.receptacle)) {
+    if (node.states.has(likely.state)) {
+      likelihood *= likely.share;
+    } else if (can_be(node, workspace.knowledge(), likely.state)) {
+      likelihood *= 1 - likely.share;
+    }
+  }
+  return std::max(likelihood, kLeastState);
+}
+
+double share_in_state(const Workspace& workspace, const Node& node, const State& state) {
+  const Household* household = workspace.household();
+  if (household == nullptr) return 1;
+  double share = 0;
+  const auto where = whereabouts_of(workspace, node);
+  if (where.hosts.empty()) share = household->share(node.category, Predicate::On, "", state);
+  for (const auto& [relation, host] : where.hosts)
+    share = std::max(share, household->share(node.category, relation, workspace.scene().nodes[host].category, state));
+  return std::max(share, kLeastState);
+}
+
+Oddness oddness_of(const Workspace& workspace, const Node& node, std::string* said) {
+  const auto* household = workspace.household();
+  const auto odd = [&](const std::string& why) {
+    if (said != nullptr) *said = node.id + " is " + why;
+    return Oddness::Senseless;
+  };
+  if (household == nullptr || household->places_of(node.category).empty()) return Oddness::None;
+  const auto where = whereabouts_of(workspace, node);
+  if (where.room != nullptr && household->in_room(node.category, where.room->type) < Household::kNoRoom)
+    return odd("in " + where.room->id + ", where nobody keeps such things");
+  const auto& all = household->places_of(node.category);
+  const bool some_usual = std::any_of(all.begin(), all.end(), [](const auto& place) { return place.usual; });
+  Oddness worst = Oddness::None;
+  for (const auto& [relation, host] : where.hosts) {
+    const Node& there = workspace.scene().nodes[host];
+    const auto at = std::string(info(relation).name) + " " + there.id;
+    const auto* place = household->place(node.category, relation, there.category);
+    if (place == nullptr) return odd(at + ", where nobody keeps such things");
+    if (some_usual && !place->usual) worst = Oddness::Unusual;
+    if (const auto state = rare_state(*household, node, relation, there.category))
+      return odd(std::string(info(state->predicate).name) + " " + at + ", as hardly anything is there");
+    if (const Node* other = clashing(workspace, node, host)) return odd(at + " together with " + other->id);
+  }
+  return worst;
+}
+
+}  // namespace unietp

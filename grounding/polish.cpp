@@ -1,0 +1,99 @@
+#include "grounding/polish.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grounding/likelihood.h"
+#include "simulation/shape.h"
+
+namespace unietp {
+namespace {
+
+constexpr std::size_t kMostTried = 16;  // edits; nearly all starts have fewer
+constexpr int kPlacesTried = 3;
+constexpr double kContactDepth_m = 1e-3;  // resting contacts are no deeper
+
+class Polish {
+ public:
+  Polish(SceneEditor& editor, const std::function<bool()>& is_sound) : editor_(editor), is_sound_(is_sound) {}
+
+  void run() {
+    for (const Node& node : changed()) {
+      const auto place = workspace().places().find(node.id);
+      const Node* before = in_home(node.id);
+      if (place && before != nullptr && before->opening == node.opening && workspace().carried_by(*place).empty())
+        put_back(*before, *place);
+    }
+    for (const Node& node : changed()) {
+      if (node.movable && oddness_of(workspace(), node) != Oddness::None) find_likelier_place(node);
+    }
+    editor_.refresh();
+  }
+
+ private:
+  Workspace& workspace() { return editor_.workspace(); }
+
+  const Node* in_home(const std::string& id) {
+    const auto place = workspace().home()->places.find(id);
+    return place ? &workspace().home()->scene.nodes[*place] : nullptr;
+  }
+
+  std::vector<Node> changed() {
+    editor_.refresh();
+    std::vector<Node> nodes = workspace().changes().nodes;
+    if (nodes.size() > kMostTried) nodes.resize(kMostTried);
+    return nodes;
+  }
+
+  /// Whether everything that the thing rested on or in is where it was.
+  bool has_its_support(const Node& before) {
+    const auto& now = workspace().home()->now;
+    const auto entity = workspace().home()->reader.find(before.id);
+    const auto& relations = now.states.front().relations(*entity);
+    return std::all_of(relations.begin(), relations.end(), [&](const auto& one) {
+      const Node* host = in_home(now.entities[one.second].id);
+      if (host == nullptr || (one.first != Predicate::On && one.first != Predicate::Inside)) return true;
+      const auto place = workspace().places().find(host->id);
+      return place && same_body(*host, workspace().scene().nodes[*place]);
+    });
+  }
+
+  /// Whether a thing that stands there touches nothing but what it rests on.
+  bool is_free(const Node& node, std::size_t index) {
+    const std::array ignore{BodyId::node(index)};
+    return !workspace().physics().overlap(shape_of(node), node.pose, node.opening, ignore, kContactDepth_m);
+  }
+
+  void put_back(const Node& before, std::size_t index) {
+    const Node now = workspace().scene().nodes[index];
+    if (!same_body(before, now) && !(has_its_support(before) && is_free(before, index))) return;
+    editor_.replace(before);
+    if (!is_sound_()) editor_.replace(now);
+  }
+
+  void find_likelier_place(const Node& node) {
+    const auto place = workspace().places().find(node.id);
+    if (!place || !workspace().carried_by(*place).empty()) return;
+    const Oddness before = oddness_of(workspace(), node);
+    for (int tried = 0; tried < kPlacesTried; ++tried) {
+      if (!editor_.relocate(node.id, [](const Node&) { return true; })) break;
+      editor_.refresh();
+      const Node& now = workspace().scene().nodes[*workspace().places().find(node.id)];
+      if (oddness_of(workspace(), now) < before && is_sound_()) return;
+    }
+    editor_.replace(node);
+    editor_.refresh();
+  }
+
+  SceneEditor& editor_;
+  const std::function<bool()>& is_sound_;
+};
+
+}  // namespace
+
+void polish(SceneEditor& editor, const std::function<bool()>& is_sound) { Polish(editor, is_sound).run(); }
+
+}  // namespace unietp

@@ -1,0 +1,126 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "grounding/ground.h"
+#include "homes.h"
+
+namespace unietp {
+namespace {
+
+Formula formula_of(const std::string& text, FormulaUse use) {
+  auto formula = parse_formula("test", text, use);
+  EXPECT_TRUE(formula) << text;
+  return formula ? *formula : Formula{};
+}
+
+/// Starts in a home that is lived in as the committed tables say.
+class LikelyStart : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    style_ = style_of(Simulator::Ai2thor);
+    ASSERT_TRUE(style_);
+    auto home = full_home_of(*style_, 3);
+    ASSERT_TRUE(home) << format(home.error());
+    home_ = prepare_home(std::move(*home), style_->profile);
+  }
+  std::variant<Grounded, Rejection> grounded(const std::vector<std::string>& init, std::uint64_t seed,
+                                             bool dangerous = false) const {
+    Specification specification;
+    specification.template_name = "by-hand";
+    specification.goal = formula_of("(exists (?a - Plate) (at-end (held ?a)))", FormulaUse::Goal);
+    for (const auto& one : init) specification.init.push_back(formula_of(one, FormulaUse::State));
+    GroundingOptions options;
+    options.household = style_->recipe.household.get();
+    options.likely = true;
+    options.dangerous = dangerous;
+    return ground(specification, home_, style_->knowledge, style_->profile, options, Rng(seed));
+  }
+  std::string reason(const std::vector<std::string>& init, bool dangerous = false) const {
+    const auto result = grounded(init, 0, dangerous);
+    const auto* why = std::get_if<Rejection>(&result);
+    return why == nullptr ? "" : std::string(name_of(why->reason));
+  }
+  /// The types of the rooms that changed things of a category are in, and the categories of what they are in.
+  std::vector<std::string> where(const std::string& category, const std::string& init, std::uint64_t seed) const {
+    const auto result = grounded({init}, seed);
+    const auto* start = std::get_if<Grounded>(&result);
+    std::vector<std::string> found;
+    EXPECT_TRUE(start) << (start == nullptr ? std::get<Rejection>(result).detail : "");
+    if (start == nullptr) return found;
+    const Episode& episode = start->episode;
+    for (const Node& node : episode.changes.nodes) {
+      if (node.category != category) continue;
+      for (const Edge& edge : episode.start.edges) {
+        if (edge.from != node.id || (edge.relation != Predicate::Inside && edge.relation != Predicate::InRoom))
+          continue;
+        const Room* room = find_room(episode.start, edge.to);
+        found.push_back(room != nullptr ? room->type : find_node(episode.start, edge.to)->category);
+      }
+    }
+    return found;
+  }
+
+  std::optional<Surroundings> style_;
+  Home home_;
+};
+
+bool contains_name(const std::vector<std::string>& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+TEST_F(LikelyStart, LeavesNoDirtyDishesInCabinets) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const auto places = where("Plate", "(count >= 2 (?a - Plate) (dirty ?a))", seed);
+    EXPECT_FALSE(contains_name(places, "Cabinet") || contains_name(places, "Drawer") || contains_name(places, "Fridge"))
+        << seed;
+  }
+}
+
+TEST_F(LikelyStart, AddsFoodWherePeopleKeepIt) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const auto places = where("Bread", "(count >= 3 (?a - Bread) (and))", seed);
+    EXPECT_FALSE(contains_name(places, "bedroom") || contains_name(places, "bathroom")) << seed;
+  }
+}
+
+TEST_F(LikelyStart, IsRefusedWhenNoHomeLooksLikeIt) {
+  EXPECT_EQ(reason({"(forall (?d - Drawer) (open ?d))"}), "odd-start");
+  EXPECT_EQ(reason({"(count >= 12 (?a - Plate) (dirty ?a))"}), "odd-start");
+  const std::string knife = "(exists (?a - Knife) (exists (?s - Sofa) (on ?a ?s)))";
+  EXPECT_EQ(reason({knife}), "odd-start");
+  EXPECT_NE(reason({knife}, true), "odd-start") << "to be put away, it may lie there";
+}
+
+TEST(Household, SaysWhichRoomsSuitThings) {
+  const auto style = style_of(Simulator::Behavior);
+  ASSERT_TRUE(style);
+  const Household& household = *style->recipe.household;
+  EXPECT_EQ(household.in_room("plate", "kitchen"), 1);
+  EXPECT_LT(household.in_room("plate", "bathroom"), Household::kNoRoom);
+  EXPECT_LT(household.in_room("cupcake", "bedroom"), Household::kNoRoom);
+  EXPECT_GE(household.in_room("mug", "office"), Household::kNoRoom);
+  EXPECT_LT(household.in_room("mug", "office"), household.in_room("mug", "kitchen"));
+  EXPECT_EQ(household.in_room("no such category", "kitchen"), 1);
+}
+
+TEST(Homes, HaveNoFoodWhereNobodyKeepsIt) {
+  for (const Simulator simulator : kSimulators) {
+    const auto style = style_of(simulator);
+    ASSERT_TRUE(style);
+    const auto scene = full_home_of(*style, 1);
+    ASSERT_TRUE(scene) << format(scene.error());
+    int things = 0;
+    for (const Node& node : scene->nodes) {
+      const Room* room = room_at(*scene, node.pose.position.head<2>());
+      if (!node.movable || room == nullptr) continue;
+      ++things;
+      EXPECT_GE(style->recipe.household->in_room(node.category, room->type), Household::kNoRoom)
+          << node.id << " in " << room->id;
+    }
+    EXPECT_GT(things, 50);
+  }
+}
+
+}  // namespace
+}  // namespace unietp
