@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -63,7 +64,7 @@ AuditCell cell_of(const ShortcutPolicy& policy, Mode mode, std::string group, Su
   AuditCell cell{&policy, mode, std::move(group), sum.asked, sum.right};
   std::sort(sum.by_permutation.begin(), sum.by_permutation.end());
   const double asked = sum.asked;
-  for (const int right : sum.by_permutation) cell.chance += right / asked / kPermutations;
+  cell.chance = std::accumulate(sum.by_permutation.begin(), sum.by_permutation.end(), 0.0) / asked / kPermutations;
   cell.low = sum.by_permutation[kPermutations / 40] / asked;
   cell.high = sum.by_permutation[kPermutations - 1 - kPermutations / 40] / asked;
   cell.p = chance_of_at_least(sum.right, sum.chances);

@@ -24,8 +24,8 @@ struct RoomContents {
   bool operator==(const RoomContents&) const = default;
 };
 
-/// What an agent is told of the home at the start, in the order of the scene; as lists, or by room on request. The same
-/// throughout an episode.
+/// What an agent is told of the home at the start, in the order of scene/telling_order.h; as lists, or by room on
+/// request. The same throughout an episode.
 struct HomeInformation {
   std::vector<NamedThing> rooms, furniture, movables;
   std::vector<RoomContents> by_room;  // GlobalForm::ByRoom only

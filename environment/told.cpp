@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "environment/agent_text.h"
+#include "scene/telling_order.h"
 
 namespace unietp {
 namespace {
@@ -37,14 +38,17 @@ std::shared_ptr<const HomeInformation> home_information(const World& start, cons
   auto home = std::make_shared<HomeInformation>();
   std::unordered_map<std::string, std::size_t> place_of;  // of a room's contents; never iterated
   const bool by_room = settings.global == GlobalForm::ByRoom;
-  for (const Room& room : scene.rooms) {
+  const TellingOrder order = telling_order(scene);
+  for (const std::size_t place : order.rooms) {
+    const Room& room = scene.rooms[place];
     if (rules.rooms) home->rooms.push_back(named(room));
     if (!by_room) continue;
     place_of.emplace(room.id, home->by_room.size());
     home->by_room.push_back({named(room), {}, {}});
   }
   RoomContents nowhere;
-  for (const Node& node : scene.nodes) {
+  for (const std::size_t thing : order.nodes) {
+    const Node& node = scene.nodes[thing];
     if (!(node.movable ? rules.movables : rules.furniture)) continue;
     (node.movable ? home->movables : home->furniture).push_back(named(node));
     if (!by_room) continue;

@@ -4,6 +4,7 @@
 
 #include "core/files.h"
 #include "core/staged_folder.h"
+#include "scene/telling_order.h"
 
 namespace unietp {
 namespace {
@@ -28,7 +29,9 @@ Result<ExportedTasks> write_task_folder(const fs::path& dataset, const std::vect
     std::string left_out;
     const auto read = for_each_task<std::string>(
         std::move(*tasks), 1,
-        [&](const FinishedTask& task) -> Result<std::string> {
+        [&](const FinishedTask& finished) -> Result<std::string> {
+          FinishedTask task = finished;
+          task.start = in_telling_order(task.start);  // a new thing is not the last of its scene
           const auto why = say(task, aside);
           if (!why) return why.error();
           return *why ? left_out_line(task.record, **why) : std::string();

@@ -68,7 +68,10 @@ std::vector<std::string> Enforcer::ids_of(const std::vector<EntityIndex>& entiti
 
 std::vector<std::string> Enforcer::members(const Formula& quantifier, const Names& names) {
   const Trace& trace = now();
-  return ids_of(members_of(quantifier.domain, quantifier.variable, trace, assignment(trace, names)), trace);
+  const Assignment known = assignment(trace, names);
+  // Nothing is in a domain that speaks of what has been taken out.
+  if (known.size() != names.size() && !quantifier.domain.where.empty()) return {};
+  return ids_of(members_of(quantifier.domain, quantifier.variable, trace, known), trace);
 }
 
 std::vector<std::string> Enforcer::satisfying(const Formula& quantifier, const Names& names, bool truth) {
@@ -90,6 +93,7 @@ bool Enforcer::make_true(const Formula& formula) {
   if (!witnesses) return true;
   const int wanted = formula.op == Op::Exists ? 1 : count_range(formula.comparison, formula.number, true).first;
   auto serving = satisfying(formula, {}, true);
+  rng_.shuffle(serving);
   // Those that already serve another constraint come last.
   std::stable_partition(serving.begin(), serving.end(),
                         [&](const std::string& id) { return !editor_.reserved().contains(id); });
@@ -262,6 +266,7 @@ bool Enforcer::make_number(const Formula& formula, const Names& names, int at_le
     if (left <= static_cast<std::size_t>(at_most)) return true;
     if (before > 0 && left >= before) return false;
     before = left;
+    rng_.shuffle(extra);  // which of them stays is not to be told from its id
     std::stable_partition(extra.begin(), extra.end(),
                           [&](const std::string& id) { return editor_.reserved().contains(id); });
     for (; !extra.empty() && left > static_cast<std::size_t>(at_most); extra.pop_back()) {

@@ -26,7 +26,7 @@ bool shines(const Category& category) {
 Node make_node(const Workspace& workspace, const Category& category, double spread, Rng& rng) {
   const Knowledge& knowledge = workspace.knowledge();
   Node node;
-  node.id = fresh_id(workspace.scene(), workspace.places(), category.name,
+  node.id = drawn_id(workspace.scene(), workspace.places(), category.name,
                      workspace.home() == nullptr ? nullptr : &workspace.home()->places);
   node.category = category.name;
   node.movable = category.movable;

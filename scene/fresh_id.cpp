@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
+
+#include "core/rng.h"
 
 namespace unietp {
 namespace {
@@ -35,16 +38,33 @@ std::string snake_case(std::string_view category) {
   return name.empty() ? "object" : name;
 }
 
+std::string stem_of(std::string_view category) { return snake_case(without_sense(category)) + "_"; }
+
+bool is_free(const std::string& id, const Scene& scene, const NodeIndex& places) {
+  const bool is_opening = std::any_of(scene.openings.begin(), scene.openings.end(),
+                                      [&](const Opening& opening) { return opening.id == id; });
+  return !places.find(id) && find_room(scene, id) == nullptr && !is_opening;
+}
+
 }  // namespace
 
-std::string fresh_id(const Scene& scene, const NodeIndex& places, std::string_view category, const NodeIndex* before) {
-  const std::string stem = snake_case(without_sense(category)) + "_";
+std::string fresh_id(const Scene& scene, const NodeIndex& places, std::string_view category) {
+  const std::string stem = stem_of(category);
   for (std::size_t number = 1;; ++number) {
     std::string id = stem + std::to_string(number);
-    const bool is_opening = std::any_of(scene.openings.begin(), scene.openings.end(),
-                                        [&](const Opening& opening) { return opening.id == id; });
+    if (is_free(id, scene, places)) return id;
+  }
+}
+
+std::string drawn_id(const Scene& scene, const NodeIndex& places, std::string_view category, const NodeIndex* before) {
+  const std::string stem = stem_of(category);
+  std::uint64_t numbers = 99;
+  while (2 * places.of(category).size() > numbers) numbers = 10 * numbers + 9;
+  Rng rng = Rng(0).fork(scene.id, 1).fork(category, numbers);
+  for (;;) {
+    std::string id = stem + std::to_string(1 + rng.below(numbers));
     const bool was_there = before != nullptr && before->find(id);
-    if (!places.find(id) && !was_there && find_room(scene, id) == nullptr && !is_opening) return id;
+    if (!was_there && is_free(id, scene, places)) return id;
   }
 }
 

@@ -1,5 +1,7 @@
 #include "simulation/mode_rules.h"
 
+#include "scene/telling_order.h"
+
 namespace unietp {
 
 ModeRules rules_of(Mode mode) {
@@ -44,10 +46,12 @@ bool offers(const ActionInfo& action, const ModeRules& rules) {
 
 GlobalInformation global_information(const Scene& start, const ModeRules& rules) {
   GlobalInformation known;
+  const TellingOrder order = telling_order(start);
   if (rules.rooms) {
-    for (const Room& room : start.rooms) known.rooms.push_back(room.id);
+    for (const std::size_t room : order.rooms) known.rooms.push_back(start.rooms[room].id);
   }
-  for (const Node& node : start.nodes) {
+  for (const std::size_t place : order.nodes) {
+    const Node& node = start.nodes[place];
     if (node.movable && rules.movables) known.movables.push_back(node.id);
     if (!node.movable && rules.furniture) known.furniture.push_back(node.id);
   }

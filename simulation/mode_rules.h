@@ -51,7 +51,7 @@ bool offers(const ActionInfo& action, const ModeRules& rules);
 Naming naming_of(const ActionInfo& action, const ModeRules& rules);
 
 /// What an agent knows of a home at the start: rooms, fixed and movable objects, as far as the rules tell of them. Ids
-/// in the order of the scene.
+/// in the order of telling_order.
 struct GlobalInformation {
   std::vector<std::string> rooms, furniture, movables;
 };

@@ -2,6 +2,7 @@
 
 #include "core/text.h"
 #include "planted_set.h"
+#include "scene/telling_order.h"
 
 namespace unietp::testing {
 namespace {
@@ -11,14 +12,22 @@ using On = Plant::On;
 Scene& scene_of(MadeTask& made) { return made.task.start; }
 Node& node_of(MadeTask& made, const std::string& id) { return *edit_node(made.task.start, id); }
 
-void reorder(MadeTask& made, const std::string& id, bool to_end) {
-  std::vector<Node> nodes(scene_of(made).nodes.begin(), scene_of(made).nodes.end());
-  const auto at = std::find_if(nodes.begin(), nodes.end(), [&](const Node& node) { return node.id == id; });
-  to_end ? std::rotate(at, at + 1, nodes.end()) : std::rotate(nodes.begin(), at, at + 1);
-  scene_of(made).nodes = SharedList<Node>(nodes);
+/// The order in which a home is told is drawn from its name: another name, by which the order fits.
+template <class Fits>
+void name_so_that(MadeTask& made, const Fits& fits) {
+  Scene& scene = scene_of(made);
+  const std::string name = scene.id;
+  for (int i = 0;; ++i) {
+    scene.id = name + "-" + std::to_string(i);
+    if (fits(telling_order(scene))) return;
+  }
 }
-void to_end(MadeTask& made, const std::string& id, Rng&) { reorder(made, id, true); }
-void to_front(MadeTask& made, const std::string& id, Rng&) { reorder(made, id, false); }
+void to_end(MadeTask& made, const std::string& id, Rng&) {
+  name_so_that(made, [&](const TellingOrder& order) { return scene_of(made).nodes[order.nodes.back()].id == id; });
+}
+void to_front(MadeTask& made, const std::string& id, Rng&) {
+  name_so_that(made, [&](const TellingOrder& order) { return scene_of(made).nodes[order.nodes.front()].id == id; });
+}
 
 void rename(std::string& id, const std::string& from, const std::string& to) {
   if (id == from) id = to;
@@ -128,18 +137,19 @@ std::string room_of(MadeTask& made, const std::string& id) {
   }
   return "";
 }
-void move_room(MadeTask& made, const std::string& id, bool to_end) {
-  auto& rooms = scene_of(made).rooms;
-  const auto at = std::find_if(rooms.begin(), rooms.end(), [&](const Room& room) { return room.id == id; });
-  to_end ? std::rotate(at, at + 1, rooms.end()) : std::rotate(rooms.begin(), at, at + 1);
+void put_room_first(MadeTask& made, const std::string& id) {
+  name_so_that(made, [&](const TellingOrder& order) { return scene_of(made).rooms[order.rooms.front()].id == id; });
 }
-void room_first(MadeTask& made, const std::string& id, Rng&) { move_room(made, room_of(made, id), false); }
-void room_last(MadeTask& made, const std::string& id, Rng&) { move_room(made, room_of(made, id), true); }
+void room_first(MadeTask& made, const std::string& id, Rng&) { put_room_first(made, room_of(made, id)); }
+void room_last(MadeTask& made, const std::string& id, Rng&) {
+  const std::string room = room_of(made, id);
+  name_so_that(made, [&](const TellingOrder& order) { return scene_of(made).rooms[order.rooms.back()].id == room; });
+}
 /// In one of the kitchens, which becomes the first of the rooms.
 void in_the_first_kitchen(MadeTask& made, const std::string& id, Rng& rng) {
   const std::string kitchen = "kitchen_" + std::to_string(1 + rng.below(2));
   relate(made, {Predicate::InRoom, id, kitchen});
-  move_room(made, kitchen, false);
+  put_room_first(made, kitchen);
 }
 
 /// Puts the thing into the first picture in some way.
@@ -171,15 +181,19 @@ void seen_low(MadeTask& made, const std::string& id, Rng& rng) {
 void begin_with(MadeTask& made, const std::string& id) {
   for (auto& [mode, shown] : made.task.shown) shown.steps.front().command = {"go_to", {{id, {}}}};
 }
-void begin_with_last(MadeTask& made, const std::string&, Rng&) {
+template <class Which>
+std::string last_told(MadeTask& made, const Which& which) {
   std::string last;
-  for (const Node& node : scene_of(made).nodes) last = node.movable ? last : node.id;
-  begin_with(made, last);
+  for (const std::size_t i : telling_order(scene_of(made)).nodes) {
+    if (which(scene_of(made).nodes[i])) last = scene_of(made).nodes[i].id;
+  }
+  return last;
+}
+void begin_with_last(MadeTask& made, const std::string&, Rng&) {
+  begin_with(made, last_told(made, [](const Node& node) { return !node.movable; }));
 }
 void begin_with_last_cabinet(MadeTask& made, const std::string&, Rng&) {
-  std::string last;
-  for (const Node& node : scene_of(made).nodes) last = node.category == "Cabinet" ? node.id : last;
-  begin_with(made, last);
+  begin_with(made, last_told(made, [](const Node& node) { return node.category == "Cabinet"; }));
 }
 
 }  // namespace

@@ -4,9 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include <algorithm>
+
 #include "random_scene.h"
 #include "scene/fresh_id.h"
 #include "scene/room_finder.h"
+#include "scene/telling_order.h"
 
 namespace unietp {
 namespace {
@@ -27,6 +32,63 @@ TEST(FreshId, IsTheCategoryInSnakeCaseAndTheSmallestFreeNumber) {
   EXPECT_EQ(fresh_id({}, "coffee_table.n.01"), "coffee_table_1");
   EXPECT_EQ(fresh_id({}, "2DPoster"), "2_d_poster_1");
   EXPECT_EQ(fresh_id({}, "?"), "object_1");
+}
+
+TEST(DrawnId, IsDrawnByTheNamesAndNeverTaken) {
+  Scene scene;
+  scene.id = "home-1";
+  std::vector<std::string> ids;
+  for (int i = 0; i < 120; ++i) {  // so many that numbers above 99 are needed
+    ids.push_back(drawn_id(scene, NodeIndex(scene.nodes), "Mug"));
+    EXPECT_EQ(find_node(scene, ids.back()), nullptr);
+    EXPECT_EQ(ids.back(), drawn_id(scene, NodeIndex(scene.nodes), "Mug"));
+    Node& node = scene.nodes.emplace_back();
+    node.id = ids.back(), node.category = "Mug";
+  }
+  EXPECT_FALSE(std::is_sorted(ids.begin(), ids.end()));
+  const NodeIndex before(scene.nodes);
+  Scene other;
+  other.id = "home-1";
+  EXPECT_EQ(drawn_id(other, NodeIndex(other.nodes), "Mug"), ids[0]);
+  EXPECT_FALSE(before.find(drawn_id(other, NodeIndex(other.nodes), "Mug", &before)));
+  other.id = "home-2";
+  EXPECT_NE(drawn_id(other, NodeIndex(other.nodes), "Mug"), ids[0]);
+}
+
+TEST(TellingOrder, IsByRoomAndSaysNothingOfTheOrderInTheScene) {
+  Scene scene = with_nodes({"mug_1", "cup_2", "pan_3", "fork_4", "plate_5", "bowl_6", "in_no_room_7"});
+  scene.id = "home";
+  scene.rooms = {{"kitchen_1", "kitchen", {}}, {"bedroom_2", "bedroom", {}}};
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < 6; ++i)
+    edges.push_back({Predicate::InRoom, scene.nodes[i].id, i % 2 == 0 ? "kitchen_1" : "bedroom_2"});
+  scene.edges = EdgeSet(edges);
+  const auto told = [](const Scene& one) {
+    std::vector<std::string> ids;
+    for (const Node& node : in_telling_order(one).nodes) ids.push_back(node.id);
+    return ids;
+  };
+  const auto order = told(scene);
+  EXPECT_EQ(order.back(), "in_no_room_7");
+  const auto in_kitchen = [](const std::string& id) { return id == "mug_1" || id == "pan_3" || id == "plate_5"; };
+  EXPECT_TRUE(std::is_partitioned(order.begin(), order.begin() + 6, in_kitchen) ||
+              std::is_partitioned(order.rend() - 6, order.rend(), in_kitchen));
+  Scene turned = scene;
+  std::vector<Node> nodes(scene.nodes.begin(), scene.nodes.end());
+  std::reverse(nodes.begin(), nodes.end());
+  turned.nodes = SharedList<Node>(nodes);
+  std::swap(turned.rooms[0], turned.rooms[1]);
+  EXPECT_EQ(told(turned), order);
+  erase_if(turned.nodes, [](const Node& node) { return node.id == "pan_3"; });
+  auto less = order;
+  std::erase(less, "pan_3");
+  EXPECT_EQ(told(turned), less);
+  std::set<std::vector<std::string>> orders;
+  for (int i = 0; i < 20; ++i) {
+    scene.id = "home-" + std::to_string(i);
+    orders.insert(told(scene));
+  }
+  EXPECT_GT(orders.size(), 10U);
 }
 
 TEST(FreshId, IsNotTakenByARoom) {
