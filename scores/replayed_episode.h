@@ -38,11 +38,11 @@ struct ReplayedEpisode {
   double start_progress = 0, progress = 0;
   int counted = 0, failures = 0;
   std::vector<ScoredPart> parts;
-  std::vector<bool> parts_at_start;          // which are met at the start
-  std::vector<bool> parts_lost;              // of those not met at the end: which order or constraint was lost
-  std::vector<ReplayedStep> steps;           // fewer than the record's where the episode was over before
-  bool targets_shown = false;                // of all goal_objects one that is meant was in a picture, the last included
-  std::string first_told;                    // the observation at the start, in words
+  std::vector<bool> parts_at_start;  // which are met at the start
+  std::vector<bool> parts_lost;      // of those not met at the end: which order or constraint was lost
+  std::vector<ReplayedStep> steps;   // fewer than the record's where the episode was over before
+  bool targets_shown = false;        // of all goal_objects one that is meant was in a picture, the last included
+  std::string first_told;            // the observation at the start, in words
 };
 
 /// Gathers all this while the replies are executed, by a run or again: for each reply `begin_reply`, for each of its
