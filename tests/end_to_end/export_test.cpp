@@ -9,6 +9,7 @@
 #include "program.h"
 #include "record/task_record.h"
 #include "scene/scene_json.h"
+#include "scene/telling_order.h"
 #include "schema_checker.h"
 #include "tests/exports/ltlf_reader.h"
 #include "tests/pddl/reader.h"
@@ -72,7 +73,7 @@ TEST(ExportStarts, EachStartIsWrittenWhole) {
     EXPECT_EQ(checker.check(nlohmann::ordered_json::parse(*text), "scene.schema.json"), "");
     const auto scene = scene_from_json(file.string(), *text);
     ASSERT_TRUE(scene) << format(scene.error());
-    EXPECT_EQ(*scene, start_of(small_data_set(), task));
+    EXPECT_EQ(*scene, in_telling_order(start_of(small_data_set(), task)));
   }
   EXPECT_EQ(bytes_below(out).size(), tasks.size() + 1);  // and left_out.jsonl
 }
