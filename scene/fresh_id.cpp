@@ -58,13 +58,14 @@ std::string fresh_id(const Scene& scene, const NodeIndex& places, std::string_vi
 
 std::string drawn_id(const Scene& scene, const NodeIndex& places, std::string_view category, const NodeIndex* before) {
   const std::string stem = stem_of(category);
-  std::uint64_t numbers = 99;
-  while (2 * places.of(category).size() > numbers) numbers = 10 * numbers + 9;
-  Rng rng = Rng(0).fork(scene.id, 1).fork(category, numbers);
-  for (;;) {
-    std::string id = stem + std::to_string(1 + rng.below(numbers));
-    const bool was_there = before != nullptr && before->find(id);
-    if (!was_there && is_free(id, scene, places)) return id;
+  for (std::uint64_t numbers = 99;; numbers = 10 * numbers + 9) {
+    if (2 * places.of(category).size() > numbers) continue;
+    Rng rng = Rng(0).fork(scene.id, 1).fork(category, numbers);
+    for (std::uint64_t tries = 4 * numbers; tries > 0; --tries) {  // other categories may have taken nearly all
+      std::string id = stem + std::to_string(1 + rng.below(numbers));
+      const bool was_there = before != nullptr && before->find(id);
+      if (!was_there && is_free(id, scene, places)) return id;
+    }
   }
 }
 

@@ -222,10 +222,14 @@ class GoalGrader {
       case Predicate::OnFloor:
         return Asked{"on:floor", thing + " on the floor"};
       case Predicate::InRoom:
-        return Asked{"in_room:" + other.words, thing + " in the " + replace_all(other.words, "_", " ")};
+        return in_room(thing, other);
       default:
         return std::nullopt;
     }
+  }
+
+  static Asked in_room(const std::string& thing, const Thing& room) {
+    return {"in_room:" + room.words, thing + " in the " + replace_all(room.words, "_", " ")};
   }
 
   /// All that a want asks of a thing: several where the other one is one of several categories.
@@ -239,7 +243,10 @@ class GoalGrader {
     } else if (want.negated) {
       return all;
     } else if (want.other) {
-      for (const auto& other : things_of(*want.other)) add(with_other(want, thing.words, other));
+      for (const auto& other : things_of(*want.other)) {
+        add(with_other(want, thing.words, other));
+        if (want.predicate == Predicate::OnFloor) add(in_room(thing.words, other));
+      }
     } else if (const auto deed = deed_of(want.predicate); !deed.empty()) {
       add(Asked{std::string(deed), replace_all(std::string(deed), "_", " ") + " " + thing.words});
     }

@@ -17,20 +17,6 @@
 namespace unietp {
 namespace {
 
-Formula parsed(const std::string& text, FormulaUse use) {
-  auto formula = parse_formula("test", text, use);
-  EXPECT_TRUE(formula) << text << (formula ? "" : format(formula.error()));
-  return formula ? *formula : Formula{};
-}
-
-Specification specification(const std::string& goal, const std::vector<std::string>& init) {
-  Specification result;
-  result.template_name = "by-hand";
-  result.goal = parsed(goal, FormulaUse::Goal);
-  for (const std::string& one : init) result.init.push_back(parsed(one, FormulaUse::State));
-  return result;
-}
-
 /// Its relations are those that a reading of the whole scene gives, and its text reads back to the same bits.
 void expect_read_and_written_exactly(const Scene& start) {
   EXPECT_EQ(start.edges, read_relations(start));

@@ -3,10 +3,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "generator/specification.h"
 #include "grounding/layout.h"
+#include "logic/formula.h"
 #include "tests/support/committed_knowledge.h"
 
 namespace unietp {
@@ -32,6 +35,21 @@ inline std::optional<Surroundings> style_of(Simulator simulator) {
     return std::nullopt;
   }
   return Surroundings{std::move(knowledge), std::move(*recipe), *profile};
+}
+
+inline Formula parsed(const std::string& text, FormulaUse use) {
+  auto formula = parse_formula("test", text, use);
+  EXPECT_TRUE(formula) << text << (formula ? "" : format(formula.error()));
+  return formula ? *formula : Formula{};
+}
+
+/// A specification by hand, of a goal and the constraints of its start.
+inline Specification specification(const std::string& goal, const std::vector<std::string>& init) {
+  Specification result;
+  result.template_name = "by-hand";
+  result.goal = parsed(goal, FormulaUse::Goal);
+  for (const std::string& one : init) result.init.push_back(parsed(one, FormulaUse::State));
+  return result;
 }
 
 /// A home as those of the benchmark are.

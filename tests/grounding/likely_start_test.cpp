@@ -8,12 +8,6 @@
 namespace unietp {
 namespace {
 
-Formula formula_of(const std::string& text, FormulaUse use) {
-  auto formula = parse_formula("test", text, use);
-  EXPECT_TRUE(formula) << text;
-  return formula ? *formula : Formula{};
-}
-
 /// Starts in a home that is lived in as the committed tables say.
 class LikelyStart : public ::testing::Test {
  protected:
@@ -26,15 +20,12 @@ class LikelyStart : public ::testing::Test {
   }
   std::variant<Grounded, Rejection> grounded(const std::vector<std::string>& init, std::uint64_t seed,
                                              bool dangerous = false) const {
-    Specification specification;
-    specification.template_name = "by-hand";
-    specification.goal = formula_of("(exists (?a - Plate) (at-end (held ?a)))", FormulaUse::Goal);
-    for (const auto& one : init) specification.init.push_back(formula_of(one, FormulaUse::State));
+    const Specification asked = specification("(exists (?a - Plate) (at-end (held ?a)))", init);
     GroundingOptions options;
     options.household = style_->recipe.household.get();
     options.likely = true;
     options.dangerous = dangerous;
-    return ground(specification, home_, style_->knowledge, style_->profile, options, Rng(seed));
+    return ground(asked, home_, style_->knowledge, style_->profile, options, Rng(seed));
   }
   std::string reason(const std::vector<std::string>& init, bool dangerous = false) const {
     const auto result = grounded(init, 0, dangerous);

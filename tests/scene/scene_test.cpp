@@ -55,6 +55,15 @@ TEST(DrawnId, IsDrawnByTheNamesAndNeverTaken) {
   EXPECT_NE(drawn_id(other, NodeIndex(other.nodes), "Mug"), ids[0]);
 }
 
+TEST(DrawnId, IsFoundWhereOtherCategoriesTookAllSmallNumbers) {
+  std::vector<std::string> taken;
+  for (int i = 1; i <= 99; ++i) taken.push_back("wine_glass_" + std::to_string(i));
+  const Scene scene = with_nodes(taken);
+  const std::string id = drawn_id(scene, NodeIndex(scene.nodes), "WineGlass");
+  EXPECT_TRUE(id.starts_with("wine_glass_"));
+  EXPECT_EQ(find_node(scene, id), nullptr);
+}
+
 TEST(TellingOrder, IsByRoomAndSaysNothingOfTheOrderInTheScene) {
   Scene scene = with_nodes({"mug_1", "cup_2", "pan_3", "fork_4", "plate_5", "bowl_6", "in_no_room_7"});
   scene.id = "home";

@@ -37,6 +37,16 @@ TEST(GradeGoal, WhatIsOnAPlateGoesWhereThePlateGoes) {
   EXPECT_NE(graded(goal("apple", "fridge"), Simulator::Habitat).grade, Grade::Senseless);
 }
 
+TEST(GradeGoal, AFloorIsThatOfARoom) {
+  const auto goal = [](const std::string& room) {
+    return "(exists (?a - toilet_brush) (exists (?r - " + room + ") (at-end (on_floor ?a ?r))))";
+  };
+  EXPECT_EQ(graded(goal("bathroom"), Simulator::Habitat).grade, Grade::Usual);
+  const auto elsewhere = graded(goal("bedroom"), Simulator::Habitat);
+  EXPECT_NE(elsewhere.grade, Grade::Usual);
+  EXPECT_THAT(elsewhere.parts.front().part, HasSubstr("toilet brush in the bedroom"));
+}
+
 TEST(GradeGoal, JudgesWhatFollowsWhat) {
   EXPECT_EQ(graded("(exists (?a - Potato) (exists (?b - Plate) (at-end (and (cooked ?a) (on ?a ?b)))))").grade,
             Grade::Usual);
