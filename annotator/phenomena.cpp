@@ -12,7 +12,7 @@ namespace {
 /// Those whose marks are words of no other use. "It", "one" and "where" are in many plain texts, and what a sentence is
 /// an aside or a distractor to, its words do not tell.
 constexpr std::array kTold{Style::Function,      Style::Hypernym,      Style::Description, Style::Context,
-                           Style::Request,       Style::Exception,     Style::Compound,    Style::RelativeClause,
+                           Style::Request,       Style::Exception,     Style::Compound,    Style::SubordinateClause,
                            Style::InvertedOrder, Style::VagueQuantity, Style::Condition};
 
 bool is_about(const Domain& noun, const std::vector<std::string>& categories) {

@@ -137,8 +137,8 @@ constexpr std::array kMarks = {
     Mark{Style::Distractor, "do not open"},
     Mark{Style::Negation, "no"},
     Mark{Style::Negation, "not"},
-    Mark{Style::RelativeClause, "once"},
-    Mark{Style::RelativeClause, "as soon as"},
+    Mark{Style::SubordinateClause, "once"},
+    Mark{Style::SubordinateClause, "as soon as"},
     Mark{Style::InvertedOrder, "before you"},
     Mark{Style::Coreference, "where"},
     Mark{Style::Coreference, "on which"},
@@ -194,7 +194,7 @@ std::string compound_fault(const std::vector<Token>& words, const NounTable& lex
 
 bool turn_to_style(Plan& plan, Style style) {
   if (style == Style::InvertedOrder) return make_inverted_order(plan.message);
-  if (style == Style::RelativeClause) return make_subordinate_clause(plan.message);
+  if (style == Style::SubordinateClause) return make_subordinate_clause(plan.message);
   if (style == Style::ImplicitNeed) return make_need(plan.message);
   if (style == Style::Condition) return make_conditional(plan);
   if (style == Style::Anaphora) return begin_with_fact(plan.message);

@@ -9,8 +9,8 @@
 
 namespace unietp {
 
-/// Changes a plan for a style that orders or joins its parts differently: InvertedOrder, RelativeClause, ImplicitNeed,
-/// Condition. False when no part of the plan fits the style; that of another draw may.
+/// Changes a plan for a style that orders or joins its parts differently: InvertedOrder, SubordinateClause,
+/// ImplicitNeed, Condition. False when no part of the plan fits the style; that of another draw may.
 bool turn_to_style(Plan& plan, Style style);
 
 /// The feature of the style that a text lacks, in words; "" when it has all. `around`: categories in the start scene,

@@ -39,7 +39,7 @@ constexpr std::array kStyles = {
     StyleWords{Style::Compound, "name a thing after its room ('the kitchen cabinet')"},
     StyleWords{Style::Distractor, "mention what has to stay as it is the whole time"},
     StyleWords{Style::Negation, "say a part by what must not be"},
-    StyleWords{Style::RelativeClause,
+    StyleWords{Style::SubordinateClause,
                "say in a subordinate clause what is done first ('once you've put a mug in it, …')"},
     StyleWords{Style::InvertedOrder, "say what comes later first ('before you …')"},
     StyleWords{Style::Coreference, "name a place by what is kept there ('where a plate is kept')"},

@@ -24,7 +24,7 @@ enum class Style : std::uint8_t {
   Compound,
   Distractor,
   Negation,
-  RelativeClause,
+  SubordinateClause,
   InvertedOrder,
   Coreference,
   ImplicitNeed,
@@ -36,7 +36,7 @@ inline constexpr std::size_t kStyleCount = static_cast<std::size_t>(Style::Condi
 /// Whether an object is named by a phrase that other categories share, so that the goal accepts all of these.
 bool names_by_phrase(Style style);
 
-std::string_view name_of(Style style);  // "relative-clause"
+std::string_view name_of(Style style);  // "subordinate-clause"
 /// nullopt for an unknown name.
 std::optional<Style> style_named(std::string_view name);
 

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kComplex{Style::RelativeClause, Style::InvertedOrder, Style::Condition, Style::Aside};
+constexpr std::array kComplex{Style::SubordinateClause, Style::InvertedOrder, Style::Condition, Style::Aside};
 
 class PairWriter {
  public:
