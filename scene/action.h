@@ -62,9 +62,10 @@ enum class ActionType : std::uint8_t {
   Fold,
   Break,
   Read,
+  Unfold,
 };
 /// Number of action types, those of `wide` included.
-inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionType::Read) + 1;
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionType::Unfold) + 1;
 
 /// What an action's one argument names. A tool is an object that treats what the agent holds.
 enum class ActionArgument : std::uint8_t { None, Object, ObjectOrRoom, Tool };
@@ -218,6 +219,7 @@ enum class Failure : std::uint8_t {
   NotPluggedIn,
   NotFoldable,
   AlreadyFolded,
+  AlreadyUnfolded,
   NotBreakable,
   AlreadyBroken,
   NotReadable,
@@ -330,6 +332,7 @@ enum class FailureCause : std::uint8_t {
   SeatTaken,
   NotFoldable,
   AlreadyFolded,
+  AlreadyUnfolded,
   MustBePutDownToFold,
   FoldingTakesFreeHand,
   SomethingLiesOn,

@@ -98,6 +98,9 @@ constexpr std::array kUnplugging{varies(P::PluggedIn, F::NotPluggable), kPutDown
 constexpr std::array kFolding{
     has("foldable", F::NotFoldable),     is_not(P::Folded, F::AlreadyFolded), kHandFree, kPutDown, kReach,
     need(NeedKind::Unloaded, F::Blocked)};
+constexpr std::array kUnfolding{
+    has("foldable", F::NotFoldable),     is(P::Folded, F::AlreadyUnfolded), kHandFree, kPutDown, kReach,
+    need(NeedKind::Unloaded, F::Blocked)};
 constexpr std::array kBreaking{has("breakable", F::NotBreakable), is_not(P::Broken, F::AlreadyBroken), kPutDown,
                                kReach};
 constexpr std::array kReading{has("readable", F::NotReadable), need(NeedKind::InHand, F::NotHolding)};
@@ -116,6 +119,7 @@ constexpr std::array kLies{becomes(P::LainOn)};
 constexpr std::array kPlugsIn{becomes(P::PluggedIn)};
 constexpr std::array kUnplugs{becomes(P::Unplugged), if_it_is(P::PowerOn, P::PowerOff)};
 constexpr std::array kFolds{becomes(P::Folded)};
+constexpr std::array kUnfolds{becomes(P::Unfolded)};
 constexpr std::array kReads{becomes(P::Read)};
 constexpr std::array kBreaks{becomes(P::Broken), if_it_is(P::Filled, P::Empty)};
 
@@ -186,6 +190,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{
     row(Fold, "fold", Object, Manipulation, "B", kFolding, "the object is folded", kFolds),
     row(Break, "break", Object, Manipulation, "A", kBreaking, "the object is broken; what filled it is gone", kBreaks),
     row(Read, "read", Object, Manipulation, "V", kReading, "the agent has read the object, which it holds", kReads),
+    row(Unfold, "unfold", Object, Manipulation, "B", kUnfolding, "the object is spread out, not folded", kUnfolds),
 };
 
 constexpr bool in_enum_order() {
@@ -239,6 +244,7 @@ constexpr std::array<FailureInfo, kFailureCount> kFailures{{
     {F::NotPluggedIn, "not_plugged_in", ""},
     {F::NotFoldable, "not_foldable", "something that can be folded"},
     {F::AlreadyFolded, "already_folded", ""},
+    {F::AlreadyUnfolded, "already_unfolded", "it folded"},
     {F::NotBreakable, "not_breakable", "something that breaks"},
     {F::AlreadyBroken, "already_broken", ""},
     {F::NotReadable, "not_readable", ""},
@@ -335,8 +341,9 @@ constexpr std::array<FailureCauseInfo, kFailureCauseCount> kCauses{{
     {C::SeatTaken, F::NoFreePlace, "There is no free place on {object}; something lies there."},
     {C::NotFoldable, F::NotFoldable, "{object} cannot be folded."},
     {C::AlreadyFolded, F::AlreadyFolded, "{object} is folded already."},
-    {C::MustBePutDownToFold, F::HandsFull, "Put {object} down to fold it."},
-    {C::FoldingTakesFreeHand, F::HandsFull, "Folding takes a free hand."},
+    {C::AlreadyUnfolded, F::AlreadyUnfolded, "{object} is not folded."},
+    {C::MustBePutDownToFold, F::HandsFull, "Put {object} down to fold or unfold it."},
+    {C::FoldingTakesFreeHand, F::HandsFull, "Folding and unfolding take a free hand."},
     {C::SomethingLiesOn, F::Blocked, "{object} lies on {other}."},
     {C::NotBreakable, F::NotBreakable, "{object} cannot be broken."},
     {C::AlreadyBroken, F::AlreadyBroken, "{object} is broken already."},
