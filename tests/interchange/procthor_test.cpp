@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,6 +79,30 @@ TEST(Procthor, AnAxisAndAnAngleTurnTheSameWayAsEulerAngles) {
   // Unity turns clockwise seen from above: a quarter turns what looks along its z, our y, to x.
   const Quat quarter = rotation_read(R"({"axis": [0, 1, 0], "degrees": 90})");
   EXPECT_LT((quarter * -Vec3::UnitY() - Vec3::UnitX()).norm(), 1e-6);
+}
+
+TEST(Procthor, WallsAreAsHighAsTheHouseSaysAndAnAgentLooksAheadUnlessItSaysOtherwise) {
+  const auto read = [](const std::string& walls, const std::string& agent) {
+    auto houses = read_procthor(
+        "house",
+        R"({"rooms": [{"id": "room|1", "roomType": "Kitchen", "floorPolygon": [{"x": 0, "y": 0, "z": 0}, )"
+        R"({"x": 4, "y": 0, "z": 0}, {"x": 4, "y": 0, "z": 4}, {"x": 0, "y": 0, "z": 4}]}], "walls": [)" +
+            walls + R"(], "objects": [], "metadata": {"agent": {"position": {"x": 1, "y": 0.9, "z": 2})" + agent +
+            "}}}",
+        committed_knowledge(Simulator::Ai2thor));
+    EXPECT_TRUE(houses) << format(houses.error());
+    return houses->front();
+  };
+  const std::string wall =
+      R"({"id": "wall|1", "roomId": "room|1", "polygon": [{"x": 0, "y": 0, "z": 0}, {"x": 4, "y": 0, "z": 0}, )"
+      R"({"x": 4, "y": 3.25, "z": 0}, {"x": 0, "y": 3.25, "z": 0}]})";
+  const auto high = read(wall, R"(, "rotation": {"x": 0, "y": 90, "z": 0}, "horizon": 30)");
+  EXPECT_NEAR(high.wall_height, 3.25, 1e-9);
+  EXPECT_NEAR(high.agent.pitch, -std::numbers::pi / 6, 1e-6);
+  const auto usual = read("", "");
+  EXPECT_NEAR(usual.wall_height, SourceScene().wall_height, 1e-9);
+  const auto turned = read("", R"(, "rotation": {"x": 0, "y": 0, "z": 0})");
+  EXPECT_NEAR(usual.agent.yaw, turned.agent.yaw, 1e-9);
 }
 
 /// Nodes of one scene that the other has no equal of: same category, middle within 2 cm, extents within 1 cm.
