@@ -5,10 +5,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/text.h"
 #include "import_rates.h"
 #include "interchange/formats.h"
+#include "small_home.h"
 #include "tests/support/needs.h"
 
 namespace unietp::testing {
@@ -145,6 +148,30 @@ void expect_same_plan(const Scene& a, const Scene& b) {
   EXPECT_LT((a.agent.position - b.agent.position).norm(), 0.001);
   EXPECT_NEAR(std::cos(a.agent.yaw - b.agent.yaw), 1, 1e-6);
   EXPECT_NEAR(a.agent.pitch, b.agent.pitch, 1e-4);
+}
+
+TEST(Procthor, AWallIsNamedByItsRoomAndItsEndsInTwoDecimals) {
+  const Knowledge& knowledge = committed_knowledge(Simulator::Ai2thor);
+  const auto written = write_procthor(small_home(knowledge, 1), knowledge, format_facts());
+  ASSERT_TRUE(written) << format(written.error());
+  const auto house = nlohmann::json::parse(written->text);
+  ASSERT_GE(house["walls"].size(), 8U);
+  for (const auto& wall : house["walls"]) {
+    const auto parts = split(wall["id"].get<std::string>(), '|');
+    ASSERT_EQ(parts.size(), 6U) << wall["id"];
+    double x[] = {1e9, -1e9}, z[] = {1e9, -1e9};
+    for (const auto& corner : wall["polygon"]) {
+      x[0] = std::min(x[0], corner["x"].get<double>());
+      x[1] = std::max(x[1], corner["x"].get<double>());
+      z[0] = std::min(z[0], corner["z"].get<double>());
+      z[1] = std::max(z[1], corner["z"].get<double>());
+    }
+    EXPECT_NEAR(std::stod(parts[2]), x[0], 0.006) << wall["id"];
+    EXPECT_NEAR(std::stod(parts[3]), z[0], 0.006) << wall["id"];
+    EXPECT_NEAR(std::stod(parts[4]), x[1], 0.006) << wall["id"];
+    EXPECT_NEAR(std::stod(parts[5]), z[1], 0.006) << wall["id"];
+    EXPECT_EQ(wall["id"].get<std::string>().find("-0.00"), std::string::npos) << wall["id"];
+  }
 }
 
 TEST(Procthor, AHouseThatIsWrittenAndReadIsTheSameHome) {
