@@ -49,10 +49,12 @@ class FactWriter {
       if (kind.fillable) add("(fillable" + of);
       if (kind.allows(ActionType::UseUp)) add("(consumable" + of);
       if (kind.shuts_to_run && rules_.capabilities().power_needs_closed) add("(shuts-to-run" + of);
-      for (const auto& action : extension_actions()) {
-        const auto affordance = affordance_for(action);
-        const bool asks = std::find(affordances.begin(), affordances.end(), affordance) != affordances.end();
-        if (asks && kind.allows(action.type)) add("(" + std::string(affordance) + of);
+      for (const auto affordance : affordances) {
+        const auto& actions = extension_actions();
+        if (std::any_of(actions.begin(), actions.end(), [&](const ActionInfo& action) {
+              return affordance_for(action) == affordance && kind.allows(action.type);
+            }))
+          add("(" + std::string(affordance) + of);
       }
       add("(rests " + name(id) + of);
       const Id whole = setting_.objects.things[i].whole;
